@@ -1,0 +1,11 @@
+# Debian 12 packages, found by name. scripts/packages.txt installs them.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(cln REQUIRED IMPORTED_TARGET cln)
+pkg_check_modules(ginac REQUIRED IMPORTED_TARGET ginac)
+find_package(fmt REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(SUNDIALS REQUIRED)
+find_package(Boost REQUIRED)
+find_package(Threads REQUIRED)

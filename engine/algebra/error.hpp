@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only error types of the engine. Every failure that a user can cause is an Error that says
+// the rule, the place, the value and the mend; the command turns it into one message and an exit code.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace resonform {
+
+// Exit codes of the command (docs/file_formats.md): the kind of an error decides the code.
+enum class Kind {
+    bad_input = 2, // the user's file, expression or command line breaks a rule
+    refused = 3,   // the input is meaningful but the answer cannot be given honestly
+};
+
+// Where the offending text stands. Empty members are unknown and are not printed.
+struct Place {
+    std::string file;
+    int line = 0;            // 1-based
+    int column = 0;          // 1-based, in bytes
+    std::string key;         // e.g. "equations.psi"
+    std::string source_line; // the line of the file, to be shown with a caret under the column
+};
+
+// One complaint: what must hold, where it does not, the offending value, and how to mend it.
+struct Diagnostic {
+    std::string rule;
+    std::string value;
+    std::string mend;
+    Place place;
+};
+
+// Renders a diagnostic as one message of at most 2 kB.
+std::string to_string(const Diagnostic& diagnostic);
+
+class Error : public std::runtime_error {
+public:
+    Error(Kind kind, Diagnostic diagnostic)
+        : std::runtime_error(to_string(diagnostic)), kind_(kind), diagnostic_(std::move(diagnostic)) {}
+
+    [[nodiscard]] Kind kind() const { return kind_; }
+    [[nodiscard]] const Diagnostic& diagnostic() const { return diagnostic_; }
+
+private:
+    Kind kind_;
+    Diagnostic diagnostic_;
+};
+
+[[noreturn]] inline void bad_input(Diagnostic d) { throw Error(Kind::bad_input, std::move(d)); }
+[[noreturn]] inline void refuse(Diagnostic d) { throw Error(Kind::refused, std::move(d)); }
+
+} // namespace resonform

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A straight-line program over graded series, evaluated weight by weight: part n of every node is
+// computed once, from parts 0 ... n of its operands, and never again (Euler's recurrences, e.g. for
+// s = sin u, c = cos u with [u]_0 = 0:  n s_n = sum_{j=1}^n j u_j c_{n-j}).
+//
+//   program:  psi = input;  s = sine(psi);  f = product(constant(i G/sigma), s)
+//   run:      set_input(psi, 1, (z1+z2)/2); advance(1); part(f,1) = i G/sigma (z1+z2)/2; ...
+#pragma once
+
+#include "algebra/series.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+class SeriesProgram {
+public:
+    using Node = int;
+    enum class Op { input, constant, sum, product, sine, cosine, exponential, logarithm, power };
+
+    struct Instruction {
+        Op op = Op::constant;
+        std::string name;                               // input
+        std::vector<Polynomial> parts;                  // constant, by weight
+        std::vector<std::pair<Rational, Node>> addends; // sum
+        Node left = -1, right = -1;                     // product; left: operand of functions
+        Rational exponent;                              // power
+    };
+
+    explicit SeriesProgram(RingPtr ring);
+    [[nodiscard]] const RingPtr& ring() const { return ring_; }
+    [[nodiscard]] const std::vector<Instruction>& instructions() const { return instructions_; }
+
+    Node input(std::string name);
+    Node constant(const Polynomial& p); // split by weight
+    Node sum(std::vector<std::pair<Rational, Node>> addends);
+    Node product(Node a, Node b);
+    Node sine(Node u); // creates cosine(u) too, once per u
+    Node cosine(Node u);
+    Node exponential(Node u);
+    Node logarithm(Node u);
+    // u^exponent; weight-0 part of u must be a unit whose power lies in the ring (checked in a Run).
+    // A non-negative integer exponent is expanded into products.
+    Node power(Node u, const Rational& exponent);
+
+private:
+    RingPtr ring_;
+    std::vector<Instruction> instructions_;
+    std::vector<std::pair<Node, std::pair<Node, Node>>> trigonometric_; // u -> (sine, cosine)
+};
+
+// One evaluation of a program. Weights are advanced one by one from 0.
+class SeriesRun {
+public:
+    explicit SeriesRun(const SeriesProgram& program);
+
+    // Sets part `weight` of an input; must happen before advance(weight), or afterwards followed by
+    // correct(weight).
+    void set_input(SeriesProgram::Node input, int weight, Polynomial part);
+    // Computes part `weight` of every node; weights must come in order 0, 1, 2, ...
+    // Errors (refused): sine/cosine/exponential/logarithm of a series whose weight-0 part is not 0
+    // (1 for logarithm), power of a series whose weight-0 part is no unit.
+    void advance(int weight);
+    // After inputs at the last advanced weight changed: updates part `weight` of every node. By
+    // linearity only weight-0 parts enter: d(a b)_n = a_0 db_n + b_0 da_n, d(sin u)_n = c_0 du_n.
+    void correct(int weight);
+    [[nodiscard]] const Polynomial& part(SeriesProgram::Node node, int weight) const;
+    [[nodiscard]] const Series& series(SeriesProgram::Node node) const;
+
+private:
+    const SeriesProgram* program_;
+    std::vector<Series> values_;
+    int weight_ = -1;
+    std::vector<std::pair<SeriesProgram::Node, Polynomial>> changed_; // input deltas since advance
+};
+
+} // namespace resonform

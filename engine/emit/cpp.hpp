@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Program -> C++ text.
+#pragma once
+
+#include "emit/program.hpp"
+
+#include <string>
+
+namespace resonform {
+
+struct CppOptions {
+    bool inline_runtime = false; // copy runtime/*.hpp into the file instead of including it
+};
+
+// The header generated/<system>/<scene>.hpp: namespace resonform::generated::<system>::<scene>.
+std::string emit_cpp(const Program& program, const CppOptions& options = {});
+
+// A translation unit with a C interface around the header's text, for a shared library that
+// verify/evaluator.hpp loads. For each real type R in {double: "d", long double: "l", __float128: "q"}:
+//   void* rf_new_R(const R* eps, const R* parameters, const R* start, const R* slow_time_end);
+//   void  rf_delete_R(void*);
+//   int   rf_call_R(const void*, const R* t, R* outputs);           status, 0 = ok
+//   int   rf_state_R(const void*, const R* t, R* state);            only if program.state is filled
+//   void  rf_batch_R(const void*, const R* t, long n, R* const* outputs, unsigned char* status);
+std::string emit_library(const Program& program);
+
+} // namespace resonform

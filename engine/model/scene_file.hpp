@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// scenes/*.toml -> Scene: what the user wants of a system; everything else is left out.
+#pragma once
+
+#include "model/system_file.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+enum class Verdict { pass, fail, undecided };
+const char* to_string(Verdict verdict);
+
+struct StartValue {
+    std::string name; // "xi", "C_delta", "psi", "psi'"
+    GiNaC::ex value;  // in parameters and eps
+    std::string text;
+    SourceText source;
+};
+
+struct VerifyPlan {
+    GiNaC::ex interval; // in eps and parameters; default 1/eps^time_scale
+    std::string interval_text = "1/eps";
+    std::vector<Rational> eps; // descending; default 0.2 0.1 0.05 0.02 0.01 ... 1e-4
+    bool eps_given = false;    // false: the judge may extend the ladder downwards
+    std::map<std::string, int> claim;
+    std::map<std::string, Verdict> expect;
+};
+
+struct Scene {
+    std::string name; // file stem
+    std::string title;
+    std::filesystem::path file;
+    std::shared_ptr<const System> system;
+    int order = 3;                 // N
+    std::optional<int> time_scale; // p; exactly one of the two; default time_scale = 1
+    std::optional<int> truncation; // M
+    std::vector<std::string> outputs;
+    bool oscillating = true;
+    std::map<std::string, Rational> fix; // parameter -> exact value
+    std::vector<StartValue> start;       // in the order of the file
+    VerifyPlan verify;
+
+    // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
+    [[nodiscard]] const StartValue* start_of(const std::string& canonical) const;
+};
+
+// The system is the one in the scene's parent's parent folder (systems/x/scenes/s.toml), else by the
+// name it gives, in `systems`.
+Scene read_scene(const std::filesystem::path& file, const std::filesystem::path& systems);
+
+} // namespace resonform

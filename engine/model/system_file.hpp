@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// system.toml -> System: what the user wrote, checked, in the order of the file.
+#pragma once
+
+#include "model/expression.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+enum class Role { fast, angle, slow, drift };
+const char* to_string(Role role);
+
+struct Parameter {
+    std::string name;
+    bool positive = false;
+    bool nonzero = false; // implied by positive
+    std::string unit;
+    GiNaC::symbol symbol;
+};
+
+struct Variable {
+    std::string name;
+    Role role = Role::fast;
+    std::string unit;
+    bool positive = false, nonzero = false; // slow variables: their domain
+    int order = 1;                          // highest derivative in the equations
+    std::vector<GiNaC::symbol> jet;         // x, x', ..., x^(order)
+    Place place;
+};
+
+struct Equation {
+    std::string variable;
+    std::string text;
+    GiNaC::ex residual; // lhs - rhs, in jets, parameters and eps
+    SourceText source;
+};
+
+struct Notation { // [notation] name = "amplitude.psi" | "phase.psi" | "constant.x"
+    std::string name;
+    std::string kind; // "amplitude", "phase", "constant"
+    std::string variable;
+};
+
+struct System {
+    std::string name, title, source;
+    std::filesystem::path file; // system.toml; its folder holds scenes/
+    std::vector<Parameter> parameters;
+    std::vector<Variable> variables;
+    std::vector<Equation> equations; // one per variable, in the order of variables
+    std::vector<Notation> notation;
+    std::vector<GiNaC::ex> positive; // [domain] positive = ["1 + tau"]: declared positive
+    GiNaC::symbol eps{"eps"};
+
+    [[nodiscard]] const Variable* variable(const std::string& name) const;
+    [[nodiscard]] const Parameter* parameter(const std::string& name) const;
+    // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
+    [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
+};
+
+// SYSTEM of the command line: a folder with system.toml, that file, or a name in `systems`.
+std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems);
+System read_system(const std::filesystem::path& file);
+System read_system_text(std::string_view toml, const std::filesystem::path& file);
+
+} // namespace resonform

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poincare normal form: h and l have no resonant component (design 2.3).
+#pragma once
+
+#include "normalize/normal_form.hpp"
+
+#include <functional>
+
+namespace resonform {
+
+struct NormalizeOptions {
+    // Called after each weight with (weight, terms so far); may throw to stop.
+    std::function<void(int, std::size_t)> progress;
+};
+
+// 1 <= through <= 99. The certificate is left empty: certify() is a second route in its own file.
+Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
+                                 const NormalizeOptions& options = {});
+
+} // namespace resonform

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What an evaluator answers beside its numbers.
+#pragma once
+
+namespace resonform {
+
+enum class Status : unsigned char {
+    ok = 0,
+    outside_domain = 1,   // a root or logarithm of something that is not positive, a zero divisor
+    outside_interval = 2, // t < 0 or eps t beyond the tabulated slow time
+    bad_argument = 3,     // NaN or infinite t, eps <= 0, NaN parameter
+    low_precision = 4,    // the phase is so large that fewer than 3 digits of it are left
+    overflow = 5,         // a result is not finite
+};
+
+constexpr const char* to_string(Status s) {
+    switch (s) {
+    case Status::ok: return "ok";
+    case Status::outside_domain: return "outside_domain";
+    case Status::outside_interval: return "outside_interval";
+    case Status::bad_argument: return "bad_argument";
+    case Status::low_precision: return "low_precision";
+    case Status::overflow: return "overflow";
+    }
+    return "unknown";
+}
+
+} // namespace resonform

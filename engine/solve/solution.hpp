@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solution of a normal form with one oscillator (or none) and slow variables of explicit law:
+//
+//   xi = xi_0 + eps v t,  w = Delta e^{i theta},  Delta = eps C E(xi) (1 + eps^2 B_2(xi) + ...)   (21)
+//   theta = theta_0 + int_0^t (omega(xi) + eps^2 Theta_2(xi) + ...) dt
+//   z_X = C_X + closed primitives + quadratures from xi_0
+//   psi, x, y = the map with all this put in, by powers of eps through N                    (22), (23)
+//
+// Everything is a Polynomial of the solution ring: the ring of the normal form without its modes,
+// roots refined (sigma -> s^(1/8)), plus the constants of the solution, e^{i theta}, and primitives.
+#pragma once
+
+#include "model/scene_file.hpp"
+#include "normalize/normal_form.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+enum class PrimitiveKind {
+    logarithm,   // log(argument), argument positive, vanishing at xi = 0 where that is possible
+    quadrature,  // int_{xi_0}^{xi} argument d xi, or int_0^T argument dT with T = eps t
+    exponential, // exp(argument)
+};
+
+struct Primitive {
+    GeneratorId id;   // in Solution::ring
+    std::string name; // "Q_x2", "L1"
+    PrimitiveKind kind;
+    Polynomial argument;         // in Solution::ring
+    bool over_slow_time = false; // quadrature: over T = eps t instead of xi
+};
+
+struct SlowLaw {           // xi(t) = xi_0 + eps rate t
+    std::size_t variable;  // index into system.variables
+    GeneratorId generator; // in Solution::ring
+    Polynomial rate;       // constant: parameters only
+};
+
+struct ModeSolution {
+    std::size_t variable;
+    GeneratorId amplitude;                  // C_delta: Delta = eps * C_delta * E * ...
+    std::string amplitude_name, phase_name; // "C_delta", "theta_0" (the user's notation)
+    GeneratorId phase;                      // e^{i theta}
+    Polynomial envelope;                    // E(xi), e.g. (xi^2 + r^2)^(-1/8)
+    Series factor;                          // 1 + eps^2 B_2 + ..., by weight (powers of eps)
+    Series phase_rate; // theta' = sum_n eps^n Theta_n(xi), weights 0 ... ; part(n) holds eps^n
+};
+
+struct DriftSolution {
+    std::size_t variable;
+    GeneratorId constant; // C_X
+    std::string constant_name;
+    Series value; // z_X by powers of eps, the constant included in part 0
+};
+
+struct SolutionOutput {
+    std::string name; // "psi", "x", "psi'" ...
+    Series value;     // part(n) is the factor with eps^n in it; in e^{i theta}, primitives, ...
+};
+
+struct Solution {
+    std::shared_ptr<const Normalization> normalization;
+    int order = 0;      // N: outputs are cut at eps^N
+    int truncation = 0; // M: normal form and map are used through M
+    RingPtr ring;
+    GeneratorId eps;
+    std::vector<SlowLaw> slow;       // none or one
+    std::vector<ModeSolution> modes; // none or one
+    std::vector<DriftSolution> drift;
+    std::vector<Primitive> primitives;   // a primitive uses only earlier ones
+    std::vector<SolutionOutput> outputs; // every fast and drift variable of the system, file order
+    // Every state of the first-order system but the slow ones ("psi", "psi'", "x", "y"), with the map
+    // at its full weight M: the initial values of a direct integration are these at t = 0.
+    std::vector<SolutionOutput> state;
+    // The drift variables without oscillation are the parts of `outputs` free of e^{i theta}.
+
+    [[nodiscard]] const System& system() const { return normalization->normal_form.field->system(); }
+};
+
+struct SolveOptions {
+    int order = 3;      // N
+    int truncation = 4; // M
+};
+
+// M for a scene: the truncation it gives, else the count of design 2.4 for time_scale p (the largest
+// over the outputs), with the reason as text.
+struct TruncationCount {
+    int truncation;
+    std::string reason;
+};
+TruncationCount count_truncation(const GradedField& field, const Scene& scene);
+
+// Errors (refused): more than one mode, slow variables without explicit law, an amplitude equation
+// that is not solved by quadratures at leading order (strong damping).
+Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options);
+
+} // namespace resonform

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The symbolic evaluator: runs a Program's graph in any real type, without compiling anything. It is
+// what emitted code is compared with, and what `resonform evaluate` uses.
+#pragma once
+
+#include "emit/program.hpp"
+#include "runtime/status.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// Real: double, long double, __float128, boost cpp_bin_float_50 / _100 (instantiated in the .cpp).
+template <class Real> class Interpreter {
+public:
+    // parameters, start: values in the order of program.parameters / program.start; empty: defaults.
+    Interpreter(std::shared_ptr<const Program> program, Real eps, std::vector<Real> parameters,
+                std::vector<Real> start, Real slow_time_end);
+    ~Interpreter();
+    Interpreter(Interpreter&&) noexcept;
+
+    Status call(Real t, std::vector<Real>& outputs) const; // sized like program.outputs
+    Status state(Real t, std::vector<Real>& state) const;  // sized like program.state
+    // sum of |terms| of each output at t: the scale against which accuracy is judged.
+    Status scale(Real t, std::vector<Real>& scale) const;
+    [[nodiscard]] Status construction_status() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// The defaults of parameters and start values at a given eps.
+template <class Real> std::vector<Real> default_parameters(const Program& program, Real eps);
+template <class Real>
+std::vector<Real> default_start(const Program& program, Real eps, const std::vector<Real>& parameters);
+
+} // namespace resonform
