@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The neutral form in which exact results are printed: sums of factored terms in a fixed order, before
+// any notation (text, LaTeX, SymPy) spells them.
+//
+//   ring:     (2 G^-2 sigma^-10 r^2 v^3 xi - ...)/128
+//   display:  1/128 * g^-1 v^3 xi (2 r^2 - xi^2) (r^2 + xi^2)^(-5/2)
+//
+// Roots are shown as rational powers of their radicands, symbols in the order of the user's file,
+// polynomials by falling total degree.
+#pragma once
+
+#include "algebra/ring.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+struct DisplaySum;
+
+// base ^ exponent, exponent != 0.
+struct DisplayFactor {
+    enum class Kind {
+        symbol,   // name with primes: psi''
+        number,   // a rational under a root
+        sum,      // (r^2 + xi^2): arguments[0]
+        function, // name(arguments...)
+        integral, // of arguments[0] by arguments[1] from arguments[2] to arguments[3]
+    };
+    Kind kind = Kind::symbol;
+    std::string name;
+    int primes = 0;
+    Rational number = 0;
+    std::vector<DisplaySum> arguments;
+    Rational exponent = 1;
+};
+
+// coefficient * [i] * factors * tail. Negative exponents among the factors go below the fraction bar;
+// the tail follows the fraction: -xi/(4*(r^2 + xi^2)) * z1*xi'.
+struct DisplayTerm {
+    Rational coefficient = 1;
+    bool imaginary = false;
+    std::vector<DisplayFactor> factors;
+    std::vector<DisplayFactor> tail;
+};
+
+// No terms: zero.
+struct DisplaySum {
+    std::vector<DisplayTerm> terms;
+};
+
+DisplayFactor symbol_factor(const std::string& name, const Rational& exponent = 1); // "psi''": two primes
+DisplayFactor function_factor(const std::string& name, DisplaySum argument);
+DisplaySum symbol_sum(const std::string& name);
+DisplaySum number_sum(const Rational& value);
+DisplaySum operator+(DisplaySum a, const DisplaySum& b);
+DisplaySum operator-(DisplaySum a);
+
+// How generators are shown that are more than their name: a primitive as its logarithm, ...
+using Substitutes = std::map<GeneratorId, DisplayFactor>;
+
+DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& substitutes = {});
+
+// p by monomials in `outer`, each coefficient one term with the monomial as its tail, in the order of
+// falling preference: weight, then exponents ascending in the order of `outer`.
+DisplaySum display_collected(const Ring& ring, const Polynomial& p, const std::vector<GeneratorId>& outer,
+                             const Substitutes& substitutes = {});
+
+// A sum as one term: common powers and the rational content before a parenthesis.
+DisplayTerm factored(const DisplaySum& sum);
+
+} // namespace resonform

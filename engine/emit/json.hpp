@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// JSON as the contract of the command fixes it (design 6.1): key order kept, numbers with as many of
+// 17 digits as it takes to read the same double back, null for what is no number.
+#pragma once
+
+#include "normalize/normal_form.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+using Json = nlohmann::ordered_json;
+
+// NaN and infinities -> null.
+Json json_number(double value);
+Json json_numbers(const std::vector<double>& values);
+
+// One member of the outermost object per line, arrays of objects with one element per line, everything
+// deeper on that line; ends with a newline. Parses to the same value; same bytes on every run.
+std::string json_document(const Json& value);
+
+// An exact expression as <e> of design 6.1: "-v*xi/(4*(r**2 + xi**2))". Parses in SymPy.
+std::string json_expression(const Ring& ring, const Polynomial& p);
+
+// Schema resonform.normal_form/1: normal form and map through weight `order`.
+Json normal_form_json(const Normalization& normalization, int order);
+
+} // namespace resonform
