@@ -1,4 +1,6 @@
-# Debian 12 packages, found by name. scripts/packages.txt installs them.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Debian 12 packages, found by name; scripts/packages_*.txt list them and scripts/install_packages.sh
+# installs them.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(cln REQUIRED IMPORTED_TARGET cln)
 pkg_check_modules(ginac REQUIRED IMPORTED_TARGET ginac)
@@ -8,4 +10,11 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(SUNDIALS REQUIRED)
 find_package(Boost REQUIRED)
-find_package(Threads REQUIRED)
+
+# libquadmath belongs to GCC: clang has neither its header's folder nor its library on its paths.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    find_program(RESONFORM_GCC g++ REQUIRED)
+    execute_process(COMMAND ${RESONFORM_GCC} -print-file-name=include
+        OUTPUT_VARIABLE gcc_include OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    add_compile_options(-idirafter ${gcc_include})
+endif()

@@ -1,0 +1,1 @@
+// removed when every room has a source
