@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/first_order_system.hpp"
+#include "verify/tape.hpp"
 
 #include <memory>
 #include <string>
@@ -10,27 +11,42 @@
 
 namespace resonform {
 
-// The right-hand side as a tape of operations, with numbers put in for the parameters and eps.
-class Tape; // verify/tape.hpp
-
-struct IntegrationResult {
-    std::vector<std::vector<double>> values; // [state][point]; double methods
+// values[state][point] at ascending times; the first time is the start or later.
+template <class Real> struct Integration {
+    std::vector<std::vector<Real>> values;
     std::size_t steps = 0, evaluations = 0;
     double seconds = 0;
-    std::string failure; // empty if the method reached the end
+    std::string failure; // empty if the method reached the last time
 };
+using IntegrationResult = Integration<double>;
+template <class Real> using TaylorResult = Integration<Real>;
 
-// Taylor-series integrator in Real = double, long double, __float128 (and dd_real if it serves).
-// values[state][point] at the given ascending times; tolerance is relative to each state's scale.
-template <class Real> struct TaylorResult {
-    std::vector<std::vector<Real>> values;
-    std::size_t steps = 0;
-    double seconds = 0;
-    std::string failure;
-};
+// Taylor-series integrator, Real = double, long double, Float128, DoubleDouble. It starts at t = 0.
+// Each step expands the solution to `order` (0: ceil(1 - ln(tolerance)/2), which makes the cost least)
+// and is as long as the last two coefficients allow: |c_k| h^k <= tolerance * scale of the state, the
+// scale being the largest value so far (Jorba and Zou, Experimental Mathematics 14 (2005) 99-117).
+// A solution that leaves the domain of the equations is a failure, not an exception.
 template <class Real>
-TaylorResult<Real> integrate_taylor(const FirstOrderSystem& system, const std::vector<Real>& parameters,
-                                    Real eps, const std::vector<Real>& start, const std::vector<Real>& times,
-                                    Real tolerance, int order = 0);
+Integration<Real> integrate_taylor(const Tape& tape, const std::vector<Real>& parameters, const Real& eps,
+                                   const std::vector<Real>& start, const std::vector<Real>& times,
+                                   double tolerance, int order = 0);
+
+// The same from a system; parameters in the order of system.system->parameters.
+template <class Real>
+Integration<Real> integrate_taylor(const FirstOrderSystem& system, const std::vector<Real>& parameters,
+                                   const Real& eps, const std::vector<Real>& start,
+                                   const std::vector<Real>& times, double tolerance, int order = 0) {
+    return integrate_taylor(Tape::rates(system), parameters, eps, start, times, tolerance, order);
+}
+
+enum class Method { taylor, cvode_adams, cvode_bdf, dopri5, fehlberg78 };
+const char* to_string(Method method);
+
+// Any method in double, dense output through the method's own interpolation where it has one
+// (fehlberg78 has none and steps to every time). Tolerance is relative, and absolute against the
+// scale of each start value (1 where that is zero). Messages of the libraries go to `failure`.
+IntegrationResult integrate(Method method, const Tape& tape, const std::vector<double>& parameters,
+                            double eps, const std::vector<double>& start, const std::vector<double>& times,
+                            double tolerance);
 
 } // namespace resonform

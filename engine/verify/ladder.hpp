@@ -5,6 +5,7 @@
 
 #include "emit/program.hpp"
 #include "model/first_order_system.hpp"
+#include "verify/judge.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -14,28 +15,11 @@
 
 namespace resonform {
 
-struct LadderRung {
-    Rational eps;
-    double max_error = 0, rms_error = 0;
-    int digits = 0;             // decimal digits of the arithmetic used
-    double reference_error = 0; // estimated error of the direct integration
-};
-
-struct OutputVerdict {
-    std::string name;
-    int claimed_order = 0, found_order = 0;
-    Verdict verdict = Verdict::undecided, expected = Verdict::pass;
-    double slope = 0, slope_low_eps = 0, slope_high_eps = 0; // asymptotic slope and its window
-    double constant = 0;                                     // lim max|error| / eps^found_order
-    std::string reason;                                      // when undecided or failed
-    std::vector<LadderRung> ladder;
-    std::vector<double> local_slopes; // between rungs
-};
-
 struct Verification {
     std::string system, scene;
     std::vector<OutputVerdict> outputs;
     double emitted_against_symbolic = 0;    // worst |emitted - interpreted| in ulp of the scale
+    double seconds = 0;                     // of the whole verification
     [[nodiscard]] bool as_expected() const; // every verdict equals the expected one
 };
 
@@ -48,7 +32,20 @@ struct VerifyOptions {
 Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
                     const Solution& solution, const VerifyOptions& options);
 
-// Pure: ladder errors -> slope, constant, verdict (verify/judge.hpp implements; tested with made-up data).
-void judge(OutputVerdict& output);
+// One run at one eps, for plots: emitted values and their difference from direct integration.
+// [output][point]; direct integration in extended precision, differences taken there.
+struct ErrorCurves {
+    double eps = 0;
+    std::vector<std::string> outputs;
+    std::vector<double> times;
+    std::vector<std::vector<double>> emitted, direct, error;
+};
+// points: how many times, evenly spread over [0, interval], both ends included.
+ErrorCurves error_curves(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
+                         const Solution& solution, const Rational& eps, std::size_t points,
+                         const VerifyOptions& options);
+
+// The screen of `resonform verify`: one ladder per output with its verdict.
+std::string to_text(const Verification& verification);
 
 } // namespace resonform

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The JSON of verify, compare and stability (docs/file_formats.md): numbers with 17 digits, null for
+// what is not finite.
+#pragma once
+
+#include "verify/ladder.hpp"
+#include "verify/stability.hpp"
+#include "verify/work_precision.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace resonform {
+
+nlohmann::ordered_json to_json(const Verification& verification); // resonform.verification/1
+nlohmann::ordered_json to_json(const Comparison& comparison);     // resonform.comparison/1
+nlohmann::ordered_json to_json(const Stability& stability);       // resonform.stability/1
+
+} // namespace resonform

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the errors of an eps-ladder to a verdict: error = O(eps^q), which q?
+#pragma once
+
+#include "model/scene_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// One eps: max and RMS of |emitted - direct| over the interval.
+struct LadderRung {
+    Rational eps;
+    double max_error = 0, rms_error = 0;
+    int digits = 0;             // decimal digits of the arithmetic used
+    double reference_error = 0; // estimated error of the direct integration
+    double floor = 0;           // rounding of the evaluator at this rung: nothing below is seen
+};
+
+struct OutputVerdict {
+    std::string name;
+    int claimed_order = 0, found_order = 0;
+    Verdict verdict = Verdict::undecided, expected = Verdict::pass;
+    double slope = 0, slope_low_eps = 0, slope_high_eps = 0; // asymptotic slope and its window
+    double constant = 0;                                     // lim max|error| / eps^found_order
+    std::string reason;                                      // when undecided or failed
+    std::vector<LadderRung> ladder;                          // eps descending
+    std::vector<double> local_slopes;                        // between rungs; one fewer
+};
+
+// Pure. Reads name, claimed_order, expected and ladder; fills the rest:
+//   usable rungs     max_error >= 100 max(reference_error, floor), from the largest eps downwards
+//   local slopes     s_k = ln(e_k/e_{k+1}) / ln(eps_k/eps_{k+1})
+//   slope            its limit as eps -> 0, extrapolated from the smallest usable eps
+//   constant         the limit of max_error/eps^found_order, extrapolated likewise
+// undecided: fewer than 3 usable rungs, slope not within 0.3 of an integer, or still bending; the
+// reason says which. Errors that are at the floor on every rung pass: nothing is left to see.
+void judge(OutputVerdict& output);
+
+// The last local slopes are close to one integer and have stopped moving: smaller eps teach nothing.
+bool settled(const OutputVerdict& output);
+
+} // namespace resonform
