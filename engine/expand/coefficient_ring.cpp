@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expand/coefficient_ring.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+
+constexpr int largest_root_index = 64;
+
+int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
+
+bool is_rational_number(const ex& e) {
+    return is_a<GiNaC::numeric>(e) && ex_to<GiNaC::numeric>(e).is_rational();
+}
+
+} // namespace
+
+CoefficientRing::CoefficientRing(std::shared_ptr<const System> system, std::vector<std::string> fast,
+                                 std::vector<int> conjugates)
+    : system_(std::move(system)), fast_(std::move(fast)), conjugates_(std::move(conjugates)) {
+    vanish(system_->eps);
+}
+
+void CoefficientRing::vanish(const ex& symbol) { zero_[symbol] = 0; }
+
+ex CoefficientRing::at_origin(const ex& e) const { return e.subs(zero_, GiNaC::subs_options::no_pattern); }
+
+bool CoefficientRing::has_weight(const ex& e) const {
+    return std::any_of(zero_.begin(), zero_.end(), [&](const auto& entry) { return e.has(entry.first); });
+}
+
+void CoefficientRing::collect(const ex& e, const Place& place) {
+    if (is_a<GiNaC::power>(e)) {
+        const ex& base = e.op(0);
+        if (!is_rational_number(e.op(1)))
+            refuse({"exponents are rational numbers", spell(e), "write the power with a number", place});
+        const Rational exponent = to_rational(e.op(1));
+        collect(base, place);
+        if (e.op(1).info(GiNaC::info_flags::nonnegint)) return;
+        note(split_power(at_origin(base), exponent, *system_, place), place);
+        return;
+    }
+    for (const ex& operand : e) collect(operand, place);
+}
+
+void CoefficientRing::note(const PowerProduct& product, const Place& place) {
+    for (const auto& factor : product.factors) {
+        const int denominator = to_int(cln::denominator(factor.exponent));
+        const bool atom = is_a<GiNaC::symbol>(factor.base);
+        if (atom && denominator == 1) continue;
+        collect(factor.base, place); // roots inside come first
+        Base* known = find_base(factor.base);
+        if (known == nullptr) {
+            bases_.push_back({factor.base, 1, level_of(factor.base), key_of(factor.base), -1});
+            known = &bases_.back();
+        }
+        known->index = std::lcm(known->index, denominator);
+        if (known->index > largest_root_index)
+            refuse({fmt::format("root indices are at most {}", largest_root_index), spell(factor.base),
+                    "use simpler exponents", place});
+    }
+}
+
+int CoefficientRing::level_of(const ex& base) const {
+    int level = 0;
+    for (GiNaC::const_preorder_iterator it = base.preorder_begin(); it != base.preorder_end(); ++it)
+        if (is_a<GiNaC::power>(*it) && !it->op(1).info(GiNaC::info_flags::nonnegint))
+            if (const Base* inner = find_base(it->op(0))) level = std::max(level, inner->level + 1);
+    return level;
+}
+
+std::string CoefficientRing::key_of(const ex& base) const {
+    if (is_a<GiNaC::numeric>(base)) return fmt::format("0 {:>40}", spell(base));
+    if (!is_a<GiNaC::symbol>(base)) return "2 " + spell(base);
+    for (std::size_t k = 0; k < system_->parameters.size(); ++k)
+        if (base.is_equal(system_->parameters[k].symbol)) return fmt::format("1 a {:>6}", k);
+    for (std::size_t k = 0; k < system_->variables.size(); ++k)
+        if (base.is_equal(system_->variables[k].jet.front())) return fmt::format("1 b {:>6}", k);
+    return "1 c " + spell(base);
+}
+
+CoefficientRing::Base* CoefficientRing::find_base(const ex& e) {
+    return const_cast<Base*>(std::as_const(*this).find_base(e)); // the object itself is not const here
+}
+
+const CoefficientRing::Base* CoefficientRing::find_base(const ex& e) const {
+    const auto found =
+        std::find_if(bases_.begin(), bases_.end(), [&](const Base& b) { return b.expression.is_equal(e); });
+    return found == bases_.end() ? nullptr : &*found;
+}
+
+void CoefficientRing::freeze() {
+    RingBuilder builder;
+    add_symbols(builder);
+    std::stable_sort(bases_.begin(), bases_.end(), [](const Base& a, const Base& b) {
+        return std::tie(a.level, a.key) < std::tie(b.level, b.key);
+    });
+    add_roots(builder);
+    ring_ = builder.freeze();
+}
+
+void CoefficientRing::add_symbols(RingBuilder& builder) {
+    const GeneratorId first = 1; // after the imaginary unit
+    for (std::size_t k = 0; k < fast_.size(); ++k) {
+        Generator g;
+        g.kind = GeneratorKind::fast;
+        g.name = fast_[k];
+        g.weight = 1;
+        g.conjugate = conjugates_[k] < 0 ? -1 : first + conjugates_[k];
+        builder.add(std::move(g));
+    }
+    const auto add = [&](GeneratorKind kind, const std::string& name, bool invertible, bool positive,
+                         const ex& symbol) {
+        Generator g;
+        g.kind = kind;
+        g.name = name;
+        g.weight = kind == GeneratorKind::small ? 1 : 0;
+        g.invertible = invertible;
+        g.positive = positive;
+        symbols_.emplace_back(symbol, builder.add(std::move(g)));
+    };
+    add(GeneratorKind::small, "eps", false, true, system_->eps);
+    for (const auto& p : system_->parameters)
+        add(GeneratorKind::parameter, p.name, p.nonzero || p.positive, p.positive, p.symbol);
+    for (const auto& v : system_->variables)
+        if (v.role == Role::slow)
+            add(GeneratorKind::slow, v.name, v.nonzero || v.positive, v.positive, v.jet.front());
+}
+
+void CoefficientRing::add_roots(RingBuilder& builder) {
+    int number = 0;
+    for (Base& base : bases_) {
+        Generator g;
+        g.kind = GeneratorKind::root;
+        g.name = fmt::format("root_{}", ++number);
+        g.invertible = true;
+        g.positive = provably_positive(base.expression, *system_);
+        g.index = base.index;
+        g.radicand = radicand(base.expression, builder);
+        base.id = builder.add(std::move(g));
+    }
+}
+
+Polynomial CoefficientRing::radicand(const ex& e, const RingBuilder& builder) const {
+    std::vector<Term> terms;
+    const auto add_term = [&](const ex& term) {
+        Term product{Monomial{}, 1};
+        const auto put = [&](const ex& factor) {
+            const Term t = radicand_factor(factor, builder);
+            product = {product.monomial + t.monomial, product.coefficient * t.coefficient};
+        };
+        if (is_a<GiNaC::mul>(term)) {
+            for (const ex& factor : term) put(factor);
+        } else {
+            put(term);
+        }
+        terms.push_back(product);
+    };
+    if (is_a<GiNaC::add>(e)) {
+        for (const ex& term : e) add_term(term);
+    } else {
+        add_term(e);
+    }
+    return Polynomial::from_terms(std::move(terms));
+}
+
+Term CoefficientRing::radicand_factor(const ex& factor, const RingBuilder& builder) const {
+    if (is_a<GiNaC::numeric>(factor)) return {Monomial{}, to_rational(factor)};
+    const bool is_power = is_a<GiNaC::power>(factor);
+    const ex base = is_power ? factor.op(0) : factor;
+    const Rational exponent = is_power ? to_rational(factor.op(1)) : Rational(1);
+    if (const Base* root = find_base(base); root != nullptr && root->id >= 0)
+        return builder.gen(root->id, to_int(cln::numerator(exponent * root->index))).terms().front();
+    for (const auto& [symbol, id] : symbols_)
+        if (base.is_equal(symbol)) return builder.gen(id, to_int(cln::numerator(exponent))).terms().front();
+    refuse({"the expression under a root is a polynomial in parameters, slow variables and simpler roots",
+            spell(factor),
+            "rewrite the coefficient",
+            {}});
+}
+
+GeneratorId CoefficientRing::fast(std::size_t k) const { return static_cast<GeneratorId>(k) + 1; }
+
+GeneratorId CoefficientRing::eps() const { return symbols_.front().second; }
+
+GeneratorId CoefficientRing::slow(std::size_t variable) const {
+    for (const auto& [symbol, id] : symbols_)
+        if (symbol.is_equal(system_->variables[variable].jet.front())) return id;
+    return -1;
+}
+
+Polynomial CoefficientRing::convert(const ex& e, const Place& place) const {
+    if (is_a<GiNaC::add>(e)) {
+        std::vector<Polynomial> summands;
+        for (const ex& term : e) summands.push_back(convert(term, place));
+        return sum(summands);
+    }
+    if (is_a<GiNaC::mul>(e)) {
+        Polynomial product = ring_->one();
+        for (const ex& factor : e) product = ring_->multiply(product, convert(factor, place));
+        return product;
+    }
+    if (is_rational_number(e)) return Polynomial(to_rational(e));
+    if (is_a<GiNaC::symbol>(e)) return convert_symbol(e, 1, place);
+    if (is_a<GiNaC::power>(e) && is_rational_number(e.op(1))) {
+        if (e.op(1).info(GiNaC::info_flags::nonnegint))
+            return ring_->power(convert(e.op(0), place), to_int(cln::numerator(to_rational(e.op(1)))));
+        return convert_power(e.op(0), to_rational(e.op(1)), place);
+    }
+    refuse({"coefficients are built from numbers, parameters, slow variables, powers and roots", spell(e),
+            "functions of slow variables and irrational constants are not supported yet", place});
+}
+
+Polynomial CoefficientRing::convert_symbol(const ex& symbol, int exponent, const Place& place) const {
+    for (const auto& [known, id] : symbols_)
+        if (symbol.is_equal(known)) return ring_->gen(id, exponent);
+    bad_input({"coefficients depend on parameters and slow variables only", spell(symbol),
+               "declare the variable as slow if its equation of motion says so", place});
+}
+
+Polynomial CoefficientRing::convert_power(const ex& base, const Rational& exponent,
+                                          const Place& place) const {
+    const PowerProduct product = split_power(base, exponent, *system_, place);
+    Polynomial result(product.number);
+    for (const auto& factor : product.factors) {
+        if (const Base* root = find_base(factor.base)) {
+            const int power = to_int(cln::numerator(factor.exponent * root->index));
+            result = ring_->multiply(result, ring_->gen(root->id, power));
+        } else {
+            const int power = to_int(cln::numerator(factor.exponent));
+            result = ring_->multiply(result, convert_symbol(factor.base, power, place));
+        }
+    }
+    return result;
+}
+
+} // namespace resonform

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The coefficient ring of a system: parameters, slow variables, and one invertible generator for
+// every base of which a root or an inverse occurs.
+//
+//   collect:  sees every power of weight 0 in an expression and notes base and root index
+//   freeze:   builds the Ring (fast generators, eps, parameters, slow, roots)
+//   convert:  an expression of weight 0 (and eps) -> its Polynomial
+#pragma once
+
+#include "algebra/ring.hpp"
+#include "expand/power_product.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+class CoefficientRing {
+public:
+    // fast: the names of the fast generators; conjugates[k] is the index in `fast` of the k-th one's
+    // partner, or -1 for a real one.
+    CoefficientRing(std::shared_ptr<const System> system, std::vector<std::string> fast,
+                    std::vector<int> conjugates);
+
+    // Symbols of positive weight: set to zero, they leave the weight-0 part of an expression.
+    void vanish(const GiNaC::ex& symbol);
+    [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e) const;
+    [[nodiscard]] bool has_weight(const GiNaC::ex& e) const; // does a vanishing symbol occur in e?
+
+    // Notes the roots and inverses that a later convert of e, or of the weight-0 part of a power of
+    // positive weight in e, will need.
+    void collect(const GiNaC::ex& e, const Place& place);
+    void freeze();
+
+    [[nodiscard]] const RingPtr& ring() const { return ring_; }
+    [[nodiscard]] GeneratorId fast(std::size_t k) const;
+    [[nodiscard]] GeneratorId eps() const;
+    [[nodiscard]] GeneratorId slow(std::size_t variable) const; // -1 if the variable is not slow
+
+    // Precondition: freeze() was called and e was collected. e in parameters, slow variables, eps.
+    [[nodiscard]] Polynomial convert(const GiNaC::ex& e, const Place& place) const;
+
+private:
+    struct Base {
+        GiNaC::ex expression;
+        int index = 1;   // least common denominator of the exponents seen
+        int level = 0;   // 0: no root inside; a base comes after those inside it
+        std::string key; // canonical order of bases of one level
+        GeneratorId id = -1;
+    };
+
+    void note(const PowerProduct& product, const Place& place);
+    Base* find_base(const GiNaC::ex& e);
+    [[nodiscard]] const Base* find_base(const GiNaC::ex& e) const;
+    [[nodiscard]] Polynomial convert_power(const GiNaC::ex& base, const Rational& exponent,
+                                           const Place& place) const;
+    [[nodiscard]] Polynomial convert_symbol(const GiNaC::ex& symbol, int exponent, const Place& place) const;
+    [[nodiscard]] Polynomial radicand(const GiNaC::ex& e, const RingBuilder& builder) const;
+    [[nodiscard]] Term radicand_factor(const GiNaC::ex& factor, const RingBuilder& builder) const;
+    [[nodiscard]] std::string key_of(const GiNaC::ex& base) const;
+    [[nodiscard]] int level_of(const GiNaC::ex& base) const;
+    void add_symbols(RingBuilder& builder);
+    void add_roots(RingBuilder& builder);
+
+    std::shared_ptr<const System> system_;
+    std::vector<std::string> fast_;
+    std::vector<int> conjugates_;
+    GiNaC::exmap zero_;
+    std::vector<Base> bases_;
+    std::vector<std::pair<GiNaC::ex, GeneratorId>> symbols_; // eps, parameters, slow variables
+    RingPtr ring_;
+};
+
+} // namespace resonform

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expand/graded_field.hpp"
+#include "expand/translate.hpp"
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+// How many weights past the last printed one are searched for the first neglected term.
+constexpr int search_ahead = 4;
+
+// The residual of a fast equation with the rates of slow variables put in; the rate of the others.
+ex line_expression(const FirstOrderSystem& first_order, std::size_t variable) {
+    const System& system = *first_order.system;
+    if (system.variables[variable].role != Role::fast)
+        return first_order.states[first_order.index(variable, 0)].rate;
+    GiNaC::exmap rates;
+    for (std::size_t v = 0; v < system.variables.size(); ++v)
+        if (system.variables[v].role != Role::fast)
+            rates[system.variables[v].jet.back()] = first_order.states[first_order.index(v, 0)].rate;
+    return system.equations[variable].residual.subs(rates, GiNaC::subs_options::no_pattern);
+}
+
+std::vector<GiNaC::symbol> fast_jets(const System& system) {
+    std::vector<GiNaC::symbol> jets;
+    for (const Variable& v : system.variables)
+        if (v.role == Role::fast) jets.insert(jets.end(), v.jet.begin(), v.jet.end());
+    return jets;
+}
+
+CoefficientRing jet_ring(const FirstOrderSystem& first_order, const std::vector<GiNaC::symbol>& jets) {
+    std::vector<std::string> names;
+    for (const auto& jet : jets) names.push_back(jet.get_name());
+    CoefficientRing coefficients(first_order.system, names, std::vector<int>(names.size(), -1));
+    for (const auto& jet : jets) coefficients.vanish(jet);
+    for (std::size_t v = 0; v < first_order.system->variables.size(); ++v)
+        coefficients.collect(line_expression(first_order, v),
+                             place_of(first_order.system->equations[v].source));
+    coefficients.freeze();
+    return coefficients;
+}
+
+EquationLine make_line(std::size_t variable, bool implicit, const Series& series, int through) {
+    EquationLine line{variable, implicit, {}, 0};
+    for (int n = 0; n <= series.through(); ++n) {
+        if (n <= through) {
+            line.series.set(n, series.part(n));
+        } else if (!series.part(n).empty()) {
+            line.next_weight = n;
+            break;
+        }
+    }
+    return line;
+}
+
+} // namespace
+
+EquationSeries expand_equations(const GradedField& field, int through) {
+    const FirstOrderSystem& first_order = *field.first_order;
+    const System& system = *first_order.system;
+    const auto jets = fast_jets(system);
+    const CoefficientRing coefficients = jet_ring(first_order, jets);
+
+    SeriesProgram program(coefficients.ring());
+    Translator translate(program, coefficients);
+    std::vector<SeriesProgram::Node> inputs;
+    for (const auto& jet : jets) {
+        inputs.push_back(program.input(jet.get_name()));
+        translate.bind(jet, inputs.back());
+    }
+    std::vector<SeriesProgram::Node> lines;
+    for (std::size_t v = 0; v < system.variables.size(); ++v)
+        lines.push_back(translate(line_expression(first_order, v), place_of(system.equations[v].source)));
+
+    SeriesRun run(program);
+    for (int n = 0; n <= through + search_ahead; ++n) {
+        for (std::size_t k = 0; k < jets.size(); ++k)
+            run.set_input(inputs[k], n,
+                          n == 1 ? coefficients.ring()->gen(coefficients.fast(k)) : Polynomial());
+        run.advance(n);
+    }
+    EquationSeries result{coefficients.ring(), coefficients.eps(), through, {}};
+    for (std::size_t v = 0; v < system.variables.size(); ++v)
+        result.lines.push_back(
+            make_line(v, system.variables[v].role == Role::fast, run.series(lines[v]), through));
+    return result;
+}
+
+} // namespace resonform

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expand/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+// The value at the origin; a pole there is the user's error.
+ex at_origin(const ex& e, const CoefficientRing& coefficients, const Place& place) {
+    try {
+        return coefficients.at_origin(e).normal();
+    } catch (const std::runtime_error& pole) { // GiNaC::pole_error, and division by zero in normal()
+        bad_input({"nothing is divided by an expression that is zero", spell(e),
+                   "remove the singularity, or expand about another point", place});
+    }
+}
+
+void check_order(const Variable& variable) {
+    if (variable.order != 2)
+        bad_input({"a fast variable obeys an equation of second order, an oscillator",
+                   fmt::format("{} has order {}", variable.name, variable.order),
+                   fmt::format("write an equation for {}'', or give {} the role slow or drift", variable.name,
+                               variable.name),
+                   variable.place});
+}
+
+void check_uncoupled(const FirstOrderSystem& system, const State& velocity,
+                     const CoefficientRing& coefficients, const Place& place) {
+    for (const State& other : system.states) {
+        if (system.system->variables[other.variable].role != Role::fast) continue;
+        const bool own = other.variable == velocity.variable;
+        if (own && other.derivative == 0) continue;
+        const ex coupling = at_origin(velocity.rate.diff(other.symbol), coefficients, place);
+        if (coupling.is_zero()) continue;
+        const std::string value = fmt::format("the coefficient of {} is {}", other.name, spell(coupling));
+        if (own)
+            refuse({"the linear part of a fast variable is an oscillator without damping", value,
+                    "write the damping with a factor eps", place});
+        refuse({"fast variables are not coupled in the linear part", value,
+                "use normal coordinates, or write the coupling with a factor eps", place});
+    }
+}
+
+} // namespace
+
+Oscillator find_oscillator(const FirstOrderSystem& system, std::size_t variable,
+                           const CoefficientRing& coefficients) {
+    const Variable& fast = system.system->variables[variable];
+    check_order(fast);
+    const Place place = place_of(system.system->equations[variable].source);
+    const State& position = system.states[system.index(variable, 0)];
+    const State& velocity = system.states[system.index(variable, 1)];
+
+    const ex force = at_origin(velocity.rate, coefficients, place);
+    if (!force.is_zero())
+        bad_input({"the origin of the fast variables is an equilibrium at eps = 0",
+                   fmt::format("{}'' = {} there", fast.name, spell(force)),
+                   fmt::format("shift {} to the equilibrium by a change of variable", fast.name), place});
+    const ex slope = at_origin(velocity.rate.diff(position.symbol), coefficients, place);
+    if (slope.is_zero())
+        bad_input({"the linear part of a fast variable is an oscillator",
+                   fmt::format("{}'' has no term linear in {}", fast.name, fast.name),
+                   "give the variable another role, or write its restoring force", place});
+    check_uncoupled(system, velocity, coefficients, place);
+    const ex omega_squared = (-slope).normal();
+    if (!provably_positive(omega_squared, *system.system))
+        refuse({"the square of a frequency is proved to be positive",
+                fmt::format("omega^2 = {} for {}", spell(omega_squared), fast.name),
+                fmt::format(
+                    "declare what is positive: positive = true for a name, or [domain] positive = [\"{}\"]",
+                    spell(omega_squared)),
+                place});
+    return {variable, omega_squared};
+}
+
+} // namespace resonform

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A power of a coefficient function as a product of powers of irreducible bases:
+//
+//   sqrt(g*sqrt(xi^2 + r^2)/(xi^2 + r^2))  ->  g^(1/2) * (xi^2 + r^2)^(-1/4)
+//   (4 + 4*tau^2)^(-1/2)                   ->  1/2 * (1 + tau^2)^(-1/2)
+//
+// The bases become the invertible generators of the coefficient ring.
+#pragma once
+
+#include "algebra/number.hpp"
+#include "model/first_order_system.hpp"
+
+#include <ginac/ginac.h>
+
+#include <vector>
+
+namespace resonform {
+
+struct PowerFactor {
+    GiNaC::ex base;    // a symbol, a positive integer, or an expanded primitive sum
+    Rational exponent; // fractional only where the base is proved positive
+};
+
+struct PowerProduct {
+    Rational number = 1;
+    std::vector<PowerFactor> factors; // equal bases are not merged; order is arbitrary
+};
+
+// base^exponent for a base in parameters and slow variables.
+// Errors: bad_input where the base is identically zero and the exponent negative; refused where a
+// fractional power of a base not proved positive, or a negative power of one not proved non-zero, is
+// asked for, and for functions (sin, exp, ...) of slow variables. `place` is put into the message.
+PowerProduct split_power(const GiNaC::ex& base, const Rational& exponent, const System& system,
+                         const Place& place);
+
+Rational to_rational(const GiNaC::ex& number); // precondition: a rational GiNaC number
+GiNaC::ex to_ginac(const Rational& number);
+
+// The place of a whole text.
+Place place_of(const SourceText& source);
+
+// An expression as the user would write it; the order of terms is canonical.
+std::string spell(const GiNaC::ex& e);
+
+} // namespace resonform

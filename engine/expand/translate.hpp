@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An exact expression -> nodes of a SeriesProgram over a CoefficientRing:
+//
+//   g*sin(psi)/sqrt(xi^2 + r^2)  ->  product(constant(G^2/sigma^2), sine(input psi))
+#pragma once
+
+#include "algebra/series_program.hpp"
+#include "expand/coefficient_ring.hpp"
+
+#include <map>
+
+namespace resonform {
+
+class Translator {
+public:
+    // coefficients must be frozen and outlive the translator, as must the program.
+    Translator(SeriesProgram& program, const CoefficientRing& coefficients)
+        : program_(program), coefficients_(coefficients) {}
+
+    // The node that stands for a symbol of positive weight.
+    void bind(const GiNaC::ex& symbol, SeriesProgram::Node node);
+
+    // Errors (refused): a function whose argument does not vanish at the origin, functions that have
+    // no expansion here; (bad_input): division by an expression that vanishes at the origin.
+    SeriesProgram::Node operator()(const GiNaC::ex& e, const Place& place);
+
+private:
+    SeriesProgram::Node translate(const GiNaC::ex& e, const Place& place);
+    SeriesProgram::Node product(const GiNaC::ex& e, const Place& place);
+    SeriesProgram::Node power(const GiNaC::ex& e, const Place& place);
+    SeriesProgram::Node function(const GiNaC::ex& e, const Place& place);
+    SeriesProgram::Node integral_of(SeriesProgram::Node u, const Rational& sign, const Rational& exponent);
+    SeriesProgram::Node hyperbolic(SeriesProgram::Node u, const Rational& sign);
+    SeriesProgram::Node quotient(SeriesProgram::Node a, SeriesProgram::Node b);
+
+    SeriesProgram& program_;
+    const CoefficientRing& coefficients_;
+    std::map<GiNaC::ex, SeriesProgram::Node, GiNaC::ex_is_less> nodes_; // look-up only, never iterated
+};
+
+} // namespace resonform
