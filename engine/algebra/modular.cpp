@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/modular.hpp"
+
+#include <cln/integer.h>
+
+namespace resonform {
+
+namespace {
+
+__extension__ typedef unsigned __int128 Wide;
+__extension__ typedef __int128 SignedWide;
+
+std::uint64_t multiply_modulo(std::uint64_t a, std::uint64_t b, std::uint64_t n) {
+    return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % n);
+}
+
+std::uint64_t power_modulo(std::uint64_t a, std::uint64_t exponent, std::uint64_t n) {
+    std::uint64_t result = 1 % n;
+    for (a %= n; exponent != 0; exponent >>= 1) {
+        if ((exponent & 1) != 0) result = multiply_modulo(result, a, n);
+        a = multiply_modulo(a, a, n);
+    }
+    return result;
+}
+
+// n - 1 = odd * 2^twos: a^odd is 1, or one of its first `twos` squares is -1.
+bool is_strong_probable_prime(std::uint64_t n, std::uint64_t base, std::uint64_t odd, int twos) {
+    std::uint64_t x = power_modulo(base, odd, n);
+    if (x == 1 || x == n - 1) return true;
+    for (int j = 1; j < twos; ++j) {
+        x = multiply_modulo(x, x, n);
+        if (x == n - 1) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+bool is_prime(std::uint64_t n) {
+    static constexpr std::uint64_t bases[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+    if (n < 2) return false;
+    for (const std::uint64_t base : bases)
+        if (n % base == 0) return n == base;
+    std::uint64_t odd = n - 1;
+    int twos = 0;
+    for (; (odd & 1) == 0; odd >>= 1) ++twos;
+    for (const std::uint64_t base : bases)
+        if (!is_strong_probable_prime(n, base, odd, twos)) return false;
+    return true;
+}
+
+std::uint64_t random_prime(std::mt19937_64& random) {
+    constexpr std::uint64_t top = std::uint64_t{1} << 60;
+    while (true) {
+        // Bits 2 ... 59 at random; the last two are 01, bit 60 is set.
+        const std::uint64_t candidate = top | (random() & (top - 4)) | 1;
+        if (is_prime(candidate)) return candidate;
+    }
+}
+
+Residue PrimeField::multiply(Residue a, Residue b) const { return multiply_modulo(a, b, prime_); }
+
+Residue PrimeField::power(Residue a, std::int64_t exponent) const {
+    if (exponent < 0) return power_modulo(inverse(a), static_cast<std::uint64_t>(-exponent), prime_);
+    return power_modulo(a, static_cast<std::uint64_t>(exponent), prime_);
+}
+
+Residue PrimeField::inverse(Residue a) const {
+    // Invariant of Euclid's algorithm: old_x * a = old_r, x * a = r (mod p).
+    std::int64_t old_r = static_cast<std::int64_t>(a), r = static_cast<std::int64_t>(prime_);
+    std::int64_t old_x = 1, x = 0;
+    while (r != 0) {
+        const std::int64_t q = old_r / r;
+        const std::int64_t next_r = old_r - q * r, next_x = old_x - q * x;
+        old_r = r, r = next_r;
+        old_x = x, x = next_x;
+    }
+    return from(old_x);
+}
+
+Residue PrimeField::from(std::int64_t n) const {
+    const auto p = static_cast<SignedWide>(prime_);
+    const SignedWide r = n % p;
+    return static_cast<Residue>(r < 0 ? r + p : r);
+}
+
+std::optional<Residue> PrimeField::from(const Rational& value) const {
+    const Integer p(static_cast<unsigned long>(prime_));
+    const auto reduced = [&](const Integer& n) { return Residue{cln::cl_I_to_UQ(cln::mod(n, p))}; };
+    const Residue numerator = reduced(cln::numerator(value));
+    const Integer& denominator = cln::denominator(value);
+    if (denominator == 1) return numerator;
+    const Residue divisor = reduced(denominator);
+    if (divisor == 0) return std::nullopt;
+    return multiply(numerator, inverse(divisor));
+}
+
+std::optional<Residue> PrimeField::root(Residue a, int k) const {
+    if (a == 0) return Residue{0};
+    // k = product of prime powers; a root of coprime indices may be taken one after the other.
+    for (int factor = 2; k > 1; ++factor) {
+        int times = 0;
+        for (; k % factor == 0; k /= factor) ++times;
+        if (times == 0) continue;
+        const std::optional<Residue> x = prime_power_root(a, static_cast<std::uint64_t>(factor), times);
+        if (!x) return std::nullopt;
+        a = *x;
+    }
+    return a;
+}
+
+// With q = factor^times, p - 1 = factor^e t and 1 + t v = q u:  (a^u)^q = a (a^t)^v, and a^t lies in the
+// subgroup of order factor^e, where roots are read off discrete logarithms, digit by digit in base
+// `factor` (Pohlig and Hellman; Adleman, Manders and Miller, 1977).
+std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t factor, int times) const {
+    std::uint64_t q = 1;
+    for (int j = 0; j < times; ++j) q *= factor;
+    std::uint64_t cofactor = prime_ - 1, order = 1;
+    for (; cofactor % factor == 0; cofactor /= factor) order *= factor;
+
+    std::uint64_t v = 0;
+    while ((1 + static_cast<Wide>(cofactor) * v) % q != 0) ++v;
+    const auto u = static_cast<std::uint64_t>((1 + static_cast<Wide>(cofactor) * v) / q);
+    const Residue first = power_modulo(a, u, prime_);
+    // What `first` must be multiplied with has q-th power `rest`, an element of the subgroup.
+    const Residue rest = inverse(power_modulo(power_modulo(a, cofactor, prime_), v, prime_));
+    if (order == 1) return first;
+
+    const Residue generator = sylow_generator(factor, cofactor);
+    const Residue of_order_factor = power_modulo(generator, order / factor, prime_);
+    std::uint64_t logarithm = 0;
+    for (std::uint64_t digit = 1; digit < order; digit *= factor) {
+        const Residue remaining = multiply(rest, inverse(power_modulo(generator, logarithm, prime_)));
+        const Residue target = power_modulo(remaining, order / digit / factor, prime_);
+        for (Residue x = 1; x != target; x = multiply(x, of_order_factor)) logarithm += digit;
+    }
+    if (logarithm % (q < order ? q : order) != 0) return std::nullopt;
+    return multiply(first, power_modulo(generator, logarithm / q, prime_));
+}
+
+Residue PrimeField::sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const {
+    for (Residue x = 2;; ++x)
+        if (power_modulo(x, (prime_ - 1) / factor, prime_) != 1) return power_modulo(x, cofactor, prime_);
+}
+
+Residue PrimeField::random_unit(std::mt19937_64& random) const {
+    // Rejection keeps it uniform; the standard distributions differ between libraries.
+    while (true) {
+        const std::uint64_t x = random() >> 2;
+        const std::uint64_t whole = (std::uint64_t{1} << 62) / (prime_ - 1) * (prime_ - 1);
+        if (x < whole) return 1 + x % (prime_ - 1);
+    }
+}
+
+} // namespace resonform

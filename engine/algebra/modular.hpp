@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arithmetic modulo a random prime: the field in which a certificate substitutes.
+//
+//   PrimeField f(13);  f.multiply(5, 8) = 1;  f.inverse(5) = 8;  f.root(12, 2) = 5 or 8
+#pragma once
+
+#include "algebra/number.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <random>
+
+namespace resonform {
+
+using Residue = std::uint64_t; // 0 <= value < prime
+
+// Correct for every 64-bit number: Miller-Rabin with the bases 2, 3, ..., 37 has no pseudoprime below
+// 3.3e24 (Sorenson and Webster, Math. Comp. 86 (2017) 985).
+bool is_prime(std::uint64_t n);
+
+// Uniform among the primes 2^60 < p < 2^61 with p = 1 mod 4, so that -1 has a square root.
+// There are more than `primes_to_choose_from` of them.
+std::uint64_t random_prime(std::mt19937_64& random);
+inline constexpr double primes_to_choose_from = 1.3e16; // (pi(2^61) - pi(2^60)) / 2 = 1.37e16
+
+// The field of residues modulo a prime below 2^62. Residues that are handed in must be reduced.
+class PrimeField {
+public:
+    explicit PrimeField(std::uint64_t prime) : prime_(prime) {}
+
+    [[nodiscard]] std::uint64_t prime() const { return prime_; }
+    [[nodiscard]] Residue add(Residue a, Residue b) const {
+        const Residue s = a + b;
+        return s >= prime_ ? s - prime_ : s;
+    }
+    [[nodiscard]] Residue subtract(Residue a, Residue b) const { return a >= b ? a - b : a + prime_ - b; }
+    [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : prime_ - a; }
+    [[nodiscard]] Residue multiply(Residue a, Residue b) const;
+    [[nodiscard]] Residue power(Residue a, std::int64_t exponent) const; // exponent < 0: a != 0
+    [[nodiscard]] Residue inverse(Residue a) const;                      // a != 0
+    [[nodiscard]] Residue from(std::int64_t n) const;
+    // nullopt where the prime divides the denominator.
+    [[nodiscard]] std::optional<Residue> from(const Rational& value) const;
+    // Some x with x^k = a, or nullopt if there is none. The cost grows with the largest prime factor
+    // of k, which divides p - 1.
+    [[nodiscard]] std::optional<Residue> root(Residue a, int k) const;
+    // Uniform among 1, ..., p - 1.
+    [[nodiscard]] Residue random_unit(std::mt19937_64& random) const;
+
+private:
+    [[nodiscard]] std::optional<Residue> prime_power_root(Residue a, std::uint64_t factor, int times) const;
+    // The generator of the subgroup of order factor^times, with p - 1 = factor^times * cofactor.
+    [[nodiscard]] Residue sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const;
+
+    std::uint64_t prime_;
+};
+
+} // namespace resonform
