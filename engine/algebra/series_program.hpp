@@ -19,7 +19,7 @@ namespace resonform {
 class SeriesProgram {
 public:
     using Node = int;
-    enum class Op { input, constant, sum, product, sine, cosine, exponential, logarithm, power };
+    enum class Op { input, constant, sum, product, sine, cosine, exponential, logarithm, power, antiderivative };
 
     struct Instruction {
         Op op = Op::constant;
@@ -42,6 +42,9 @@ public:
     Node cosine(Node u);
     Node exponential(Node u);
     Node logarithm(Node u);
+    // f with df = slope du and [f]_0 = 0: n f_n = sum_{j=1}^n j u_j slope_{n-j}. With
+    // slope = 1/(1 + u^2) this is atan(u). Stored as left = u, right = slope.
+    Node antiderivative(Node u, Node slope);
     // u^exponent; weight-0 part of u must be a unit whose power lies in the ring (checked in a Run).
     // A non-negative integer exponent is expanded into products.
     Node power(Node u, const Rational& exponent);

@@ -40,6 +40,7 @@ public:
         auto program = std::make_shared<SeriesProgram>(field_.ring);
         add_rates(*program);
         field_.program = std::move(program);
+        field_.coefficients = std::make_shared<const CoefficientRing>(std::move(coefficients_));
         return std::move(field_);
     }
 

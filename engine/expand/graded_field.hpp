@@ -6,6 +6,7 @@
 #pragma once
 
 #include "algebra/series_program.hpp"
+#include "expand/coefficient_ring.hpp"
 #include "model/first_order_system.hpp"
 
 #include <memory>
@@ -40,6 +41,7 @@ struct DriftVariable {
 
 struct GradedField {
     std::shared_ptr<const FirstOrderSystem> first_order;
+    std::shared_ptr<const CoefficientRing> coefficients; // expressions -> ring
     RingPtr ring;
     GeneratorId eps;
     std::vector<Mode> modes;

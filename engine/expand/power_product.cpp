@@ -12,7 +12,7 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 
-bool is_integer(const Rational& r) { return cln:: instanceof (r, cln::cl_I_ring); }
+bool is_integer(const Rational& r) { return cln::denominator(r) == 1; }
 
 // The trial division stops here: a larger prime factor stays unsplit, which is still a valid base.
 constexpr int largest_trial_divisor = 10000;
