@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.hpp"
+
+#include "model/expression.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace resonform {
+
+namespace {
+
+// The whole text as a number; from_chars knows no locale. A value beyond the range of double is
+// infinite or zero, as its reader decides.
+std::optional<double> read_double(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+void bad_argument(const std::string& option, const std::string& rule, const std::string& value,
+                  const std::string& mend) {
+    Place place;
+    place.key = option;
+    bad_input({rule, value, mend, place});
+}
+
+int read_order(const std::string& option, const std::string& text) {
+    constexpr int lowest = 1, highest = 99;
+    int order = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), order);
+    if (error != std::errc() || end != text.data() + text.size() || order < lowest || order > highest)
+        bad_argument(option, fmt::format("{} is an integer from {} to {}", option, lowest, highest), text,
+                     fmt::format("give for example {} 3", option));
+    return order;
+}
+
+double read_eps(const std::string& text) {
+    const auto eps = read_double(text);
+    if (!eps || !std::isfinite(*eps) || *eps <= 0)
+        bad_argument("--eps", "eps is a finite decimal number > 0", text, "give for example --eps 0.01");
+    return *eps;
+}
+
+std::vector<double> read_times(const std::string& text) {
+    std::vector<double> times;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string item = text.substr(begin, end - begin);
+        const auto t = read_double(item);
+        if (!t)
+            bad_argument("--t", "times are decimal numbers separated by commas", item.empty() ? text : item,
+                         "give for example --t 0,0.5,10");
+        times.push_back(*t);
+        begin = end + 1;
+    }
+    return times;
+}
+
+std::string read_choice(const std::string& option, const std::string& text,
+                        const std::vector<std::string>& known) {
+    for (const std::string& choice : known)
+        if (choice == text) return choice;
+    const std::string near = nearest(text, known);
+    bad_argument(option, fmt::format("{} is one of {}", option, fmt::join(known, ", ")), text,
+                 near.empty() ? fmt::format("give {}", known.front())
+                              : fmt::format("did you mean {}?", near));
+}
+
+} // namespace resonform

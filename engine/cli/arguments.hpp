@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values of the command line: read as text, checked here, one message with its mend when wrong.
+#pragma once
+
+#include "algebra/error.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// The complaint about an argument: its option is the place.
+[[noreturn]] void bad_argument(const std::string& option, const std::string& rule, const std::string& value,
+                               const std::string& mend);
+
+// 1 ... 99.
+int read_order(const std::string& option, const std::string& text);
+// A finite decimal number > 0.
+double read_eps(const std::string& text);
+// "0,1.5,2e3": decimal numbers, `nan` and `inf` included: those get a status, not a message.
+std::vector<double> read_times(const std::string& text);
+// One of `known`; the complaint lists them and names the nearest.
+std::string read_choice(const std::string& option, const std::string& text,
+                        const std::vector<std::string>& known);
+
+} // namespace resonform

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.hpp"
+
+#include "cli/arguments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace resonform {
+
+Text add_text(CLI::App& command, const std::string& name, const std::string& help,
+              const std::string& default_text) {
+    auto text = std::make_shared<std::string>(default_text);
+    CLI::Option* option = command.add_option(name, *text, help);
+    if (!default_text.empty()) option->capture_default_str();
+    return text;
+}
+
+Text add_required(CLI::App& command, const std::string& name, const std::string& help) {
+    auto text = std::make_shared<std::string>();
+    command.add_option(name, *text, help)->required();
+    return text;
+}
+
+Format::Format(CLI::App& command, std::vector<std::string> known)
+    : known_(std::move(known)),
+      text_(add_text(command, "--format", fmt::format("{}", fmt::join(known_, " | ")), known_.front())) {}
+
+std::string Format::value() const { return read_choice("--format", *text_, known_); }
+
+} // namespace resonform

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line: one subcommand per file, registered here; main turns failures into exit codes.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+enum ExitCode : int {
+    done = 0,
+    check_failed = 1, // a verdict other than expected, a certificate that does not hold, a stale file
+    bad_input_code = 2,
+    refused_code = 3,
+};
+
+// What the chosen subcommand will do; it returns the exit code.
+using Action = std::function<int()>;
+
+// An option as the user typed it, alive as long as the action that uses it.
+using Text = std::shared_ptr<std::string>;
+Text add_text(CLI::App& command, const std::string& name, const std::string& help,
+              const std::string& default_text = {});
+Text add_required(CLI::App& command, const std::string& name, const std::string& help);
+
+// --format, the first of `known` by default; value() checks it.
+class Format {
+public:
+    Format(CLI::App& command, std::vector<std::string> known);
+    [[nodiscard]] std::string value() const;
+
+private:
+    std::vector<std::string> known_;
+    Text text_;
+};
+
+void add_derive(CLI::App& app, Action& action);
+void add_generate(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action);
+void add_certify(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_stability(CLI::App& app, Action& action);
+void add_regenerate(CLI::App& app, Action& action);
+void add_list(CLI::App& app, Action& action);
+void add_evaluate(CLI::App& app, Action& action);
+
+} // namespace resonform

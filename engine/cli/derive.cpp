@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// resonform derive SYSTEM: one stage of the line, printed.
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/pipeline.hpp"
+#include "emit/document.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace resonform {
+
+namespace {
+
+struct Request {
+    std::string system, order, stage, truncation, format;
+};
+
+// Through which weight the printed solution uses normal form and map: as asked, else what accuracy
+// through the order on t = 1/eps needs.
+int truncation_of(const GradedField& field, int order, const std::string& asked) {
+    if (!asked.empty()) {
+        const int truncation = read_order("--truncation", asked);
+        if (truncation < order)
+            bad_argument("--truncation", fmt::format("order <= truncation, and order is {}", order), asked,
+                         fmt::format("give --truncation {} or more", order));
+        return truncation;
+    }
+    Scene scene;
+    scene.system = field.first_order->system;
+    scene.order = order;
+    scene.time_scale = 1;
+    for (const Variable& variable : scene.system->variables)
+        if (variable.role == Role::fast || variable.role == Role::drift)
+            scene.outputs.push_back(variable.name);
+    return count_truncation(field, scene).truncation;
+}
+
+// With a solution at hand, text and LaTeX show the system without its known drift, as (19) and (20) do.
+// A normal form that cannot be solved in closed form is no less a normal form.
+std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalization>& normalization,
+                                        int order) {
+    try {
+        return solve(normalization, {order, normalization->normal_form.through});
+    } catch (const Error& error) {
+        if (error.kind() != Kind::refused) throw;
+        return std::nullopt;
+    }
+}
+
+std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
+                     Format format) {
+    if (stage == Stage::equations) return print_equations(*expanded.first_order->system, format);
+    if (stage == Stage::solution) {
+        const int through = truncation_of(*expanded.field, order, truncation);
+        return print_solution(solve(normalize_certified(expanded, through), {order, through}), format);
+    }
+    const auto normalization = normalize_certified(expanded, order);
+    const bool shortened = format == Format::text || format == Format::latex;
+    const auto solution = shortened ? solution_if_any(normalization, order) : std::nullopt;
+    const Solution* known = solution ? &*solution : nullptr;
+    return stage == Stage::expand ? print_expansion(*expanded.field, order, format, known)
+                                  : print_normal_form(*normalization, order, format, known);
+}
+
+int run_derive(const Request& request) {
+    const int order = read_order("--order", request.order);
+    const Stage stage = parse_stage(request.stage);
+    if (!request.truncation.empty() && stage != Stage::solution)
+        bad_argument("--truncation", "--truncation goes with --stage solution", request.truncation,
+                     "leave it out: normal form and map reach --order");
+    const Format format = parse_format(request.format);
+    require_printable(stage, format);
+    const auto file = find_system(request.system, find_home().systems());
+    fmt::print("{}", document(expand_system(file), order, stage, request.truncation, format));
+    return done;
+}
+
+} // namespace
+
+void add_derive(CLI::App& app, Action& action) {
+    CLI::App* command =
+        app.add_subcommand("derive", "the normal form of a system, or a stage before or after it");
+    const Text system = add_required(*command, "SYSTEM", "the system");
+    const Text order = add_text(*command, "--order", "weight of normal form and map, 1 ... 99", "3");
+    const Text stage =
+        add_text(*command, "--stage", "equations | expand | normal_form | solution", "normal_form");
+    const Text truncation = add_text(*command, "--truncation",
+                                     "for the solution: weight through which normal form and map are used, "
+                                     "order ... 99; default: what the order needs on t = 1/eps");
+    const Text format = add_text(*command, "--format",
+                                 "text | latex | json; for the normal form also sympy | maxima", "text");
+    command->callback([&action, system, order, stage, truncation, format] {
+        action = [system, order, stage, truncation, format] {
+            return run_derive({*system, *order, *stage, *truncation, *format});
+        };
+    });
+}
+
+} // namespace resonform

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// resonform evaluate SCENE --eps E --t T1,T2,...: numbers without writing a program.
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/pipeline.hpp"
+#include "verify/interpreter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace resonform {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Values {
+    double eps = 0;
+    std::vector<double> t;
+    std::vector<std::vector<double>> points; // [point][output]
+    std::vector<Status> status;
+};
+
+Values evaluate_program(const std::shared_ptr<const Program>& program, double eps, std::vector<double> t) {
+    // A time such as 1/eps may round to just beyond the interval that the scene asks for.
+    const double end = program->interval_slow_time * (1 + 4 * std::numeric_limits<double>::epsilon());
+    const Interpreter<double> evaluator(program, eps, {}, {}, end);
+    Values values{eps, std::move(t), {}, {}};
+    for (const double time : values.t) {
+        std::vector<double> outputs(program->outputs.size());
+        values.status.push_back(evaluator.call(time, outputs));
+        values.points.push_back(std::move(outputs));
+    }
+    return values;
+}
+
+bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
+
+void print_json(const Program& program, const Values& values) {
+    Json outputs = Json::object(), status = Json::array();
+    for (std::size_t k = 0; k < program.outputs.size(); ++k) {
+        Json column = Json::array();
+        for (std::size_t i = 0; i < values.t.size(); ++i)
+            column.push_back(has_numbers(values.status[i]) ? Json(values.points[i][k]) : Json(nullptr));
+        outputs[program.outputs[k].name] = std::move(column);
+    }
+    for (const Status s : values.status) status.push_back(to_string(s));
+    const Json document{{"schema", "resonform.values/1"},
+                        {"system", program.system},
+                        {"scene", program.scene},
+                        {"eps", values.eps},
+                        {"t", values.t},
+                        {"outputs", outputs},
+                        {"status", status}};
+    fmt::print("{}\n", document.dump(2));
+}
+
+void print_csv(const Program& program, const Values& values) {
+    fmt::print("t");
+    for (const ProgramOutput& output : program.outputs) fmt::print(",{}", output.name);
+    fmt::print(",status\n");
+    for (std::size_t i = 0; i < values.t.size(); ++i) {
+        fmt::print("{:.17g}", values.t[i]);
+        for (const double value : values.points[i])
+            fmt::print(",{}", has_numbers(values.status[i]) ? fmt::format("{:.17g}", value) : "");
+        fmt::print(",{}\n", to_string(values.status[i]));
+    }
+}
+
+int run_evaluate(const std::string& scene, const std::string& eps_text, const std::string& times,
+                 const std::string& format) {
+    const double eps = read_eps(eps_text);
+    std::vector<double> t = read_times(times);
+    const SceneLine line = solve_scene(scene, find_home());
+    const auto program = std::make_shared<const Program>(build_program(line.solution, line.scene));
+    const Values values = evaluate_program(program, eps, std::move(t));
+    if (format == "json")
+        print_json(*program, values);
+    else
+        print_csv(*program, values);
+    return done;
+}
+
+} // namespace
+
+void add_evaluate(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("evaluate", "the outputs of a scene at given times");
+    const Text scene = add_required(*command, "SCENE", "the scene file");
+    const Text eps = add_required(*command, "--eps", "the small parameter, > 0");
+    const Text times = add_required(*command, "--t", "times, separated by commas");
+    const Format format(*command, {"csv", "json"});
+    command->callback([&action, scene, eps, times, format] {
+        action = [scene, eps, times, format] { return run_evaluate(*scene, *eps, *times, format.value()); };
+    });
+}
+
+} // namespace resonform

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// resonform generate SCENE [-o FILE]: the C++ header of a scene, and what pruning saved.
+#include "cli/command.hpp"
+#include "cli/pipeline.hpp"
+#include "emit/cpp.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace resonform {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Program::Count& count) {
+    return {{"add", count.add},      {"multiply", count.multiply}, {"divide", count.divide},
+            {"root", count.root},    {"sincos", count.sincos},     {"other", count.other},
+            {"tables", count.tables}};
+}
+
+std::string to_text(const Program::Count& c) {
+    return fmt::format("{} add, {} multiply, {} divide, {} root, {} sincos, {} other, {} tables", c.add,
+                       c.multiply, c.divide, c.root, c.sincos, c.other, c.tables);
+}
+
+struct Request {
+    std::string scene, output, format;
+    bool inline_runtime = false;
+};
+
+int run_generate(const Request& request) {
+    const SceneLine line = solve_scene(request.scene, find_home());
+    const Program program = build_program(line.solution, line.scene);
+    const std::string header = emit_cpp(program, {request.inline_runtime});
+    if (!request.output.empty()) write_file(request.output, header);
+    if (request.format == "json") {
+        Json document{{"schema", "resonform.generation/1"},
+                      {"system", program.system},
+                      {"scene", program.scene},
+                      {"order", program.order},
+                      {"truncation", program.truncation},
+                      {"operations_before", to_json(program.before)},
+                      {"operations_after", to_json(program.after)}};
+        if (request.output.empty())
+            document["header"] = header;
+        else
+            document["file"] = request.output;
+        fmt::print("{}\n", document.dump(2));
+        return done;
+    }
+    if (request.output.empty()) fmt::print("{}", header);
+    fmt::print(stderr, "{}/{}: order {}, truncation {} ({})\n", program.system, program.scene, program.order,
+               program.truncation, line.count.reason);
+    fmt::print(stderr, "operations per call before pruning: {}\n", to_text(program.before));
+    fmt::print(stderr, "operations per call after pruning:  {}\n", to_text(program.after));
+    return done;
+}
+
+} // namespace
+
+void add_generate(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("generate", "the C++ header that evaluates a scene");
+    const Text scene = add_required(*command, "SCENE", "the scene file");
+    const Text output =
+        add_text(*command, "-o,--output", "write the header here instead of to standard output");
+    const auto inline_runtime = std::make_shared<bool>(false);
+    command->add_flag("--inline-runtime", *inline_runtime,
+                      "copy the runtime into the header: it includes nothing of ours");
+    const Format format(*command, {"text", "json"});
+    command->callback([&action, scene, output, inline_runtime, format] {
+        action = [scene, output, inline_runtime, format] {
+            return run_generate({*scene, *output, format.value(), *inline_runtime});
+        };
+    });
+}
+
+} // namespace resonform

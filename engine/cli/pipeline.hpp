@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line of rooms, walked once for all commands:
+//   system.toml -> first-order system -> graded field -> normal form, certified -> solution -> program
+#pragma once
+
+#include "cli/locations.hpp"
+#include "emit/program.hpp"
+#include "model/scene_file.hpp"
+#include "normalize/certificate.hpp"
+#include "normalize/poincare.hpp"
+#include "solve/solution.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace resonform {
+
+// The second route contradicts the first: nothing derived from it may be used. Exit code 1.
+class CertificateFailed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Expanded {
+    std::shared_ptr<const FirstOrderSystem> first_order;
+    std::shared_ptr<const GradedField> field;
+};
+Expanded expand_system(const std::filesystem::path& file);
+
+// Normal form and map through a weight with their certificate, which may fail to hold: `certify`
+// shows it, everybody else calls normalize_certified.
+std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through);
+std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through);
+
+struct SceneLine {
+    Scene scene;
+    Expanded expanded;
+    TruncationCount count;
+    Solution solution;
+};
+SceneLine solve_scene(const std::filesystem::path& file, const Home& home);
+
+} // namespace resonform
