@@ -10,8 +10,8 @@
 // roots refined (sigma -> s^(1/8)), plus the constants of the solution, e^{i theta}, and primitives.
 #pragma once
 
-#include "model/scene_file.hpp"
 #include "normalize/normal_form.hpp"
+#include "solve/truncation.hpp"
 
 #include <memory>
 #include <optional>
@@ -67,9 +67,11 @@ struct Solution {
     int order = 0;      // N: outputs are cut at eps^N
     int truncation = 0; // M: normal form and map are used through M
     RingPtr ring;
+    std::shared_ptr<const RingMap> from_normal_form; // for polynomials free of modes: sigma -> rho^2, ...
     GeneratorId eps;
-    std::vector<SlowLaw> slow;       // none or one
-    std::vector<ModeSolution> modes; // none or one
+    std::vector<SlowLaw> slow;            // none or one
+    std::optional<GeneratorId> slow_time; // T = eps t: in the ring if there is no slow variable
+    std::vector<ModeSolution> modes;      // none or one
     std::vector<DriftSolution> drift;
     std::vector<Primitive> primitives;   // a primitive uses only earlier ones
     std::vector<SolutionOutput> outputs; // every fast and drift variable of the system, file order
@@ -85,14 +87,6 @@ struct SolveOptions {
     int order = 3;      // N
     int truncation = 4; // M
 };
-
-// M for a scene: the truncation it gives, else the count of design 2.4 for time_scale p (the largest
-// over the outputs), with the reason as text.
-struct TruncationCount {
-    int truncation;
-    std::string reason;
-};
-TruncationCount count_truncation(const GradedField& field, const Scene& scene);
 
 // Errors (refused): more than one mode, slow variables without explicit law, an amplitude equation
 // that is not solved by quadratures at leading order (strong damping).

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/truncation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+constexpr int largest_truncation = 99;
+
+Place place_of(const Scene& scene, const char* key) {
+    Place place;
+    place.file = scene.file.string();
+    place.key = key;
+    return place;
+}
+
+} // namespace
+
+TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
+    const int order = scene.order;
+    if (scene.truncation)
+        return {*scene.truncation, fmt::format("plain truncation: M = {}", *scene.truncation)};
+    const int p = scene.time_scale.value_or(1);
+    if (p >= 2 && !field.slow.empty())
+        refuse({"on a time scale beyond 1/eps the slow variables stay in a compact set",
+                fmt::format("time_scale = {}, {}' = O(eps) of constant sign", p, field.slow.front().name),
+                "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
+    const bool twist = !field.modes.empty();
+    const int truncation = twist ? std::max(order + p, order + 2 * p - 2) : order + p;
+    if (truncation > largest_truncation)
+        refuse({fmt::format("normal forms are computed through weight {} at most", largest_truncation),
+                fmt::format("order = {}, time_scale = {} ask for weight {}", order, p, truncation),
+                "lower the order or the time scale", place_of(scene, "order")});
+    const std::string span = p == 1 ? "1/eps" : fmt::format("1/eps^{}", p);
+    if (p == 0) return {truncation, fmt::format("order {} on t = O(1): M = {}", order, truncation)};
+    return {truncation,
+            fmt::format("order {} on t = O({}): rates neglected at weight {} act over {}, so M = {} = {}",
+                        order, span, truncation + 1, span, twist ? "max(N + p, N + 2p - 2)" : "N + p",
+                        truncation)};
+}
+
+} // namespace resonform

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far normal form and map must be computed for a solution of order N on t <= T/eps^p (design 2.4).
+#pragma once
+
+#include "expand/graded_field.hpp"
+#include "model/scene_file.hpp"
+
+#include <string>
+
+namespace resonform {
+
+// M, and the count that led to it as one sentence for the user.
+struct TruncationCount {
+    int truncation;
+    std::string reason;
+};
+
+// The scene's own `truncation` ("plain truncation"); otherwise, for time_scale p,
+//
+//   M = max(N + p, N + 2p - 2)   with an oscillator: what is neglected in rates at weight M + 1 acts
+//                                over eps^-p on amplitude, phase and drift, and by the twist eps^2
+//                                delta^2 of the frequency once more on the phase;
+//   M = N + p                    without one.
+//
+// Errors: refused for p >= 2 with a slow variable xi' = eps c: it leaves every compact set, so the
+// count does not hold; refused for M > 99.
+TruncationCount count_truncation(const GradedField& field, const Scene& scene);
+
+} // namespace resonform
