@@ -61,7 +61,7 @@ void add_certify(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("certify", "prove the normal form by a second route");
     const Text system = add_required(*command, "SYSTEM", "the system");
     const Text order = add_required(*command, "--order", "weight of normal form and map, 1 ... 99");
-    const Format format(*command, {"text", "json"});
+    const FormatOption format(*command, {"text", "json"});
     command->callback([&action, system, order, format] {
         action = [system, order, format] { return run_certify(*system, *order, format.value()); };
     });

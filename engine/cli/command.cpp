@@ -22,10 +22,10 @@ Text add_required(CLI::App& command, const std::string& name, const std::string&
     return text;
 }
 
-Format::Format(CLI::App& command, std::vector<std::string> known)
+FormatOption::FormatOption(CLI::App& command, std::vector<std::string> known)
     : known_(std::move(known)),
       text_(add_text(command, "--format", fmt::format("{}", fmt::join(known_, " | ")), known_.front())) {}
 
-std::string Format::value() const { return read_choice("--format", *text_, known_); }
+std::string FormatOption::value() const { return read_choice("--format", *text_, known_); }
 
 } // namespace resonform

@@ -28,9 +28,9 @@ Text add_text(CLI::App& command, const std::string& name, const std::string& hel
 Text add_required(CLI::App& command, const std::string& name, const std::string& help);
 
 // --format, the first of `known` by default; value() checks it.
-class Format {
+class FormatOption {
 public:
-    Format(CLI::App& command, std::vector<std::string> known);
+    FormatOption(CLI::App& command, std::vector<std::string> known);
     [[nodiscard]] std::string value() const;
 
 private:

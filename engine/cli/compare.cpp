@@ -27,7 +27,7 @@ int run_compare(const std::string& scene, const std::string& format) {
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("compare", "error against run time, beside direct integrators");
     const Text scene = add_required(*command, "SCENE", "the scene file");
-    const Format format(*command, {"text", "json"});
+    const FormatOption format(*command, {"text", "json"});
     command->callback([&action, scene, format] {
         action = [scene, format] { return run_compare(*scene, format.value()); };
     });

@@ -92,7 +92,7 @@ void add_evaluate(CLI::App& app, Action& action) {
     const Text scene = add_required(*command, "SCENE", "the scene file");
     const Text eps = add_required(*command, "--eps", "the small parameter, > 0");
     const Text times = add_required(*command, "--t", "times, separated by commas");
-    const Format format(*command, {"csv", "json"});
+    const FormatOption format(*command, {"csv", "json"});
     command->callback([&action, scene, eps, times, format] {
         action = [scene, eps, times, format] { return run_evaluate(*scene, *eps, *times, format.value()); };
     });

@@ -67,7 +67,7 @@ void add_generate(CLI::App& app, Action& action) {
     const auto inline_runtime = std::make_shared<bool>(false);
     command->add_flag("--inline-runtime", *inline_runtime,
                       "copy the runtime into the header: it includes nothing of ours");
-    const Format format(*command, {"text", "json"});
+    const FormatOption format(*command, {"text", "json"});
     command->callback([&action, scene, output, inline_runtime, format] {
         action = [scene, output, inline_runtime, format] {
             return run_generate({*scene, *output, format.value(), *inline_runtime});

@@ -45,7 +45,7 @@ int list(const std::string& format) {
 
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "the systems at hand and their scenes");
-    const Format format(*command, {"text", "json"});
+    const FormatOption format(*command, {"text", "json"});
     command->callback([&action, format] { action = [format] { return list(format.value()); }; });
 }
 

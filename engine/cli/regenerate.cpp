@@ -84,7 +84,7 @@ void add_regenerate(CLI::App& app, Action& action) {
     const auto check = std::make_shared<bool>(false);
     command->add_flag("--check", *check,
                       "write nothing; exit 1 if a file differs, is missing or has no scene");
-    const Format format(*command, {"text", "json"});
+    const FormatOption format(*command, {"text", "json"});
     command->callback([&action, check, format] {
         action = [check, format] { return run_regenerate(*check, format.value()); };
     });

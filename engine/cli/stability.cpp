@@ -28,7 +28,7 @@ void add_stability(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("stability", "rounding of the emitted evaluator over many decades");
     const Text scene = add_required(*command, "SCENE", "the scene file");
-    const Format format(*command, {"text", "json"});
+    const FormatOption format(*command, {"text", "json"});
     command->callback([&action, scene, format] {
         action = [scene, format] { return run_stability(*scene, format.value()); };
     });

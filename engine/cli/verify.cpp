@@ -12,21 +12,42 @@ namespace resonform {
 
 namespace {
 
-int run_verify(const std::string& scene, const std::string& report, const std::string& format) {
+// report.html; report.md with figures/*.svg.
+void write_report(const std::filesystem::path& folder, const report::Page& page) {
+    write_file(folder / "report.html", report::to_html(page));
+    write_file(folder / "report.md", report::to_markdown(page));
+    make_folder(folder / "figures");
+    for (const report::Section& section : page.sections)
+        for (const report::Block& block : section.blocks)
+            if (const auto* gallery = std::get_if<report::Gallery>(&block))
+                for (const report::Figure& figure : gallery->figures)
+                    write_file(folder / "figures" / (figure.name + ".svg"), figure.svg);
+    show_progress(fmt::format("report: {}", (folder / "report.html").string()));
+}
+
+template <class Options> Options with_progress(const Home& home) {
+    Options options;
+    options.cache = home.cache();
+    options.progress = show_progress;
+    return options;
+}
+
+int run_verify(const std::string& scene, const std::string& folder, const std::string& format) {
     const Home home = find_home();
-    if (!report.empty()) make_folder(report);
+    if (!folder.empty()) make_folder(folder);
     const SceneLine line = solve_scene(scene, home);
-    const VerifyOptions options{home.cache(), show_progress};
-    const Verification verification = verify(line.expanded.first_order, line.scene, line.solution, options);
+    const auto& system = line.expanded.first_order;
+    const auto options = with_progress<VerifyOptions>(home);
+    const Verification verification = verify(system, line.scene, line.solution, options);
     fmt::print("{}", format == "json" ? to_json(verification).dump(2) + "\n" : to_text(verification));
-    if (!report.empty()) {
-        const std::filesystem::path folder = report;
-        const Report pages =
-            make_report(line.expanded.first_order, line.scene, line.solution, verification, options);
-        write_file(folder / "report.html", pages.html);
-        write_file(folder / "report.md", pages.markdown);
-        show_progress(fmt::format("report: {}", (folder / "report.html").string()));
-    }
+    std::fflush(stdout); // the verdicts are there while the report is still being made
+    if (!folder.empty())
+        write_report(folder,
+                     report::make_report(
+                         {system, &line.scene, &line.solution, verification,
+                          compare(system, line.scene, line.solution, with_progress<CompareOptions>(home)),
+                          stability(line.scene, line.solution, with_progress<StabilityOptions>(home))},
+                         options));
     return verification.as_expected() ? done : check_failed;
 }
 
@@ -36,10 +57,11 @@ void add_verify(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("verify", "the order of accuracy of a scene, against direct integration");
     const Text scene = add_required(*command, "SCENE", "the scene file");
-    const Text report = add_text(*command, "--report", "write report.html and report.md into this folder");
-    const Format format(*command, {"text", "json"});
-    command->callback([&action, scene, report, format] {
-        action = [scene, report, format] { return run_verify(*scene, *report, format.value()); };
+    const Text folder = add_text(
+        *command, "--report", "write report.html and report.md here; adds run times and the stability sweep");
+    const FormatOption format(*command, {"text", "json"});
+    command->callback([&action, scene, folder, format] {
+        action = [scene, folder, format] { return run_verify(*scene, *folder, format.value()); };
     });
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plots as SVG, drawn by gnuplot.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// The few colours of all figures.
+namespace colour {
+inline const std::string red = "#c0392b", blue = "#1f5fa8", grey = "#8a8f98", green = "#2e7d4f",
+                         orange = "#c77d0a", violet = "#7a4a9e";
+} // namespace colour
+
+struct Curve {
+    enum class Style { line, dashed, points, line_points };
+    std::string label; // empty: not in the legend
+    std::string colour;
+    Style style = Style::line;
+    std::vector<double> x, y; // points that are not finite (or not positive on a log axis) are left out
+};
+
+struct Plot {
+    std::string name; // letters, digits, - and _: the prefix of its ids, so that many fit one page
+    std::string x_label, y_label;
+    bool log_x = false, log_y = false;
+    std::vector<Curve> curves;
+};
+
+// An <svg> element without width and height: it fills what holds it. `scratch` is a folder for the
+// script of gnuplot, made if absent. Errors (bad_input): gnuplot cannot be run.
+std::string to_svg(const Plot& plot, const std::filesystem::path& scratch);
+
+} // namespace resonform

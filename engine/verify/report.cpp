@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/report.hpp"
+
+#include "emit/document.hpp"
+#include "verify/report_figures.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace resonform::report {
+
+namespace {
+
+constexpr std::size_t curve_points = 1500;
+
+// The scene with its drift outputs only, oscillation left out; nothing if it has none to leave out.
+std::optional<Scene> mean_scene(const Scene& scene) {
+    if (!scene.oscillating) return std::nullopt;
+    Scene mean = scene;
+    mean.oscillating = false;
+    mean.name += "_mean";
+    mean.outputs.clear();
+    for (const std::string& output : scene.outputs) {
+        const Variable* variable = scene.system->variable(output);
+        if (variable != nullptr && variable->role == Role::drift) mean.outputs.push_back(output);
+    }
+    if (mean.outputs.empty()) return std::nullopt;
+    return mean;
+}
+
+std::vector<Motion> motions(const Findings& f, const VerifyOptions& options) {
+    std::vector<Motion> found;
+    const std::optional<Scene> mean = mean_scene(*f.scene);
+    for (const char* text : {"0.1", "0.01"}) {
+        const Rational eps = parse_rational(text);
+        Motion motion{error_curves(f.system, *f.scene, *f.solution, eps, curve_points, options),
+                      std::nullopt};
+        if (mean) motion.mean = error_curves(f.system, *mean, *f.solution, eps, curve_points, options);
+        found.push_back(std::move(motion));
+    }
+    return found;
+}
+
+Section derived(const Findings& f) {
+    const Normalization& normalization = *f.solution->normalization;
+    const Certificate& certificate = normalization.certificate;
+    return {
+        "Normal form and solution",
+        {Preformatted{print_normal_form(normalization, f.scene->order, Format::text, f.solution)},
+         Preformatted{print_solution(*f.solution, Format::text)},
+         Paragraph{fmt::format(
+             "Certificate: map and normal form, put into the original equations at {} random points "
+             "modulo {} primes, leave no residual through weight {}; every monomial of the normal form is "
+             "resonant and the map has none of them. A wrong result would pass with probability below {}.",
+             certificate.points, certificate.primes.size(), certificate.through_weight,
+             short_number(certificate.error_probability))}}};
+}
+
+Table ladder_table(const OutputVerdict& output) {
+    Table table{fmt::format("{}: errors on the ladder", pretty(output.name)),
+                {"ε", "max error", "RMS error", "local slope", "digits", "error of the reference"},
+                {}};
+    for (std::size_t i = 0; i < output.ladder.size(); ++i) {
+        const LadderRung& rung = output.ladder[i];
+        const bool has_slope = i > 0 && i - 1 < output.local_slopes.size();
+        table.rows.push_back({short_number(to_double(rung.eps)), short_number(rung.max_error),
+                              short_number(rung.rms_error),
+                              has_slope ? fmt::format("{:.3f}", output.local_slopes[i - 1]) : "",
+                              std::to_string(rung.digits), short_number(rung.reference_error)});
+    }
+    return table;
+}
+
+Table verdict_table(const Verification& verification) {
+    Table table{"Error over the interval against direct integration, as ε → 0",
+                {"output", "claimed", "found", "slope", "window of ε", "limit of max|Δ|/ε^found", "verdict",
+                 "expected"},
+                {}};
+    for (const OutputVerdict& o : verification.outputs)
+        table.rows.push_back(
+            {pretty(o.name), fmt::format("O(ε^{})", o.claimed_order), fmt::format("O(ε^{})", o.found_order),
+             fmt::format("{:.3f}", o.slope),
+             fmt::format("{} … {}", short_number(o.slope_low_eps), short_number(o.slope_high_eps)),
+             short_number(o.constant), to_string(o.verdict), to_string(o.expected)});
+    return table;
+}
+
+Section accuracy(const Findings& f, const Figures& figures) {
+    Section section{"Order of accuracy", {verdict_table(f.verification)}};
+    for (const OutputVerdict& o : f.verification.outputs)
+        if (!o.reason.empty())
+            section.blocks.push_back(Paragraph{fmt::format("{}: {}", pretty(o.name), o.reason)});
+    section.blocks.push_back(figures.ladders(f.verification.outputs));
+    for (const OutputVerdict& o : f.verification.outputs) section.blocks.push_back(ladder_table(o));
+    section.blocks.push_back(Paragraph{fmt::format(
+        "What covers what: the ladder sees errors of the formulas down to the order found; the certificate "
+        "sees "
+        "every coefficient of normal form and map; emitted code was compared with the symbolic evaluator and "
+        "differs from it by at most {} ulp of the output's scale.",
+        short_number(f.verification.emitted_against_symbolic))});
+    return section;
+}
+
+Section speed(const Findings& f, const Figures& figures) {
+    Table rows{
+        "Every run", {"method", "setting", "task", "points", "max error", "seconds", "construction, s"}, {}};
+    for (const ComparisonRow& row : f.comparison.rows) {
+        std::vector<std::string> errors;
+        for (const double e : row.max_error) errors.push_back(short_number(e));
+        rows.rows.push_back({row.method, row.setting, to_string(row.task), std::to_string(row.points),
+                             row.failure.empty() ? fmt::format("{}", fmt::join(errors, ", ")) : row.failure,
+                             short_number(row.seconds), short_number(row.construction_seconds)});
+    }
+    Table even{"Rivals at the accuracy of the emitted evaluator",
+               {"task", "method", "seconds", "rival / emitted", "winner"},
+               {}};
+    for (const BreakEven& b : f.comparison.break_even)
+        for (const RivalAtEqualAccuracy& rival : b.rivals)
+            even.rows.push_back({to_string(b.task), rival.method,
+                                 rival.seconds ? short_number(*rival.seconds) : "not reached",
+                                 rival.ratio ? short_number(*rival.ratio) : "–", b.winner});
+    return {"Error against run time", {figures.work(f.comparison), even, rows}};
+}
+
+Section rounding(const Findings& f) {
+    Table worst{"Worst points", {"output", "ulp", "at"}, {}};
+    for (const WorstPoint& point : f.stability.worst) {
+        std::vector<std::string> at;
+        for (const auto& [name, value] : point.at)
+            at.push_back(fmt::format("{} = {}", pretty(name), short_number(value)));
+        worst.rows.push_back(
+            {pretty(point.output), short_number(point.ulp), fmt::format("{}", fmt::join(at, ", "))});
+    }
+    Table median{"Median", {"output", "ulp"}, {}};
+    for (const auto& [name, ulp] : f.stability.median)
+        median.rows.push_back({pretty(name), short_number(ulp)});
+    return {"Stability of the emitted code",
+            {Paragraph{fmt::format(
+                 "Double against 50 digits at {} points over many decades of every input; {} were "
+                 "answered with a status, at {} the reference itself was not enough. Errors in ulp "
+                 "of the output's scale, the sum of its terms' magnitudes.",
+                 f.stability.cases, f.stability.refused, f.stability.beyond_reference)},
+             median, worst}};
+}
+
+std::vector<std::string> count_row(const char* name, const Program::Count& c) {
+    std::vector<std::string> row = {name};
+    for (const int n : {c.add, c.multiply, c.divide, c.root, c.sincos, c.other, c.tables})
+        row.push_back(std::to_string(n));
+    return row;
+}
+
+Section operations(const Findings& f) {
+    const Program program = build_program(*f.solution, *f.scene);
+    return {
+        "Operations per call",
+        {Table{"",
+               {"", "add", "multiply", "divide", "root", "sincos", "other", "tables"},
+               {count_row("before pruning", program.before), count_row("after pruning", program.after)}}}};
+}
+
+} // namespace
+
+Page make_report(const Findings& f, const VerifyOptions& options) {
+    const Figures figures(*f.scene->system, options.cache / "plots");
+    const std::vector<Motion> curves = motions(f, options);
+    const System& system = *f.scene->system;
+    Page page{fmt::format("{}: {}", system.title, f.scene->title),
+              fmt::format("System {}, scene {}; order {}, normal form and map through weight {}. {}",
+                          system.name, f.scene->name, f.solution->order, f.solution->truncation,
+                          system.source),
+              {}};
+    page.sections = {{"Motion", {figures.motion(curves)}},
+                     {"Error of the formulas", {figures.errors(curves)}},
+                     accuracy(f, figures),
+                     speed(f, figures),
+                     rounding(f),
+                     operations(f),
+                     derived(f)};
+    return page;
+}
+
+} // namespace resonform::report

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of a scene: what was derived, how accurate it is, how fast, how stable.
+#pragma once
+
+#include "verify/ladder.hpp"
+#include "verify/report_page.hpp"
+#include "verify/stability.hpp"
+#include "verify/work_precision.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace resonform::report {
+
+// All that was found out about one scene.
+struct Findings {
+    std::shared_ptr<const FirstOrderSystem> system;
+    const Scene* scene = nullptr;
+    const Solution* solution = nullptr;
+    Verification verification;
+    Comparison comparison;
+    Stability stability;
+};
+
+// Curves for the figures are computed here, at eps = 0.1 and 0.01, by emitted code and direct
+// integration. Errors (bad_input): no gnuplot.
+Page make_report(const Findings& findings, const VerifyOptions& options);
+
+} // namespace resonform::report

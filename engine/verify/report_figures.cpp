@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/report_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace resonform::report {
+
+namespace {
+
+std::string identifier(const std::string& text) {
+    std::string result;
+    for (const char c : text)
+        result += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : (c == '\'' ? 'p' : '-');
+    return result;
+}
+
+std::size_t position(const ErrorCurves& curves, const std::string& output) {
+    const auto at = std::find(curves.outputs.begin(), curves.outputs.end(), output);
+    return static_cast<std::size_t>(at - curves.outputs.begin());
+}
+
+// constant * eps^order at the ends of a ladder.
+Curve power_law(std::string text, std::string hue, const std::vector<double>& eps, double constant,
+                int order) {
+    Curve curve{std::move(text), std::move(hue), Curve::Style::dashed, {eps.front(), eps.back()}, {}};
+    for (const double e : curve.x) curve.y.push_back(constant * std::pow(e, order));
+    return curve;
+}
+
+// How wrong a row is: its worst output.
+double worst(const ComparisonRow& row) {
+    return row.max_error.empty() ? 0 : *std::max_element(row.max_error.begin(), row.max_error.end());
+}
+
+} // namespace
+
+Figures::Figures(const System& system, std::filesystem::path scratch)
+    : system_(&system), scratch_(std::move(scratch)) {}
+
+Figure Figures::draw(const Plot& plot, std::string caption) const {
+    return {plot.name, to_svg(plot, scratch_), std::move(caption)};
+}
+
+std::string Figures::label(const std::string& name) const {
+    const Variable* variable = system_->variable(name);
+    const std::string unit = variable == nullptr || variable->unit.empty() ? "" : ", " + variable->unit;
+    return pretty(name) + unit;
+}
+
+std::vector<std::string> Figures::drift_outputs(const ErrorCurves& curves) const {
+    std::vector<std::string> names;
+    for (const std::string& name : curves.outputs) {
+        const Variable* variable = system_->variable(name);
+        if (variable != nullptr && variable->role == Role::drift) names.push_back(name);
+    }
+    return names;
+}
+
+Figure Figures::path(const Motion& motion, const std::string& x, const std::string& y) const {
+    Plot plot{fmt::format("path-{}", identifier(fmt::format("{:g}", motion.full.eps))),
+              label(x),
+              label(y),
+              false,
+              false,
+              {}};
+    const auto add = [&](const ErrorCurves& curves, std::string text, std::string hue) {
+        plot.curves.push_back({std::move(text), std::move(hue), Curve::Style::line,
+                               curves.emitted[position(curves, x)], curves.emitted[position(curves, y)]});
+    };
+    add(motion.full, motion.mean ? "with oscillation" : "", motion.mean ? colour::red : colour::blue);
+    if (motion.mean) add(*motion.mean, "without", colour::blue);
+    return draw(plot, fmt::format("{} over {}, ε = {:g}", pretty(y), pretty(x), motion.full.eps));
+}
+
+Gallery Figures::motion(const std::vector<Motion>& motions) const {
+    Gallery gallery;
+    const std::vector<std::string> drift = drift_outputs(motions.front().full);
+    if (drift.size() == 2) {
+        for (const Motion& motion : motions) gallery.figures.push_back(path(motion, drift[0], drift[1]));
+        return gallery;
+    }
+    for (std::size_t k = 0; k < motions.front().full.outputs.size(); ++k)
+        for (const Motion& motion : motions) {
+            const std::string& name = motion.full.outputs[k];
+            const Plot plot{
+                fmt::format("motion-{}-{}", identifier(name),
+                            identifier(fmt::format("{:g}", motion.full.eps))),
+                "t",
+                label(name),
+                false,
+                false,
+                {{"", colour::red, Curve::Style::line, motion.full.times, motion.full.emitted[k]}}};
+            gallery.figures.push_back(
+                draw(plot, fmt::format("{} over t, ε = {:g}", pretty(name), motion.full.eps)));
+        }
+    return gallery;
+}
+
+Gallery Figures::errors(const std::vector<Motion>& motions) const {
+    Gallery gallery;
+    for (std::size_t k = 0; k < motions.front().full.outputs.size(); ++k)
+        for (const Motion& motion : motions) {
+            const std::string& name = motion.full.outputs[k];
+            const Plot plot{
+                fmt::format("error-{}-{}", identifier(name),
+                            identifier(fmt::format("{:g}", motion.full.eps))),
+                "t",
+                "Δ" + label(name),
+                false,
+                false,
+                {{"", colour::blue, Curve::Style::line, motion.full.times, motion.full.error[k]}}};
+            gallery.figures.push_back(
+                draw(plot, fmt::format("Δ{}: direct integration minus formula, ε = {:g}", pretty(name),
+                                       motion.full.eps)));
+        }
+    return gallery;
+}
+
+Figure Figures::ladder(const OutputVerdict& output) const {
+    Curve errors{"max error", colour::red, Curve::Style::line_points, {}, {}};
+    Curve floor{"error of the reference", colour::grey, Curve::Style::points, {}, {}};
+    for (const LadderRung& rung : output.ladder) {
+        const double eps = to_double(rung.eps);
+        errors.x.push_back(eps);
+        errors.y.push_back(rung.max_error);
+        floor.x.push_back(eps);
+        floor.y.push_back(rung.reference_error);
+    }
+    Plot plot{
+        "ladder-" + identifier(output.name), "ε", "max |Δ" + pretty(output.name) + "|", true, true, {errors}};
+    if (output.constant > 0) {
+        plot.curves.push_back(power_law(fmt::format("slope {}", output.found_order), colour::blue, errors.x,
+                                        output.constant, output.found_order));
+        if (output.claimed_order !=
+            output.found_order) // through the largest eps, so that the two part downwards
+            plot.curves.push_back(power_law(
+                fmt::format("slope {} (claimed)", output.claimed_order), colour::grey, errors.x,
+                errors.y.front() / std::pow(errors.x.front(), output.claimed_order), output.claimed_order));
+    }
+    plot.curves.push_back(floor);
+    return draw(plot, fmt::format("{}: claimed O(ε^{}), found slope {:.3f}, {}", pretty(output.name),
+                                  output.claimed_order, output.slope, to_string(output.verdict)));
+}
+
+Gallery Figures::ladders(const std::vector<OutputVerdict>& outputs) const {
+    Gallery gallery;
+    for (const OutputVerdict& output : outputs)
+        if (!output.ladder.empty()) gallery.figures.push_back(ladder(output));
+    return gallery;
+}
+
+Figure Figures::work_of(const Comparison& comparison, Task task) const {
+    const std::vector<std::string> hues = {colour::red, colour::blue, colour::green, colour::orange,
+                                           colour::violet};
+    std::vector<Curve> curves;
+    std::size_t points = 0;
+    for (const ComparisonRow& row : comparison.rows) {
+        if (row.task != task || !row.failure.empty()) continue;
+        points = row.points;
+        auto curve =
+            std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.label == row.method; });
+        if (curve == curves.end()) {
+            curves.push_back(
+                {row.method, hues[curves.size() % hues.size()], Curve::Style::line_points, {}, {}});
+            curve = curves.end() - 1;
+        }
+        curve->x.push_back(row.seconds + row.construction_seconds);
+        curve->y.push_back(worst(row));
+    }
+    const Plot plot{fmt::format("work-{}", to_string(task)),
+                    "seconds, construction included",
+                    "max error, worst output",
+                    true,
+                    true,
+                    curves};
+    return draw(plot, fmt::format("{}: {} point{}, ε = {:g}",
+                                  task == Task::final ? "One point at the end" : "Dense output", points,
+                                  points == 1 ? "" : "s", to_double(comparison.eps)));
+}
+
+Gallery Figures::work(const Comparison& comparison) const {
+    return {{work_of(comparison, Task::final), work_of(comparison, Task::dense)}};
+}
+
+} // namespace resonform::report

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of a report, each from finished data.
+#pragma once
+
+#include "verify/ladder.hpp"
+#include "verify/plot.hpp"
+#include "verify/report_page.hpp"
+#include "verify/work_precision.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace resonform::report {
+
+// Curves of a scene at one eps and, if it oscillates, of its drift without oscillation.
+struct Motion {
+    ErrorCurves full;
+    std::optional<ErrorCurves> mean;
+};
+
+// Draws every figure with its scripts in one scratch folder.
+class Figures {
+public:
+    Figures(const System& system, std::filesystem::path scratch);
+
+    // Two drift outputs: the second over the first, with and without oscillation. Otherwise every
+    // output over time.
+    [[nodiscard]] Gallery motion(const std::vector<Motion>& motions) const;
+    // Direct integration minus emitted formula, one figure for each output and eps.
+    [[nodiscard]] Gallery errors(const std::vector<Motion>& motions) const;
+    // max error over eps, its limit line, and the claimed order where that differs.
+    [[nodiscard]] Gallery ladders(const std::vector<OutputVerdict>& outputs) const;
+    // Error against run time, one figure for each task.
+    [[nodiscard]] Gallery work(const Comparison& comparison) const;
+
+private:
+    [[nodiscard]] Figure draw(const Plot& plot, std::string caption) const;
+    [[nodiscard]] std::string label(const std::string& name) const; // "x, m"
+    [[nodiscard]] std::vector<std::string> drift_outputs(const ErrorCurves& curves) const;
+    [[nodiscard]] Figure path(const Motion& motion, const std::string& x, const std::string& y) const;
+    [[nodiscard]] Figure ladder(const OutputVerdict& output) const;
+    [[nodiscard]] Figure work_of(const Comparison& comparison, Task task) const;
+
+    const System* system_;
+    std::filesystem::path scratch_;
+};
+
+} // namespace resonform::report

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/report_page.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform::report {
+
+namespace {
+
+std::string row(const std::vector<std::string>& cells) {
+    std::string line = "|";
+    for (const std::string& cell : cells) {
+        line += ' ';
+        for (const char c : cell) line += c == '|' ? std::string("\\|") : std::string(1, c);
+        line += " |";
+    }
+    return line + "\n";
+}
+
+struct Writer {
+    std::string text;
+
+    void operator()(const Paragraph& paragraph) { text += paragraph.text + "\n\n"; }
+
+    void operator()(const Preformatted& block) {
+        text += "```\n" + block.text;
+        if (block.text.empty() || block.text.back() != '\n') text += '\n';
+        text += "```\n\n";
+    }
+
+    void operator()(const Table& table) {
+        if (!table.caption.empty()) text += "**" + table.caption + "**\n\n";
+        text += row(table.header) + "|";
+        for (std::size_t i = 0; i < table.header.size(); ++i) text += i == 0 ? " --- |" : " ---: |";
+        text += '\n';
+        for (const auto& cells : table.rows) text += row(cells);
+        text += '\n';
+    }
+
+    void operator()(const Gallery& gallery) {
+        for (const Figure& figure : gallery.figures)
+            text += fmt::format("![{0}](figures/{1}.svg)\n\n", figure.caption, figure.name);
+    }
+};
+
+} // namespace
+
+std::string to_markdown(const Page& page) {
+    Writer writer{fmt::format("# {}\n\n{}\n\n", page.title, page.subtitle)};
+    for (const Section& section : page.sections) {
+        writer.text += "## " + section.title + "\n\n";
+        for (const Block& block : section.blocks) std::visit(writer, block);
+    }
+    return writer.text;
+}
+
+} // namespace resonform::report
