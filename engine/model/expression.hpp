@@ -4,9 +4,16 @@
 // user text.
 //
 //   "(xi^2 + r^2)*psi'' + g*sin(psi) = 0"
+//
+// Grammar (spaces are free; no implicit multiplication):
+//   equation = sum "=" sum          product = unary { ("*" | "/") unary }
+//   sum = product { ("+" | "-") product }     unary = { "+" | "-" } power
+//   power = primary [ ("^" | "**") unary ]    so that -x^2 = -(x^2), 2^3^2 = 2^9, x^-2 is allowed
+//   primary = number | name { "'" } | function "(" sum ")" | "(" sum ")"
 #pragma once
 
-#include "algebra/error.hpp"
+#include "model/diagnostic.hpp"
+#include "model/nearest.hpp"
 
 #include <ginac/ginac.h>
 
@@ -16,15 +23,6 @@
 #include <vector>
 
 namespace resonform {
-
-// Where a text comes from, so that a column in it can be shown in the file.
-struct SourceText {
-    std::string file;
-    std::string key; // "equations.psi"
-    int line = 0;
-    int column = 0; // column of the first character of the text in its line
-    std::string source_line;
-};
 
 // The symbols that a text may use. Primes count derivatives: ("psi", 2) is psi''.
 class Scope {
@@ -40,16 +38,24 @@ private:
     std::map<std::pair<std::string, int>, GiNaC::ex> values_;
 };
 
+// What one expression may cost. All are checked before GiNaC evaluates anything.
 struct Limits {
     std::size_t length = 100000; // bytes
     int depth = 200;             // nested parentheses, functions and powers
     int digits = 1000;           // of one number, its decimal exponent included
     int exponent = 1000;         // |numerator|, |denominator| of a numeric exponent
+    double bits = 100000;        // of any number that the expression evaluates or expands to
+    double terms = 100000;       // of the expression when it is expanded
+    double degree = 10000;       // of the expression when it is expanded
 };
 
-// Functions: sin cos tan exp log sqrt sinh cosh tanh asin acos atan (and what FirstOrder expansion
-// supports); operators + - * / ^ ** and parentheses; `pi`.
-// Errors: bad_input with place, the offending text and the nearest known name.
+// sin cos tan exp log sqrt sinh cosh tanh asin acos atan
+const std::vector<std::string>& function_names();
+
+// The value of the text over `scope`; `pi` is known everywhere. Numbers are exact: 0.1 is 1/10.
+// Exponents are rational numbers. Errors: bad_input with place, the offending text and the mend:
+// a limit exceeded, a syntax error, an unknown name (with the nearest known), a division by an
+// expression that is zero, a power or function of a number that is undefined or not real.
 GiNaC::ex read_expression(std::string_view text, const Scope& scope, const SourceText& source,
                           const Limits& limits = {});
 
@@ -59,8 +65,5 @@ GiNaC::ex read_equation(std::string_view text, const Scope& scope, const SourceT
 
 // The highest number of primes that follow each identifier in a text (a scan, before symbols exist).
 std::map<std::string, int> highest_primes(std::string_view text, const SourceText& source);
-
-// The known name nearest to `name` (edit distance at most 1 + length/3), or "".
-std::string nearest(const std::string& name, const std::vector<std::string>& known);
 
 } // namespace resonform

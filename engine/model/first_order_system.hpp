@@ -5,6 +5,7 @@
 //   psi'' (xi^2 + r^2) + ... = 0, xi' = eps v   ->   (psi)' = psi', (psi')' = -(...)/(xi^2 + r^2), ...
 #pragma once
 
+#include "model/positivity.hpp"
 #include "model/system_file.hpp"
 
 #include <memory>
@@ -29,13 +30,11 @@ struct FirstOrderSystem {
     [[nodiscard]] std::size_t index(std::size_t variable, int derivative) const;
 };
 
-// Solves the equations, linear in all highest derivatives at once, for them; the determinant is
-// tested. Errors (bad_input): an equation that is not linear in its highest derivative (names the
-// term), a determinant that is zero.
+// Solves the equations for the highest derivatives: an equation that holds a single unknown one gives
+// it, which is put into the others (so xi' = eps v may stand squared elsewhere); the equations left
+// are solved together as a linear system. No rate holds a highest derivative.
+// Errors: bad_input: an equation that is not linear in them (marks the derivative), one that holds
+// none, a determinant that is zero; refused: a coefficient that can be told neither zero nor nonzero.
 FirstOrderSystem solve_for_highest(std::shared_ptr<const System> system);
-
-// yes: e > 0 wherever parameters and slow variables lie in their declared domain (sums of products
-// of positive symbols and even powers, declared expressions); unknown otherwise.
-bool provably_positive(const GiNaC::ex& e, const System& system);
 
 } // namespace resonform

@@ -2,6 +2,7 @@
 // scenes/*.toml -> Scene: what the user wants of a system; everything else is left out.
 #pragma once
 
+#include "algebra/number.hpp"
 #include "model/system_file.hpp"
 
 #include <map>

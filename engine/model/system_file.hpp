@@ -54,14 +54,22 @@ struct System {
     std::vector<GiNaC::ex> positive; // [domain] positive = ["1 + tau"]: declared positive
     GiNaC::symbol eps{"eps"};
 
+    // nullptr if there is none of that name.
     [[nodiscard]] const Variable* variable(const std::string& name) const;
     [[nodiscard]] const Parameter* parameter(const std::string& name) const;
     // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
+    // The parameters and eps: what start values and intervals may contain.
+    [[nodiscard]] Scope constants() const;
 };
 
 // SYSTEM of the command line: a folder with system.toml, that file, or a name in `systems`.
+// Errors (bad_input): none of these exists; the names in `systems` are suggested.
 std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems);
+
+// Reads and checks a system file (docs/file_formats.md). Errors: bad_input for what breaks a rule
+// there, refused for what the format foresees and the engine does not do yet (angles, weights,
+// declared functions).
 System read_system(const std::filesystem::path& file);
 System read_system_text(std::string_view toml, const std::filesystem::path& file);
 

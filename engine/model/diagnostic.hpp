@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a text of a user's file stands, and how a position inside it becomes the Place of a message.
+#pragma once
+
+#include "algebra/error.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace resonform {
+
+// Where a text comes from, so that a column in it can be shown in the file.
+struct SourceText {
+    std::string file;
+    std::string key; // "equations.psi"
+    int line = 0;
+    int column = 0; // column (1-based, in bytes) of the first character of the text in its line
+    std::string source_line;
+    bool verbatim = true; // false: the file spells the text with escapes, offsets do not carry over
+};
+
+// The place of the whole text.
+Place place_of(const SourceText& source);
+
+// The place of the byte `offset` of `text`; a text of several lines is followed to the right one.
+Place place_at(const SourceText& source, std::string_view text, std::size_t offset);
+
+// text[begin, end) fit to be printed: control characters as '?', at most 60 bytes, cut with "...".
+std::string excerpt(std::string_view text, std::size_t begin = 0, std::size_t end = std::string_view::npos);
+
+// 'text', cut like excerpt.
+std::string in_quotes(std::string_view text);
+
+} // namespace resonform

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/expression.hpp"
+
+#include "model/parser.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+void Scope::define(const std::string& name, const GiNaC::ex& value) { define_derivative(name, 0, value); }
+
+void Scope::define_derivative(const std::string& name, int primes, const GiNaC::ex& value) {
+    values_[{name, primes}] = value;
+}
+
+const GiNaC::ex* Scope::find(const std::string& name, int primes) const {
+    const auto found = values_.find({name, primes});
+    return found == values_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Scope::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : values_) {
+        if (names.empty() || names.back() != entry.first.first) names.push_back(entry.first.first);
+    }
+    return names;
+}
+
+const std::vector<std::string>& function_names() {
+    static const std::vector<std::string> names = {"sin",  "cos",  "tan",  "exp",  "log",  "sqrt",
+                                                   "sinh", "cosh", "tanh", "asin", "acos", "atan"};
+    return names;
+}
+
+GiNaC::ex read_expression(std::string_view text, const Scope& scope, const SourceText& source,
+                          const Limits& limits) {
+    return Parser(text, scope, source, limits).expression();
+}
+
+GiNaC::ex read_equation(std::string_view text, const Scope& scope, const SourceText& source,
+                        const Limits& limits) {
+    return Parser(text, scope, source, limits).equation();
+}
+
+std::map<std::string, int> highest_primes(std::string_view text, const SourceText& source) {
+    std::map<std::string, int> highest;
+    for (const Token& token : tokenize(text, source)) {
+        if (token.kind != TokenKind::name) continue;
+        int& primes = highest[std::string(text.substr(token.begin, token.name_end - token.begin))];
+        primes = std::max(primes, token.primes);
+    }
+    return highest;
+}
+
+} // namespace resonform

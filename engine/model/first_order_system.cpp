@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/first_order_system.hpp"
+
+#include "model/lexer.hpp"
+#include "model/zero_test.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+// One equation on the way to its solution, with the highest derivatives found so far put in.
+struct Pending {
+    const Equation* equation;
+    ex residual;
+    std::vector<std::size_t> unknowns; // variables whose highest derivative still occurs
+    std::vector<ex> coefficients;      // of the unknowns, free of all of them
+    ex rest;                           // residual with all unknowns zero
+};
+
+// Solves triangular parts first (a slow rate xi' = eps v goes into the other equations, where xi' may
+// then stand in any power), what remains as one linear system.
+class HighestDerivatives {
+public:
+    explicit HighestDerivatives(const System& system) : system_(system), solved_(system.variables.size()) {
+        for (const Equation& equation : system.equations) {
+            pending_.push_back({&equation, equation.residual, {}, {}, {}});
+        }
+    }
+
+    std::vector<ex> solve();
+
+private:
+    [[nodiscard]] const GiNaC::symbol& highest(std::size_t variable) const {
+        return system_.variables[variable].jet.back();
+    }
+    bool solve_a_single();
+    void solve_the_rest();
+    void find_unknowns(Pending& p) const;
+    void linearise(Pending& p) const; // fills coefficients and rest
+    void check_coefficient(const Pending& p, const ex& coefficient) const;
+    void substitute(std::size_t variable);
+
+    const System& system_;
+    std::vector<Pending> pending_;
+    std::vector<std::optional<ex>> solved_; // per variable
+};
+
+[[noreturn]] void complain(const Equation& equation, const std::string& rule, const std::string& value,
+                           const std::string& mend) {
+    bad_input({rule, value, mend, place_of(equation.source)});
+}
+
+// Runs what GiNaC may find singular.
+ex guarded(const Equation& equation, const std::function<ex()>& build) {
+    try {
+        return build();
+    } catch (const std::exception&) {
+        complain(equation, "an equation stays regular when the other rates are put in",
+                 excerpt(equation.text), "a denominator becomes zero: correct it");
+    }
+}
+
+// Marks the first occurrence of a derivative in the text of its equation.
+[[noreturn]] void complain_nonlinear(const Equation& equation, const Variable& variable) {
+    const int primes = variable.order;
+    Diagnostic d;
+    d.rule = "an equation is linear in the highest derivatives, once the known rates are put in";
+    d.value = variable.jet.back().get_name();
+    d.mend = "solve it for " + d.value + " by hand, or introduce a variable for its lower derivative";
+    d.place = place_of(equation.source);
+    for (const Token& token : tokenize(equation.text, equation.source)) {
+        if (token.kind == TokenKind::name && token.primes == primes &&
+            equation.text.compare(token.begin, token.name_end - token.begin, variable.name) == 0) {
+            d.place = place_at(equation.source, equation.text, token.begin);
+            break;
+        }
+    }
+    bad_input(d);
+}
+
+std::vector<ex> HighestDerivatives::solve() {
+    while (solve_a_single()) {
+    }
+    if (!pending_.empty()) solve_the_rest();
+    std::vector<ex> result;
+    for (const std::optional<ex>& rate : solved_) result.push_back(*rate);
+    return result;
+}
+
+void HighestDerivatives::find_unknowns(Pending& p) const {
+    p.unknowns.clear();
+    for (std::size_t v = 0; v < solved_.size(); ++v) {
+        if (!solved_[v] && p.residual.has(highest(v))) p.unknowns.push_back(v);
+    }
+    if (!p.unknowns.empty()) return;
+    complain(*p.equation, "the equations determine every highest derivative",
+             "none is left in the equation of '" + p.equation->variable + "'",
+             "write " + system_.variable(p.equation->variable)->jet.back().get_name() + " in this equation");
+}
+
+void HighestDerivatives::linearise(Pending& p) const {
+    const auto derivatives = [&] {
+        p.coefficients.clear();
+        for (std::size_t v : p.unknowns) p.coefficients.push_back(p.residual.diff(highest(v)));
+    };
+    const auto nonlinear_in = [&]() -> std::optional<std::size_t> {
+        for (std::size_t v : p.unknowns) {
+            for (const ex& c : p.coefficients) {
+                if (c.has(highest(v))) return v;
+            }
+        }
+        return std::nullopt;
+    };
+    derivatives();
+    if (nonlinear_in()) { // perhaps only as written
+        p.residual = p.residual.expand();
+        derivatives();
+    }
+    if (const auto v = nonlinear_in()) complain_nonlinear(*p.equation, system_.variables[*v]);
+    GiNaC::exmap zero;
+    for (std::size_t v : p.unknowns) zero[highest(v)] = 0;
+    p.rest = guarded(*p.equation, [&] { return p.residual.subs(zero); });
+}
+
+void HighestDerivatives::check_coefficient(const Pending& p, const ex& coefficient) const {
+    const std::string name = highest(p.unknowns.front()).get_name();
+    const Zero zero = vanishes(coefficient);
+    if (zero == Zero::no) return;
+    if (zero == Zero::yes) {
+        complain(*p.equation, "the equations can be solved for the highest derivatives",
+                 "the coefficient of " + name + " is zero", "correct the equations");
+    }
+    refuse({"the coefficients of the highest derivatives are not zero",
+            "the one of " + name + " can be told neither zero nor nonzero", "simplify the equation",
+            place_of(p.equation->source)});
+}
+
+// The first equation with a single unknown gives it. False: every equation left has several.
+bool HighestDerivatives::solve_a_single() {
+    for (std::size_t i = 0; i < pending_.size(); ++i) {
+        Pending& p = pending_[i];
+        find_unknowns(p);
+        if (p.unknowns.size() != 1) continue;
+        linearise(p);
+        check_coefficient(p, p.coefficients.front());
+        const std::size_t variable = p.unknowns.front();
+        solved_[variable] =
+            guarded(*p.equation, [&] { return ex(-p.rest * GiNaC::pow(p.coefficients.front(), -1)); });
+        pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
+        substitute(variable);
+        return true;
+    }
+    return false;
+}
+
+void HighestDerivatives::substitute(std::size_t variable) {
+    for (Pending& p : pending_) {
+        p.residual =
+            guarded(*p.equation, [&] { return p.residual.subs(highest(variable) == *solved_[variable]); });
+    }
+}
+
+// Gaussian elimination by rows; a pivot is an entry proved not to vanish.
+void HighestDerivatives::solve_the_rest() {
+    std::vector<std::size_t> unknowns;
+    for (std::size_t v = 0; v < solved_.size(); ++v) {
+        if (!solved_[v]) unknowns.push_back(v);
+    }
+    const std::size_t n = unknowns.size();
+    std::vector<std::vector<ex>> rows;
+    for (Pending& p : pending_) {
+        linearise(p);
+        std::vector<ex> row(n + 1, ex(0));
+        for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
+            const auto at = std::find(unknowns.begin(), unknowns.end(), p.unknowns[k]);
+            row[static_cast<std::size_t>(at - unknowns.begin())] = p.coefficients[k];
+        }
+        row[n] = -p.rest;
+        rows.push_back(std::move(row));
+    }
+    for (std::size_t column = 0; column < n; ++column) {
+        std::size_t pivot = column;
+        while (pivot < n && vanishes(rows[pivot][column]) != Zero::no) ++pivot;
+        if (pivot == n) {
+            complain(*pending_.front().equation, "the equations can be solved for the highest derivatives",
+                     "the determinant of their coefficients is zero", "correct the equations");
+        }
+        std::swap(rows[column], rows[pivot]);
+        for (ex& entry : rows[column]) {
+            if (&entry != &rows[column][column]) entry = (entry / rows[column][column]).normal();
+        }
+        rows[column][column] = 1;
+        for (std::size_t other = 0; other < n; ++other) {
+            const ex factor = rows[other][column];
+            if (other == column || factor.is_zero()) continue;
+            for (std::size_t k = column; k <= n; ++k) {
+                rows[other][k] = (rows[other][k] - factor * rows[column][k]).normal();
+            }
+        }
+    }
+    for (std::size_t k = 0; k < n; ++k) solved_[unknowns[k]] = rows[k][n];
+}
+
+} // namespace
+
+const State& FirstOrderSystem::state(const std::string& name) const {
+    const auto found =
+        std::find_if(states.begin(), states.end(), [&](const State& s) { return s.name == name; });
+    if (found == states.end()) {
+        std::vector<std::string> names;
+        for (const State& s : states) names.push_back(s.name);
+        bad_input({"a state is one of the system", excerpt(name), suggest(name, names), Place{}});
+    }
+    return *found;
+}
+
+std::size_t FirstOrderSystem::index(std::size_t variable, int derivative) const {
+    std::size_t first = 0;
+    for (std::size_t v = 0; v < variable; ++v) first += static_cast<std::size_t>(system->variables[v].order);
+    return first + static_cast<std::size_t>(derivative);
+}
+
+FirstOrderSystem solve_for_highest(std::shared_ptr<const System> system) {
+    const std::vector<ex> highest = HighestDerivatives(*system).solve();
+    FirstOrderSystem result;
+    for (std::size_t v = 0; v < system->variables.size(); ++v) {
+        const Variable& variable = system->variables[v];
+        for (int k = 0; k < variable.order; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            State state;
+            state.name = variable.jet[at].get_name();
+            state.variable = v;
+            state.derivative = k;
+            state.symbol = variable.jet[at];
+            state.rate = k + 1 == variable.order ? highest[v] : ex(variable.jet[at + 1]);
+            result.states.push_back(std::move(state));
+        }
+    }
+    result.system = std::move(system);
+    return result;
+}
+
+} // namespace resonform

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Upper bounds of what an expression may grow to, known before anything is evaluated, so that
+// ((2^1000)^1000)^1000 is refused instead of computed.
+#pragma once
+
+namespace resonform {
+
+// Bounds for the expanded form: its number of terms, its degree, and the size in bits of the largest
+// number in it. Doubles, because the bounds themselves may be astronomic.
+struct Growth {
+    double terms = 1;
+    double degree = 0;
+    double bits = 0;
+};
+
+Growth of_sum(const Growth& a, const Growth& b);
+Growth of_product(const Growth& a, const Growth& b);
+Growth of_power(const Growth& base, double exponent);
+
+} // namespace resonform

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which names a user may give, and what the constants of a solution are called.
+#pragma once
+
+#include "model/system_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+bool is_identifier(const std::string& name); // [A-Za-z][A-Za-z0-9_]*, at most 60 characters
+std::string identifier_rule(const std::string& what);
+std::string identifier_mend();
+
+// I, pi, E, eps, lambda, t, the modes z1, z2, ..., and the functions.
+bool is_reserved(const std::string& name);
+
+// The constants that the solution of a variable has: fast: amplitude, phase; drift: constant.
+std::vector<std::string> constant_kinds(Role role);
+
+} // namespace resonform

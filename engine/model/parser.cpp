@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parser.hpp"
+
+#include "algebra/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+bool is_function(const std::string& name) {
+    const std::vector<std::string>& known = function_names();
+    return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+ex apply(const std::string& function, const ex& x) {
+    if (function == "sin") return GiNaC::sin(x);
+    if (function == "cos") return GiNaC::cos(x);
+    if (function == "tan") return GiNaC::tan(x);
+    if (function == "exp") return GiNaC::exp(x);
+    if (function == "log") return GiNaC::log(x);
+    if (function == "sinh") return GiNaC::sinh(x);
+    if (function == "cosh") return GiNaC::cosh(x);
+    if (function == "tanh") return GiNaC::tanh(x);
+    if (function == "asin") return GiNaC::asin(x);
+    if (function == "acos") return GiNaC::acos(x);
+    if (function == "atan") return GiNaC::atan(x);
+    return GiNaC::sqrt(x);
+}
+
+bool begins_operand(TokenKind kind) {
+    return kind == TokenKind::number || kind == TokenKind::name || kind == TokenKind::open;
+}
+
+// Growth is bounded, so that expanding is cheap.
+bool vanishes(const ex& e) { return e.is_zero() || e.expand().is_zero(); }
+
+double log2_size(const numeric& n) { return n.numer().int_length() + n.denom().int_length(); }
+
+// Digits of the mantissa plus the size of the decimal exponent of a number token.
+std::size_t digits_of(std::string_view number) {
+    constexpr std::size_t absurd = 1000000000;
+    const std::size_t e = number.find_first_of("eE");
+    std::size_t digits = std::min(e, number.size());
+    if (e == std::string_view::npos) return digits;
+    std::size_t exponent = 0;
+    for (char c : number.substr(e + 1)) {
+        if (c < '0' || c > '9') continue;
+        exponent = std::min(absurd, 10 * exponent + static_cast<std::size_t>(c - '0'));
+    }
+    return digits + exponent;
+}
+
+} // namespace
+
+Parser::Parser(std::string_view text, const Scope& scope, const SourceText& source, const Limits& limits)
+    : text_(text), scope_(scope), source_(source), limits_(limits) {
+    if (text.size() > limits.length) {
+        bad_input({"an expression has at most " + std::to_string(limits.length) + " bytes",
+                   std::to_string(text.size()) + " bytes", "shorten it or split the system",
+                   place_of(source)});
+    }
+    tokens_ = tokenize(text, source);
+}
+
+ex Parser::expression() {
+    const Piece whole = sum();
+    expect_end(false);
+    return whole.value;
+}
+
+ex Parser::equation() {
+    const Piece left = sum();
+    if (next().kind == TokenKind::end) {
+        complain(0, text_.size(), "an equation has exactly one '='", "write it as left = right");
+    }
+    if (!accept(TokenKind::equals)) expect_end(true);
+    const Piece right = sum();
+    expect_end(true);
+    check_growth(of_sum(left.growth, right.growth), left.begin, right.end);
+    return left.value - right.value;
+}
+
+void Parser::expect_end(bool equation) {
+    const Token& token = next();
+    if (token.kind == TokenKind::end) return;
+    if (token.kind == TokenKind::equals) {
+        if (equation)
+            complain(token.begin, token.end, "an equation has exactly one '='", "remove the second");
+        complain(token.begin, token.end, "an expression here has no '='", "give the value alone");
+    }
+    if (token.kind == TokenKind::comma) {
+        complain(token.begin, token.end, "a comma has no meaning in an expression",
+                 "write decimals with a point; functions take one argument");
+    }
+    complain(token.begin, token.end, "every ')' closes a '('", "remove it or add the '('");
+}
+
+// Addends are collected and added once: one by one would cost the square of their number.
+Parser::Piece Parser::sum() {
+    Piece total = product();
+    GiNaC::exvector addends{total.value};
+    while (next().kind == TokenKind::plus || next().kind == TokenKind::minus) {
+        const bool minus = take().kind == TokenKind::minus;
+        const Piece addend = product();
+        total.growth = of_sum(total.growth, addend.growth);
+        total.end = addend.end;
+        check_growth(total.growth, total.begin, total.end);
+        addends.push_back(minus ? ex(-addend.value) : addend.value);
+    }
+    if (addends.size() > 1) {
+        total.value = evaluate(total.begin, total.end, [&] { return ex(GiNaC::add(addends)); });
+    }
+    return total;
+}
+
+Parser::Piece Parser::product() {
+    Piece total = unary();
+    GiNaC::exvector factors{total.value};
+    while (next().kind == TokenKind::star || next().kind == TokenKind::slash) {
+        const bool divide = take().kind == TokenKind::slash;
+        Piece factor = unary();
+        if (divide) factor = reciprocal(factor);
+        total.growth = of_product(total.growth, factor.growth);
+        total.end = factor.end;
+        check_growth(total.growth, total.begin, total.end);
+        factors.push_back(factor.value);
+    }
+    if (begins_operand(next().kind)) implicit_product();
+    if (factors.size() > 1) {
+        total.value = evaluate(total.begin, total.end, [&] { return ex(GiNaC::mul(factors)); });
+    }
+    return total;
+}
+
+// Signs are counted in a loop: a hundred thousand of them nest nothing.
+Parser::Piece Parser::unary() {
+    const std::size_t begin = next().begin;
+    bool minus = false;
+    while (next().kind == TokenKind::plus || next().kind == TokenKind::minus) {
+        if (take().kind == TokenKind::minus) minus = !minus;
+    }
+    Piece piece = power();
+    piece.begin = begin;
+    if (minus) piece.value = -piece.value;
+    return piece;
+}
+
+Parser::Piece Parser::power() {
+    const Piece base = primary();
+    if (!accept(TokenKind::power)) return base;
+    enter(next().begin);
+    const Piece exponent = unary();
+    --depth_;
+    return raise(base, exponent);
+}
+
+Parser::Piece Parser::primary() {
+    switch (next().kind) {
+    case TokenKind::number: return number();
+    case TokenKind::name: return name();
+    case TokenKind::open: return parenthesis();
+    default: missing_operand();
+    }
+}
+
+Parser::Piece Parser::number() {
+    const Token token = take();
+    const std::string_view spelled = text_.substr(token.begin, token.end - token.begin);
+    if (digits_of(spelled) > static_cast<std::size_t>(limits_.digits)) {
+        complain(token.begin, token.end,
+                 "a number has at most " + std::to_string(limits_.digits) +
+                     " digits, those of its decimal exponent's zeros included",
+                 "write a shorter number, or a parameter in its place");
+    }
+    Piece piece;
+    const numeric value{cln::cl_N(parse_rational(spelled))};
+    piece.value = value;
+    piece.growth.bits = log2_size(value);
+    piece.begin = token.begin;
+    piece.end = token.end;
+    return piece;
+}
+
+Parser::Piece Parser::name() {
+    const Token& token = next();
+    const std::string name(text_.substr(token.begin, token.name_end - token.begin));
+    if (is_function(name) && scope_.find(name, 0) == nullptr) return call();
+    Piece piece;
+    piece.begin = token.begin;
+    piece.end = token.end;
+    if (const ex* value = scope_.find(name, token.primes)) {
+        piece.value = *value;
+        piece.growth.degree = 1;
+    } else if (name == "pi" && token.primes == 0) {
+        piece.value = GiNaC::Pi;
+    } else {
+        unknown_name(token);
+    }
+    take();
+    if (next().kind == TokenKind::open) implicit_product();
+    return piece;
+}
+
+Parser::Piece Parser::call() {
+    const Token token = take();
+    const std::string function(text_.substr(token.begin, token.name_end - token.begin));
+    if (token.primes > 0) {
+        complain(token.begin, token.end, "only variables have derivatives written with primes",
+                 "write the derivative of " + function + " in full");
+    }
+    if (next().kind != TokenKind::open) {
+        complain(token.begin, token.end, "a function has its argument in parentheses",
+                 "write " + function + "(...)");
+    }
+    const Piece argument = parenthesis();
+    check_argument(function, argument);
+    Piece piece = argument;
+    piece.begin = token.begin;
+    // The argument stays unexpanded inside the function, which is one factor from now on.
+    if (function != "sqrt") piece.growth = {1, 1, argument.growth.bits};
+    piece.value = evaluate(piece.begin, piece.end, [&] { return apply(function, argument.value); });
+    return piece;
+}
+
+Parser::Piece Parser::parenthesis() {
+    const Token open = take();
+    if (next().kind == TokenKind::close) {
+        complain(open.begin, next().end, "parentheses hold an expression", "write one or remove them");
+    }
+    enter(open.begin);
+    Piece inner = sum();
+    --depth_;
+    if (next().kind == TokenKind::end || next().kind == TokenKind::equals) {
+        complain(open.begin, open.end, "every '(' is closed by a ')'", "add the ')' or remove the '('");
+    }
+    if (next().kind == TokenKind::comma) expect_end(false);
+    inner.begin = open.begin;
+    inner.end = take().end;
+    return inner;
+}
+
+Parser::Piece Parser::reciprocal(const Piece& denominator) {
+    if (vanishes(denominator.value)) {
+        complain(denominator.begin, denominator.end, "a denominator is not zero",
+                 "this expression is zero for all values: correct it");
+    }
+    Piece piece = denominator;
+    piece.value = evaluate(piece.begin, piece.end, [&] { return GiNaC::pow(denominator.value, -1); });
+    return piece;
+}
+
+Parser::Piece Parser::raise(const Piece& base, const Piece& exponent) {
+    const numeric n = checked_exponent(base, exponent);
+    Piece piece;
+    piece.begin = base.begin;
+    piece.end = exponent.end;
+    piece.growth = of_power(base.growth, n.to_double());
+    check_growth(piece.growth, piece.begin, piece.end);
+    if (!n.is_positive() && vanishes(base.value)) {
+        complain(piece.begin, piece.end, "zero is raised to positive powers only",
+                 "the base is zero for all values: correct it");
+    }
+    if (GiNaC::is_a<numeric>(base.value) && !n.is_integer() &&
+        GiNaC::ex_to<numeric>(base.value).is_negative()) {
+        complain(piece.begin, piece.end, "a fractional power of a negative number is not real",
+                 "write the real value meant");
+    }
+    piece.value = evaluate(piece.begin, piece.end, [&] { return GiNaC::pow(base.value, n); });
+    return piece;
+}
+
+numeric Parser::checked_exponent(const Piece& base, const Piece& exponent) {
+    if (!GiNaC::is_a<numeric>(exponent.value)) {
+        complain(exponent.begin, exponent.end, "an exponent is a rational number",
+                 "write exp(b*log(a)) for a^b with " + excerpt(text_, base.begin, base.end) + " as a");
+    }
+    const numeric n = GiNaC::ex_to<numeric>(exponent.value);
+    const numeric limit(limits_.exponent);
+    if (GiNaC::abs(n.numer()) > limit || n.denom() > limit) {
+        complain(exponent.begin, exponent.end,
+                 "an exponent is a fraction of integers of at most " + std::to_string(limits_.exponent),
+                 "use a smaller exponent");
+    }
+    return n;
+}
+
+void Parser::check_argument(const std::string& function, const Piece& argument) {
+    if (function == "log" && vanishes(argument.value)) {
+        complain(argument.begin, argument.end, "log has no value at zero", "correct the argument");
+    }
+    if (!GiNaC::is_a<numeric>(argument.value)) return;
+    const numeric x = GiNaC::ex_to<numeric>(argument.value);
+    const bool real = ((function != "log" && function != "sqrt") || !x.is_negative()) &&
+                      ((function != "asin" && function != "acos") || GiNaC::abs(x) <= numeric(1));
+    if (!real) {
+        complain(argument.begin, argument.end, function + " of this number is not real",
+                 "write the real value meant");
+    }
+}
+
+void Parser::check_growth(const Growth& growth, std::size_t begin, std::size_t end) {
+    // Negated comparisons, so that a bound that overflowed to NaN is refused too.
+    if (!(growth.bits <= limits_.bits)) {
+        complain(begin, end,
+                 "the numbers of an expression stay below 2^" +
+                     std::to_string(static_cast<long>(limits_.bits)) + " when it is expanded",
+                 "use smaller numbers or exponents");
+    }
+    if (!(growth.terms <= limits_.terms)) {
+        complain(begin, end,
+                 "an expression has at most " + std::to_string(static_cast<long>(limits_.terms)) +
+                     " terms when it is expanded",
+                 "use smaller exponents or fewer products of sums");
+    }
+    if (!(growth.degree <= limits_.degree)) {
+        complain(begin, end,
+                 "an expression is at most of degree " + std::to_string(static_cast<long>(limits_.degree)),
+                 "use smaller exponents");
+    }
+}
+
+ex Parser::evaluate(std::size_t begin, std::size_t end, const std::function<ex()>& build) {
+    try {
+        return build();
+    } catch (const GiNaC::pole_error&) {
+        complain(begin, end, "an expression has a value", "it is singular here: correct it");
+    } catch (const std::exception& failure) {
+        complain(begin, end, "an expression has a value",
+                 "it cannot be evaluated (" + excerpt(failure.what()) + "): correct it");
+    }
+}
+
+bool Parser::accept(TokenKind kind) {
+    if (next().kind != kind) return false;
+    take();
+    return true;
+}
+
+std::string Parser::spelling(const Token& token) const { return excerpt(text_, token.begin, token.end); }
+
+void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std::string mend) const {
+    bad_input(
+        {std::move(rule), excerpt(text_, begin, end), std::move(mend), place_at(source_, text_, begin)});
+}
+
+void Parser::missing_operand() const {
+    const Token& token = next();
+    if (tokens_.size() == 1) complain(0, 0, "an expression is not empty", "write one");
+    if (token.kind == TokenKind::comma) {
+        complain(token.begin, token.end, "a comma has no meaning in an expression",
+                 "write decimals with a point; functions take one argument");
+    }
+    if (at_ == 0) {
+        complain(token.begin, token.end, "an expression begins with a number, a name, a sign or '('",
+                 "write what stands before '" + spelling(token) + "'");
+    }
+    const Token& before = tokens_[at_ - 1];
+    complain(before.begin, token.end, "something stands after '" + spelling(before) + "'",
+             "write the missing number, name or '('");
+}
+
+void Parser::implicit_product() const {
+    const Token& left = tokens_[at_ - 1];
+    const Token& right = next();
+    complain(left.begin, right.end, "a product is written with '*'",
+             "write " + spelling(left) + "*" + spelling(right));
+}
+
+void Parser::unknown_name(const Token& token) const {
+    const std::string name(text_.substr(token.begin, token.name_end - token.begin));
+    if (scope_.find(name, 0) != nullptr) {
+        int highest = 0;
+        while (scope_.find(name, highest + 1) != nullptr) ++highest;
+        if (highest == 0) {
+            complain(token.begin, token.end, "'" + excerpt(name) + "' has no derivative here",
+                     "remove the primes");
+        }
+        complain(token.begin, token.end,
+                 "'" + excerpt(name) + "' has at most " + std::to_string(highest) + " primes here",
+                 "write fewer primes");
+    }
+    if (tokens_[at_ + 1].kind == TokenKind::open) {
+        complain(token.begin, token.end, "a function is one of the known ones",
+                 suggest(name, function_names()));
+    }
+    if (name == "E" || name == "e") {
+        complain(token.begin, token.end, "a symbol is declared before it is used", "write exp(1)");
+    }
+    complain(token.begin, token.end, "a symbol is declared before it is used", suggest(name, scope_.names()));
+}
+
+void Parser::enter(std::size_t at) {
+    if (++depth_ > limits_.depth) {
+        complain(at, at + 1,
+                 "parentheses, functions and powers nest at most " + std::to_string(limits_.depth) + " deep",
+                 "flatten the expression");
+    }
+}
+
+} // namespace resonform

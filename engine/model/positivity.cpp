@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/positivity.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+// Ordered, so that the weakest of several is their minimum.
+enum class Sign { unknown, nonnegative, positive };
+
+// Comparing with declared expressions divides polynomials; no honest one is larger than this.
+constexpr std::size_t largest_compared = 60;
+constexpr int deepest_comparison = 4;
+
+class Prover {
+public:
+    explicit Prover(const System& system) : system_(system) {}
+
+    Sign sign(const ex& e, int comparisons = deepest_comparison) const;
+    bool nonzero(const ex& e) const;
+    bool real(const ex& e) const;
+
+private:
+    Sign of_symbol(const ex& e) const;
+    Sign of_power(const ex& e, int comparisons) const;
+    Sign of_function(const ex& e) const;
+    Sign by_structure(const ex& e, int comparisons) const;
+    Sign by_declaration(const ex& e, int comparisons) const;
+    bool declared_nonzero(const ex& symbol) const;
+
+    const System& system_;
+};
+
+Sign Prover::of_symbol(const ex& e) const {
+    if (e.is_equal(system_.eps)) return Sign::positive;
+    for (const Parameter& p : system_.parameters) {
+        if (p.positive && e.is_equal(p.symbol)) return Sign::positive;
+    }
+    for (const Variable& v : system_.variables) {
+        if (v.positive && e.is_equal(v.jet.front())) return Sign::positive;
+    }
+    return Sign::unknown;
+}
+
+bool Prover::declared_nonzero(const ex& symbol) const {
+    for (const Parameter& p : system_.parameters) {
+        if (p.nonzero && symbol.is_equal(p.symbol)) return true;
+    }
+    for (const Variable& v : system_.variables) {
+        if (v.nonzero && symbol.is_equal(v.jet.front())) return true;
+    }
+    return of_symbol(symbol) == Sign::positive;
+}
+
+// A real expression: no root of what may be negative, no logarithm of what may not be positive.
+bool Prover::real(const ex& e) const {
+    if (GiNaC::is_a<numeric>(e)) return GiNaC::ex_to<numeric>(e).is_real();
+    if (GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::constant>(e)) return true;
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+        if (!GiNaC::is_a<numeric>(e.op(1))) return false;
+        const numeric n = GiNaC::ex_to<numeric>(e.op(1));
+        if (n.is_negative() && !nonzero(e.op(0))) return false;
+        return n.is_integer() ? real(e.op(0)) : sign(e.op(0)) != Sign::unknown;
+    }
+    if (GiNaC::is_a<GiNaC::function>(e)) {
+        const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+        if (name == "log") return sign(e.op(0)) == Sign::positive;
+        if (name == "asin" || name == "acos" || name == "tan") return false;
+    }
+    return std::all_of(e.begin(), e.end(), [this](const ex& part) { return real(part); });
+}
+
+Sign Prover::of_power(const ex& e, int comparisons) const {
+    if (!GiNaC::is_a<numeric>(e.op(1))) return Sign::unknown;
+    const numeric n = GiNaC::ex_to<numeric>(e.op(1));
+    if (!n.is_rational()) return Sign::unknown;
+    if (n.is_even()) {
+        if (!real(e.op(0))) return Sign::unknown;
+        if (nonzero(e.op(0))) return Sign::positive;
+        return n.is_positive() ? Sign::nonnegative : Sign::unknown;
+    }
+    const Sign base = sign(e.op(0), comparisons);
+    return base == Sign::nonnegative && !n.is_positive() ? Sign::unknown : base;
+}
+
+Sign Prover::of_function(const ex& e) const {
+    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    if ((name == "exp" || name == "cosh") && real(e.op(0))) return Sign::positive;
+    // These have the sign of their argument.
+    if (name == "sinh" || name == "tanh" || name == "atan") return sign(e.op(0));
+    return Sign::unknown;
+}
+
+Sign Prover::by_structure(const ex& e, int comparisons) const {
+    if (GiNaC::is_a<numeric>(e)) {
+        const numeric n = GiNaC::ex_to<numeric>(e);
+        if (!n.is_real() || n.is_negative()) return Sign::unknown;
+        return n.is_zero() ? Sign::nonnegative : Sign::positive;
+    }
+    if (e.is_equal(GiNaC::Pi)) return Sign::positive;
+    if (GiNaC::is_a<GiNaC::symbol>(e)) return of_symbol(e);
+    if (GiNaC::is_a<GiNaC::power>(e)) return of_power(e, comparisons);
+    if (GiNaC::is_a<GiNaC::function>(e)) return of_function(e);
+    if (!GiNaC::is_a<GiNaC::add>(e) && !GiNaC::is_a<GiNaC::mul>(e)) return Sign::unknown;
+    Sign weakest = Sign::positive, strongest = Sign::unknown;
+    for (const ex& part : e) {
+        const Sign s = sign(part, comparisons);
+        if (s == Sign::unknown) return Sign::unknown;
+        weakest = std::min(weakest, s);
+        strongest = std::max(strongest, s);
+    }
+    return GiNaC::is_a<GiNaC::add>(e) ? strongest : weakest;
+}
+
+// With d > 0 declared: e = q d has the sign of q; e = d + rest is positive if the rest is >= 0.
+Sign Prover::by_declaration(const ex& e, int comparisons) const {
+    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e)) return Sign::unknown;
+    const ex expanded = e.expand();
+    if (expanded.nops() > largest_compared) return Sign::unknown;
+    for (const ex& declared : system_.positive) {
+        const ex d = declared.expand();
+        const ex rest = (expanded - d).expand();
+        if (rest.is_zero()) return Sign::positive;
+        const bool smaller = !GiNaC::is_a<GiNaC::add>(rest) || rest.nops() < expanded.nops();
+        if (smaller && sign(rest, comparisons - 1) != Sign::unknown) return Sign::positive;
+        ex quotient;
+        if (GiNaC::is_a<numeric>(d) || !expanded.info(GiNaC::info_flags::rational_polynomial) ||
+            !d.info(GiNaC::info_flags::rational_polynomial) || !GiNaC::divide(expanded, d, quotient)) {
+            continue;
+        }
+        const Sign s = sign(quotient, comparisons - 1);
+        if (s != Sign::unknown) return s;
+    }
+    return Sign::unknown;
+}
+
+Sign Prover::sign(const ex& e, int comparisons) const {
+    const Sign s = by_structure(e, comparisons);
+    return s == Sign::unknown ? by_declaration(e, comparisons) : s;
+}
+
+bool Prover::nonzero(const ex& e) const {
+    if (GiNaC::is_a<GiNaC::symbol>(e)) return declared_nonzero(e);
+    if (GiNaC::is_a<GiNaC::mul>(e)) {
+        return std::all_of(e.begin(), e.end(), [this](const ex& part) { return nonzero(part); });
+    }
+    if (GiNaC::is_a<GiNaC::power>(e)) return GiNaC::is_a<numeric>(e.op(1)) && nonzero(e.op(0));
+    return sign(e) == Sign::positive || sign((-e).expand()) == Sign::positive;
+}
+
+} // namespace
+
+bool provably_positive(const ex& e, const System& system) { return Prover(system).sign(e) == Sign::positive; }
+
+bool provably_nonzero(const ex& e, const System& system) { return Prover(system).nonzero(e); }
+
+} // namespace resonform

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/system_reader.hpp"
+
+#include "model/names.hpp"
+#include "model/toml_values.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+constexpr int most_variables = 64;
+constexpr int most_parameters = 64;
+constexpr int most_primes = 9;
+
+// Refuses a list that no honest system has; the ring would refuse far fewer anyway.
+void check_count(const TomlNode& table, int most) {
+    if (table.entries.size() > static_cast<std::size_t>(most)) {
+        bad_input({"[" + table.source.key + "] has at most " + std::to_string(most) + " entries",
+                   std::to_string(table.entries.size()) + " entries", "describe a smaller system",
+                   place_of(table.source)});
+    }
+}
+
+bool flag(const TomlNode& table, const std::string& key) {
+    const TomlNode* node = table.find(key);
+    return node != nullptr && boolean_of(*node);
+}
+
+std::string text(const TomlNode& table, const std::string& key) {
+    const TomlNode* node = table.find(key);
+    return node == nullptr ? "" : string_of(*node);
+}
+
+Role role_of(const TomlEntry& entry) {
+    const TomlNode* node = entry.value.find("role");
+    if (node == nullptr) {
+        bad_input({"a variable has a role", in_quotes(entry.key),
+                   "write role = \"fast\", \"slow\" or \"drift\"", entry.place});
+    }
+    const std::string role = string_of(*node);
+    if (role == "fast") return Role::fast;
+    if (role == "slow") return Role::slow;
+    if (role == "drift") return Role::drift;
+    if (role == "angle") {
+        refuse({"a variable is fast, slow or drift: angles are not supported yet", in_quotes(role),
+                "write the system with fast variables", place_of(node->source)});
+    }
+    bad_value(*node, "a role is fast, slow or drift", suggest(role, {"fast", "slow", "drift"}));
+}
+
+// The weights are those of the roles (design 2.1); others are foreseen in the format, not done yet.
+void check_weight(const TomlNode& table, Role role) {
+    const TomlNode* node = table.find("weight");
+    if (node == nullptr) return;
+    const int standard = role == Role::fast ? 1 : 0;
+    if (number_of(*node) == standard) return;
+    refuse({"the weight of a " + std::string(to_string(role)) + " variable is " + std::to_string(standard) +
+                ": others are not supported yet",
+            excerpt(node->text), "remove the key", place_of(node->source)});
+}
+
+// "amplitude.psi" -> kind and variable, which must fit together.
+Notation notation_of(const TomlEntry& entry, const System& system) {
+    const std::string value = string_of(entry.value);
+    const std::size_t dot = value.find('.');
+    Notation notation{entry.key, value.substr(0, dot), dot == std::string::npos ? "" : value.substr(dot + 1)};
+    std::vector<std::string> known;
+    for (const Variable& variable : system.variables) {
+        for (const std::string& kind : constant_kinds(variable.role))
+            known.push_back(kind + "." + variable.name);
+    }
+    if (std::find(known.begin(), known.end(), value) == known.end()) {
+        bad_value(
+            entry.value,
+            "a notation names amplitude or phase of a fast variable or the constant of a drift variable",
+            suggest(value, known));
+    }
+    return notation;
+}
+
+} // namespace
+
+SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file) : root_(std::move(root)) {
+    system_.file = file;
+}
+
+System SystemReader::read() {
+    if (const TomlNode* functions = root_.find("functions")) {
+        refuse({"declared functions are not supported yet", "[functions]",
+                "write the functions out in the equations", place_of(functions->source)});
+    }
+    check_keys(root_, {"system", "parameters", "variables", "equations", "domain", "notation"});
+    read_header();
+    read_parameters();
+    read_variables();
+    read_equation_texts();
+    set_orders();
+    read_equations();
+    read_domain();
+    read_notation();
+    return std::move(system_);
+}
+
+void SystemReader::read_header() {
+    const TomlNode& header = table("system", "begin the file with [system] and name = \"...\"");
+    check_keys(header, {"name", "title", "source"});
+    const TomlNode* name = header.find("name");
+    if (name == nullptr) {
+        bad_input({"a system has a name", "[system]", "write name = \"...\" under [system]",
+                   place_of(header.source)});
+    }
+    system_.name = string_of(*name);
+    if (!is_identifier(system_.name)) bad_value(*name, identifier_rule("a system's name"), identifier_mend());
+    system_.title = text(header, "title");
+    if (system_.title.empty()) system_.title = system_.name;
+    system_.source = text(header, "source");
+}
+
+void SystemReader::read_parameters() {
+    const TomlNode* parameters = root_.find("parameters");
+    if (parameters == nullptr) return;
+    check_table(*parameters);
+    check_count(*parameters, most_parameters);
+    for (const TomlEntry& entry : parameters->entries) {
+        claim_name(entry, "a parameter");
+        check_keys(entry.value, {"positive", "nonzero", "unit"});
+        Parameter parameter;
+        parameter.name = entry.key;
+        parameter.positive = flag(entry.value, "positive");
+        parameter.nonzero = parameter.positive || flag(entry.value, "nonzero");
+        parameter.unit = text(entry.value, "unit");
+        parameter.symbol = GiNaC::symbol(parameter.name);
+        system_.parameters.push_back(std::move(parameter));
+    }
+}
+
+void SystemReader::read_variables() {
+    const TomlNode& variables = table("variables", "declare them under [variables]");
+    check_count(variables, most_variables);
+    for (const TomlEntry& entry : variables.entries) {
+        claim_name(entry, "a variable");
+        system_.variables.push_back(variable_of(entry));
+    }
+    if (system_.variables.empty()) {
+        bad_input({"a system has a variable", "[variables]", "declare one as in x = { role = \"fast\" }",
+                   place_of(variables.source)});
+    }
+}
+
+Variable SystemReader::variable_of(const TomlEntry& entry) {
+    check_keys(entry.value, {"role", "unit", "positive", "nonzero", "weight"});
+    Variable variable;
+    variable.name = entry.key;
+    variable.place = entry.place;
+    variable.role = role_of(entry);
+    check_weight(entry.value, variable.role);
+    variable.unit = text(entry.value, "unit");
+    for (const std::string key : {"positive", "nonzero"}) {
+        const TomlNode* node = entry.value.find(key);
+        if (node == nullptr || variable.role == Role::slow) continue;
+        bad_input({"only slow variables are declared positive or nonzero",
+                   in_quotes(entry.key) + " is " + to_string(variable.role), "remove the key",
+                   place_of(node->source)});
+    }
+    variable.positive = flag(entry.value, "positive");
+    variable.nonzero = variable.positive || flag(entry.value, "nonzero");
+    return variable;
+}
+
+void SystemReader::read_equation_texts() {
+    const TomlNode& equations = table("equations", "write one equation per variable under [equations]");
+    for (const TomlEntry& entry : equations.entries) {
+        if (system_.variable(entry.key) != nullptr) continue;
+        bad_input({"an equation belongs to a variable", in_quotes(entry.key),
+                   suggest(entry.key, variable_names()), entry.place});
+    }
+    for (const Variable& variable : system_.variables) {
+        const TomlNode* node = equations.find(variable.name);
+        if (node == nullptr) {
+            bad_input({"a variable has an equation", in_quotes(variable.name),
+                       "write " + variable.name + " = \"" + variable.name + "' = ...\" under [equations]",
+                       variable.place});
+        }
+        Equation equation;
+        equation.variable = variable.name;
+        equation.text = string_of(*node);
+        equation.source = node->source;
+        system_.equations.push_back(std::move(equation));
+    }
+}
+
+void SystemReader::set_orders() {
+    std::map<std::string, int> highest;
+    for (const Equation& equation : system_.equations) {
+        for (const auto& [name, primes] : highest_primes(equation.text, equation.source)) {
+            highest[name] = std::max(highest[name], primes);
+        }
+    }
+    for (Variable& variable : system_.variables) {
+        check_order(variable, highest[variable.name]);
+        variable.order = highest[variable.name];
+        for (int k = 0; k <= variable.order; ++k) {
+            variable.jet.emplace_back(variable.name + std::string(static_cast<std::size_t>(k), '\''));
+        }
+    }
+}
+
+void SystemReader::check_order(const Variable& variable, int highest) const {
+    const std::string found = in_quotes(variable.name) + " with " + std::to_string(highest) + " primes";
+    if (highest == 0) {
+        bad_input({"the derivative of a variable occurs in the equations",
+                   "no " + variable.name + "' in any equation",
+                   "write its equation with " + variable.name + "', or make it a parameter", variable.place});
+    }
+    if (highest > most_primes) {
+        bad_input({"a variable has at most " + std::to_string(most_primes) + " primes", found,
+                   "write a system of lower order", variable.place});
+    }
+    if (variable.role != Role::fast && highest > 1) {
+        bad_input({"a " + std::string(to_string(variable.role)) + " variable has an equation of first order",
+                   found, "make it fast, or declare its derivative as a variable", variable.place});
+    }
+}
+
+void SystemReader::read_equations() {
+    Scope scope = system_.constants();
+    for (const Variable& variable : system_.variables) {
+        for (int k = 0; k <= variable.order; ++k) {
+            scope.define_derivative(variable.name, k, variable.jet[static_cast<std::size_t>(k)]);
+        }
+    }
+    for (Equation& equation : system_.equations) {
+        equation.residual = read_equation(equation.text, scope, equation.source);
+    }
+}
+
+void SystemReader::read_domain() {
+    const TomlNode* domain = root_.find("domain");
+    if (domain == nullptr) return;
+    check_keys(*domain, {"positive"});
+    const TomlNode* positive = domain->find("positive");
+    if (positive == nullptr) return;
+    if (positive->type != TomlNode::Type::array) {
+        bad_value(*positive, "'domain.positive' is an array of expressions",
+                  "write positive = [\"1 + tau\"]");
+    }
+    Scope scope;
+    for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
+    for (const Variable& v : system_.variables) {
+        if (v.role == Role::slow) scope.define(v.name, v.jet.front());
+    }
+    for (const TomlNode& item : positive->items) {
+        const GiNaC::ex value = read_expression(string_of(item), scope, item.source);
+        if (GiNaC::is_a<GiNaC::numeric>(value) && !GiNaC::ex_to<GiNaC::numeric>(value).is_positive()) {
+            bad_value(item, "an expression declared positive can be positive", "correct or remove it");
+        }
+        system_.positive.push_back(value);
+    }
+}
+
+void SystemReader::read_notation() {
+    const TomlNode* notation = root_.find("notation");
+    if (notation == nullptr) return;
+    check_table(*notation);
+    for (const TomlEntry& entry : notation->entries) {
+        claim_name(entry, "a notation");
+        const Notation read = notation_of(entry, system_);
+        for (const Notation& earlier : system_.notation) {
+            if (earlier.kind != read.kind || earlier.variable != read.variable) continue;
+            bad_value(entry.value,
+                      "a constant has one name: " + in_quotes(earlier.name) + " stands for it already",
+                      "remove one of the two");
+        }
+        system_.notation.push_back(read);
+    }
+}
+
+const TomlNode& SystemReader::table(const std::string& key, const std::string& mend) const {
+    const TomlNode* node = root_.find(key);
+    if (node == nullptr) {
+        Place place;
+        place.file = system_.file.string();
+        bad_input({"a system file has the table [" + key + "]", "no [" + key + "]", mend, place});
+    }
+    check_table(*node);
+    return *node;
+}
+
+void SystemReader::claim_name(const TomlEntry& entry, const std::string& what) {
+    if (!is_identifier(entry.key)) {
+        bad_input({identifier_rule(what + "'s name"), excerpt(entry.key), identifier_mend(), entry.place});
+    }
+    if (is_reserved(entry.key)) {
+        bad_input({"the name of " + what + " is not a reserved one", entry.key,
+                   "choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ... and the functions",
+                   entry.place});
+    }
+    const auto [earlier, is_new] = taken_.emplace(entry.key, what);
+    if (!is_new) {
+        bad_input({"a name is used once", in_quotes(entry.key) + " is " + earlier->second + " already",
+                   "rename one of the two", entry.place});
+    }
+}
+
+std::vector<std::string> SystemReader::variable_names() const {
+    std::vector<std::string> names;
+    for (const Variable& variable : system_.variables) names.push_back(variable.name);
+    return names;
+}
+
+} // namespace resonform

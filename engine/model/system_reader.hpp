@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the tree of a system.toml to a checked System, table by table.
+#pragma once
+
+#include "model/system_file.hpp"
+#include "model/toml_tree.hpp"
+
+#include <map>
+
+namespace resonform {
+
+class SystemReader {
+public:
+    SystemReader(TomlNode root, const std::filesystem::path& file);
+    System read();
+
+private:
+    void read_header();
+    void read_parameters();
+    void read_variables();
+    void read_equation_texts(); // one per variable; finds the order of each variable
+    void set_orders();
+    void read_equations();
+    void read_domain();
+    void read_notation();
+
+    Variable variable_of(const TomlEntry& entry);
+    void check_order(const Variable& variable, int highest) const;
+    [[nodiscard]] const TomlNode& table(const std::string& key, const std::string& mend) const;
+    // Refuses reserved and ill-formed names and those that are taken.
+    void claim_name(const TomlEntry& entry, const std::string& what);
+    [[nodiscard]] std::vector<std::string> variable_names() const;
+
+    TomlNode root_;
+    System system_;
+    std::map<std::string, std::string> taken_; // name -> what it names
+};
+
+} // namespace resonform

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/toml_tree.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace resonform {
+
+namespace {
+
+constexpr std::uintmax_t largest_file = 4000000; // bytes
+constexpr int deepest = 8;                       // tables in tables
+constexpr int longest_dotted_key = 32;           // dots of one key
+
+// The lines of the file, and what stands where the parser says.
+class Lines {
+public:
+    Lines(std::string_view text, std::string file) : file_(std::move(file)) {
+        std::size_t begin = 0;
+        while (begin <= text.size()) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            std::string_view line = text.substr(begin, end - begin);
+            if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+            lines_.push_back(line);
+            begin = end + 1;
+        }
+    }
+
+    [[nodiscard]] std::string_view line(const toml::source_position& at) const {
+        return at.line >= 1 && at.line <= lines_.size() ? lines_[at.line - 1] : std::string_view{};
+    }
+
+    // The parser counts characters; everything here counts bytes, from 0.
+    [[nodiscard]] std::size_t byte(const toml::source_position& at) const {
+        const std::string_view text = line(at);
+        std::size_t byte = 0;
+        for (std::size_t character = 1; character < at.column && byte < text.size(); ++character) {
+            ++byte;
+            while (byte < text.size() && (static_cast<unsigned char>(text[byte]) & 0xC0U) == 0x80U) ++byte;
+        }
+        return byte;
+    }
+
+    [[nodiscard]] SourceText source(const toml::source_position& at, std::string key) const {
+        SourceText source;
+        source.file = file_;
+        source.key = std::move(key);
+        source.line = static_cast<int>(at.line);
+        source.column = static_cast<int>(byte(at)) + 1;
+        source.source_line = std::string(line(at));
+        return source;
+    }
+
+private:
+    std::string file_;
+    std::vector<std::string_view> lines_;
+};
+
+// A string's text begins behind its quotes, on the next line if they are three and the line ends.
+void locate_string(TomlNode& node, const Lines& lines, const toml::source_region& region) {
+    const std::string_view rest = lines.line(region.begin).substr(lines.byte(region.begin));
+    const bool triple = rest.substr(0, 3) == "\"\"\"" || rest.substr(0, 3) == "'''";
+    const std::size_t quotes = triple ? 3 : 1;
+    if (triple && rest.size() == quotes) {
+        const toml::source_position next{region.begin.line + 1, 1};
+        node.source = lines.source(next, node.source.key);
+    } else {
+        node.source.column += static_cast<int>(quotes);
+    }
+    // Verbatim if the file shows the first line of the text as it is; an escape breaks that.
+    const std::size_t begin = static_cast<std::size_t>(node.source.column) - 1;
+    const std::string first_line = node.text.substr(0, node.text.find('\n'));
+    node.source.verbatim = node.source.source_line.compare(std::min(begin, node.source.source_line.size()),
+                                                           first_line.size(), first_line) == 0 &&
+                           (triple || rest.find('\\') == std::string_view::npos);
+}
+
+std::string spelling(const Lines& lines, const toml::source_region& region) {
+    const std::string_view rest = lines.line(region.begin).substr(lines.byte(region.begin));
+    return std::string(rest.substr(0, rest.find_first_of(" \t,]}#")));
+}
+
+TomlNode::Type type_of(const toml::node& node) {
+    switch (node.type()) {
+    case toml::node_type::string: return TomlNode::Type::string;
+    case toml::node_type::integer: return TomlNode::Type::integer;
+    case toml::node_type::floating_point: return TomlNode::Type::real;
+    case toml::node_type::boolean: return TomlNode::Type::boolean;
+    case toml::node_type::array: return TomlNode::Type::array;
+    case toml::node_type::table: return TomlNode::Type::table;
+    default: return TomlNode::Type::date;
+    }
+}
+
+TomlNode convert(const toml::node& node, const Lines& lines, const std::string& path, int depth);
+
+void convert_entries(TomlNode& result, const toml::table& table, const Lines& lines, int depth) {
+    const std::string& path = result.source.key;
+    for (auto&& [key, value] : table) {
+        TomlEntry entry;
+        entry.key = std::string(key.str());
+        const std::string key_path = path.empty() ? entry.key : path + "." + entry.key;
+        entry.place = place_of(lines.source(key.source().begin, key_path));
+        entry.value = convert(value, lines, key_path, depth + 1);
+        result.entries.push_back(std::move(entry));
+    }
+    std::stable_sort(
+        result.entries.begin(), result.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+            return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+        });
+}
+
+TomlNode convert(const toml::node& node, const Lines& lines, const std::string& path, int depth) {
+    TomlNode result;
+    result.type = type_of(node);
+    result.source = lines.source(node.source().begin, path);
+    if (depth > deepest) {
+        bad_input({"tables and arrays nest at most " + std::to_string(deepest) + " deep", excerpt(path),
+                   "flatten the file", place_of(result.source)});
+    }
+    switch (result.type) {
+    case TomlNode::Type::string:
+        result.text = node.as_string()->get();
+        locate_string(result, lines, node.source());
+        break;
+    case TomlNode::Type::table: convert_entries(result, *node.as_table(), lines, depth); break;
+    case TomlNode::Type::array:
+        for (const toml::node& item : *node.as_array()) {
+            result.items.push_back(
+                convert(item, lines, path + "[" + std::to_string(result.items.size()) + "]", depth + 1));
+        }
+        break;
+    default: result.text = spelling(lines, node.source()); break;
+    }
+    return result;
+}
+
+// The parser nests one table per dot, and its destructor recurses through them.
+void check_dotted_keys(const Lines& lines, std::string_view text) {
+    std::size_t line = 1;
+    int dots = 0;
+    char quote = 0; // the one that is open; '#' stands for a comment
+    for (char c : text) {
+        if (c == '\n') {
+            ++line;
+            dots = 0;
+            quote = 0;
+        } else if (quote != 0) {
+            if (c == quote) quote = 0;
+        } else if (c == '"' || c == '\'' || c == '#') {
+            quote = c;
+        } else if (c == '=' || c == ',') {
+            dots = 0;
+        } else if (c == '.' && ++dots > longest_dotted_key) {
+            const toml::source_position at{static_cast<toml::source_index>(line), 1};
+            bad_input({"a key has at most " + std::to_string(longest_dotted_key) + " dots",
+                       excerpt(lines.line(at)), "flatten the file", place_of(lines.source(at, ""))});
+        }
+    }
+}
+
+} // namespace
+
+const TomlNode* TomlNode::find(std::string_view key) const {
+    for (const TomlEntry& entry : entries) {
+        if (entry.key == key) return &entry.value;
+    }
+    return nullptr;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+    std::error_code ignored;
+    Place place;
+    place.file = file.string();
+    const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+    if (!std::filesystem::exists(status)) {
+        bad_input({"the file exists", excerpt(file.string()), "check the path", place});
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        bad_input({"a regular file is given", excerpt(file.string()), "give the path of a file", place});
+    }
+    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+    if (size > largest_file) {
+        bad_input({"a file has at most " + std::to_string(largest_file) + " bytes",
+                   std::to_string(size) + " bytes", "shorten it", place});
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (size > 0) text << stream.rdbuf();
+    if (!stream || (size > 0 && !text)) {
+        bad_input({"the file can be read", excerpt(file.string()), "check its permissions", place});
+    }
+    return text.str();
+}
+
+TomlNode read_toml(std::string_view text, const std::filesystem::path& file) {
+    const Lines lines(text, file.string());
+    check_dotted_keys(lines, text);
+    try {
+        const toml::table table = toml::parse(text, file.string());
+        return convert(table, lines, "", 0);
+    } catch (const toml::parse_error& failure) {
+        const toml::source_position at = failure.source().begin;
+        bad_input({"the file is TOML", excerpt(lines.line(at)),
+                   "the TOML parser says: " + std::string(failure.description()).substr(0, 300),
+                   place_of(lines.source(at, ""))});
+    }
+}
+
+} // namespace resonform

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/zero_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-14; // relative, generous for every libm function used
+
+// Adds the rounding error of the last operation; anything not finite is unknown.
+Ball rounded(double middle, double radius) {
+    const double total = radius + rounding * std::abs(middle) + std::numeric_limits<double>::min();
+    if (!std::isfinite(middle) || !std::isfinite(total)) return {0, infinity};
+    return {middle, total};
+}
+
+Ball of_number(const GiNaC::numeric& n) {
+    constexpr int largest_bits = 1000; // beyond this a double may overflow
+    if (!n.is_rational() || n.numer().int_length() > largest_bits || n.denom().int_length() > largest_bits) {
+        return {0, infinity};
+    }
+    return rounded(n.to_double(), 0);
+}
+
+Ball add(const Ball& a, const Ball& b) { return rounded(a.middle + b.middle, a.radius + b.radius); }
+
+Ball multiply(const Ball& a, const Ball& b) {
+    return rounded(a.middle * b.middle,
+                   std::abs(a.middle) * b.radius + std::abs(b.middle) * a.radius + a.radius * b.radius);
+}
+
+// f(a) for a monotone f on the ball, whose ends lie in the domain of f.
+Ball monotone(const Ball& a, double lowest, const std::function<double(double)>& f) {
+    if (!(a.middle - a.radius > lowest)) return {0, infinity};
+    const double middle = f(a.middle);
+    const double below = std::abs(middle - f(a.middle - a.radius));
+    const double above = std::abs(f(a.middle + a.radius) - middle);
+    return rounded(middle, std::max(below, above) + 2 * rounding * (std::abs(middle) + below + above));
+}
+
+// f(a) for |f'| <= 1.
+Ball contraction(const Ball& a, const std::function<double(double)>& f) {
+    return rounded(f(a.middle), a.radius);
+}
+
+Ball power(const Ball& base, double exponent) {
+    if (exponent == std::floor(exponent) && exponent > 0 && exponent <= 64) {
+        Ball result{1, 0};
+        for (int k = 0; k < static_cast<int>(exponent); ++k) result = multiply(result, base);
+        return result;
+    }
+    if (exponent == std::floor(exponent) && base.middle < 0) {
+        const Ball positive = power({-base.middle, base.radius}, exponent);
+        return std::fmod(exponent, 2) == 0 ? positive : Ball{-positive.middle, positive.radius};
+    }
+    return monotone(base, 0, [exponent](double x) { return std::pow(x, exponent); });
+}
+
+Ball function(const std::string& name, const Ball& x) {
+    const auto quotient = [](const Ball& a, const Ball& b) { return multiply(a, power(b, -1)); };
+    const auto sine = [](const Ball& a) { return contraction(a, [](double u) { return std::sin(u); }); };
+    const auto cosine = [](const Ball& a) { return contraction(a, [](double u) { return std::cos(u); }); };
+    if (std::abs(x.middle) > 1e6) return {0, infinity};
+    if (name == "sin") return sine(x);
+    if (name == "cos") return cosine(x);
+    if (name == "tan") return quotient(sine(x), cosine(x));
+    if (name == "exp") return monotone(x, -infinity, [](double u) { return std::exp(u); });
+    if (name == "log") return monotone(x, 0, [](double u) { return std::log(u); });
+    if (name == "cosh") {
+        const Ball up = function("exp", x), down = power(up, -1);
+        return multiply({0.5, 0}, add(up, down));
+    }
+    if (name == "sinh") return monotone(x, -infinity, [](double u) { return std::sinh(u); });
+    if (name == "tanh") return contraction(x, [](double u) { return std::tanh(u); });
+    if (name == "atan") return contraction(x, [](double u) { return std::atan(u); });
+    return {0, infinity};
+}
+
+// Distinct rationals in (1, 2), the same on every run; the symbols in order of their names.
+GiNaC::exmap point_for(const ex& e, int salt) {
+    std::vector<ex> symbols;
+    for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i) {
+        if (GiNaC::is_a<GiNaC::symbol>(*i)) symbols.push_back(*i);
+    }
+    std::sort(symbols.begin(), symbols.end(), [](const ex& a, const ex& b) {
+        return GiNaC::ex_to<GiNaC::symbol>(a).get_name() < GiNaC::ex_to<GiNaC::symbol>(b).get_name();
+    });
+    GiNaC::exmap point;
+    for (const ex& symbol : symbols) {
+        const int count = static_cast<int>(point.size());
+        point.emplace(symbol, 1 + GiNaC::numeric(1 + (37 * count + 61 * salt) % 97, 101));
+    }
+    return point;
+}
+
+} // namespace
+
+bool Ball::excludes_zero() const { return std::abs(middle) > radius; }
+
+Ball evaluate(const ex& e, const GiNaC::exmap& point) {
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return of_number(GiNaC::ex_to<GiNaC::numeric>(e));
+    if (e.is_equal(GiNaC::Pi)) return rounded(std::acos(-1.0), 0);
+    if (GiNaC::is_a<GiNaC::symbol>(e)) {
+        const auto found = point.find(e);
+        return found == point.end() ? Ball{0, infinity} : evaluate(found->second, point);
+    }
+    if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
+        const bool sum = GiNaC::is_a<GiNaC::add>(e);
+        Ball total{sum ? 0.0 : 1.0, 0};
+        for (const ex& part : e) {
+            const Ball value = evaluate(part, point);
+            total = sum ? add(total, value) : multiply(total, value);
+        }
+        return total;
+    }
+    if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::numeric>(e.op(1))) {
+        return power(evaluate(e.op(0), point), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_double());
+    }
+    if (GiNaC::is_a<GiNaC::function>(e) && e.nops() == 1) {
+        return function(GiNaC::ex_to<GiNaC::function>(e).get_name(), evaluate(e.op(0), point));
+    }
+    return {0, infinity};
+}
+
+Zero vanishes(const ex& e) {
+    if (e.is_zero()) return Zero::yes;
+    constexpr int points = 3;
+    for (int salt = 1; salt <= points; ++salt) {
+        if (evaluate(e, point_for(e, salt)).excludes_zero()) return Zero::no;
+    }
+    if (e.expand().is_zero() || e.normal().is_zero()) return Zero::yes;
+    return Zero::unknown;
+}
+
+} // namespace resonform

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is an expression zero for all values of its symbols? Three answers (design, section 3).
+#pragma once
+
+#include "algebra/ring.hpp"
+
+#include <ginac/ginac.h>
+
+namespace resonform {
+
+// no: the expression differs from zero at a point of rational coordinates in (1, 2), proved by exact
+// or by ball arithmetic there; yes: it is zero by expanding or normalising; unknown: neither.
+Zero vanishes(const GiNaC::ex& e);
+
+// A real number known to lie within `radius` of `middle`; radius infinite: nothing is known.
+struct Ball {
+    double middle = 0;
+    double radius = 0;
+
+    [[nodiscard]] bool excludes_zero() const;
+};
+
+// The value at a point, with a bound for the rounding errors of the evaluation in double.
+Ball evaluate(const GiNaC::ex& e, const GiNaC::exmap& point);
+
+} // namespace resonform
