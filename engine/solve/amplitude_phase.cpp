@@ -57,7 +57,7 @@ std::vector<std::pair<GeneratorId, Polynomial>> logarithmic_derivatives(const Ri
 }
 
 Polynomial strip_eps(const Draft& draft, const Polynomial& p, int power) {
-    return *divide_exactly(draft.ring(), p, draft.ring().gen(draft.solution.eps, power));
+    return *quotient_in_ring(draft.ring(), p, draft.ring().gen(draft.solution.eps, power));
 }
 
 // C is not in it: E is a function of the slow variable.
@@ -89,8 +89,8 @@ EnvelopePlan plan_envelope(const NormalForm& normal_form) {
     if (field.slow.empty()) return plan;
     const Ring& ring = *field.ring;
     const SlowVariable& slow = field.slow.front();
-    const Polynomial speed = *divide_exactly(ring, slow.rate, ring.gen(field.eps));
-    const auto per_slow = divide_exactly(ring, plan.rest, speed);
+    const Polynomial speed = *quotient_in_ring(ring, slow.rate, ring.gen(field.eps));
+    const auto per_slow = quotient_in_ring(ring, plan.rest, speed);
     if (!per_slow) return plan;
 
     const auto bases = logarithmic_derivatives(ring, slow.generator);

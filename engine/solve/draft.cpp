@@ -119,7 +119,7 @@ void Draft::set_clock() {
     }
     const SlowVariable& slow = normal_form().field->slow.front();
     clock_ = *ring().find(slow.name);
-    clock_rate_ = *divide_exactly(ring(), lift(slow.rate), ring().gen(solution.eps));
+    clock_rate_ = *quotient_in_ring(ring(), lift(slow.rate), ring().gen(solution.eps));
     solution.slow.push_back({slow.variable, clock_, clock_rate_});
 }
 
@@ -160,13 +160,16 @@ void Draft::rewrite(const RingMap& map) {
     clock_rate_ = map(clock_rate_);
 }
 
-GeneratorId Draft::extend(Generator g) {
+GeneratorId Draft::extend(Generator g, bool exponential) {
     const RingPtr before = solution.ring;
     RingBuilder builder;
-    RingCopy copy(*before, builder);
-    copy.copy_all();
+    RingCopy(*before, builder).copy_all();
     g.name = fresh_name(builder, std::move(g.name));
-    for (auto& [variable, derivative] : g.derivatives) derivative = copy(derivative);
+    const Polynomial self = builder.gen(before->size());
+    for (auto& [variable, derivative] : g.derivatives) {
+        derivative = builder.import(*before, derivative);
+        if (exponential) derivative = builder.multiply(derivative, self);
+    }
     const GeneratorId id = builder.add(std::move(g));
     solution.ring = builder.freeze();
     rewrite(RingMap::by_name(before, solution.ring));
@@ -176,7 +179,7 @@ GeneratorId Draft::extend(Generator g) {
 
 Polynomial Draft::integrate(const Polynomial& rate, const std::string& name) {
     if (rate.empty()) return {};
-    const auto integrand = divide_exactly(ring(), rate, clock_rate_);
+    const auto integrand = quotient_in_ring(ring(), rate, clock_rate_);
     if (!integrand || uses_slow_time_quadrature(*integrand)) return quadrature(rate, name, true);
     const auto closed = close_primitive(ring(), clock_, *integrand);
     if (!closed) return quadrature(*integrand, name, solution.slow.empty());
@@ -205,7 +208,7 @@ bool Draft::uses_slow_time_quadrature(const Polynomial& p) const {
 
 Polynomial Draft::quadrature(const Polynomial& integrand, const std::string& name, bool over_slow_time) {
     const Polynomial factor = shared_factor(ring(), integrand);
-    const Polynomial argument = *divide_exactly(ring(), integrand, factor);
+    const Polynomial argument = *quotient_in_ring(ring(), integrand, factor);
     Generator g = make(GeneratorKind::primitive, name);
     // Over slow time with a slow variable present, the rate of the latter does not divide out, and
     // d/d(slow) is no element of the ring: it is left out, and nothing differentiates it.
@@ -239,7 +242,7 @@ Polynomial Draft::exponential(const Polynomial& argument, const std::string& nam
     g.positive = true;
     g.derivatives.emplace_back(clock_, ring().derivative(argument, clock_));
     const RingPtr before = solution.ring;
-    const GeneratorId id = extend(std::move(g));
+    const GeneratorId id = extend(std::move(g), true);
     solution.primitives.push_back({id, ring().generator(id).name, PrimitiveKind::exponential,
                                    RingMap::by_name(before, solution.ring)(argument), false});
     return ring().gen(id);

@@ -52,8 +52,9 @@ private:
     void set_clock();
     Polynomial quadrature(const Polynomial& integrand, const std::string& name, bool over_slow_time);
     GeneratorId logarithm(const Polynomial& argument, const Polynomial& derivative);
-    // Appends a generator to the ring; its name is made unique.
-    GeneratorId extend(Generator g);
+    // Appends a generator to the ring; its name is made unique. exponential: the derivatives given are
+    // those of its logarithm.
+    GeneratorId extend(Generator g, bool exponential = false);
     void rewrite(const RingMap& map);
     void rebuild_lift();
     [[nodiscard]] bool uses_slow_time_quadrature(const Polynomial& p) const;

@@ -24,7 +24,7 @@ void solve_drift(Draft& draft) {
                         "multiply its rate by eps",
                         {}});
             const GeneratorId eps = draft.solution.eps;
-            const Polynomial over_slow_time = *divide_exactly(draft.ring(), part, draft.ring().gen(eps, n));
+            const Polynomial over_slow_time = *quotient_in_ring(draft.ring(), part, draft.ring().gen(eps, n));
             const Polynomial integral = draft.integrate(over_slow_time, fmt::format("Q_{}{}", name, n - 1));
             Series& value = draft.solution.drift[d].value;
             value.set(n - 1,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/quadrature.hpp"
 
+#include "algebra/division.hpp"
 #include "solve/span.hpp"
 
 #include <algorithm>
@@ -26,6 +27,10 @@ bool lies_in_ring(const Ring& ring, const Monomial& m) {
     for (GeneratorId id = 0; id < ring.size(); ++id)
         if (ring.exponent(m, id) < 0 && !ring.generator(id).invertible) return false;
     return true;
+}
+
+void insert_monomials(const Polynomial& p, std::set<Monomial>& monomials) {
+    for (const Term& t : p.terms()) monomials.insert(t.monomial);
 }
 
 std::vector<GeneratorId> roots_in(const Ring& ring, GeneratorId x) {
@@ -103,8 +108,7 @@ void add_neighbours(const Ring& ring, GeneratorId x, std::set<Monomial>& candida
                 const int distance = ring.exponent(m, root) / g.index;
                 for (int k = std::min(-1, -distance - 1); k <= std::max(1, 1 - distance); ++k) {
                     const Polynomial factor = ring.power(k < 0 ? down : up, k < 0 ? -k : k);
-                    for (const Term& n : ring.multiply(Polynomial(m, 1), factor).terms())
-                        candidates.insert(n.monomial);
+                    insert_monomials(ring.multiply(Polynomial(m, 1), factor), candidates);
                 }
                 if (candidates.size() > most_candidates) return;
             }
@@ -125,7 +129,7 @@ void add_exponentials(const Ring& ring, GeneratorId x, const Polynomial& f, std:
             for (int j = ring.exponent(t.monomial, x); j >= 0; --j) {
                 const Polynomial lowered(t.monomial - ring.monomial(x, ring.exponent(t.monomial, x) - j), 1);
                 if (period) scale = ring.multiply(scale, *period);
-                for (const Term& n : ring.multiply(lowered, scale).terms()) candidates.insert(n.monomial);
+                insert_monomials(ring.multiply(lowered, scale), candidates);
             }
         }
     }
@@ -133,7 +137,7 @@ void add_exponentials(const Ring& ring, GeneratorId x, const Polynomial& f, std:
 
 std::set<Monomial> candidate_monomials(const Ring& ring, GeneratorId x, const Polynomial& f) {
     std::set<Monomial> candidates;
-    for (const Term& t : ring.multiply(ring.gen(x), f).terms()) candidates.insert(t.monomial);
+    insert_monomials(ring.multiply(ring.gen(x), f), candidates);
     add_exponentials(ring, x, f, candidates);
     add_neighbours(ring, x, candidates);
     return candidates;
@@ -167,9 +171,8 @@ std::vector<std::pair<Polynomial, Logarithm>>
 candidate_logarithms(const Ring& ring, GeneratorId x, const Polynomial& f,
                      const std::vector<Polynomial>& derivatives) {
     std::set<Monomial> reached;
-    for (const Term& t : f.terms()) reached.insert(t.monomial);
-    for (const Polynomial& d : derivatives)
-        for (const Term& t : d.terms()) reached.insert(t.monomial);
+    insert_monomials(f, reached);
+    for (const Polynomial& d : derivatives) insert_monomials(d, reached);
     std::vector<std::pair<Polynomial, Logarithm>> result;
     for (const Logarithm& logarithm : logarithms(ring, x)) {
         std::set<Monomial> coefficients;
@@ -247,16 +250,13 @@ std::optional<ClosedForm> close_primitive(const Ring& ring, GeneratorId x, const
     return result;
 }
 
-std::optional<Polynomial> divide_exactly(const Ring& ring, const Polynomial& p, const Polynomial& divisor) {
+std::optional<Polynomial> quotient_in_ring(const Ring& ring, const Polynomial& p, const Polynomial& divisor) {
     if (const auto inverse = ring.inverse(divisor)) return ring.multiply(p, *inverse);
-    if (divisor.size() != 1) return std::nullopt;
-    const Term& d = divisor.terms().front();
-    std::vector<Term> quotient;
-    for (const Term& t : p.terms()) {
-        quotient.push_back({t.monomial - d.monomial, t.coefficient / d.coefficient});
-        if (!lies_in_ring(ring, quotient.back().monomial)) return std::nullopt;
-    }
-    return Polynomial::from_terms(std::move(quotient));
+    const auto quotient = divide_exactly(ring, p, divisor);
+    if (!quotient) return std::nullopt;
+    for (const Term& t : quotient->terms())
+        if (!lies_in_ring(ring, t.monomial)) return std::nullopt;
+    return ring.reduce(*quotient);
 }
 
 } // namespace resonform

@@ -35,8 +35,8 @@ struct ClosedForm {
 // proves nothing about elementary integrability.
 std::optional<ClosedForm> close_primitive(const Ring& ring, GeneratorId x, const Polynomial& f);
 
-// p/divisor if divisor is a unit, or one term that divides every term of p: no division by anything
-// that might be zero.
-std::optional<Polynomial> divide_exactly(const Ring& ring, const Polynomial& p, const Polynomial& divisor);
+// p/divisor if the divisor is a unit or divides p term by term of the ring: never a division by
+// something that may be zero.
+std::optional<Polynomial> quotient_in_ring(const Ring& ring, const Polynomial& p, const Polynomial& divisor);
 
 } // namespace resonform

@@ -39,7 +39,7 @@ void check_explicit_law(const GradedField& field, const SlowVariable& slow) {
     const Ring& ring = *field.ring;
     const std::string name = slow.name;
     const Place place = place_of(field.system(), slow.variable);
-    const auto rate = divide_exactly(ring, slow.rate, ring.gen(field.eps));
+    const auto rate = quotient_in_ring(ring, slow.rate, ring.gen(field.eps));
     if (slow.rate.empty())
         refuse({"a slow variable moves", name + "' = 0", "declare " + name + " as a parameter", place});
     if (!rate || !is_constant(ring, *rate))
