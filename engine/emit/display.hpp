@@ -13,6 +13,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -52,6 +53,7 @@ struct DisplaySum {
 
 DisplayFactor symbol_factor(const std::string& name, const Rational& exponent = 1); // "psi''": two primes
 DisplayFactor function_factor(const std::string& name, DisplaySum argument);
+DisplaySum factor_sum(DisplayFactor factor); // a sum of this one factor
 DisplaySum symbol_sum(const std::string& name);
 DisplaySum number_sum(const Rational& value);
 DisplaySum operator+(DisplaySum a, const DisplaySum& b);
@@ -62,10 +64,17 @@ using Substitutes = std::map<GeneratorId, DisplayFactor>;
 
 DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& substitutes = {});
 
-// p by monomials in `outer`, each coefficient one term with the monomial as its tail, in the order of
-// falling preference: weight, then exponents ascending in the order of `outer`.
+// p by monomials in `outer` with their coefficients, ordered by weight, then by exponents ascending in
+// the order of `outer`: z1, z1*eps, z1*eps^2, z1^2*z2.
+std::vector<std::pair<Monomial, Polynomial>> collect_in_order(const Ring& ring, const Polynomial& p,
+                                                              const std::vector<GeneratorId>& outer);
+
+// The same as a sum: each coefficient one term with the monomial as its tail.
 DisplaySum display_collected(const Ring& ring, const Polynomial& p, const std::vector<GeneratorId>& outer,
                              const Substitutes& substitutes = {});
+
+// +(a + b): a term that needs no parentheses inside a sum.
+bool is_bare_sum(const DisplayTerm& term);
 
 // A sum as one term: common powers and the rational content before a parenthesis.
 DisplayTerm factored(const DisplaySum& sum);

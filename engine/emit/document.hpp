@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole documents for `resonform derive`: one stage of the line in one format. Each ends with a newline.
 //
-//   print_normal_form(pendulum, 3, Format::text, &solution)   ->   z1' = I*sqrt(g)/(r^2 + xi^2)^(1/4)*z1 - ...
+//   print_normal_form(pendulum, 3, Format::text, &solution)   ->   z1' = I*sqrt(g)/(r^2 + xi^2)^(1/4)*z1 -
+//   ...
 //
 // Combinations without a meaning (Maxima of a solution, say) are bad input, with those that have one.
 #pragma once

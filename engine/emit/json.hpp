@@ -3,7 +3,7 @@
 // 17 digits as it takes to read the same double back, null for what is no number.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "algebra/ring.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -25,7 +25,12 @@ std::string json_document(const Json& value);
 // An exact expression as <e> of design 6.1: "-v*xi/(4*(r**2 + xi**2))". Parses in SymPy.
 std::string json_expression(const Ring& ring, const Polynomial& p);
 
-// Schema resonform.normal_form/1: normal form and map through weight `order`.
-Json normal_form_json(const Normalization& normalization, int order);
+// { "z1": 1, "eps": 2 }: the exponents of `outer` in a monomial, zeros left out.
+Json json_exponents(const Ring& ring, const Monomial& monomial, const std::vector<GeneratorId>& outer);
+
+// Appends { variable, exponents, weight, coefficient } for every monomial of p in `outer`, by weight, then
+// by exponents ascending.
+void append_json_terms(Json& list, const Ring& ring, const std::string& variable, const Polynomial& p,
+                       const std::vector<GeneratorId>& outer);
 
 } // namespace resonform

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each stage of `derive` shows: a page for text and LaTeX, a value for JSON, a script.
+// document.hpp chooses among them.
+#pragma once
+
+#include "emit/json.hpp"
+#include "emit/page.hpp"
+#include "expand/graded_field.hpp"
+#include "normalize/normal_form.hpp"
+#include "solve/solution.hpp"
+
+namespace resonform {
+
+// (15), as the file has it. Schema resonform.equations/1.
+Page equations_page(const System& system);
+Json equations_json(const System& system);
+
+// (16), and with a solution (19). Schema resonform.expansion/1.
+Page expansion_page(const GradedField& field, int order, const Solution* solution);
+Json expansion_json(const GradedField& field, int order);
+
+// (20) and the near-identity map. Schema resonform.normal_form/1 (design 6.1).
+Page normal_form_page(const Normalization& normalization, int order, const Solution* solution);
+Json normal_form_json(const Normalization& normalization, int order);
+std::string normal_form_sympy(const Normalization& normalization, int order);
+std::string normal_form_maxima(const Normalization& normalization, int order);
+
+// (21) to (23). Schema resonform.solution/1.
+Page solution_page(const Solution& solution);
+Json solution_json(const Solution& solution);
+
+} // namespace resonform

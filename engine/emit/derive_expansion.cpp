@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (16) and (19): the equations expanded, with their remainders.
+#include "emit/derive.hpp"
+#include "emit/drift_frame.hpp"
+#include "emit/slow_rate.hpp"
+
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+// The jets of the fast variables, then eps.
+std::vector<GeneratorId> jets_and_eps(const EquationSeries& equations) {
+    std::vector<GeneratorId> outer;
+    for (GeneratorId id = 0; id < equations.ring->size(); ++id)
+        if (equations.ring->generator(id).kind == GeneratorKind::fast) outer.push_back(id);
+    outer.push_back(equations.eps);
+    return outer;
+}
+
+bool is_slow(const System& system, const EquationLine& line) {
+    return system.variables[line.variable].role == Role::slow;
+}
+
+SeriesWriter writer_of(const GradedField& field, const EquationSeries& equations) {
+    std::vector<Polynomial> all;
+    for (const EquationLine& line : equations.lines)
+        if (!is_slow(field.system(), line)) all.push_back(line.series.total(equations.through));
+    return {equations.ring, equations.eps, jets_and_eps(equations), only_rate_with_eps(field), all};
+}
+
+const DriftFrame* frame_of(const std::vector<DriftFrame>& frames, const std::string& variable) {
+    for (const DriftFrame& frame : frames)
+        if (frame.variable == variable) return &frame;
+    return nullptr;
+}
+
+class ExpansionPage {
+public:
+    ExpansionPage(const GradedField& field, int order)
+        : field_(field), equations_(expand_equations(field, order)), write_(writer_of(field, equations_)) {}
+
+    [[nodiscard]] Section section(std::string heading, const std::vector<DriftFrame>& frames) const {
+        Section result{std::move(heading), {}};
+        for (const EquationLine& line : equations_.lines) result.formulas.push_back(formula(line, frames));
+        for (const DriftFrame& frame : frames)
+            if (frame.removed)
+                result.formulas.push_back(
+                    {side(symbol_sum(frame.name)), side(symbol_sum(frame.variable) + -frame.primitive)});
+        return result;
+    }
+
+private:
+    [[nodiscard]] Formula formula(const EquationLine& line, const std::vector<DriftFrame>& frames) const {
+        const std::string& variable = field_.system().variables[line.variable].name;
+        const DriftFrame* frame = frame_of(frames, variable);
+        const bool removed = frame != nullptr && frame->removed;
+        Side series;
+        for (int n = 0; n <= equations_.through; ++n) {
+            const Polynomial& part = line.series.part(n);
+            if (is_slow(field_.system(), line))
+                series.groups.push_back(display(*equations_.ring, part));
+            else
+                series.groups.push_back(
+                    write_(removed ? without_known_drift(*equations_.ring, equations_.eps, part) : part));
+        }
+        series.remainder = line.next_weight;
+        if (line.implicit) return {std::move(series), zero_side()};
+        return {side(symbol_sum((removed ? frame->name : variable) + "'")), std::move(series)};
+    }
+
+    const GradedField& field_;
+    EquationSeries equations_;
+    SeriesWriter write_;
+};
+
+} // namespace
+
+Page expansion_page(const GradedField& field, int order, const Solution* solution) {
+    const ExpansionPage expansion(field, order);
+    Page page;
+    page.title = "equations of " + field.system().name + ", expanded through weight " + std::to_string(order);
+    page.sections.push_back(expansion.section("", {}));
+    const std::vector<DriftFrame> frames = drift_frames(field, solution);
+    bool removed = false;
+    for (const DriftFrame& frame : frames) removed = removed || frame.removed;
+    if (removed) page.sections.push_back(expansion.section("without the known drift", frames));
+    return page;
+}
+
+Json expansion_json(const GradedField& field, int order) {
+    const EquationSeries equations = expand_equations(field, order);
+    const std::vector<GeneratorId> outer = jets_and_eps(equations);
+    Json lines = Json::array();
+    for (const EquationLine& line : equations.lines) {
+        const std::string& variable = field.system().variables[line.variable].name;
+        Json terms = Json::array();
+        append_json_terms(terms, *equations.ring, variable, line.series.total(order), outer);
+        lines.push_back({{"variable", variable},
+                         {"form", line.implicit ? "series = 0" : "rate = series"},
+                         {"terms", std::move(terms)},
+                         {"next_weight", line.next_weight == 0 ? Json(nullptr) : Json(line.next_weight)}});
+    }
+    return {{"schema", "resonform.expansion/1"},
+            {"system", field.system().name},
+            {"order", order},
+            {"equations", std::move(lines)}};
+}
+
+} // namespace resonform

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (20): the normal form with the definitions of its variables, and the near-identity map.
+#include "emit/derive.hpp"
+#include "emit/drift_frame.hpp"
+#include "emit/normal_form_parts.hpp"
+#include "emit/slow_rate.hpp"
+#include "emit/spelling.hpp"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+// The parts of a series as groups, one for each weight.
+Side written(const Series& series, int through, const SeriesWriter& write) {
+    Side result;
+    for (int n = 0; n <= through; ++n) result.groups.push_back(write(series.part(n)));
+    return result;
+}
+
+// The first weight in which a map differs from the identity, as far as it is known.
+int first_weight(const Series& series, int through) {
+    int n = 1;
+    while (n <= through && series.part(n).empty()) ++n;
+    return n;
+}
+
+class NormalFormPage {
+public:
+    NormalFormPage(const Normalization& normalization, int order, const Solution* solution)
+        : normal_form_(normalization.normal_form), map_(normalization.map), field_(*normal_form_.field),
+          order_(order), frames_(drift_frames(field_, solution)), write_(writer()) {}
+
+    [[nodiscard]] Section rates() const {
+        Section section;
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            const Mode& mode = field_.modes[k];
+            add_rate(section, mode.name, normal_form_.mode[k]);
+            add_rate(section, mode.conjugate_name, conjugate(normal_form_.mode[k]));
+        }
+        for (std::size_t k = 0; k < frames_.size(); ++k) {
+            Series rate = normal_form_.drift[k];
+            if (frames_[k].removed) rate.set(1, without_known_drift(*field_.ring, field_.eps, rate.part(1)));
+            add_rate(section, frames_[k].normal, rate);
+        }
+        for (const SlowVariable& slow : field_.slow)
+            section.formulas.push_back(
+                {side(symbol_sum(slow.name + "'")), side(display(*field_.ring, slow.rate))});
+        return section;
+    }
+
+    [[nodiscard]] Section definitions() const {
+        Section section{"where", {}};
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            const Mode& mode = field_.modes[k];
+            section.formulas.push_back(
+                {side(symbol_sum(mode.name)), side(old_mode(k), first_weight(map_.mode[k], map_.through))});
+            section.formulas.push_back({side(symbol_sum(mode.conjugate_name)),
+                                        side(factor_sum(function_factor("conj", symbol_sum(mode.name))))});
+            section.formulas.push_back(
+                {side(symbol_sum(frequency_name(field_, k))), side(display(*field_.ring, mode.omega))});
+        }
+        for (std::size_t k = 0; k < frames_.size(); ++k) {
+            const DriftFrame& frame = frames_[k];
+            section.formulas.push_back(
+                {side(symbol_sum(frame.normal)),
+                 side(symbol_sum(frame.name), first_weight(map_.drift[k], map_.through))});
+            if (frame.removed)
+                section.formulas.push_back(
+                    {side(symbol_sum(frame.name)), side(symbol_sum(frame.variable) + -frame.primitive)});
+        }
+        return section;
+    }
+
+    [[nodiscard]] Section map() const {
+        Section section{"near-identity map", {}};
+        for (std::size_t k = 0; k < field_.modes.size(); ++k)
+            add_map(section, old_mode(k), field_.modes[k].name, map_.mode[k]);
+        for (std::size_t k = 0; k < frames_.size(); ++k)
+            add_map(section, symbol_sum(frames_[k].name), frames_[k].normal, map_.drift[k]);
+        return section;
+    }
+
+private:
+    [[nodiscard]] SeriesWriter writer() const {
+        std::vector<Polynomial> all;
+        for (const auto* list : {&normal_form_.mode, &normal_form_.drift, &map_.mode, &map_.drift})
+            for (const Series& series : *list) all.push_back(series.total(order_));
+        return {field_.ring, field_.eps, modes_and_eps(field_), only_rate_with_eps(field_), all};
+    }
+
+    [[nodiscard]] Series conjugate(const Series& series) const {
+        Series result;
+        for (int n = 0; n <= series.through(); ++n) result.set(n, field_.ring->conjugate(series.part(n)));
+        return result;
+    }
+
+    // psi - I*psi'/omega
+    [[nodiscard]] DisplaySum old_mode(std::size_t k) const {
+        const std::string& variable = field_.system().variables[field_.modes[k].variable].name;
+        DisplaySum rate = symbol_sum(variable + "'");
+        DisplayTerm& term = rate.terms.front();
+        term.coefficient = -1;
+        term.imaginary = true;
+        term.factors.push_back(symbol_factor(frequency_name(field_, k), -1));
+        return symbol_sum(variable) + rate;
+    }
+
+    void add_rate(Section& section, const std::string& name, const Series& rate) const {
+        section.formulas.push_back({side(symbol_sum(name + "'")), written(rate, order_, write_)});
+    }
+
+    void add_map(Section& section, DisplaySum old, const std::string& name, const Series& difference) const {
+        Side right = written(difference, order_, write_);
+        right.groups.insert(right.groups.begin(), symbol_sum(name));
+        section.formulas.push_back({side(std::move(old)), std::move(right)});
+    }
+
+    const NormalForm& normal_form_;
+    const NearIdentityMap& map_;
+    const GradedField& field_;
+    int order_;
+    std::vector<DriftFrame> frames_;
+    SeriesWriter write_;
+};
+
+std::string certificate_remark(const Certificate& certificate) {
+    if (certificate.through_weight == 0) return "certificate: not made";
+    if (!certificate.holds) return "certificate: DOES NOT HOLD: " + certificate.complaint;
+    return fmt::format("certificate: holds through weight {} ({}; {} points, error probability {:.1e})",
+                       certificate.through_weight, certificate.route, certificate.points,
+                       certificate.error_probability);
+}
+
+} // namespace
+
+Page normal_form_page(const Normalization& normalization, int order, const Solution* solution) {
+    const NormalFormPage parts(normalization, order, solution);
+    Page page;
+    page.title = normal_form_title(normalization.normal_form, order);
+    page.sections = {parts.rates(), parts.definitions(), parts.map()};
+    page.remarks.push_back(certificate_remark(normalization.certificate));
+    return page;
+}
+
+} // namespace resonform

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The normal form as JSON: schema resonform.normal_form/1 of design 6.1.
+#include "emit/derive.hpp"
+#include "emit/normal_form_parts.hpp"
+
+#include <string>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+Json fast_json(const GradedField& field) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
+        const Mode& mode = field.modes[k];
+        const Ring& ring = *field.ring;
+        const std::string& variable = field.system().variables[mode.variable].name;
+        const std::string omega = frequency_name(field, k);
+        list.push_back({{"name", mode.name},
+                        {"conjugate", mode.conjugate_name},
+                        {"eigenvalue", json_expression(ring, ring.multiply(ring.imaginary(), mode.omega))},
+                        {"definition", variable + " - I*" + variable + "'/" + omega + ", " + omega + " = " +
+                                           json_expression(ring, mode.omega)}});
+    }
+    return list;
+}
+
+Json terms_json(const GradedField& field, const std::vector<NamedSeries>& list) {
+    Json terms = Json::array();
+    for (const NamedSeries& series : list)
+        append_json_terms(terms, *field.ring, series.variable, series.total, modes_and_eps(field));
+    return terms;
+}
+
+Json divisors_json(const Normalization& normalization, int order) {
+    const GradedField& field = *normalization.normal_form.field;
+    Json list = Json::array();
+    for (const DivisorRecord& record : normalization.divisors)
+        if (record.weight <= order)
+            list.push_back({{"variable", record.variable},
+                            {"exponents", json_exponents(*field.ring, record.monomial, modes_and_eps(field))},
+                            {"divisor", json_expression(*field.ring, record.divisor)},
+                            {"verdict", to_string(record.verdict)}});
+    return list;
+}
+
+Json certificate_json(const Certificate& certificate) {
+    Json primes = Json::array();
+    for (const std::string& prime : certificate.primes) primes.push_back(std::stoull(prime));
+    Json json = {{"holds", certificate.holds},
+                 {"through_weight", certificate.through_weight},
+                 {"normal_form_scan", certificate.normal_form_scan},
+                 {"route", certificate.route},
+                 {"error_probability", json_number(certificate.error_probability)},
+                 {"points", certificate.points},
+                 {"primes", std::move(primes)}};
+    if (!certificate.holds) json["complaint"] = certificate.complaint;
+    return json;
+}
+
+} // namespace
+
+Json normal_form_json(const Normalization& normalization, int order) {
+    const NormalForm& normal_form = normalization.normal_form;
+    const GradedField& field = *normal_form.field;
+    return {{"schema", "resonform.normal_form/1"},
+            {"system", field.system().name},
+            {"order", order},
+            {"truncation", normal_form.through},
+            {"style", normal_form.style},
+            {"fast", fast_json(field)},
+            {"normal_form", terms_json(field, rates_through(normal_form, order))},
+            {"map", terms_json(field, map_through(normalization, order))},
+            {"divisors", divisors_json(normalization, order)},
+            {"certificate", certificate_json(normalization.certificate)}};
+}
+
+} // namespace resonform

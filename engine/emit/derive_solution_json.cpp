@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solution as JSON: schema resonform.solution/1. Primitives are named, and listed before use.
+#include "emit/derive.hpp"
+#include "emit/solution_display.hpp"
+
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+const char* to_string(PrimitiveKind kind) {
+    switch (kind) {
+    case PrimitiveKind::logarithm: return "logarithm";
+    case PrimitiveKind::quadrature: return "quadrature";
+    case PrimitiveKind::exponential: return "exponential";
+    }
+    return "";
+}
+
+class SolutionJson {
+public:
+    explicit SolutionJson(const Solution& solution) : solution_(solution), ring_(*solution.ring) {}
+
+    // xi = start + eps*rate*t
+    [[nodiscard]] Json slow() const {
+        Json list = Json::array();
+        for (const SlowLaw& law : solution_.slow)
+            list.push_back({{"variable", name(law.variable)},
+                            {"start", name(law.variable) + "_0"},
+                            {"rate", json_expression(ring_, law.rate)}});
+        return list;
+    }
+
+    // Delta = eps*amplitude*envelope*sum factor,  theta = phase + int_0^t sum phase_rate dt
+    [[nodiscard]] Json modes() const {
+        Json list = Json::array();
+        for (const ModeSolution& mode : solution_.modes)
+            list.push_back({{"variable", name(mode.variable)},
+                            {"amplitude", mode.amplitude_name},
+                            {"phase", mode.phase_name},
+                            {"envelope", json_expression(ring_, mode.envelope)},
+                            {"factor", powers(mode.factor)},
+                            {"phase_rate", powers(mode.phase_rate)}});
+        return list;
+    }
+
+    [[nodiscard]] Json drift() const {
+        Json list = Json::array();
+        for (const DriftSolution& drift : solution_.drift)
+            list.push_back({{"variable", name(drift.variable)},
+                            {"constant", drift.constant_name},
+                            {"value", powers(drift.value)}});
+        return list;
+    }
+
+    // A quadrature runs from xi_0 to xi, or over slow time from 0 to eps*t.
+    [[nodiscard]] Json primitives() const {
+        Json list = Json::array();
+        for (const Primitive& primitive : solution_.primitives) {
+            Json json = {{"name", primitive.name},
+                         {"kind", to_string(primitive.kind)},
+                         {"argument", json_expression(ring_, primitive.argument)}};
+            if (primitive.kind == PrimitiveKind::quadrature)
+                json["over"] = primitive.over_slow_time || solution_.slow.empty()
+                                   ? slow_time_name(solution_)
+                                   : name(solution_.slow.front().variable);
+            list.push_back(std::move(json));
+        }
+        return list;
+    }
+
+    [[nodiscard]] Json outputs() const {
+        Json list = Json::array();
+        for (const SolutionOutput& output : solution_.outputs) {
+            Json terms = Json::array();
+            for (int n = 0; n <= output.value.through(); ++n)
+                for (const Harmonic& harmonic : harmonics(solution_, output.value.part(n)))
+                    terms.push_back({{"eps", n},
+                                     {"harmonic", harmonic.multiple},
+                                     {"function", harmonic.multiple == 0 ? "1"
+                                                  : harmonic.sine        ? "sin"
+                                                                         : "cos"},
+                                     {"coefficient", expression(harmonic.coefficient)}});
+            list.push_back({{"name", output.name}, {"terms", std::move(terms)}});
+        }
+        return list;
+    }
+
+private:
+    [[nodiscard]] const std::string& name(std::size_t variable) const {
+        return solution_.system().variables[variable].name;
+    }
+
+    // Without its power of eps.
+    [[nodiscard]] std::string expression(const Polynomial& p) const {
+        std::vector<Term> terms;
+        for (const Term& term : p.terms()) {
+            const int power = ring_.exponent(term.monomial, solution_.eps);
+            terms.push_back({term.monomial - ring_.monomial(solution_.eps, power), term.coefficient});
+        }
+        return json_expression(ring_, Polynomial::from_terms(std::move(terms)));
+    }
+
+    [[nodiscard]] Json powers(const Series& series) const {
+        Json list = Json::array();
+        for (int n = 0; n <= series.through(); ++n)
+            if (!series.part(n).empty())
+                list.push_back({{"eps", n}, {"coefficient", expression(series.part(n))}});
+        return list;
+    }
+
+    const Solution& solution_;
+    const Ring& ring_;
+};
+
+} // namespace
+
+Json solution_json(const Solution& solution) {
+    const SolutionJson parts(solution);
+    return {{"schema", "resonform.solution/1"},
+            {"system", solution.system().name},
+            {"order", solution.order},
+            {"truncation", solution.truncation},
+            {"slow", parts.slow()},
+            {"modes", parts.modes()},
+            {"drift", parts.drift()},
+            {"primitives", parts.primitives()},
+            {"outputs", parts.outputs()}};
+}
+
+} // namespace resonform

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/display.hpp"
+
+#include "emit/display_order.hpp"
+
+#include <algorithm>
+#include <cln/integer.h>
+#include <iterator>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+using Exponents = std::vector<int>;
+
+DisplaySum display_radicand(const Ring& ring, const Polynomial& radicand);
+
+// c * x^a * y^b with c > 0 and positive symbols: its root is the product of the roots.
+bool splits_under_root(const Ring& ring, const Polynomial& radicand) {
+    if (radicand.size() != 1 || cln::minusp(radicand.terms().front().coefficient)) return false;
+    const Exponents exponents = ring.exponents(radicand.terms().front().monomial);
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        if (exponents[static_cast<std::size_t>(id)] != 0 && !ring.generator(id).positive) return false;
+    return true;
+}
+
+// The powers of one monomial, collected by base.
+class Powers {
+public:
+    Powers(const Ring& ring, const Substitutes& substitutes) : ring_(ring), substitutes_(substitutes) {}
+
+    void multiply(GeneratorId id, const Rational& exponent) {
+        if (cln::zerop(exponent)) return;
+        const Generator& generator = ring_.generator(id);
+        if (substitutes_.count(id) == 0 && generator.kind == GeneratorKind::root)
+            multiply_root(id, exponent / generator.index);
+        else
+            symbols_[id] += exponent;
+    }
+
+    // Numbers, symbols in the order of the ring, sums, and what stands for more than a name.
+    [[nodiscard]] std::vector<DisplayFactor> factors() const {
+        std::vector<DisplayFactor> result = numbers_, functions;
+        for (const auto& [id, exponent] : symbols_) {
+            if (cln::zerop(exponent)) continue;
+            DisplayFactor factor = symbol(id);
+            factor.exponent = factor.exponent * exponent;
+            (factor.kind == DisplayFactor::Kind::symbol ? result : functions).push_back(std::move(factor));
+        }
+        result.insert(result.end(), sums_.begin(), sums_.end());
+        std::move(functions.begin(), functions.end(), std::back_inserter(result));
+        return result;
+    }
+
+private:
+    void multiply_root(GeneratorId id, const Rational& exponent) {
+        const Polynomial& radicand = ring_.generator(id).radicand;
+        if (!splits_under_root(ring_, radicand)) {
+            DisplayFactor factor;
+            factor.kind = DisplayFactor::Kind::sum;
+            factor.arguments = {display_radicand(ring_, radicand)};
+            factor.exponent = exponent;
+            sums_.push_back(std::move(factor));
+            return;
+        }
+        const Term& term = radicand.terms().front();
+        if (term.coefficient != 1) {
+            DisplayFactor factor;
+            factor.kind = DisplayFactor::Kind::number;
+            factor.number = term.coefficient;
+            factor.exponent = exponent;
+            numbers_.push_back(std::move(factor));
+        }
+        const Exponents exponents = ring_.exponents(term.monomial);
+        for (GeneratorId base = 0; base < ring_.size(); ++base)
+            multiply(base, exponent * exponents[static_cast<std::size_t>(base)]);
+    }
+
+    [[nodiscard]] DisplayFactor symbol(GeneratorId id) const {
+        const auto substitute = substitutes_.find(id);
+        return substitute != substitutes_.end() ? substitute->second
+                                                : symbol_factor(ring_.generator(id).name);
+    }
+
+    const Ring& ring_;
+    const Substitutes& substitutes_;
+    std::vector<DisplayFactor> numbers_, sums_;
+    std::map<GeneratorId, Rational> symbols_;
+};
+
+DisplayTerm monomial_term(const Ring& ring, const Exponents& exponents, const Rational& coefficient,
+                          const Substitutes& substitutes) {
+    DisplayTerm term;
+    term.coefficient = coefficient;
+    term.imaginary = exponents[Ring::imaginary_unit] != 0;
+    Powers powers(ring, substitutes);
+    for (GeneratorId id = Ring::imaginary_unit + 1; id < ring.size(); ++id)
+        powers.multiply(id, exponents[static_cast<std::size_t>(id)]);
+    term.factors = powers.factors();
+    return term;
+}
+
+struct PlainTerm {
+    Exponents exponents;
+    Rational coefficient;
+};
+
+std::vector<PlainTerm> ordered_terms(const Ring& ring, const Polynomial& p) {
+    std::vector<PlainTerm> terms;
+    for (const Term& term : p.terms()) terms.push_back({ring.exponents(term.monomial), term.coefficient});
+    std::sort(terms.begin(), terms.end(), [](const PlainTerm& a, const PlainTerm& b) {
+        return before_in_polynomial(a.exponents, b.exponents);
+    });
+    return terms;
+}
+
+DisplaySum display_radicand(const Ring& ring, const Polynomial& radicand) {
+    DisplaySum sum;
+    for (const PlainTerm& term : ordered_terms(ring, radicand))
+        sum.terms.push_back(monomial_term(ring, term.exponents, term.coefficient, {}));
+    return sum;
+}
+
+// A content taken out of a list of terms: what remains has coprime integer coefficients, the first
+// positive, and no common power.
+PlainTerm take_content(std::vector<PlainTerm>& terms) {
+    PlainTerm content = terms.front();
+    cln::cl_I numerators = 0, denominators = 1;
+    for (const PlainTerm& term : terms) {
+        for (std::size_t i = 0; i < content.exponents.size(); ++i)
+            content.exponents[i] = std::min(content.exponents[i], term.exponents[i]);
+        numerators = cln::gcd(numerators, cln::numerator(term.coefficient));
+        denominators = cln::lcm(denominators, cln::denominator(term.coefficient));
+    }
+    content.coefficient = Rational(numerators) / denominators;
+    if (cln::minusp(terms.front().coefficient)) content.coefficient = -content.coefficient;
+    for (PlainTerm& term : terms) {
+        for (std::size_t i = 0; i < content.exponents.size(); ++i) term.exponents[i] -= content.exponents[i];
+        term.coefficient = term.coefficient / content.coefficient;
+    }
+    return content;
+}
+
+struct Element {
+    Exponents order; // by which elements are put in order
+    DisplayTerm term;
+};
+
+// outer * numerator, the numerator's terms either all real or all imaginary.
+Element element(const Ring& ring, const Exponents& outer, std::vector<PlainTerm> numerator,
+                const Substitutes& substitutes) {
+    PlainTerm content = take_content(numerator);
+    for (std::size_t i = 0; i < outer.size(); ++i) content.exponents[i] += outer[i];
+    Element result;
+    result.order = content.exponents;
+    result.term = monomial_term(ring, content.exponents, content.coefficient, substitutes);
+    if (numerator.size() == 1) return result;
+    DisplayFactor sum;
+    sum.kind = DisplayFactor::Kind::sum;
+    sum.arguments.emplace_back();
+    for (const PlainTerm& term : numerator)
+        sum.arguments.front().terms.push_back(
+            monomial_term(ring, term.exponents, term.coefficient, substitutes));
+    auto& factors = result.term.factors;
+    const auto place = std::find_if(factors.begin(), factors.end(), [](const DisplayFactor& factor) {
+        return factor.kind != DisplayFactor::Kind::symbol && factor.kind != DisplayFactor::Kind::number;
+    });
+    factors.insert(place, std::move(sum));
+    return result;
+}
+
+} // namespace
+
+DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& substitutes) {
+    std::vector<Element> elements;
+    for (const auto& [outer, numerator] : ring.expanded_form(p)) {
+        std::vector<PlainTerm> parts[2]; // real, imaginary
+        for (PlainTerm& term : ordered_terms(ring, numerator))
+            parts[term.exponents[Ring::imaginary_unit] != 0 ? 1 : 0].push_back(std::move(term));
+        for (auto& part : parts)
+            if (!part.empty())
+                elements.push_back(element(ring, ring.exponents(outer), std::move(part), substitutes));
+    }
+    std::sort(elements.begin(), elements.end(), [](const Element& a, const Element& b) {
+        const bool imaginary_a = a.term.imaginary, imaginary_b = b.term.imaginary;
+        return imaginary_a != imaginary_b ? imaginary_b : a.order > b.order;
+    });
+    DisplaySum sum;
+    for (Element& e : elements) sum.terms.push_back(std::move(e.term));
+    return sum;
+}
+
+std::vector<std::pair<Monomial, Polynomial>> collect_in_order(const Ring& ring, const Polynomial& p,
+                                                              const std::vector<GeneratorId>& outer) {
+    auto collected = ring.collect(p, outer);
+    const auto key = [&](const Monomial& m) {
+        Exponents exponents{ring.weight(m)};
+        for (GeneratorId id : outer) exponents.push_back(ring.exponent(m, id));
+        return exponents;
+    };
+    std::sort(collected.begin(), collected.end(),
+              [&](const auto& a, const auto& b) { return key(a.first) < key(b.first); });
+    return collected;
+}
+
+DisplaySum display_collected(const Ring& ring, const Polynomial& p, const std::vector<GeneratorId>& outer,
+                             const Substitutes& substitutes) {
+    DisplaySum sum;
+    for (const auto& [monomial, coefficient] : collect_in_order(ring, p, outer)) {
+        DisplayTerm term = factored(display(ring, coefficient, substitutes));
+        term.tail = monomial_term(ring, ring.exponents(monomial), 1, substitutes).factors;
+        sum.terms.push_back(std::move(term));
+    }
+    return sum;
+}
+
+} // namespace resonform

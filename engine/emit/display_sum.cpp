@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Building and factoring display sums; nothing here knows a ring.
+#include "emit/display.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+bool same_sum(const DisplaySum& a, const DisplaySum& b);
+
+bool same_base(const DisplayFactor& a, const DisplayFactor& b) {
+    return a.kind == b.kind && a.name == b.name && a.primes == b.primes && a.number == b.number &&
+           std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
+                      same_sum);
+}
+
+bool same_factor(const DisplayFactor& a, const DisplayFactor& b) {
+    return same_base(a, b) && a.exponent == b.exponent;
+}
+
+bool same_factors(const std::vector<DisplayFactor>& a, const std::vector<DisplayFactor>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_factor);
+}
+
+bool same_sum(const DisplaySum& a, const DisplaySum& b) {
+    return std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(),
+                      [](const DisplayTerm& s, const DisplayTerm& t) {
+                          return s.coefficient == t.coefficient && s.imaginary == t.imaginary &&
+                                 same_factors(s.factors, t.factors) && same_factors(s.tail, t.tail);
+                      });
+}
+
+// The smallest exponent of a base over all terms; 0 where some term is free of it.
+Rational common_exponent(const DisplaySum& sum, const DisplayFactor& base) {
+    Rational least = base.exponent;
+    for (const DisplayTerm& term : sum.terms) {
+        const auto it = std::find_if(term.factors.begin(), term.factors.end(),
+                                     [&](const DisplayFactor& f) { return same_base(f, base); });
+        if (it == term.factors.end()) return 0;
+        if (it->exponent < least) least = it->exponent;
+    }
+    return least;
+}
+
+void divide(DisplayTerm& term, const DisplayFactor& divisor) {
+    const auto it = std::find_if(term.factors.begin(), term.factors.end(),
+                                 [&](const DisplayFactor& f) { return same_base(f, divisor); });
+    it->exponent = it->exponent - divisor.exponent;
+    if (cln::zerop(it->exponent)) term.factors.erase(it);
+}
+
+// The rational content, with the sign of the first term; `i` too when all terms have it.
+void take_coefficient(DisplaySum& sum, DisplayTerm& content) {
+    cln::cl_I numerators = 0, denominators = 1;
+    content.imaginary = true;
+    for (const DisplayTerm& term : sum.terms) {
+        numerators = cln::gcd(numerators, cln::numerator(term.coefficient));
+        denominators = cln::lcm(denominators, cln::denominator(term.coefficient));
+        content.imaginary = content.imaginary && term.imaginary;
+    }
+    content.coefficient = Rational(numerators) / denominators;
+    if (cln::minusp(sum.terms.front().coefficient)) content.coefficient = -content.coefficient;
+    for (DisplayTerm& term : sum.terms) {
+        term.coefficient = term.coefficient / content.coefficient;
+        if (content.imaginary) term.imaginary = false;
+    }
+}
+
+} // namespace
+
+DisplayFactor symbol_factor(const std::string& name, const Rational& exponent) {
+    DisplayFactor factor;
+    const std::size_t primes = name.size() - (name.find_last_not_of('\'') + 1);
+    factor.name = name.substr(0, name.size() - primes);
+    factor.primes = static_cast<int>(primes);
+    factor.exponent = exponent;
+    return factor;
+}
+
+DisplayFactor function_factor(const std::string& name, DisplaySum argument) {
+    DisplayFactor factor;
+    factor.kind = DisplayFactor::Kind::function;
+    factor.name = name;
+    factor.arguments.push_back(std::move(argument));
+    return factor;
+}
+
+DisplaySum factor_sum(DisplayFactor factor) {
+    DisplayTerm term;
+    term.factors.push_back(std::move(factor));
+    DisplaySum sum;
+    sum.terms.push_back(std::move(term));
+    return sum;
+}
+
+DisplaySum symbol_sum(const std::string& name) { return factor_sum(symbol_factor(name)); }
+
+DisplaySum number_sum(const Rational& value) {
+    DisplaySum sum;
+    if (cln::zerop(value)) return sum;
+    sum.terms.emplace_back();
+    sum.terms.front().coefficient = value;
+    return sum;
+}
+
+DisplaySum operator+(DisplaySum a, const DisplaySum& b) {
+    a.terms.insert(a.terms.end(), b.terms.begin(), b.terms.end());
+    return a;
+}
+
+DisplaySum operator-(DisplaySum a) {
+    for (DisplayTerm& term : a.terms) term.coefficient = -term.coefficient;
+    return a;
+}
+
+bool is_bare_sum(const DisplayTerm& term) {
+    return term.coefficient == 1 && !term.imaginary && term.tail.empty() && term.factors.size() == 1 &&
+           term.factors.front().kind == DisplayFactor::Kind::sum && term.factors.front().exponent == 1;
+}
+
+DisplayTerm factored(const DisplaySum& sum) {
+    if (sum.terms.size() == 1) return sum.terms.front();
+    DisplayTerm content;
+    if (sum.terms.empty()) {
+        content.coefficient = 0;
+        return content;
+    }
+    DisplaySum rest = sum;
+    take_coefficient(rest, content);
+    const std::vector<DisplayFactor> candidates = rest.terms.front().factors;
+    for (DisplayFactor common : candidates) {
+        common.exponent = common_exponent(rest, common);
+        if (cln::zerop(common.exponent)) continue;
+        for (DisplayTerm& term : rest.terms) divide(term, common);
+        content.factors.push_back(std::move(common));
+    }
+    DisplayFactor remaining;
+    remaining.kind = DisplayFactor::Kind::sum;
+    remaining.arguments.push_back(std::move(rest));
+    const auto place =
+        std::find_if(content.factors.begin(), content.factors.end(), [](const DisplayFactor& factor) {
+            return factor.kind != DisplayFactor::Kind::symbol && factor.kind != DisplayFactor::Kind::number;
+        });
+    content.factors.insert(place, std::move(remaining));
+    return content;
+}
+
+} // namespace resonform

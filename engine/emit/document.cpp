@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/document.hpp"
+
+#include "algebra/error.hpp"
+#include "emit/derive.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace resonform {
+
+namespace {
+
+constexpr std::array formats = {Format::text, Format::latex, Format::json, Format::sympy, Format::maxima};
+constexpr std::array stages = {Stage::equations, Stage::expand, Stage::normal_form, Stage::solution};
+
+template <class Choice, std::size_t N>
+Choice parse(const char* what, std::string_view name, const std::array<Choice, N>& choices) {
+    std::vector<std::string> names;
+    for (Choice choice : choices) {
+        if (name == to_string(choice)) return choice;
+        names.emplace_back(to_string(choice));
+    }
+    const std::string near = nearest(std::string(name), names);
+    bad_input({fmt::format("{} is one of {}", what, fmt::join(names, ", ")),
+               std::string(name),
+               near.empty() ? "name one of these" : "write " + near,
+               {}});
+}
+
+void require_order(int order, int largest, const char* of) {
+    if (order < 1 || order > largest)
+        bad_input({fmt::format("1 <= order <= {} ({})", largest, of),
+                   std::to_string(order),
+                   "choose an order in this range",
+                   {}});
+}
+
+std::string render(const Page& page, Format format) {
+    return format == Format::latex ? page_latex(page) : page_text(page);
+}
+
+} // namespace
+
+const char* to_string(Format format) {
+    switch (format) {
+    case Format::text: return "text";
+    case Format::latex: return "latex";
+    case Format::json: return "json";
+    case Format::sympy: return "sympy";
+    case Format::maxima: return "maxima";
+    }
+    return "";
+}
+
+const char* to_string(Stage stage) {
+    switch (stage) {
+    case Stage::equations: return "equations";
+    case Stage::expand: return "expand";
+    case Stage::normal_form: return "normal_form";
+    case Stage::solution: return "solution";
+    }
+    return "";
+}
+
+Format parse_format(std::string_view name) { return parse("a format", name, formats); }
+
+Stage parse_stage(std::string_view name) { return parse("a stage", name, stages); }
+
+void require_printable(Stage stage, Format format) {
+    const bool script = format == Format::sympy || format == Format::maxima;
+    if (script && stage != Stage::normal_form)
+        bad_input({"the formats of stage " + std::string(to_string(stage)) + " are text, latex, json",
+                   to_string(format),
+                   "choose one of these, or stage normal_form",
+                   {}});
+}
+
+std::string print_equations(const System& system, Format format) {
+    require_printable(Stage::equations, format);
+    return format == Format::json ? json_document(equations_json(system))
+                                  : render(equations_page(system), format);
+}
+
+std::string print_expansion(const GradedField& field, int order, Format format, const Solution* solution) {
+    require_printable(Stage::expand, format);
+    require_order(order, 99, "weights of an expansion");
+    return format == Format::json ? json_document(expansion_json(field, order))
+                                  : render(expansion_page(field, order, solution), format);
+}
+
+std::string print_normal_form(const Normalization& normalization, int order, Format format,
+                              const Solution* solution) {
+    require_order(order, normalization.normal_form.through, "weight of the normal form");
+    switch (format) {
+    case Format::json: return json_document(normal_form_json(normalization, order));
+    case Format::sympy: return normal_form_sympy(normalization, order);
+    case Format::maxima: return normal_form_maxima(normalization, order);
+    case Format::text:
+    case Format::latex: break;
+    }
+    return render(normal_form_page(normalization, order, solution), format);
+}
+
+std::string print_solution(const Solution& solution, Format format) {
+    require_printable(Stage::solution, format);
+    return format == Format::json ? json_document(solution_json(solution))
+                                  : render(solution_page(solution), format);
+}
+
+} // namespace resonform

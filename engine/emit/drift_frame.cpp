@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/drift_frame.hpp"
+
+#include "emit/solution_display.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace resonform {
+
+namespace {
+
+bool is_taken(const System& system, const std::string& name) {
+    return name == "eps" || system.variable(name) != nullptr || system.parameter(name) != nullptr ||
+           std::any_of(system.notation.begin(), system.notation.end(),
+                       [&](const Notation& entry) { return entry.name == name; });
+}
+
+std::string capitalised(std::string name) {
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    return name;
+}
+
+// x = constant + primitive + O(eps)
+Polynomial known_primitive(const Solution& solution, std::size_t variable) {
+    for (const DriftSolution& drift : solution.drift) {
+        if (drift.variable != variable) continue;
+        std::vector<Term> terms;
+        for (const Term& term : drift.value.part(0).terms())
+            if (solution.ring->exponent(term.monomial, drift.constant) == 0) terms.push_back(term);
+        return Polynomial::from_terms(std::move(terms));
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<DriftFrame> drift_frames(const GradedField& field, const Solution* solution) {
+    std::vector<DriftFrame> frames;
+    for (const DriftVariable& drift : field.drift) {
+        DriftFrame frame{drift.name, drift.name, {}, false, {}};
+        const Polynomial primitive =
+            solution == nullptr ? Polynomial() : known_primitive(*solution, drift.variable);
+        if (!primitive.empty()) {
+            frame.removed = true;
+            frame.name = free_name(field.system(), capitalised(drift.name));
+            frame.primitive = display(*solution->ring, primitive, solution_substitutes(*solution));
+        }
+        frame.normal = "z_" + frame.name;
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+}
+
+Polynomial without_known_drift(const Ring& ring, GeneratorId eps, const Polynomial& rate) {
+    std::vector<Term> terms;
+    for (const Term& term : rate.terms())
+        if (ring.weight(term.monomial) != 1 || ring.exponent(term.monomial, eps) != 1) terms.push_back(term);
+    return Polynomial::from_terms(std::move(terms));
+}
+
+std::string free_name(const System& system, const std::string& wanted) {
+    std::string name = wanted;
+    while (is_taken(system, name)) name += "_new";
+    return name;
+}
+
+} // namespace resonform

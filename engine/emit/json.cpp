@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/json.hpp"
+
+#include "emit/spelling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resonform {
+
+namespace {
+
+bool is_list_of_objects(const Json& value) {
+    return value.is_array() && !value.empty() &&
+           std::all_of(value.begin(), value.end(), [](const Json& element) { return element.is_object(); });
+}
+
+std::string member(const Json& value) {
+    if (!is_list_of_objects(value)) return value.dump();
+    std::string text = "[";
+    for (std::size_t i = 0; i < value.size(); ++i) text += (i == 0 ? "\n    " : ",\n    ") + value[i].dump();
+    return text + "\n  ]";
+}
+
+} // namespace
+
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json json_numbers(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (double value : values) list.push_back(json_number(value));
+    return list;
+}
+
+std::string json_document(const Json& value) {
+    if (!value.is_object()) return value.dump() + "\n";
+    std::string text = "{";
+    for (auto it = value.begin(); it != value.end(); ++it)
+        text += (it == value.begin() ? "\n  " : ",\n  ") + Json(it.key()).dump() + ": " + member(it.value());
+    return text + "\n}\n";
+}
+
+std::string json_expression(const Ring& ring, const Polynomial& p) {
+    return spell(display(ring, p), json_spelling());
+}
+
+Json json_exponents(const Ring& ring, const Monomial& monomial, const std::vector<GeneratorId>& outer) {
+    Json exponents = Json::object();
+    for (GeneratorId id : outer)
+        if (const int exponent = ring.exponent(monomial, id); exponent != 0)
+            exponents[ring.generator(id).name] = exponent;
+    return exponents;
+}
+
+void append_json_terms(Json& list, const Ring& ring, const std::string& variable, const Polynomial& p,
+                       const std::vector<GeneratorId>& outer) {
+    for (const auto& [monomial, coefficient] : collect_in_order(ring, p, outer)) {
+        list.push_back({{"variable", variable},
+                        {"exponents", json_exponents(ring, monomial, outer)},
+                        {"weight", ring.weight(monomial)},
+                        {"coefficient", json_expression(ring, coefficient)}});
+    }
+}
+
+} // namespace resonform

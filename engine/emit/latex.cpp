@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/latex.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fmt/format.h>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+using Kind = DisplayFactor::Kind;
+
+bool is_greek(const std::string& word) {
+    static constexpr std::array<const char*, 34> letters = {
+        "alpha",   "beta",   "gamma", "delta",   "epsilon", "zeta",  "eta",   "theta", "iota",
+        "kappa",   "lambda", "mu",    "nu",      "xi",      "pi",    "rho",   "sigma", "tau",
+        "upsilon", "phi",    "chi",   "psi",     "omega",   "Gamma", "Delta", "Theta", "Lambda",
+        "Xi",      "Pi",     "Sigma", "Upsilon", "Phi",     "Psi",   "Omega"};
+    return std::find(letters.begin(), letters.end(), word) != letters.end();
+}
+
+std::string latex_word(const std::string& word) {
+    if (word == "eps") return "\\varepsilon";
+    if (is_greek(word)) return "\\" + word;
+    const bool number =
+        std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
+    return word.size() <= 1 || number ? word : "\\mathrm{" + word + "}";
+}
+
+// "theta12_max" -> theta, 12, max
+std::vector<std::string> words_of(const std::string& name) {
+    std::vector<std::string> words(1);
+    for (char c : name) {
+        const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+        const bool after_letter =
+            !words.back().empty() && std::isdigit(static_cast<unsigned char>(words.back().back())) == 0;
+        if (c == '_' || (digit && after_letter)) words.emplace_back();
+        if (c != '_') words.back() += c;
+    }
+    words.erase(std::remove(words.begin(), words.end(), std::string()), words.end());
+    return words.empty() ? std::vector<std::string>{name} : words;
+}
+
+std::string dotted(const std::string& symbol, int primes) {
+    switch (primes) {
+    case 0: return symbol;
+    case 1: return "\\dot{" + symbol + "}";
+    case 2: return "\\ddot{" + symbol + "}";
+    default: return symbol + "^{(" + std::to_string(primes) + ")}";
+    }
+}
+
+std::string parenthesised(const std::string& text) { return "\\left(" + text + "\\right)"; }
+
+std::string function(const DisplayFactor& factor) {
+    const DisplaySum& argument = factor.arguments.front();
+    if (factor.name == "conj") return "\\overline{" + latex(argument) + "}";
+    const std::string name = factor.name == "log" ? "\\ln" : "\\" + factor.name;
+    return name + " " + parenthesised(latex(argument));
+}
+
+std::string integral(const DisplayFactor& factor) {
+    const DisplaySum& integrand = factor.arguments[0];
+    return fmt::format("\\int\\limits_{{{}}}^{{{}}} {} \\, d{}", latex(factor.arguments[2]),
+                       latex(factor.arguments[3]),
+                       integrand.terms.size() > 1 ? parenthesised(latex(integrand)) : latex(integrand),
+                       latex(factor.arguments[1]));
+}
+
+std::string inner(const DisplayFactor& factor) {
+    switch (factor.kind) {
+    case Kind::symbol: return latex_name(factor.name, factor.primes);
+    case Kind::number: return latex(number_sum(factor.number));
+    case Kind::sum: return latex(factor.arguments.front());
+    case Kind::function: return function(factor);
+    case Kind::integral: return integral(factor);
+    }
+    return {};
+}
+
+std::string exponent_text(const Rational& exponent) { return "^{" + to_string(exponent) + "}"; }
+
+std::string power(const DisplayFactor& factor, const Rational& exponent) {
+    const std::string base = inner(factor);
+    if (exponent == Rational(1) / 2) return "\\sqrt{" + base + "}";
+    const bool atom = factor.kind == Kind::symbol || exponent == 1;
+    const bool primed_symbol = factor.kind == Kind::symbol && factor.primes > 2 && exponent != 1;
+    const bool bare = atom && factor.kind != Kind::sum && !primed_symbol;
+    return (bare ? base : parenthesised(base)) + (exponent == 1 ? std::string() : exponent_text(exponent));
+}
+
+// Digits side by side would read as one number.
+void append(std::string& text, const std::string& factor) {
+    const bool digits = !text.empty() && std::isdigit(static_cast<unsigned char>(text.back())) != 0 &&
+                        std::isdigit(static_cast<unsigned char>(factor.front())) != 0;
+    if (!text.empty()) text += digits ? " \\cdot " : " ";
+    text += factor;
+}
+
+// |coefficient| * [i] * factors; integrals and functions stand after the fraction bar.
+std::string head(const DisplayTerm& term) {
+    const Rational size = cln::abs(term.coefficient);
+    std::string above, below, behind;
+    if (cln::numerator(size) != 1) above = to_string(Rational(cln::numerator(size)));
+    if (cln::denominator(size) != 1) below = to_string(Rational(cln::denominator(size)));
+    if (term.imaginary) append(above, "i");
+    for (const DisplayFactor& factor : term.factors) {
+        const bool wide = factor.kind == Kind::function || factor.kind == Kind::integral;
+        std::string& place = factor.exponent < 0 ? below : wide ? behind : above;
+        append(place, power(factor, cln::abs(factor.exponent)));
+    }
+    std::string text = above;
+    if (!below.empty()) text = fmt::format("\\frac{{{}}}{{{}}}", above.empty() ? "1" : above, below);
+    if (!behind.empty()) append(text, behind);
+    return text;
+}
+
+std::string unsigned_term(const DisplayTerm& term) {
+    if (is_bare_sum(term)) return latex(term.factors.front().arguments.front());
+    std::string text = head(term);
+    for (const DisplayFactor& factor : term.tail) append(text, power(factor, factor.exponent));
+    return text.empty() ? "1" : text;
+}
+
+} // namespace
+
+std::string latex(const DisplaySum& sum) {
+    if (sum.terms.empty()) return "0";
+    std::string text;
+    for (const DisplayTerm& term : sum.terms) {
+        const bool negative = cln::minusp(term.coefficient);
+        if (text.empty())
+            text = negative ? "-" : "";
+        else
+            text += negative ? " - " : " + ";
+        text += unsigned_term(term);
+    }
+    return text;
+}
+
+std::string latex(const DisplayFactor& factor) { return power(factor, factor.exponent); }
+
+std::string latex_name(const std::string& name, int primes) {
+    const std::vector<std::string> words = words_of(name);
+    std::string text = dotted(latex_word(words.front()), primes);
+    if (words.size() == 1) return text;
+    std::string subscript;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (i > 1) subscript += ",";
+        subscript += latex_word(words[i]);
+    }
+    return text + "_{" + subscript + "}";
+}
+
+std::string latex_text(const std::string& text) {
+    std::string escaped;
+    for (char c : text) {
+        if (c == '\\')
+            escaped += "\\textbackslash{}";
+        else if (c == '^' || c == '~')
+            escaped += std::string("\\") + c + "{}";
+        else if (std::string_view("#$%&_{}").find(c) != std::string_view::npos)
+            escaped += std::string("\\") + c;
+        else
+            escaped += c;
+    }
+    return escaped;
+}
+
+} // namespace resonform

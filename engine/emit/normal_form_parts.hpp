@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every printer of a normal form asks: its variables in order, its terms through a weight.
+#pragma once
+
+#include "normalize/normal_form.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// z1, z2, z3, ..., eps.
+std::vector<GeneratorId> modes_and_eps(const GradedField& field);
+
+// "omega", or "omega1", "omega2", ... with several oscillators; another name when the system uses it.
+std::string frequency_name(const GradedField& field, std::size_t mode);
+
+// "normal form of ... through weight 3 (style poincare)"
+std::string normal_form_title(const NormalForm& normal_form, int order);
+
+// A variable of the normal form with its rate, or of the map with old minus new: the sum of all weights
+// through `order`.
+struct NamedSeries {
+    std::string variable;
+    Polynomial total;
+};
+std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order);    // modes, slow, drift
+std::vector<NamedSeries> map_through(const Normalization& normalization, int order); // modes, drift
+
+} // namespace resonform

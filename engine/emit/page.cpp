@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/page.hpp"
+
+#include "emit/latex.hpp"
+#include "emit/spelling.hpp"
+
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+constexpr std::size_t text_columns = 100;
+constexpr std::size_t latex_terms = 4; // per line
+
+bool starts_negative(const std::string& text) { return !text.empty() && text.front() == '-'; }
+
+// "+ a" or "- a", to be put behind what came before.
+std::string continued(const std::string& text) {
+    return starts_negative(text) ? "- " + text.substr(1) : "+ " + text;
+}
+
+std::vector<DisplaySum> without_empty(const std::vector<DisplaySum>& groups) {
+    std::vector<DisplaySum> result;
+    for (const DisplaySum& group : groups)
+        if (!group.terms.empty()) result.push_back(group);
+    return result;
+}
+
+std::vector<std::string> text_pieces(const Side& s) {
+    std::vector<std::string> pieces;
+    for (const DisplaySum& group : without_empty(s.groups)) pieces.push_back(spell(group, text_spelling()));
+    if (s.remainder > 0) pieces.push_back("O(eps^" + std::to_string(s.remainder) + ")");
+    if (pieces.empty()) pieces.emplace_back("0");
+    return pieces;
+}
+
+// Pieces on one line if they fit, else each on its own, under the first.
+std::string text_side(const Side& s, std::size_t column) {
+    const std::vector<std::string> pieces = text_pieces(s);
+    std::size_t length = column;
+    for (const std::string& piece : pieces) length += piece.size() + 3;
+    const std::string separator = length <= text_columns ? std::string(" ") : "\n" + std::string(column, ' ');
+    std::string text = pieces.front();
+    for (std::size_t i = 1; i < pieces.size(); ++i) text += separator + continued(pieces[i]);
+    return text;
+}
+
+std::string text_formula(const Formula& formula, std::size_t indent) {
+    const std::string left = text_side(formula.left, indent);
+    const std::size_t line_start = left.rfind('\n');
+    const std::size_t column =
+        line_start == std::string::npos ? indent + left.size() : left.size() - line_start - 1;
+    return std::string(indent, ' ') + left + " = " + text_side(formula.right, column + 3) + "\n";
+}
+
+// Groups cut into lines of at most latex_terms terms; everything on one line if it is short.
+std::vector<std::string> latex_lines(const Side& s) {
+    const std::vector<DisplaySum> groups = without_empty(s.groups);
+    std::size_t terms = 0;
+    for (const DisplaySum& group : groups) terms += group.terms.size();
+    std::vector<DisplaySum> lines;
+    for (const DisplaySum& group : groups)
+        for (std::size_t i = 0; i < group.terms.size(); ++i) {
+            const bool new_line = lines.empty() || (terms > latex_terms && i % latex_terms == 0);
+            if (new_line) lines.emplace_back();
+            lines.back().terms.push_back(group.terms[i]);
+        }
+    std::vector<std::string> result;
+    for (const DisplaySum& line : lines) result.push_back(latex(line));
+    if (s.remainder > 0) {
+        const std::string order = "O\\left(\\varepsilon^{" + std::to_string(s.remainder) + "}\\right)";
+        if (result.empty())
+            result.push_back(order);
+        else
+            result.back() += " + " + order;
+    }
+    if (result.empty()) result.emplace_back("0");
+    return result;
+}
+
+std::string join_lines(const std::vector<std::string>& lines) {
+    std::string text = lines.front();
+    for (std::size_t i = 1; i < lines.size(); ++i) text += " \\\\\n  &\\quad " + continued(lines[i]);
+    return text;
+}
+
+std::string latex_formula(const Formula& formula) {
+    const std::vector<std::string> left = latex_lines(formula.left);
+    if (left.size() > 1) return "  &" + join_lines(left) + " = " + join_lines(latex_lines(formula.right));
+    return "  " + left.front() + " &= " + join_lines(latex_lines(formula.right));
+}
+
+} // namespace
+
+Side side(DisplaySum sum, int remainder) {
+    Side result;
+    result.groups.push_back(std::move(sum));
+    result.remainder = remainder;
+    return result;
+}
+
+Side zero_side() { return {}; }
+
+std::string page_text(const Page& page) {
+    std::string text = page.title + "\n";
+    for (const Section& section : page.sections) {
+        text += "\n";
+        if (!section.heading.empty()) text += section.heading + ":\n";
+        for (const Formula& formula : section.formulas)
+            text += text_formula(formula, section.heading.empty() ? 0 : 2);
+    }
+    if (!page.remarks.empty()) text += "\n";
+    for (const std::string& remark : page.remarks) text += remark + "\n";
+    return text;
+}
+
+std::string page_latex(const Page& page) {
+    std::string text = "% " + page.title + "\n% needs \\usepackage{amsmath}\n";
+    for (const Section& section : page.sections) {
+        if (!section.heading.empty()) text += latex_text(section.heading) + ":\n";
+        if (section.formulas.empty()) continue;
+        text += "\\begin{align*}\n";
+        for (std::size_t i = 0; i < section.formulas.size(); ++i)
+            text += latex_formula(section.formulas[i]) + (i + 1 < section.formulas.size() ? " \\\\\n" : "\n");
+        text += "\\end{align*}\n";
+    }
+    for (const std::string& remark : page.remarks) text += "% " + remark + "\n";
+    return text;
+}
+
+} // namespace resonform

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A document before it is spelled: sections of formulas. Text and LaTeX render the same page.
+#pragma once
+
+#include "emit/display.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// One side of a formula: summands in groups (a weight, a power of eps each), where lines may break, and
+// the order of what is left out: + O(eps^remainder), 0 for nothing.
+struct Side {
+    std::vector<DisplaySum> groups;
+    int remainder = 0;
+};
+
+struct Formula {
+    Side left, right; // left = right
+};
+
+struct Section {
+    std::string heading; // plain text; empty: none
+    std::vector<Formula> formulas;
+};
+
+struct Page {
+    std::string title; // plain text
+    std::vector<Section> sections;
+    std::vector<std::string> remarks; // plain text, at the end
+};
+
+Side side(DisplaySum sum, int remainder = 0); // one group
+Side zero_side();
+
+std::string page_text(const Page& page);  // lines of about 100 columns, broken between groups
+std::string page_latex(const Page& page); // a fragment for amsmath: align* per section
+
+} // namespace resonform

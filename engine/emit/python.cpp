@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A normal form as a Python script for SymPy: symbols with their assumptions, one dictionary of terms
+// for every variable. Importing it defines the dictionaries, running it prints the series.
+#include "emit/derive.hpp"
+#include "emit/normal_form_parts.hpp"
+#include "emit/spelling.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+namespace {
+
+constexpr const char* script_end = R"(
+
+def series(terms):
+    """The sum of coefficient * product of the variables to their exponents."""
+    return sum(c*prod(x**n for x, n in zip(variables, powers)) for powers, c in terms.items())
+
+
+def main():
+    for name, terms in normal_form.items():
+        print(f"{name}' = {series(terms)}")
+    for name, terms in near_identity_map.items():
+        print(f"{name}: old = new + {series(terms)}")
+
+
+if __name__ == "__main__":
+    main()
+)";
+
+std::string python_name(const std::string& name) { return python_spelling().symbol(name, 0); }
+
+std::string symbol_line(const std::string& name, const std::string& assumptions) {
+    return fmt::format("{} = Symbol(\"{}\"{})\n", python_name(name), name, assumptions);
+}
+
+std::string real_symbol(const std::string& name, bool positive, bool nonzero) {
+    if (positive) return symbol_line(name, ", positive=True");
+    return symbol_line(name, nonzero ? ", real=True, nonzero=True" : ", real=True");
+}
+
+std::string symbols(const GradedField& field) {
+    std::string text = real_symbol("eps", true, true);
+    for (const Parameter& p : field.system().parameters) text += real_symbol(p.name, p.positive, p.nonzero);
+    for (const SlowVariable& slow : field.slow) {
+        const Variable& variable = field.system().variables[slow.variable];
+        text += real_symbol(slow.name, variable.positive, variable.nonzero);
+    }
+    for (const Mode& mode : field.modes)
+        text += symbol_line(mode.name, "") + symbol_line(mode.conjugate_name, "");
+    return text;
+}
+
+std::string variables(const GradedField& field) {
+    std::vector<std::string> names;
+    for (GeneratorId id : modes_and_eps(field)) names.push_back(python_name(field.ring->generator(id).name));
+    return fmt::format("variables = ({},)\n", fmt::join(names, ", "));
+}
+
+std::string dictionary(const GradedField& field, const std::string& name,
+                       const std::vector<NamedSeries>& list) {
+    const Ring& ring = *field.ring;
+    const std::vector<GeneratorId> outer = modes_and_eps(field);
+    std::string text = name + " = {\n";
+    for (const NamedSeries& series : list) {
+        text += fmt::format("    \"{}\": {{\n", series.variable);
+        for (const auto& [monomial, coefficient] : collect_in_order(ring, series.total, outer)) {
+            std::vector<int> powers;
+            for (GeneratorId id : outer) powers.push_back(ring.exponent(monomial, id));
+            text += fmt::format("        ({},): {},\n", fmt::join(powers, ", "),
+                                spell(display(ring, coefficient), python_spelling()));
+        }
+        text += "    },\n";
+    }
+    return text + "}\n";
+}
+
+} // namespace
+
+std::string normal_form_sympy(const Normalization& normalization, int order) {
+    const NormalForm& normal_form = normalization.normal_form;
+    const GradedField& field = *normal_form.field;
+    std::string text =
+        fmt::format("# {}\n# needs SymPy\nfrom sympy import I, Rational, Symbol, prod, sqrt\n\n",
+                    normal_form_title(normal_form, order));
+    text += symbols(field);
+    text += "\n# exponents below are in this order\n" + variables(field);
+    text += "\n# rates\n" + dictionary(field, "normal_form", rates_through(normal_form, order));
+    text += "\n# old variable minus new one, as a function of the new ones\n";
+    text += dictionary(field, "near_identity_map", map_through(normalization, order));
+    return text + script_end;
+}
+
+} // namespace resonform

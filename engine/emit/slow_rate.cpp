@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/slow_rate.hpp"
+
+#include <algorithm>
+#include <cln/rational.h>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+bool eps_stands_only_in(const System& system, std::size_t variable) {
+    for (std::size_t i = 0; i < system.equations.size(); ++i)
+        if (i != variable && system.equations[i].residual.has(system.eps)) return false;
+    return true;
+}
+
+} // namespace
+
+std::optional<SlowRate> only_rate_with_eps(const GradedField& field) {
+    const Ring& ring = *field.ring;
+    for (const SlowVariable& slow : field.slow) {
+        if (slow.rate.size() != 1 || !eps_stands_only_in(field.system(), slow.variable)) continue;
+        const Term& term = slow.rate.terms().front();
+        SlowRate rate;
+        rate.variable = slow.name;
+        rate.coefficient = term.coefficient;
+        rate.eps_power = ring.exponent(term.monomial, field.eps);
+        for (GeneratorId id = 0; id < ring.size(); ++id)
+            if (const int exponent = ring.exponent(term.monomial, id); id != field.eps && exponent != 0)
+                rate.powers.emplace_back(ring.generator(id).name, exponent);
+        return rate;
+    }
+    return std::nullopt;
+}
+
+SeriesWriter::SeriesWriter(RingPtr ring, GeneratorId eps, std::vector<GeneratorId> outer,
+                           std::optional<SlowRate> rate, const std::vector<Polynomial>& all)
+    : ring_(std::move(ring)), eps_(eps), outer_(std::move(outer)), rate_(std::move(rate)) {
+    const bool fits =
+        std::all_of(all.begin(), all.end(), [this](const Polynomial& p) { return divided(p).has_value(); });
+    if (!fits) rate_.reset();
+}
+
+std::optional<Term> SeriesWriter::divided(const Term& term) const {
+    const int power = ring_->exponent(term.monomial, eps_);
+    if (power % rate_->eps_power != 0) return std::nullopt;
+    const int times = power / rate_->eps_power;
+    std::vector<int> exponents = ring_->exponents(term.monomial);
+    for (const auto& [name, exponent] : rate_->powers) {
+        const std::optional<GeneratorId> id = ring_->find(name);
+        if (!id) return std::nullopt;
+        int& left = exponents[static_cast<std::size_t>(*id)];
+        left -= exponent * times;
+        if (left < 0 && !ring_->generator(*id).invertible) return std::nullopt;
+    }
+    return Term{ring_->monomial(exponents), term.coefficient / cln::expt(rate_->coefficient, times)};
+}
+
+std::optional<Polynomial> SeriesWriter::divided(const Polynomial& p) const {
+    if (!rate_) return p;
+    std::vector<Term> terms;
+    for (const Term& term : p.terms()) {
+        std::optional<Term> quotient = divided(term);
+        if (!quotient) return std::nullopt;
+        terms.push_back(std::move(*quotient));
+    }
+    return Polynomial::from_terms(std::move(terms));
+}
+
+DisplaySum SeriesWriter::operator()(const Polynomial& p) const { return (*this)(p, {}); }
+
+DisplaySum SeriesWriter::operator()(const Polynomial& p, Substitutes substitutes) const {
+    if (!rate_) return display_collected(*ring_, p, outer_, substitutes);
+    substitutes.emplace(eps_, symbol_factor(rate_->variable + "'", Rational(1) / rate_->eps_power));
+    return display_collected(*ring_, divided(p).value(), outer_, substitutes);
+}
+
+} // namespace resonform

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/solution_display.hpp"
+
+#include "emit/drift_frame.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+DisplaySum time_in_slow_units() {
+    DisplaySum sum = factor_sum(symbol_factor("eps"));
+    sum.terms.front().factors.push_back(symbol_factor("t"));
+    return sum;
+}
+
+DisplayFactor integral_factor(const Solution& solution, const Primitive& primitive, DisplaySum integrand) {
+    DisplayFactor factor;
+    factor.kind = DisplayFactor::Kind::integral;
+    if (primitive.over_slow_time || solution.slow.empty()) {
+        const DisplaySum time = symbol_sum(slow_time_name(solution));
+        factor.arguments = {std::move(integrand), time, DisplaySum{}, time_in_slow_units()};
+    } else {
+        const std::string& slow = solution.system().variables[solution.slow.front().variable].name;
+        factor.arguments = {std::move(integrand), symbol_sum(slow), symbol_sum(slow + "_0"),
+                            symbol_sum(slow)};
+    }
+    return factor;
+}
+
+DisplaySum single(DisplayTerm term) {
+    DisplaySum sum;
+    sum.terms.push_back(std::move(term));
+    return sum;
+}
+
+// The real or the imaginary part of p, both real. Phases are absent.
+Polynomial part(const Ring& ring, const Polynomial& p, bool imaginary) {
+    std::vector<Term> terms;
+    for (const Term& term : p.terms()) {
+        const int exponent = ring.exponent(term.monomial, Ring::imaginary_unit);
+        if ((exponent != 0) != imaginary) continue;
+        terms.push_back({term.monomial - ring.monomial(Ring::imaginary_unit, exponent), term.coefficient});
+    }
+    return Polynomial::from_terms(std::move(terms));
+}
+
+void add_harmonic(std::vector<Harmonic>& list, int multiple, bool sine, Polynomial coefficient) {
+    if (!coefficient.empty()) list.push_back({multiple, sine, std::move(coefficient)});
+}
+
+DisplayFactor trigonometric(const Solution& solution, const Harmonic& harmonic) {
+    DisplaySum angle = symbol_sum(phase_name(solution));
+    angle.terms.front().coefficient = harmonic.multiple;
+    return function_factor(harmonic.sine ? "sin" : "cos", std::move(angle));
+}
+
+} // namespace
+
+Substitutes solution_substitutes(const Solution& solution) {
+    Substitutes substitutes;
+    for (const Primitive& primitive : solution.primitives) {
+        DisplaySum argument = display(*solution.ring, primitive.argument, substitutes);
+        DisplayFactor factor;
+        switch (primitive.kind) {
+        case PrimitiveKind::logarithm: factor = function_factor("log", single(factored(argument))); break;
+        case PrimitiveKind::exponential: factor = function_factor("exp", std::move(argument)); break;
+        case PrimitiveKind::quadrature:
+            factor = integral_factor(solution, primitive, std::move(argument));
+            break;
+        }
+        substitutes.emplace(primitive.id, std::move(factor));
+    }
+    return substitutes;
+}
+
+std::string slow_time_name(const Solution& solution) {
+    return solution.slow_time ? solution.ring->generator(*solution.slow_time).name
+                              : free_name(solution.system(), "T");
+}
+
+std::string phase_name(const Solution& solution) { return free_name(solution.system(), "theta"); }
+
+std::vector<Harmonic> harmonics(const Solution& solution, const Polynomial& p) {
+    const Ring& ring = *solution.ring;
+    if (solution.ring->conjugate(p) != p) throw std::logic_error("an output of a solution is not real");
+    std::vector<Harmonic> list;
+    if (solution.modes.empty()) {
+        add_harmonic(list, 0, false, p);
+        return list;
+    }
+    const GeneratorId phase = solution.modes.front().phase;
+    std::map<int, Polynomial> by_multiple;
+    for (const auto& [monomial, coefficient] : ring.collect(p, {phase}))
+        by_multiple[ring.exponent(monomial, phase)] = coefficient;
+    for (const auto& [multiple, coefficient] : by_multiple) {
+        if (multiple < 0) continue;
+        const Rational twice = multiple == 0 ? 1 : 2;
+        add_harmonic(list, multiple, false, twice * part(ring, coefficient, false));
+        add_harmonic(list, multiple, true, -(twice * part(ring, coefficient, true)));
+    }
+    return list;
+}
+
+DisplaySum display_harmonics(const Solution& solution, const std::vector<Harmonic>& list) {
+    const Substitutes substitutes = solution_substitutes(solution);
+    DisplaySum sum;
+    for (const Harmonic& harmonic : list) {
+        const DisplaySum coefficient = display(*solution.ring, harmonic.coefficient, substitutes);
+        if (harmonic.multiple == 0) {
+            sum = sum + coefficient;
+            continue;
+        }
+        DisplayTerm term = factored(coefficient);
+        term.tail.push_back(trigonometric(solution, harmonic));
+        sum.terms.push_back(std::move(term));
+    }
+    return sum;
+}
+
+} // namespace resonform

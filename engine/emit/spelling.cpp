@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/spelling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <iterator>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+using Kind = DisplayFactor::Kind;
+
+bool is_integer(const Rational& value) { return cln::denominator(value) == 1; }
+
+std::string primed(const std::string& name, int primes) {
+    return name + std::string(static_cast<std::size_t>(primes), '\'');
+}
+
+// A trailing "_" keeps apart from what the language owns; from what the user named with "_" too.
+template <std::size_t N>
+std::string unreserved(const std::array<const char*, N>& reserved, const std::string& name, int primes) {
+    const std::string stem = name.substr(0, name.find_last_not_of('_') + 1);
+    const bool taken = std::find(reserved.begin(), reserved.end(), stem) != reserved.end();
+    std::string safe = taken ? name + "_" : name;
+    for (int i = 0; i < primes; ++i) safe += "_dot";
+    return safe;
+}
+
+// Python's keywords that the reader of systems accepts as names, and what the script imports or sets.
+std::string python_symbol(const std::string& name, int primes) {
+    static constexpr std::array<const char*, 46> reserved = {
+        "and",     "as",       "assert",    "async",       "await",
+        "break",   "class",    "continue",  "def",         "del",
+        "elif",    "else",     "except",    "finally",     "for",
+        "from",    "global",   "if",        "import",      "in",
+        "is",      "nonlocal", "not",       "or",          "pass",
+        "raise",   "return",   "try",       "while",       "with",
+        "yield",   "lambda",   "I",         "Rational",    "Symbol",
+        "prod",    "sqrt",     "main",      "print",       "series",
+        "sum",     "zip",      "variables", "normal_form", "near_identity_map",
+        "__name__"};
+    return unreserved(reserved, name, primes);
+}
+
+std::string maxima_symbol(const std::string& name, int primes) {
+    static constexpr std::array<const char*, 20> reserved = {
+        "if",   "then", "else", "elseif", "do", "for", "while", "unless",        "from",   "step",
+        "next", "thru", "in",   "and",    "or", "not", "rate",  "old_minus_new", "assume", "sqrt"};
+    return unreserved(reserved, name, primes);
+}
+
+std::string sympy_integral(const std::string& integrand, const std::string& variable, const std::string& from,
+                           const std::string& to) {
+    return fmt::format("Integral({}, ({}, {}, {}))", integrand, variable, from, to);
+}
+
+std::string text_integral(const std::string& integrand, const std::string& variable, const std::string& from,
+                          const std::string& to) {
+    return fmt::format("integral({}, {} = {}..{})", integrand, variable, from, to);
+}
+
+std::string maxima_integral(const std::string& integrand, const std::string& variable,
+                            const std::string& from, const std::string& to) {
+    return fmt::format("integrate({}, {}, {}, {})", integrand, variable, from, to);
+}
+
+std::string rational(const Rational& value, const Spelling& spelling) {
+    if (is_integer(value) || !spelling.wrapped_rational) return to_string(value);
+    return fmt::format("Rational({}, {})", to_string(Rational(cln::numerator(value))),
+                       to_string(Rational(cln::denominator(value))));
+}
+
+// The base without parentheses around it.
+std::string inner(const DisplayFactor& factor, const Spelling& spelling) {
+    switch (factor.kind) {
+    case Kind::symbol: return spelling.symbol(factor.name, factor.primes);
+    case Kind::number: return rational(factor.number, spelling);
+    case Kind::sum: return spell(factor.arguments.front(), spelling);
+    case Kind::function: return factor.name + "(" + spell(factor.arguments.front(), spelling) + ")";
+    case Kind::integral:
+        return spelling.integral(spell(factor.arguments[0], spelling), spell(factor.arguments[1], spelling),
+                                 spell(factor.arguments[2], spelling), spell(factor.arguments[3], spelling));
+    }
+    return {};
+}
+
+bool needs_parentheses(const DisplayFactor& factor) {
+    return factor.kind == Kind::sum || (factor.kind == Kind::number && !is_integer(factor.number));
+}
+
+std::string power(const DisplayFactor& factor, const Rational& exponent, const Spelling& spelling) {
+    const std::string base = inner(factor, spelling);
+    const bool has_root = factor.kind != Kind::sum || spelling.root_of_sums;
+    if (has_root && exponent == Rational(1) / 2) return "sqrt(" + base + ")";
+    const std::string atom = needs_parentheses(factor) ? "(" + base + ")" : base;
+    if (exponent == 1) return atom;
+    const std::string spelled = rational(exponent, spelling);
+    const bool plain = is_integer(exponent) && exponent > 0;
+    return atom + spelling.power + (plain || spelling.wrapped_rational ? spelled : "(" + spelled + ")");
+}
+
+std::string product(const std::vector<std::string>& factors) {
+    return fmt::format("{}", fmt::join(factors, "*"));
+}
+
+// |coefficient| * [i] * factors: "sqrt(g)/(4*r)"; empty for 1 when a tail follows.
+std::string fraction(const DisplayTerm& term, const Spelling& spelling) {
+    const Rational size = cln::abs(term.coefficient);
+    std::vector<std::string> above, below;
+    if (cln::numerator(size) != 1) above.push_back(to_string(Rational(cln::numerator(size))));
+    if (cln::denominator(size) != 1) below.push_back(to_string(Rational(cln::denominator(size))));
+    const bool only_number = !term.imaginary && term.factors.empty();
+    if (only_number && !below.empty()) return rational(size, spelling);
+    if (term.imaginary) above.emplace_back(spelling.imaginary);
+    for (const DisplayFactor& factor : term.factors)
+        (factor.exponent > 0 ? above : below).push_back(power(factor, cln::abs(factor.exponent), spelling));
+    if (above.empty()) {
+        if (below.empty() && !term.tail.empty()) return {};
+        above.emplace_back("1");
+    }
+    if (below.empty()) return product(above);
+    const std::string denominator = product(below);
+    return product(above) + "/" + (below.size() == 1 ? denominator : "(" + denominator + ")");
+}
+
+std::string spell_unsigned(const DisplayTerm& term, const Spelling& spelling) {
+    std::vector<std::string> factors;
+    if (std::string head = fraction(term, spelling); !head.empty()) factors.push_back(std::move(head));
+    for (const DisplayFactor& factor : term.tail) factors.push_back(power(factor, factor.exponent, spelling));
+    return product(factors);
+}
+
+} // namespace
+
+const Spelling& text_spelling() {
+    static const Spelling spelling{"^", "I", true, false, primed, text_integral};
+    return spelling;
+}
+
+const Spelling& json_spelling() {
+    static const Spelling spelling{"**", "I", false, false, primed, sympy_integral};
+    return spelling;
+}
+
+const Spelling& python_spelling() {
+    static const Spelling spelling{"**", "I", true, true, python_symbol, sympy_integral};
+    return spelling;
+}
+
+const Spelling& maxima_spelling() {
+    static const Spelling spelling{"^", "%i", true, false, maxima_symbol, maxima_integral};
+    return spelling;
+}
+
+std::string spell(const DisplaySum& sum, const Spelling& spelling) {
+    if (sum.terms.empty()) return "0";
+    std::string text;
+    for (const DisplayTerm& term : sum.terms) {
+        const bool negative = cln::minusp(term.coefficient);
+        if (text.empty())
+            text = negative ? "-" : "";
+        else
+            text += negative ? " - " : " + ";
+        text += is_bare_sum(term) ? inner(term.factors.front(), spelling) : spell_unsigned(term, spelling);
+    }
+    return text;
+}
+
+std::string spell(const DisplayFactor& factor, const Spelling& spelling) {
+    return power(factor, factor.exponent, spelling);
+}
+
+} // namespace resonform
