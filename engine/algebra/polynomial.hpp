@@ -7,6 +7,7 @@
 #include "algebra/monomial.hpp"
 #include "algebra/number.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -30,7 +31,8 @@ public:
     // Takes terms in any order, adds equal monomials, drops zeros. No relation is applied.
     static Polynomial from_terms(std::vector<Term> terms);
 
-    [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
+    [[nodiscard]] const std::vector<Term>& terms() const& { return terms_; }
+    [[nodiscard]] std::vector<Term> terms() && { return std::move(terms_); } // safe in a range-for
     [[nodiscard]] bool empty() const { return terms_.empty(); }
     [[nodiscard]] std::size_t size() const { return terms_.size(); }
 

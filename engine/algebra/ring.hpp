@@ -3,15 +3,16 @@
 // variables, eps, parameters, slow variables, roots, and the generators a solution adds.
 //
 //   pendulum:  i, z1, z2, eps, g, r, v, xi, G = g^(1/2), sigma = (xi^2 + r^2)^(1/4)
-//   relations: i^2 = -1;  g = G^2;  xi^2 = sigma^4 - r^2
+//   relations: i^2 = -1;  g = G^2;  xi^2 = sigma^4 - r^2   (read as rewriting rules, left to right)
 //   derivation: d sigma / d xi = xi / (2 sigma^3)
 //
 // A Ring is built once by a RingBuilder and is immutable afterwards (RingPtr).
 #pragma once
 
+#include "algebra/packing.hpp"
 #include "algebra/polynomial.hpp"
+#include "algebra/relation.hpp"
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,7 +46,8 @@ struct Generator {
     GeneratorId conjugate = -1; // fast: the partner. -1: itself (real); phase: its inverse
     int index = 0;              // root: sigma^index = radicand
     Polynomial radicand;        // root: a polynomial in parameters and slow variables, non-negative exponents
-    // primitive: d/d(slow) = polynomial; slow variables not listed have derivative zero
+    // primitive: d/d(slow) = polynomial; slow variables not listed have derivative zero. It may contain
+    // the primitive itself (an exponential). root: filled in by RingBuilder::freeze.
     std::vector<std::pair<GeneratorId, Polynomial>> derivatives;
 };
 
@@ -63,15 +65,20 @@ public:
     [[nodiscard]] std::optional<GeneratorId> find(const std::string& name) const;
 
     // --- monomials -----------------------------------------------------------------------------
-    [[nodiscard]] Monomial monomial(GeneratorId id, int exponent = 1) const;
+    // Exponents beyond packing().largest() are refused, here and in every product.
+    [[nodiscard]] Monomial monomial(GeneratorId id, int exponent = 1) const {
+        return packing_.power(id, exponent);
+    }
     [[nodiscard]] Monomial monomial(const std::vector<int>& exponents) const; // one per generator
-    [[nodiscard]] int exponent(const Monomial& m, GeneratorId id) const;
+    [[nodiscard]] int exponent(const Monomial& m, GeneratorId id) const { return packing_.exponent(m, id); }
     [[nodiscard]] std::vector<int> exponents(const Monomial& m) const;
     [[nodiscard]] int weight(const Monomial& m) const;
+    [[nodiscard]] const Packing& packing() const { return packing_; }
 
     // --- polynomials ---------------------------------------------------------------------------
-    [[nodiscard]] Polynomial one() const;
-    [[nodiscard]] Polynomial gen(GeneratorId id, int exponent = 1) const; // reduced
+    [[nodiscard]] Polynomial one() const { return Polynomial(Rational(1)); }
+    // Reduced. A negative power of what is not invertible is refused.
+    [[nodiscard]] Polynomial gen(GeneratorId id, int exponent = 1) const;
     [[nodiscard]] Polynomial imaginary() const { return gen(imaginary_unit); }
     // Applies every relation until none applies. All Ring operations below return reduced results.
     [[nodiscard]] Polynomial reduce(Polynomial p) const;
@@ -79,64 +86,93 @@ public:
     // sum_k a_k b_k, collected and reduced once: the kernel of all series products.
     [[nodiscard]] Polynomial
     dot(const std::vector<std::pair<const Polynomial*, const Polynomial*>>& pairs) const;
-    [[nodiscard]] Polynomial power(const Polynomial& p, int exponent) const; // exponent < 0: needs inverse(p)
+    // exponent < 0: refused unless p is a unit (inverse below).
+    [[nodiscard]] Polynomial power(const Polynomial& p, int exponent) const;
     // 1/p if p is a unit of the ring, that is one monomial in invertible generators (or i) times a
-    // number, or the radicand of a root (recognised after reduction); nullopt otherwise.
+    // number times powers of radicands of roots (recognised after reduction); nullopt otherwise.
     [[nodiscard]] std::optional<Polynomial> inverse(const Polynomial& p) const;
-    // d/d(id), through roots and primitives. id: slow, fast, parameter or constant.
+    // The positive p^exponent where p is a positive number times a monomial (or a product of
+    // radicands) and the result is again one: (4 r^2 sigma^4)^(-1/2) = 1/(2 r sigma^2). An integer
+    // exponent needs only a unit. nullopt where the ring holds no such element.
+    [[nodiscard]] std::optional<Polynomial> rational_power(const Polynomial& p,
+                                                           const Rational& exponent) const;
+    // d/d(id), through roots and primitives. id: slow, fast, parameter, constant, small, phase.
+    // Refused: the derivative of a primitive with respect to a parameter it does not list.
     [[nodiscard]] Polynomial derivative(const Polynomial& p, GeneratorId id) const;
     // i -> -i, fast <-> conjugate, phase -> 1/phase.
     [[nodiscard]] Polynomial conjugate(const Polynomial& p) const;
-    // Splits by weight: result[n] is the homogeneous part of weight n (0 <= n <= through).
+    // Splits by weight: result[n] is the homogeneous part of weight n (0 <= n <= through). Heavier
+    // terms are cut; a term of negative weight is refused.
     [[nodiscard]] std::vector<Polynomial> by_weight(const Polynomial& p, int through) const;
-    // yes/no exactly when the relations give canonical forms; otherwise denominators are cleared and
-    // radicands expanded, which decides too when the roots are independent; else unknown.
+    // yes: p vanishes identically, by the relations (after denominators are cleared, where a root
+    //      was not eliminated);
+    // no:  some coefficient of p over fast, small, phase and constant generators is non-zero at a
+    //      point of the domain, by interval arithmetic in rationals;
+    // unknown: neither was proved, e.g. sqrt(2) sqrt(3) - sqrt(6) over three roots, or a combination
+    //      of primitives that may be dependent.
     [[nodiscard]] Zero is_zero(const Polynomial& p) const;
     // Splits each term into (part in generators selected by `outer`) x (coefficient):
     // outer monomial -> coefficient polynomial in the remaining generators. Sorted by outer key.
     [[nodiscard]] std::vector<std::pair<Monomial, Polynomial>>
     collect(const Polynomial& p, const std::vector<GeneratorId>& outer) const;
-    // Undoes the elimination for display: no generator was eliminated in favour of a root, i.e.
-    // sigma^4 -> xi^2 + r^2 in every numerator; the common root power is factored out first.
-    // Each element: (monomial of roots and invertible generators, numerator polynomial).
+    // Undoes the elimination for display: p = sum of (factor) x (numerator), one element for each class
+    // of terms whose exponents agree modulo the index of every root, sorted by the key of the factor.
+    //   factor:    a monomial of roots and invertible generators, each with the lowest exponent that it
+    //              has in the class (so a numerator has a term without it);
+    //   numerator: no root (unless radicands are nested: lower roots with exponents >= 0), sigma^4
+    //              written as xi^2 + r^2 again; other generators, i included, with exponents >= 0.
+    // A numerator is for reading with exponents(): it is not reduced.
+    //   (xi^2 + r^2)^(-3/4) xi^2 g^(1/2), held as G (sigma^4 - r^2)/sigma^3  ->  {G sigma^-3, xi^2}
     [[nodiscard]] std::vector<std::pair<Monomial, Polynomial>> expanded_form(const Polynomial& p) const;
 
 private:
     friend class RingBuilder;
-    Ring() = default;
+    explicit Ring(int size) : packing_(size) {}
 
-    struct Relation; // how one generator is rewritten; see ring.cpp
+    [[nodiscard]] const Polynomial* derivative_of(GeneratorId generator, GeneratorId id) const;
+
+    Packing packing_;
     std::vector<Generator> generators_;
-    std::shared_ptr<const std::vector<Relation>> relations_;
-    int field_bits_ = 16; // 16 generators of 16 bits, or 32 of 8
+    std::vector<Relation> relations_;
 };
 
 // Collects generators, then freezes them. The order of creation is the order of the keys, so callers
 // create generators in the order of the user's file.
 class RingBuilder {
 public:
-    RingBuilder();                // with the imaginary unit as generator 0
-    GeneratorId add(Generator g); // roots: radicand given over the generators added so far
+    RingBuilder(); // with the imaginary unit as generator 0
+    // Roots: radicand given over the generators added so far, parameters, slow variables and roots.
+    // Refuses more than 32 generators; a name that is taken or empty is refused.
+    GeneratorId add(Generator g);
     [[nodiscard]] GeneratorId id(const std::string& name) const; // -1 if absent
     // While building, polynomials over the present generators may be formed (to give radicands and
-    // derivatives): exponents are re-packed when the ring is frozen.
+    // derivatives): exponents are re-packed when the ring is frozen. No relation is applied.
     [[nodiscard]] Polynomial gen(GeneratorId id, int exponent = 1) const;
-    // Refuses more than 32 generators. Chooses for each root the relation that makes forms canonical
-    // (eliminates x where radicand = c x^d + lower in x, c a unit, x polynomial and eliminated by no
-    // other root; numeric radicands keep 0 <= exponent < index).
+    [[nodiscard]] Polynomial multiply(const Polynomial& a, const Polynomial& b) const;
+    // A polynomial of another ring, its generators found here by name (refused if one is missing).
+    [[nodiscard]] Polynomial import(const Ring& from, const Polynomial& p) const;
+    // Chooses for each root the relation that makes forms canonical:
+    //   a radicand of one term, g = G^2: the generator is eliminated, g^-1 = G^-2; a number: the root
+    //   keeps 0 <= exponent < index;
+    //   else x^d -> (sigma^k - rest)/c where radicand = c x^d + lower in x, c a unit monomial, x not
+    //   invertible and eliminated by no other root, a slow variable if possible;
+    //   else sigma^k -> radicand, which is sound; Ring::is_zero then clears denominators.
     [[nodiscard]] RingPtr freeze() const;
 
 private:
-    std::vector<Generator> generators_; // polynomials packed with 8-bit fields for 32 generators
+    Packing packing_; // of 32 generators
+    std::vector<Generator> generators_;
 };
 
 // A homomorphism from one ring into another, given by the image of every generator of `from`.
 class RingMap {
 public:
+    // Refused unless the images obey the relations of `from` provably: image(sigma)^k = image(radicand).
     RingMap(RingPtr from, RingPtr to, std::vector<Polynomial> images);
     // Generators of the same name map to each other; the others as listed.
     static RingMap by_name(RingPtr from, RingPtr to,
                            std::vector<std::pair<GeneratorId, Polynomial>> others = {});
+    // Reduced. Refused: a negative power of a generator whose image is no unit.
     [[nodiscard]] Polynomial operator()(const Polynomial& p) const;
     [[nodiscard]] const RingPtr& from() const { return from_; }
     [[nodiscard]] const RingPtr& to() const { return to_; }

@@ -19,7 +19,18 @@ namespace resonform {
 class SeriesProgram {
 public:
     using Node = int;
-    enum class Op { input, constant, sum, product, sine, cosine, exponential, logarithm, power, antiderivative };
+    enum class Op {
+        input,
+        constant,
+        sum,
+        product,
+        sine,
+        cosine,
+        exponential,
+        logarithm,
+        power,
+        antiderivative
+    };
 
     struct Instruction {
         Op op = Op::constant;
@@ -28,8 +39,11 @@ public:
         std::vector<std::pair<Rational, Node>> addends; // sum
         Node left = -1, right = -1;                     // product; left: operand of functions
         Rational exponent;                              // power
+
+        friend bool operator==(const Instruction&, const Instruction&) = default;
     };
 
+    // Nodes are shared: the same operation on the same operands is the same node. Inputs are not.
     explicit SeriesProgram(RingPtr ring);
     [[nodiscard]] const RingPtr& ring() const { return ring_; }
     [[nodiscard]] const std::vector<Instruction>& instructions() const { return instructions_; }
@@ -50,12 +64,16 @@ public:
     Node power(Node u, const Rational& exponent);
 
 private:
+    Node intern(Instruction instruction);
+    Node append(Instruction instruction);
+
     RingPtr ring_;
     std::vector<Instruction> instructions_;
     std::vector<std::pair<Node, std::pair<Node, Node>>> trigonometric_; // u -> (sine, cosine)
 };
 
-// One evaluation of a program. Weights are advanced one by one from 0.
+// One evaluation of a program. Weights are advanced one by one from 0. The program must outlive the run
+// and must not grow meanwhile. Calls out of order throw std::logic_error.
 class SeriesRun {
 public:
     explicit SeriesRun(const SeriesProgram& program);
@@ -69,13 +87,20 @@ public:
     void advance(int weight);
     // After inputs at the last advanced weight changed: updates part `weight` of every node. By
     // linearity only weight-0 parts enter: d(a b)_n = a_0 db_n + b_0 da_n, d(sin u)_n = c_0 du_n.
+    // (At weight 0 everything is computed anew.)
     void correct(int weight);
     [[nodiscard]] const Polynomial& part(SeriesProgram::Node node, int weight) const;
     [[nodiscard]] const Series& series(SeriesProgram::Node node) const;
 
 private:
+    [[nodiscard]] Polynomial first_part(SeriesProgram::Node node);
+    [[nodiscard]] Polynomial next_part(SeriesProgram::Node node, int weight) const;
+    [[nodiscard]] Polynomial change(SeriesProgram::Node node, const std::vector<Polynomial>& deltas) const;
+    void start();
+
     const SeriesProgram* program_;
     std::vector<Series> values_;
+    std::vector<Polynomial> reciprocals_; // power: 1/u_0
     int weight_ = -1;
     std::vector<std::pair<SeriesProgram::Node, Polynomial>> changed_; // input deltas since advance
 };

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ring::expanded_form: roots factored out, radicands written out again, for the printers.
+#include "algebra/ring.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+namespace {
+
+struct Factored {
+    Monomial factor;
+    Polynomial numerator;
+};
+
+Polynomial product(const Ring& ring, const Polynomial& a, const Polynomial& b) {
+    return Polynomial::from_terms(collect_products(ring.packing(), {{&a, &b}}));
+}
+
+int lowest_exponent(const Ring& ring, const Polynomial& p, GeneratorId id) {
+    int lowest = ring.exponent(p.terms().front().monomial, id);
+    for (const Term& t : p.terms()) lowest = std::min(lowest, ring.exponent(t.monomial, id));
+    return lowest;
+}
+
+Polynomial divided(const Polynomial& p, const Monomial& m) {
+    std::vector<Term> terms = p.terms();
+    for (Term& t : terms) t.monomial = t.monomial - m;
+    return Polynomial::from_terms(std::move(terms));
+}
+
+// sigma^(k n) -> radicand^n; every exponent of sigma in p is a multiple of k and not negative.
+Polynomial written_out(const Ring& ring, const Polynomial& p, GeneratorId root) {
+    const Generator& g = ring.generator(root);
+    std::map<int, std::vector<Term>> by_power;
+    for (const Term& t : p.terms()) {
+        const int e = ring.exponent(t.monomial, root);
+        by_power[e / g.index].push_back({t.monomial - ring.monomial(root, e), t.coefficient});
+    }
+    Polynomial total, power = ring.one();
+    int n = 0;
+    for (auto& group : by_power) {
+        for (; n < group.first; ++n) power = product(ring, power, g.radicand);
+        total = total + product(ring, power, Polynomial::from_terms(std::move(group.second)));
+    }
+    return total;
+}
+
+// Splits by the exponent of a root modulo its index; in each part the root is factored out.
+std::vector<Factored> split(const Ring& ring, const std::vector<Factored>& parts, GeneratorId root) {
+    const int k = ring.generator(root).index;
+    std::vector<Factored> result;
+    for (const Factored& part : parts) {
+        std::map<int, std::vector<Term>> classes;
+        for (const Term& t : part.numerator.terms()) {
+            const int e = ring.exponent(t.monomial, root);
+            classes[((e % k) + k) % k].push_back(t);
+        }
+        for (auto& terms : classes) {
+            const Polynomial p = Polynomial::from_terms(std::move(terms.second));
+            const Monomial lowest = ring.monomial(root, lowest_exponent(ring, p, root));
+            result.push_back({part.factor + lowest, written_out(ring, divided(p, lowest), root)});
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<std::pair<Monomial, Polynomial>> Ring::expanded_form(const Polynomial& p) const {
+    std::vector<Factored> parts{{Monomial{}, reduce(p)}};
+    for (GeneratorId id = size() - 1; id >= 0; --id) {
+        if (generator(id).kind == GeneratorKind::root) parts = split(*this, parts, id);
+    }
+    std::map<Monomial, Polynomial> sorted;
+    for (const Factored& part : parts) {
+        if (part.numerator.empty()) continue;
+        Monomial common;
+        for (GeneratorId id = 0; id < size(); ++id) {
+            const Generator& g = generator(id);
+            if (!g.invertible || g.kind == GeneratorKind::imaginary || g.kind == GeneratorKind::root)
+                continue;
+            common = common + monomial(id, lowest_exponent(*this, part.numerator, id));
+        }
+        Polynomial& sum = sorted[part.factor + common];
+        sum = sum + divided(part.numerator, common);
+    }
+    return {sorted.begin(), sorted.end()};
+}
+
+} // namespace resonform

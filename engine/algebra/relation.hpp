@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One rewriting rule of a Ring: lead^degree -> value.
+//
+//   i^2 -> -1                      total: every exponent is brought into 0 ... degree - 1
+//   g -> G^2                       total: g^-1 -> G^-2
+//   xi^2 -> sigma^4 - r^2          only exponents >= degree are rewritten
+#pragma once
+
+#include "algebra/packing.hpp"
+#include "algebra/polynomial.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+struct Relation {
+    int lead = 0;     // the generator that is rewritten
+    int degree = 1;   // >= 1
+    Polynomial value; // degree in `lead` < degree; one term without `lead` if total
+    bool total = false;
+
+    [[nodiscard]] bool applies(const Packing& packing, const Monomial& m) const {
+        const int e = packing.exponent(m, lead);
+        return e >= degree || (total && e < 0);
+    }
+};
+
+// Rewrites until no relation applies to any term. Exponents that overflow are refused.
+std::vector<Term> rewrite(const Packing& packing, const std::vector<Relation>& relations,
+                          std::vector<Term> terms);
+
+// sum_k a_k b_k, collected, no relation applied. Exponents that overflow are refused.
+std::vector<Term> collect_products(const Packing& packing,
+                                   const std::vector<std::pair<const Polynomial*, const Polynomial*>>& pairs);
+
+} // namespace resonform

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/choose_relation.hpp"
+#include "algebra/error.hpp"
+#include "algebra/ring.hpp"
+
+#include <cstddef>
+#include <utility>
+
+namespace resonform {
+namespace {
+
+Polynomial repack(const Packing& from, const Packing& to, const Polynomial& p) {
+    std::vector<Term> terms;
+    for (const Term& t : p.terms()) {
+        // Fields past the generators of the smaller ring are empty.
+        std::vector<int> exponents = from.unpack(t.monomial, Packing::most_fields);
+        while (!exponents.empty() && exponents.back() == 0) exponents.pop_back();
+        terms.push_back({to.pack(exponents), t.coefficient});
+    }
+    return Polynomial::from_terms(std::move(terms));
+}
+
+[[noreturn]] void refuse_generator(const std::string& rule, const std::string& name) {
+    refuse({.rule = rule, .value = name, .mend = "choose another name or another form", .place = {}});
+}
+
+// A radicand is a polynomial in parameters, slow variables and earlier roots.
+void check_radicand(const Packing& packing, const std::vector<Generator>& earlier, const Generator& root) {
+    if (root.index < 2) refuse_generator("the index of a root is at least 2", root.name);
+    if (root.radicand.empty()) refuse_generator("a root is not taken of zero", root.name);
+    for (const Term& t : root.radicand.terms()) {
+        for (int id = 0; id < Packing::most_fields; ++id) {
+            const int e = packing.exponent(t.monomial, id);
+            if (e == 0) continue;
+            const bool known = static_cast<std::size_t>(id) < earlier.size();
+            const GeneratorKind kind =
+                known ? earlier[static_cast<std::size_t>(id)].kind : GeneratorKind::imaginary;
+            const bool allowed = kind == GeneratorKind::parameter || kind == GeneratorKind::slow ||
+                                 kind == GeneratorKind::root;
+            if (!allowed || e < 0) {
+                refuse_generator(
+                    "a root is taken of a polynomial in parameters, slow variables and earlier roots",
+                    root.name);
+            }
+        }
+    }
+}
+
+} // namespace
+
+RingBuilder::RingBuilder() {
+    Generator i;
+    i.kind = GeneratorKind::imaginary;
+    i.name = "I";
+    i.invertible = true;
+    generators_.push_back(i);
+}
+
+GeneratorId RingBuilder::add(Generator g) {
+    if (g.name.empty() || id(g.name) >= 0) refuse_generator("the name of a generator is its own", g.name);
+    if (generators_.size() >= static_cast<std::size_t>(Packing::most_fields)) {
+        refuse({.rule = "a ring holds at most 32 parameters, variables, roots and functions",
+                .value = g.name + " would be one more",
+                .mend = "give some parameters numeric values",
+                .place = {}});
+    }
+    if (g.kind == GeneratorKind::root) {
+        check_radicand(packing_, generators_, g);
+        g.positive = true;
+    }
+    if (g.kind == GeneratorKind::phase || g.positive) g.invertible = true;
+    generators_.push_back(std::move(g));
+    return static_cast<GeneratorId>(generators_.size()) - 1;
+}
+
+GeneratorId RingBuilder::id(const std::string& name) const {
+    for (std::size_t k = 0; k < generators_.size(); ++k) {
+        if (generators_[k].name == name) return static_cast<GeneratorId>(k);
+    }
+    return -1;
+}
+
+Polynomial RingBuilder::gen(GeneratorId id, int exponent) const {
+    return Polynomial(packing_.power(id, exponent), Rational(1));
+}
+
+Polynomial RingBuilder::multiply(const Polynomial& a, const Polynomial& b) const {
+    return Polynomial::from_terms(collect_products(packing_, {{&a, &b}}));
+}
+
+Polynomial RingBuilder::import(const Ring& from, const Polynomial& p) const {
+    std::vector<Term> terms;
+    for (const Term& t : p.terms()) {
+        Monomial m;
+        for (GeneratorId g = 0; g < from.size(); ++g) {
+            const int e = from.exponent(t.monomial, g);
+            if (e == 0) continue;
+            const GeneratorId here = id(from.generator(g).name);
+            if (here < 0)
+                refuse_generator("a polynomial uses generators of its ring", from.generator(g).name);
+            m = m + packing_.power(here, e);
+        }
+        terms.push_back({m, t.coefficient});
+    }
+    return Polynomial::from_terms(std::move(terms));
+}
+
+RingPtr RingBuilder::freeze() const {
+    const int size = static_cast<int>(generators_.size());
+    const std::shared_ptr<Ring> ring(new Ring(size));
+    ring->generators_ = generators_;
+    for (Generator& g : ring->generators_) {
+        g.radicand = repack(packing_, ring->packing_, g.radicand);
+        for (auto& entry : g.derivatives) entry.second = repack(packing_, ring->packing_, entry.second);
+        const bool pair = g.kind == GeneratorKind::fast && g.conjugate >= 0;
+        if (pair &&
+            (g.conjugate >= size || generators_[static_cast<std::size_t>(g.conjugate)].kind != g.kind)) {
+            refuse_generator("the conjugate of a fast variable is a fast variable", g.name);
+        }
+    }
+    Relation i_squared;
+    i_squared.lead = Ring::imaginary_unit;
+    i_squared.degree = 2;
+    i_squared.value = Polynomial(Rational(-1));
+    i_squared.total = true;
+    ring->relations_.push_back(i_squared);
+
+    // Radicands of one term first: what they eliminate is gone from the others.
+    for (const bool several_terms : {false, true}) {
+        for (GeneratorId id = 0; id < size; ++id) {
+            if (ring->generator(id).kind != GeneratorKind::root) continue;
+            if ((ring->generator(id).radicand.size() > 1) != several_terms) continue;
+            std::optional<Relation> relation = choose_relation(*ring, ring->relations_, id);
+            if (relation) ring->relations_.push_back(std::move(*relation));
+        }
+    }
+    // d sigma = sigma^(1-k)/k d radicand; a nested radicand uses the derivatives of earlier roots.
+    for (GeneratorId id = 0; id < size; ++id) {
+        Generator& root = ring->generators_[static_cast<std::size_t>(id)];
+        if (root.kind != GeneratorKind::root) continue;
+        const Polynomial factor = Rational(1) / Rational(root.index) * ring->gen(id, 1 - root.index);
+        for (GeneratorId v = 0; v < size; ++v) {
+            const GeneratorKind kind = ring->generator(v).kind;
+            if (kind != GeneratorKind::slow && kind != GeneratorKind::parameter) continue;
+            const Polynomial d = ring->multiply(factor, ring->derivative(root.radicand, v));
+            if (!d.empty()) root.derivatives.emplace_back(v, d);
+        }
+    }
+    return ring;
+}
+
+} // namespace resonform

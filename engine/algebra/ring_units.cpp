@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Units of a Ring: which elements may be divided by, and which have roots in the ring.
+#include "algebra/division.hpp"
+#include "algebra/ring.hpp"
+
+#include <cstddef>
+
+namespace resonform {
+namespace {
+
+// coefficient * monomial, the monomial invertible.
+struct Unit {
+    Rational coefficient;
+    Monomial monomial;
+};
+
+bool is_invertible(const Ring& ring, const Monomial& m) {
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        if (ring.exponent(m, id) != 0 && !ring.generator(id).invertible) return false;
+    }
+    return true;
+}
+
+// Divides p by a radicand of several terms; the root whose radicand it was, or -1.
+GeneratorId divide_by_radicand(const Ring& ring, Polynomial& p) {
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        if (ring.generator(id).kind != GeneratorKind::root) continue;
+        const Polynomial radicand = ring.reduce(ring.generator(id).radicand);
+        if (radicand.size() < 2) continue;
+        if (const std::optional<Polynomial> quotient = divide_exactly(ring, p, radicand)) {
+            p = *quotient;
+            return id;
+        }
+    }
+    return -1;
+}
+
+std::optional<Unit> as_unit(const Ring& ring, Polynomial p) {
+    p = ring.reduce(std::move(p));
+    if (p.empty()) return std::nullopt;
+    Monomial roots;
+    while (p.size() > 1) {
+        const GeneratorId id = divide_by_radicand(ring, p);
+        if (id < 0) return std::nullopt;
+        roots = roots + ring.monomial(id, ring.generator(id).index);
+        ring.packing().require_safe(roots);
+    }
+    const Term& t = p.terms().front();
+    if (!is_invertible(ring, t.monomial)) return std::nullopt;
+    return Unit{t.coefficient, t.monomial + roots};
+}
+
+// m^exponent for a positive real m, if all exponents are integers again. (v^4)^(1/2) = v^2 for a real
+// v of any sign, (v^2)^(1/2) = v for a positive one.
+std::optional<Monomial> monomial_power(const Ring& ring, const Monomial& m, const Rational& exponent) {
+    Monomial result;
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const int e = ring.exponent(m, id);
+        if (e == 0) continue;
+        const Generator& g = ring.generator(id);
+        const bool real = g.kind != GeneratorKind::imaginary && g.kind != GeneratorKind::fast &&
+                          g.kind != GeneratorKind::phase;
+        const Rational product = exponent * Rational(e);
+        if (!real || cln::denominator(product) != 1) return std::nullopt;
+        const Integer n = cln::numerator(product);
+        if (cln::abs(n) > ring.packing().largest()) return std::nullopt;
+        if (!g.positive && (e % 2 != 0 || cln::oddp(n))) return std::nullopt;
+        result = result + ring.monomial(id, cln::cl_I_to_int(n));
+    }
+    return result;
+}
+
+// The positive root of a positive number, with the help of numeric roots of the ring from `from` on:
+// value = tau^(e index) y^index, where tau^k is a number.
+std::optional<Polynomial> number_root(const Ring& ring, const Rational& value, int index, GeneratorId from) {
+    Rational root;
+    if (exact_root(value, index, root)) return Polynomial(root);
+    for (GeneratorId id = from; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (g.kind != GeneratorKind::root || g.radicand.size() != 1) continue;
+        const Term& radicand = g.radicand.terms().front();
+        if (radicand.monomial != Monomial{}) continue;
+        for (int e = 1; e < g.index; ++e) {
+            if (e * index % g.index != 0) continue;
+            const Rational rest = value / cln::expt(radicand.coefficient, Integer(e * index / g.index));
+            const std::optional<Polynomial> other = number_root(ring, rest, index, id + 1);
+            if (other) return ring.multiply(*other, ring.gen(id, e));
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Polynomial> Ring::inverse(const Polynomial& p) const {
+    const std::optional<Unit> unit = as_unit(*this, p);
+    if (!unit) return std::nullopt;
+    return reduce(Polynomial(packing_.scaled(unit->monomial, -1), cln::recip(unit->coefficient)));
+}
+
+std::optional<Polynomial> Ring::rational_power(const Polynomial& p, const Rational& exponent) const {
+    const Integer numerator = cln::numerator(exponent), index = cln::denominator(exponent);
+    if (cln::abs(numerator) > packing_.largest() || index > packing_.largest()) return std::nullopt;
+    const int n = cln::cl_I_to_int(numerator), k = cln::cl_I_to_int(index);
+    if (k == 1 && n >= 0) return power(p, n);
+    const std::optional<Unit> unit = as_unit(*this, p);
+    if (!unit) return std::nullopt;
+    if (k == 1) return power(*inverse(p), -n);
+    if (!cln::plusp(unit->coefficient)) return std::nullopt;
+    const std::optional<Monomial> monomial = monomial_power(*this, unit->monomial, exponent);
+    const std::optional<Polynomial> number = number_root(*this, unit->coefficient, k, 0);
+    if (!monomial || !number) return std::nullopt;
+    return multiply(Polynomial(*monomial, Rational(1)), power(*number, n));
+}
+
+} // namespace resonform

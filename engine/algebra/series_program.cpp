@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/series_program.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace resonform {
+
+SeriesProgram::SeriesProgram(RingPtr ring) : ring_(std::move(ring)) {}
+
+SeriesProgram::Node SeriesProgram::append(Instruction instruction) {
+    instructions_.push_back(std::move(instruction));
+    return static_cast<Node>(instructions_.size()) - 1;
+}
+
+SeriesProgram::Node SeriesProgram::intern(Instruction instruction) {
+    const auto found = std::find(instructions_.begin(), instructions_.end(), instruction);
+    if (found != instructions_.end()) return static_cast<Node>(found - instructions_.begin());
+    return append(std::move(instruction));
+}
+
+SeriesProgram::Node SeriesProgram::input(std::string name) {
+    Instruction in;
+    in.op = Op::input;
+    in.name = std::move(name);
+    return append(std::move(in));
+}
+
+SeriesProgram::Node SeriesProgram::constant(const Polynomial& p) {
+    const Polynomial reduced = ring_->reduce(p);
+    int through = 0;
+    for (const Term& t : reduced.terms()) through = std::max(through, ring_->weight(t.monomial));
+    Instruction c;
+    c.op = Op::constant;
+    c.parts = ring_->by_weight(reduced, through);
+    return intern(std::move(c));
+}
+
+SeriesProgram::Node SeriesProgram::sum(std::vector<std::pair<Rational, Node>> addends) {
+    std::map<Node, Rational> collected;
+    for (const auto& addend : addends) collected[addend.second] = collected[addend.second] + addend.first;
+    Instruction s;
+    s.op = Op::sum;
+    for (const auto& entry : collected) {
+        if (!cln::zerop(entry.second)) s.addends.emplace_back(entry.second, entry.first);
+    }
+    if (s.addends.empty()) return constant(Polynomial());
+    if (s.addends.size() == 1 && s.addends.front().first == 1) return s.addends.front().second;
+    return intern(std::move(s));
+}
+
+SeriesProgram::Node SeriesProgram::product(Node a, Node b) {
+    Instruction p;
+    p.op = Op::product;
+    p.left = std::min(a, b);
+    p.right = std::max(a, b);
+    return intern(std::move(p));
+}
+
+// Sine and cosine need each other's lower parts: each names the other as its right operand.
+SeriesProgram::Node SeriesProgram::sine(Node u) {
+    for (const auto& known : trigonometric_) {
+        if (known.first == u) return known.second.first;
+    }
+    const Node first = static_cast<Node>(instructions_.size());
+    Instruction s, c;
+    s.op = Op::sine;
+    c.op = Op::cosine;
+    s.left = c.left = u;
+    s.right = first + 1;
+    c.right = first;
+    append(std::move(s));
+    append(std::move(c));
+    trigonometric_.push_back({u, {first, first + 1}});
+    return first;
+}
+
+SeriesProgram::Node SeriesProgram::cosine(Node u) { return sine(u) + 1; }
+
+SeriesProgram::Node SeriesProgram::exponential(Node u) {
+    Instruction e;
+    e.op = Op::exponential;
+    e.left = u;
+    return intern(std::move(e));
+}
+
+SeriesProgram::Node SeriesProgram::logarithm(Node u) {
+    Instruction l;
+    l.op = Op::logarithm;
+    l.left = u;
+    return intern(std::move(l));
+}
+
+SeriesProgram::Node SeriesProgram::antiderivative(Node u, Node slope) {
+    Instruction a;
+    a.op = Op::antiderivative;
+    a.left = u;
+    a.right = slope;
+    return intern(std::move(a));
+}
+
+SeriesProgram::Node SeriesProgram::power(Node u, const Rational& exponent) {
+    if (cln::denominator(exponent) != 1 || cln::minusp(exponent)) {
+        Instruction p;
+        p.op = Op::power;
+        p.left = u;
+        p.exponent = exponent;
+        return intern(std::move(p));
+    }
+    const Integer n = cln::numerator(exponent);
+    if (n == 0) return constant(ring_->one());
+    if (n == 1) return u;
+    if (cln::oddp(n)) return product(power(u, n - 1), u);
+    const Node half = power(u, cln::exquo(n, 2));
+    return product(half, half);
+}
+
+} // namespace resonform

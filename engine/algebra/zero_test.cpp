@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is a polynomial zero as a function? Yes by algebra, no by intervals, else unknown.
+#include "algebra/interval.hpp"
+#include "algebra/ring.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace resonform {
+namespace {
+
+// Free of each other and of all other generators: p is zero exactly when its coefficients over these
+// are (i separates real from imaginary part; a phase is free by its constant theta_0).
+bool is_free(GeneratorKind kind) {
+    return kind == GeneratorKind::imaginary || kind == GeneratorKind::fast || kind == GeneratorKind::small ||
+           kind == GeneratorKind::constant || kind == GeneratorKind::phase;
+}
+
+// Sample points of the domain: small rationals from a fixed sequence, so that answers repeat.
+class Points {
+public:
+    // One value for each generator, or nothing if a radicand is not positive there.
+    std::optional<std::vector<Interval>> next(const Ring& ring, int bits);
+
+private:
+    Rational fraction() { return Rational(integer()) / Rational(integer()); }
+    int integer() { // 1 ... 60
+        state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<int>((state_ >> 33) % 60) + 1;
+    }
+    std::uint64_t state_ = 20;
+};
+
+Interval value(const Ring& ring, const Polynomial& p, const std::vector<Interval>& point) {
+    Interval total{Rational(0)};
+    for (const Term& t : p.terms()) {
+        Interval product{t.coefficient};
+        for (GeneratorId id = 0; id < ring.size(); ++id) {
+            const int e = ring.exponent(t.monomial, id);
+            if (e != 0) product = product * power(point[static_cast<std::size_t>(id)], e);
+        }
+        total = total + product;
+    }
+    return total;
+}
+
+std::optional<std::vector<Interval>> Points::next(const Ring& ring, int bits) {
+    std::vector<Interval> point;
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (g.kind == GeneratorKind::root) {
+            const Interval radicand = value(ring, g.radicand, point);
+            if (!radicand.positive()) return std::nullopt;
+            point.push_back(root(radicand, g.index, bits));
+            if (!point.back().positive()) return std::nullopt;
+            continue;
+        }
+        const bool negative = !g.positive && integer() > 30;
+        const Rational size = fraction();
+        point.emplace_back(negative ? -size : size);
+    }
+    return point;
+}
+
+bool holds_primitive(const Ring& ring, const Polynomial& p) {
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        if (ring.generator(id).kind != GeneratorKind::primitive) continue;
+        for (const Term& t : p.terms()) {
+            if (ring.exponent(t.monomial, id) != 0) return true;
+        }
+    }
+    return false;
+}
+
+// Whether one of the real coefficients is proved non-zero somewhere in the domain.
+bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Polynomial>>& coefficients) {
+    constexpr int tries = 40;
+    Points points;
+    for (int n = 0; n < tries; ++n) {
+        const auto point = points.next(ring, 64 << (n / 10)); // 64 to 512 bits
+        if (!point) continue;
+        for (const auto& coefficient : coefficients) {
+            if (holds_primitive(ring, coefficient.second)) continue;
+            if (value(ring, coefficient.second, *point).excludes_zero()) return true;
+        }
+    }
+    return false;
+}
+
+// Multiplies with what makes the least exponent of `lead` non-negative, so that its rule applies.
+Polynomial cleared(const Ring& ring, const Polynomial& p, GeneratorId lead) {
+    int least = 0;
+    for (const Term& t : p.terms()) least = std::min(least, ring.exponent(t.monomial, lead));
+    return least == 0 ? p : ring.multiply(p, ring.gen(lead, -least));
+}
+
+} // namespace
+
+Zero Ring::is_zero(const Polynomial& p) const {
+    Polynomial form = reduce(p);
+    // Roots that were not eliminated: with sigma^-1 left, sigma^k and its radicand differ in form. Later
+    // roots first, as their radicands may hold earlier ones.
+    for (std::size_t k = relations_.size(); k-- > 0;) {
+        const Relation& relation = relations_[k];
+        if (!relation.total && generator(relation.lead).invertible)
+            form = cleared(*this, form, relation.lead);
+    }
+    if (form.empty()) return Zero::yes;
+    std::vector<GeneratorId> outer;
+    for (GeneratorId id = 0; id < size(); ++id) {
+        if (is_free(generator(id).kind)) outer.push_back(id);
+    }
+    return proved_nonzero(*this, collect(form, outer)) ? Zero::no : Zero::unknown;
+}
+
+} // namespace resonform
