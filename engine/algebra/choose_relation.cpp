@@ -9,6 +9,11 @@
 namespace resonform {
 namespace {
 
+bool holds(const Ring& ring, const Polynomial& p, GeneratorId id) {
+    return std::any_of(p.terms().begin(), p.terms().end(),
+                       [&](const Term& t) { return ring.exponent(t.monomial, id) != 0; });
+}
+
 bool is_lead(const std::vector<Relation>& relations, GeneratorId id) {
     return std::any_of(relations.begin(), relations.end(), [id](const Relation& r) { return r.lead == id; });
 }
@@ -111,6 +116,16 @@ std::optional<Leading> leading_in(const Ring& ring, const Polynomial& radicand, 
     return top;
 }
 
+// Whether rewriting p can bring x in: p holds the lead of a rule whose value holds x, and so on. The
+// rules in use have no cycle but a lead in its own value (`from`), so this ends.
+bool leads_to(const Ring& ring, const std::vector<Relation>& relations, const Polynomial& p, GeneratorId x,
+              const Relation* from = nullptr) {
+    return std::any_of(relations.begin(), relations.end(), [&](const Relation& r) {
+        if (r.total || &r == from || !holds(ring, p, r.lead)) return false;
+        return holds(ring, r.value, x) || leads_to(ring, relations, r.value, x, &r);
+    });
+}
+
 // x^d -> (sigma^k - lower)/c.
 Relation solved_for(const Ring& ring, GeneratorId x, const Leading& top, const Polynomial& power,
                     const Polynomial& radicand) {
@@ -158,16 +173,11 @@ std::optional<Relation> choose_relation(const Ring& ring, const std::vector<Rela
 
     const Polynomial power =
         ring.reduce(Polynomial(ring.monomial(id, ring.generator(id).index), Rational(1)));
-    const bool free_of_leads =
-        std::none_of(radicand.terms().begin(), radicand.terms().end(), [&](const Term& t) {
-            return std::any_of(before.begin(), before.end(), [&](const Relation& r) {
-                return !r.total && ring.exponent(t.monomial, r.lead) != 0;
-            });
-        });
     for (const GeneratorKind kind : {GeneratorKind::slow, GeneratorKind::parameter}) {
-        for (GeneratorId x = 0; free_of_leads && x < ring.size(); ++x) {
+        for (GeneratorId x = 0; x < ring.size(); ++x) {
             const Generator& g = ring.generator(x);
             if (g.kind != kind || g.invertible || is_lead(before, x)) continue;
+            if (leads_to(ring, before, radicand, x)) continue;
             const std::optional<Leading> top = leading_in(ring, radicand, x);
             if (top) return solved_for(ring, x, *top, power, radicand);
         }

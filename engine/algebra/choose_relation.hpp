@@ -11,10 +11,10 @@
 namespace resonform {
 
 // The rule for the root `id`, given those chosen before (which `ring` already applies). Every rule is
-// a true identity. The rules end and give unique forms because their leads are distinct and no rule's
-// value holds the lead of an earlier rule of several terms: they are a Groebner basis in a
-// lexicographic order (leading terms pairwise coprime). nullopt: no sound rule was found, which only
-// costs canonical forms.
+// a true identity. Leads are distinct, and "the value of this rule holds the lead of that one" is free
+// of cycles: in the lexicographic order it gives, the leading terms lead^degree are pairwise coprime,
+// so that the rules are a Groebner basis, rewriting ends, and forms are unique. nullopt: no such rule
+// was found, which only costs canonical forms.
 std::optional<Relation> choose_relation(const Ring& ring, const std::vector<Relation>& before,
                                         GeneratorId id);
 

@@ -89,11 +89,13 @@ bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Poly
     return false;
 }
 
-// Multiplies with what makes the least exponent of `lead` non-negative, so that its rule applies.
+// Multiplies with what makes the least exponent of `lead` zero, so that its rule applies. The factor
+// itself must not be rewritten first.
 Polynomial cleared(const Ring& ring, const Polynomial& p, GeneratorId lead) {
     int least = 0;
     for (const Term& t : p.terms()) least = std::min(least, ring.exponent(t.monomial, lead));
-    return least == 0 ? p : ring.multiply(p, ring.gen(lead, -least));
+    if (least == 0) return p;
+    return ring.multiply(p, Polynomial(ring.monomial(lead, -least), Rational(1)));
 }
 
 } // namespace
