@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A hash-consed expression graph: equal expressions are one node; ids are in topological order.
+//
+//   s = root(xi^2 + r^2, 8);  s * power(s, -14)   ->   (xi^2 + r^2)^-2 * root(.., 4) * root(.., 8)
+//
+// Exact numbers are folded, sums and products are flat and sorted, equal terms and factors collected.
+// A root of even index is a square root of the root of half the index, and its powers are reduced below
+// the index, so that every power of a fine root is a short product of shared square roots.
 #pragma once
 
 #include "algebra/number.hpp"
@@ -7,7 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -26,7 +32,8 @@ public:
         cos,
         log,
         exp,
-        atan2,
+        asinh,
+        atan2,           // (y, x)
         sqrt_sum_squares // hypot(a, b)
     };
     struct Entry {
@@ -39,17 +46,29 @@ public:
 
     [[nodiscard]] const Entry& at(Node n) const { return entries_[static_cast<std::size_t>(n)]; }
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
+    [[nodiscard]] bool is_rational(Node n, const Rational& value) const;
 
     Node rational(const Rational& value);
     Node symbol(const std::string& name);
-    Node add(std::vector<Node> operands);      // flattens, folds rationals, sorts by id
-    Node multiply(std::vector<Node> operands); // same; 0 absorbs
+    Node add(std::vector<Node> operands);      // flattens, folds rationals, collects equal terms
+    Node multiply(std::vector<Node> operands); // flattens, folds rationals, collects equal bases; 0 absorbs
+    Node negate(Node n) { return multiply({rational(-1), n}); }
+    // Errors: refused: zero to a negative power.
     Node power(Node base, int exponent);
+    // A rational with an exact root is folded. Errors: refused: a negative number under the root.
     Node root(Node base, int k);
+    // One of sin ... sqrt_sum_squares; exact values at 0 and 1 are folded.
     Node function(Op op, std::vector<Node> operands);
 
 private:
+    using Factors = std::map<Node, int>; // base -> exponent
+    void collect(Node n, int exponent, Factors& factors, Rational& coefficient);
+    void reduce_roots(Factors& factors, Rational& coefficient);
+    Node product(const Factors& factors, const Rational& coefficient);
+    Node intern_power(Node base, int exponent);
+    std::pair<Rational, Node> split_coefficient(Node n);
     Node intern(Entry entry);
+
     std::vector<Entry> entries_;
     std::map<std::string, Node> index_; // keyed by a canonical spelling of the entry
 };

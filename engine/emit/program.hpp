@@ -2,7 +2,7 @@
 // A scene as one pruned expression graph: what the emitted evaluator computes, and when.
 //
 //   construction (once):  parameters, start values, eps -> constants, quadrature tables
-//   call (per t):         t -> slow variables, theta, outputs
+//   call (per t):         t -> slow variables, cos theta, sin theta, outputs
 #pragma once
 
 #include "emit/graph.hpp"
@@ -20,14 +20,23 @@ struct ProgramInput {
     std::string name;    // "g", "xi_0", "C_delta", "theta_0", "psi_0", "psi_dot_0"
     std::string meaning; // "amplitude.psi", "parameter g", "start of xi"
     Graph::Node symbol;
-    Graph::Node default_value; // in eps and parameters (a constant, or 3/10*eps)
+    Graph::Node default_value; // in eps and parameters (a constant, or 3/10*eps); -1: none, it must be given
 };
 
 // A quadrature as a function of slow time T = eps t: value(T) = int_0^T integrand(T') dT'.
 struct ProgramTable {
-    std::string name;      // "theta", "Q_x2"
-    Graph::Node integrand; // in slow_time and construction values
+    std::string name;      // "Q_x"
+    Graph::Node integrand; // in slow_time, construction values and values of earlier tables
     Graph::Node value;     // the symbol that stands for value(T) in the call section
+};
+
+// An angle theta(t) = start + int_0^T rate(T') dT', T = eps t, where rate = theta'/eps is large. Only its
+// cosine and sine enter the outputs, so that it can be kept in more digits than it is asked for.
+struct ProgramPhase {
+    std::string name;         // "theta"
+    Graph::Node start;        // in construction values
+    Graph::Node rate;         // in slow_time, construction values and values of tables
+    Graph::Node cosine, sine; // the symbols that stand for cos theta, sin theta in the call section
 };
 
 struct ProgramOutput {
@@ -35,24 +44,33 @@ struct ProgramOutput {
     Graph::Node value;
 };
 
+// Operations of one call; a power x^n counts as its multiplications.
+struct OperationCount {
+    int add = 0, multiply = 0, divide = 0, root = 0, sincos = 0, other = 0, tables = 0;
+};
+
 struct Program {
     std::string system, scene, title;
     int order = 0, truncation = 0;
     std::vector<std::string> notes; // equations it computes, source: for the banner
     Graph graph;
-    Graph::Node eps, time, slow_time;     // symbols; slow_time = eps*time
-    std::vector<ProgramInput> parameters; // those not fixed and needed
-    std::vector<ProgramInput> start;      // those needed
-    std::vector<ProgramTable> tables;     // in order of construction
-    std::vector<ProgramOutput> slow;      // slow variables as functions of slow_time
-    std::vector<ProgramOutput> outputs;   // as the scene lists them
-    std::vector<ProgramOutput> state;     // all states at full weight (for direct integration), at any t
-    std::vector<Graph::Node> positive;    // must be > 0 at every call, else status outside_domain
-    double interval_slow_time = 1;        // horizon in slow time the scene asks for (verify.interval * eps)
-    struct Count {
-        int add = 0, multiply = 0, divide = 0, root = 0, sincos = 0, other = 0, tables = 0;
-    };
-    Count before, after; // per call, before and after pruning and sharing
+    Graph::Node eps = -1, time = -1, slow_time = -1; // symbols; slow_time = eps*time
+    std::vector<ProgramInput> parameters;            // those not fixed and needed
+    std::vector<ProgramInput> start;                 // those needed
+    std::vector<ProgramTable> tables;                // in order of construction
+    std::vector<ProgramPhase> phases;                // one per oscillator that the outputs see
+    std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
+    std::vector<ProgramOutput> outputs;              // as the scene lists them
+    std::vector<ProgramOutput> state;  // all states at full weight (for direct integration), at any t
+    std::vector<Graph::Node> positive; // must be > 0 at every call, else status outside_domain
+    std::vector<ProgramOutput> names;  // sub-expressions that a reader knows by name: "psi_2", "rho_8"
+    // The horizon in slow time that the scene asks for, verify.interval * eps: in eps and parameters, and
+    // as a number (at the smallest eps of the scene's ladder if it depends on eps).
+    Graph::Node slow_time_end = -1;
+    double interval_slow_time = 1;
+    using Count = OperationCount;
+    Count before; // of all variables of the solution, written out, nothing shared, fixed or left out
+    Count after;  // of the emitted code
 };
 
 struct ProgramOptions {
@@ -60,6 +78,9 @@ struct ProgramOptions {
     bool keep_state = false; // true: `state` is filled and its quadratures kept
 };
 
+// Errors: bad_input: an output that is no variable of the system, a fixed value outside its domain, an
+// amplitude without a start value; refused: a division by zero or a root of a negative number among the
+// fixed values, a function in a start value that emitted code does not know.
 Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& options = {});
 
 } // namespace resonform

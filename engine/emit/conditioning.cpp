@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/conditioning.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+Sign sign_of_sum(const Graph& graph, const Graph::Entry& e, const std::set<Graph::Node>& positive) {
+    Sign result = Sign::not_negative;
+    for (const Graph::Node operand : e.operands) {
+        const Sign sign = sign_of(graph, operand, positive);
+        if (sign == Sign::unknown) return Sign::unknown;
+        if (sign == Sign::positive) result = Sign::positive;
+    }
+    return result;
+}
+
+Sign sign_of_product(const Graph& graph, const Graph::Entry& e, const std::set<Graph::Node>& positive) {
+    Sign result = Sign::positive;
+    for (const Graph::Node operand : e.operands) {
+        const Sign sign = sign_of(graph, operand, positive);
+        if (sign == Sign::unknown) return Sign::unknown;
+        if (sign == Sign::not_negative) result = Sign::not_negative;
+    }
+    return result;
+}
+
+bool varies(const Lowering& lowering, const Ring& ring, const Monomial& m) {
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        if (ring.exponent(m, id) != 0 && lowering.varying(id)) return true;
+    return false;
+}
+
+// argument = A + R, D = R^2 - A^2.
+struct AreaForm {
+    Polynomial a, d;
+};
+
+// R: the part of the argument that is an odd power of the square root of a radicand, A: the rest.
+std::optional<AreaForm> area_form(const Ring& ring, const Lowering& lowering, const Polynomial& argument) {
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (g.kind != GeneratorKind::root || g.index % 2 != 0 || !lowering.varying(id)) continue;
+        std::vector<Term> odd, even;
+        for (const Term& t : argument.terms())
+            (ring.exponent(t.monomial, id) == g.index / 2 ? odd : even).push_back(t);
+        if (odd.empty() || even.empty()) continue;
+        const Polynomial r = Polynomial::from_terms(std::move(odd)),
+                         a = Polynomial::from_terms(std::move(even));
+        const Polynomial d = ring.multiply(r, r) - ring.multiply(a, a);
+        const bool constant = std::none_of(d.terms().begin(), d.terms().end(),
+                                           [&](const Term& t) { return varies(lowering, ring, t.monomial); });
+        if (constant && !d.empty()) return AreaForm{a, d};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+Sign sign_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& positive) {
+    if (positive.count(n) > 0) return Sign::positive;
+    const Graph::Entry& e = graph.at(n);
+    switch (e.op) {
+    case Graph::Op::rational:
+        return e.value > 0 ? Sign::positive : e.value == 0 ? Sign::not_negative : Sign::unknown;
+    case Graph::Op::add: return sign_of_sum(graph, e, positive);
+    case Graph::Op::multiply: return sign_of_product(graph, e, positive);
+    case Graph::Op::root: return sign_of(graph, e.operands.front(), positive);
+    case Graph::Op::exp: return Sign::positive;
+    case Graph::Op::power: {
+        const Sign base = sign_of(graph, e.operands.front(), positive);
+        if (base != Sign::unknown || e.exponent % 2 != 0) return base;
+        return e.exponent > 0 ? Sign::not_negative : Sign::positive;
+    }
+    default: return Sign::unknown;
+    }
+}
+
+Graph::Node lower_logarithm(Graph& graph, const Ring& ring, Lowering& lowering, const Polynomial& argument,
+                            const std::set<Graph::Node>& positive) {
+    if (const std::optional<AreaForm> area = area_form(ring, lowering, argument)) {
+        const Graph::Node d = lowering.polynomial(area->d);
+        if (sign_of(graph, d, positive) == Sign::positive) {
+            const Graph::Node scale = graph.root(d, 2);
+            const Graph::Node x = graph.multiply({lowering.polynomial(area->a), graph.power(scale, -1)});
+            return graph.add(
+                {graph.function(Graph::Op::asinh, {x}), graph.function(Graph::Op::log, {scale})});
+        }
+    }
+    return graph.function(Graph::Op::log, {lowering.polynomial(argument)});
+}
+
+} // namespace resonform

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rewriting for accuracy, and the domain that what is emitted needs.
+#pragma once
+
+#include "algebra/ring.hpp"
+#include "emit/graph.hpp"
+#include "emit/lower.hpp"
+
+#include <set>
+
+namespace resonform {
+
+enum class Sign { unknown, not_negative, positive };
+
+// The sign of a node for all values of its symbols, given nodes known to be positive.
+Sign sign_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& positive);
+
+// log(argument), argument in the ring of `lowering`. For argument = A + R, R a square root and
+// D = R^2 - A^2 > 0 constant, it is asinh(A/sqrt(D)) + log(sqrt(D)): A + R loses all digits where A -> -R,
+//   log((xi + sqrt(xi^2 + r^2))/r)   ->   asinh(xi/r)
+Graph::Node lower_logarithm(Graph& graph, const Ring& ring, Lowering& lowering, const Polynomial& argument,
+                            const std::set<Graph::Node>& positive);
+
+} // namespace resonform

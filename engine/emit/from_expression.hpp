@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An expression of the user's files -> nodes of a graph, independent of the order in which GiNaC keeps
+// its terms: operands are taken in the order of their spelling.
+#pragma once
+
+#include "emit/graph.hpp"
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <string>
+
+namespace resonform {
+
+// `names` says what stands for each symbol.
+// Errors (refused): a function other than sin, cos, tan, exp, log, sqrt, asinh and rational powers;
+// std::logic_error: a symbol without a node (the readers of files exclude it).
+Graph::Node from_expression(Graph& graph, const GiNaC::ex& e,
+                            const std::map<std::string, Graph::Node>& names);
+
+} // namespace resonform

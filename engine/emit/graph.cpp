@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/graph.hpp"
+
+#include "algebra/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+std::string spelling(const Graph::Entry& e) {
+    std::string key = fmt::format("{}|{}|", static_cast<int>(e.op), e.exponent);
+    if (e.op == Graph::Op::rational) key += to_string(e.value);
+    if (e.op == Graph::Op::symbol) key += e.name;
+    for (const Graph::Node n : e.operands) key += fmt::format("{},", n);
+    return key;
+}
+
+int floor_divide(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+} // namespace
+
+Graph::Node Graph::intern(Entry entry) {
+    const auto [position, fresh] = index_.try_emplace(spelling(entry), static_cast<Node>(entries_.size()));
+    if (fresh) entries_.push_back(std::move(entry));
+    return position->second;
+}
+
+bool Graph::is_rational(Node n, const Rational& value) const {
+    return at(n).op == Op::rational && at(n).value == value;
+}
+
+Graph::Node Graph::rational(const Rational& value) {
+    Entry e;
+    e.value = value;
+    return intern(std::move(e));
+}
+
+Graph::Node Graph::symbol(const std::string& name) {
+    Entry e;
+    e.op = Op::symbol;
+    e.name = name;
+    return intern(std::move(e));
+}
+
+// n = coefficient * rest; rest of a number is 1.
+std::pair<Rational, Graph::Node> Graph::split_coefficient(Node n) {
+    const Entry e = at(n);
+    if (e.op == Op::rational) return {e.value, rational(1)};
+    if (e.op != Op::multiply || at(e.operands.front()).op != Op::rational) return {Rational(1), n};
+    const Rational coefficient = at(e.operands.front()).value;
+    std::vector<Node> rest(e.operands.begin() + 1, e.operands.end());
+    if (rest.size() == 1) return {coefficient, rest.front()};
+    Entry product;
+    product.op = Op::multiply;
+    product.operands = std::move(rest);
+    return {coefficient, intern(std::move(product))};
+}
+
+Graph::Node Graph::add(std::vector<Node> operands) {
+    std::map<Node, Rational> terms;
+    while (!operands.empty()) {
+        const Node n = operands.back();
+        operands.pop_back();
+        if (at(n).op == Op::add) {
+            operands.insert(operands.end(), at(n).operands.begin(), at(n).operands.end());
+            continue;
+        }
+        const auto [coefficient, rest] = split_coefficient(n);
+        Rational& sum = terms.try_emplace(rest, 0).first->second;
+        sum = sum + coefficient;
+    }
+    Entry e;
+    e.op = Op::add;
+    for (const auto& [rest, coefficient] : terms)
+        if (coefficient != 0) e.operands.push_back(multiply({rational(coefficient), rest}));
+    if (e.operands.empty()) return rational(0);
+    if (e.operands.size() == 1) return e.operands.front();
+    std::sort(e.operands.begin(), e.operands.end());
+    return intern(std::move(e));
+}
+
+void Graph::collect(Node n, int exponent, Factors& factors, Rational& coefficient) {
+    const Entry& e = at(n);
+    switch (e.op) {
+    case Op::rational:
+        if (e.value == 0 && exponent < 0)
+            refuse({"a division by zero cannot be emitted",
+                    "0",
+                    "change the values under [fix] or [start]",
+                    {}});
+        coefficient = coefficient * cln::expt(e.value, exponent);
+        return;
+    case Op::multiply:
+        for (const Node operand : e.operands) collect(operand, exponent, factors, coefficient);
+        return;
+    case Op::power: collect(e.operands.front(), exponent * e.exponent, factors, coefficient); return;
+    default: factors[n] += exponent;
+    }
+}
+
+// root^e with 0 <= e < index; whole powers of the radicand take the rest.
+void Graph::reduce_roots(Factors& factors, Rational& coefficient) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (auto& [base, exponent] : factors) {
+            if (at(base).op != Op::root) continue;
+            const int whole = floor_divide(exponent, at(base).exponent);
+            if (whole == 0) continue;
+            exponent -= whole * at(base).exponent;
+            collect(at(base).operands.front(), whole, factors, coefficient);
+            changed = true;
+            break;
+        }
+    }
+}
+
+Graph::Node Graph::intern_power(Node base, int exponent) {
+    if (exponent == 1) return base;
+    Entry e;
+    e.op = Op::power;
+    e.exponent = exponent;
+    e.operands = {base};
+    return intern(std::move(e));
+}
+
+Graph::Node Graph::product(const Factors& factors, const Rational& coefficient) {
+    if (coefficient == 0) return rational(0);
+    Entry e;
+    e.op = Op::multiply;
+    for (const auto& [base, exponent] : factors)
+        if (exponent != 0) e.operands.push_back(intern_power(base, exponent));
+    std::sort(e.operands.begin(), e.operands.end());
+    if (e.operands.empty()) return rational(coefficient);
+    if (coefficient != 1) e.operands.insert(e.operands.begin(), rational(coefficient));
+    if (e.operands.size() == 1) return e.operands.front();
+    return intern(std::move(e));
+}
+
+Graph::Node Graph::multiply(std::vector<Node> operands) {
+    Factors factors;
+    Rational coefficient = 1;
+    for (const Node n : operands) collect(n, 1, factors, coefficient);
+    reduce_roots(factors, coefficient);
+    return product(factors, coefficient);
+}
+
+Graph::Node Graph::power(Node base, int exponent) {
+    Factors factors;
+    Rational coefficient = 1;
+    if (exponent != 0) collect(base, exponent, factors, coefficient);
+    reduce_roots(factors, coefficient);
+    return product(factors, coefficient);
+}
+
+Graph::Node Graph::root(Node base, int k) {
+    if (k == 1) return base;
+    if (at(base).op == Op::rational) {
+        const Rational value = at(base).value;
+        if (value < 0)
+            refuse({"a root needs a number that is not negative",
+                    to_string(value),
+                    "change the values under [fix] or [start]",
+                    {}});
+        Rational exact;
+        if (exact_root(value, k, exact)) return rational(exact);
+    }
+    if (k % 2 == 0 && k > 2) return root(root(base, k / 2), 2);
+    Entry e;
+    e.op = Op::root;
+    e.exponent = k;
+    e.operands = {base};
+    return intern(std::move(e));
+}
+
+Graph::Node Graph::function(Op op, std::vector<Node> operands) {
+    const Node x = operands.front();
+    const bool odd = op == Op::sin || op == Op::asinh;
+    if (is_rational(x, 0) && odd) return x;
+    if (is_rational(x, 0) && (op == Op::cos || op == Op::exp)) return rational(1);
+    if (is_rational(x, 1) && op == Op::log) return rational(0);
+    Entry e;
+    e.op = op;
+    e.operands = std::move(operands);
+    return intern(std::move(e));
+}
+
+} // namespace resonform

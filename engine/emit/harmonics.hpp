@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real values of polynomials in e^{i theta}:  sum_k a_k e^{ik theta}, a_{-k} = conj(a_k), is
+//
+//   a_0 + sum_{k>0} 2 Re a_k cos k theta - 2 Im a_k sin k theta
+//
+// with the multiple angles by the addition theorems from one cosine and sine.
+#pragma once
+
+#include "emit/graph.hpp"
+#include "emit/lower.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace resonform {
+
+class Harmonics {
+public:
+    Harmonics(Graph& graph, RingPtr ring, Lowering& lowering)
+        : graph_(&graph), ring_(std::move(ring)), lowering_(&lowering) {}
+
+    // The angle: the generator e^{i theta}, and the nodes of its cosine and sine.
+    void set_angle(GeneratorId phase, Graph::Node cosine, Graph::Node sine);
+
+    // The part of p with e^{ik theta}, k = 0 only or all.
+    Graph::Node value(const Polynomial& p, bool oscillating = true);
+    // a_k of p, and p's part without e^{i theta}.
+    [[nodiscard]] Polynomial coefficient(const Polynomial& p, int k) const;
+
+    // cos k theta and sin k theta as built so far, k >= 1.
+    [[nodiscard]] const std::map<int, std::pair<Graph::Node, Graph::Node>>& multiples() const {
+        return multiples_;
+    }
+
+private:
+    std::pair<Graph::Node, Graph::Node> multiple(int k);
+    [[nodiscard]] Polynomial part(const Polynomial& p, bool imaginary) const;
+    [[nodiscard]] int highest(const Polynomial& p) const;
+
+    Graph* graph_;
+    RingPtr ring_;
+    Lowering* lowering_;
+    std::optional<GeneratorId> phase_;
+    std::map<int, std::pair<Graph::Node, Graph::Node>> multiples_;
+};
+
+} // namespace resonform

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names of the user's files as identifiers of a programming language.
+#pragma once
+
+#include <string>
+
+namespace resonform {
+
+// "psi'" -> "psi_dot", "psi''_0" -> "psi_dot_dot_0", "phase.psi" -> "phase_psi"; what is no letter, digit
+// or underscore becomes an underscore.
+std::string identifier(const std::string& name);
+
+} // namespace resonform

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/moment.hpp"
+
+#include "emit/conditioning.hpp"
+#include "emit/prune.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+namespace {
+
+// rho = (xi^2 + r^2)^(1/8): the names of rho, rho^2, rho^4, rho^8.
+void name_powers(Program& program, const std::string& name, Graph::Node n) {
+    program.names.push_back({name, n});
+    for (int power = 1; program.graph.at(n).op == Graph::Op::root;) {
+        power *= program.graph.at(n).exponent;
+        n = program.graph.at(n).operands.front();
+        program.names.push_back({fmt::format("{}_{}", name, power), n});
+    }
+}
+
+} // namespace
+
+Moment::Moment(Program& program, const Solution& solution, RingPtr ring, const Surroundings& surroundings,
+               const MomentPlan& plan)
+    : lowering(program.graph, ring), harmonics(program.graph, ring, lowering), ring_(ring) {
+    for (GeneratorId id = 0; id < ring->size(); ++id)
+        if (const auto known = surroundings.symbols.find(ring->generator(id).name);
+            known != surroundings.symbols.end())
+            define(program, id, known->second);
+    for (const auto& [id, node] : plan.slow_variables) define(program, own(id, solution), node);
+    if (solution.slow_time) define(program, own(*solution.slow_time, solution), plan.slow_time);
+    define_roots(program, surroundings);
+    define_primitives(program, solution, surroundings, plan);
+}
+
+GeneratorId Moment::own(GeneratorId id, const Solution& solution) const {
+    return *ring_->find(solution.ring->generator(id).name);
+}
+
+void Moment::define(const Program& program, GeneratorId id, Graph::Node node) {
+    lowering.define(id, node,
+                    depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(node)]);
+}
+
+void Moment::define_roots(Program& program, const Surroundings& surroundings) {
+    for (GeneratorId id = 0; id < ring_->size(); ++id) {
+        const Generator& g = ring_->generator(id);
+        if (g.kind != GeneratorKind::root) continue;
+        const Graph::Node radicand = lowering.radicand(g.radicand);
+        if (sign_of(program.graph, radicand, surroundings.positive) != Sign::positive)
+            program.positive.push_back(radicand);
+        const Graph::Node root = program.graph.root(radicand, g.index);
+        define(program, id, root);
+        if (lowering.varying(id)) name_powers(program, g.name, root);
+    }
+}
+
+void Moment::define_primitives(Program& program, const Solution& solution, const Surroundings& surroundings,
+                               const MomentPlan& plan) {
+    const RingMap map = RingMap::by_name(solution.ring, ring_);
+    for (const Primitive& primitive : solution.primitives) {
+        Graph::Node node = -1;
+        switch (primitive.kind) {
+        case PrimitiveKind::quadrature: node = plan.quadrature(primitive, lowering); break;
+        case PrimitiveKind::exponential:
+            node = program.graph.function(Graph::Op::exp, {lowering.polynomial(map(primitive.argument))});
+            break;
+        case PrimitiveKind::logarithm:
+            node = lower_logarithm(program.graph, *ring_, lowering, map(primitive.argument),
+                                   surroundings.positive);
+            if (const Graph::Entry& e = program.graph.at(node);
+                e.op == Graph::Op::log &&
+                sign_of(program.graph, e.operands.front(), surroundings.positive) != Sign::positive)
+                program.positive.push_back(e.operands.front());
+            break;
+        }
+        define(program, own(primitive.id, solution), node);
+    }
+}
+
+} // namespace resonform

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a graph is needed, and what of it changes from call to call.
+#pragma once
+
+#include "emit/program.hpp"
+
+#include <set>
+#include <vector>
+
+namespace resonform {
+
+// flags[n]: node n is one of `roots` or an operand of one, however deep.
+std::vector<bool> reachable(const Graph& graph, const std::vector<Graph::Node>& roots);
+
+// flags[n]: node n is one of `sources` or depends on one.
+std::vector<bool> depending(const Graph& graph, const std::set<Graph::Node>& sources);
+
+// The symbols whose values differ from call to call: time, slow_time, values of tables, cosines, sines.
+std::set<Graph::Node> varying_symbols(const Program& program);
+
+// Drops what outputs, state and declared start values do not need: tables, phases, parameters, start
+// values, conditions and names.
+void prune(Program& program);
+
+} // namespace resonform

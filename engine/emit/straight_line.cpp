@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/straight_line.hpp"
+
+#include "emit/prune.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+std::string spelling(const StraightLine::Instruction& i) {
+    std::string key = fmt::format("{}|{}|{}|{}|{}|", static_cast<int>(i.op), static_cast<int>(i.function),
+                                  i.index, i.symbol, i.negative);
+    if (i.op == StraightLine::Op::number) key += to_string(i.number);
+    for (const StraightLine::Value v : i.operands) key += fmt::format("{},", v);
+    return key;
+}
+
+} // namespace
+
+StraightLine::StraightLine(const Program& program) : graph_(program.graph) {
+    varying_symbols_.resize(graph_.size(), false);
+    for (const Graph::Node n : varying_symbols(program)) varying_symbols_[static_cast<std::size_t>(n)] = true;
+    for (const ProgramOutput& named : program.names) names_.emplace(named.value, named.name);
+}
+
+bool StraightLine::any_varying(const std::vector<Value>& operands) const {
+    return std::any_of(operands.begin(), operands.end(), [&](Value v) { return at(v).varying; });
+}
+
+StraightLine::Value StraightLine::append(Instruction instruction) {
+    if (instruction.op != Op::symbol) instruction.varying = any_varying(instruction.operands);
+    const auto [position, fresh] =
+        index_.try_emplace(spelling(instruction), static_cast<Value>(instructions_.size()));
+    if (fresh) instructions_.push_back(std::move(instruction));
+    return position->second;
+}
+
+StraightLine::Value StraightLine::lower(Graph::Node n) {
+    if (const auto known = lowered_.find(n); known != lowered_.end()) return known->second;
+    const Graph::Entry e = graph_.at(n); // a copy: the graph grows
+    Instruction i;
+    Value value = -1;
+    switch (e.op) {
+    case Graph::Op::rational:
+        i.number = e.value;
+        value = append(std::move(i));
+        break;
+    case Graph::Op::symbol:
+        i.op = Op::symbol;
+        i.symbol = n;
+        i.varying = varying_symbols_[static_cast<std::size_t>(n)];
+        value = append(std::move(i));
+        break;
+    case Graph::Op::add: value = add(e); break;
+    case Graph::Op::multiply: value = multiply(e); break;
+    case Graph::Op::power: value = chain(lower(e.operands.front()), e.exponent); break;
+    case Graph::Op::root:
+        i.op = Op::root;
+        i.index = e.exponent;
+        i.operands = {lower(e.operands.front())};
+        value = append(std::move(i));
+        break;
+    default:
+        i.op = Op::function;
+        i.function = e.op;
+        for (const Graph::Node operand : e.operands) i.operands.push_back(lower(operand));
+        value = append(std::move(i));
+    }
+    if (const auto name = names_.find(n); name != names_.end())
+        instructions_[static_cast<std::size_t>(value)].label = name->second;
+    lowered_.emplace(n, value);
+    return value;
+}
+
+StraightLine::Value StraightLine::add(const Graph::Entry& e) {
+    std::vector<Value> plus, minus;
+    for (const Graph::Node operand : e.operands) {
+        const Graph::Entry& term = graph_.at(operand);
+        const bool negative = term.op == Graph::Op::multiply &&
+                              graph_.at(term.operands.front()).op == Graph::Op::rational &&
+                              graph_.at(term.operands.front()).value < 0;
+        if (negative)
+            minus.push_back(lower(graph_.negate(operand)));
+        else
+            plus.push_back(lower(operand));
+    }
+    gather_constants(plus, minus);
+    Instruction i;
+    i.op = Op::add;
+    i.operands = plus;
+    i.operands.insert(i.operands.end(), minus.begin(), minus.end());
+    i.negative = minus.size();
+    return append(std::move(i));
+}
+
+// The constants among varying terms become one constant.
+void StraightLine::gather_constants(std::vector<Value>& plus, std::vector<Value>& minus) {
+    const auto first_constant = [this](std::vector<Value>& side) {
+        return std::stable_partition(side.begin(), side.end(), [&](Value v) { return at(v).varying; });
+    };
+    const auto p = first_constant(plus), m = first_constant(minus);
+    const bool varying = p != plus.begin() || m != minus.begin();
+    if (!varying || (plus.end() - p) + (minus.end() - m) < 2) return;
+    Instruction gathered;
+    gathered.op = Op::add;
+    gathered.operands.assign(p, plus.end());
+    gathered.operands.insert(gathered.operands.end(), m, minus.end());
+    gathered.negative = static_cast<std::size_t>(minus.end() - m);
+    plus.erase(p, plus.end());
+    minus.erase(m, minus.end());
+    plus.push_back(append(std::move(gathered)));
+}
+
+StraightLine::Value StraightLine::multiply(const Graph::Entry& e) {
+    std::vector<Value> factors;
+    for (const Graph::Node operand : e.operands) factors.push_back(lower(operand));
+    return product(std::move(factors));
+}
+
+// The constants among varying factors become one constant.
+StraightLine::Value StraightLine::product(std::vector<Value> factors) {
+    const auto constants =
+        std::stable_partition(factors.begin(), factors.end(), [&](Value v) { return at(v).varying; });
+    if (constants != factors.begin() && factors.end() - constants > 1) {
+        Instruction gathered;
+        gathered.op = Op::multiply;
+        gathered.operands.assign(constants, factors.end());
+        factors.erase(constants, factors.end());
+        factors.push_back(append(std::move(gathered)));
+    }
+    std::stable_partition(factors.begin(), factors.end(), [&](Value v) { return !at(v).varying; });
+    if (factors.size() == 1) return factors.front();
+    Instruction i;
+    i.op = Op::multiply;
+    i.operands = std::move(factors);
+    return append(std::move(i));
+}
+
+StraightLine::Value StraightLine::chain(Value base, int exponent) {
+    if (exponent < 0) {
+        Instruction i;
+        i.op = Op::reciprocal;
+        i.operands = {base};
+        if (!at(base).label.empty()) i.label = "per_" + at(base).label;
+        return chain(append(std::move(i)), -exponent);
+    }
+    if (exponent == 1) return base;
+    if (exponent % 2 == 1) return product({chain(base, exponent - 1), base});
+    const Value half = chain(base, exponent / 2);
+    return product({half, half});
+}
+
+std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& roots,
+                                                      bool through_constants) const {
+    std::vector<bool> used(size(), false);
+    for (const Value root : roots) used[static_cast<std::size_t>(root)] = true;
+    std::vector<Value> result;
+    for (std::size_t v = size(); v > 0; --v) {
+        if (!used[v - 1]) continue;
+        result.push_back(static_cast<Value>(v - 1));
+        if (!instructions_[v - 1].varying && !through_constants) continue;
+        for (const Value operand : instructions_[v - 1].operands)
+            used[static_cast<std::size_t>(operand)] = true;
+    }
+    std::reverse(result.begin(), result.end());
+    return result;
+}
+
+OperationCount count_operations(const Program& program) {
+    StraightLine code(program);
+    std::vector<StraightLine::Value> roots;
+    for (const ProgramOutput& output : program.outputs) roots.push_back(code.lower(output.value));
+    OperationCount count;
+    count.tables = static_cast<int>(program.tables.size());
+    count.sincos = static_cast<int>(program.phases.size());
+    for (const StraightLine::Value v : code.behind(roots, false)) {
+        const StraightLine::Instruction& i = code.at(v);
+        if (!i.varying) continue;
+        const int n = static_cast<int>(i.operands.size());
+        switch (i.op) {
+        case StraightLine::Op::add: count.add += n - 1; break;
+        case StraightLine::Op::multiply: count.multiply += n - 1; break;
+        case StraightLine::Op::reciprocal: count.divide += 1; break;
+        case StraightLine::Op::root: count.root += 1; break;
+        case StraightLine::Op::function: count.other += 1; break;
+        case StraightLine::Op::number:
+        case StraightLine::Op::symbol: break;
+        }
+    }
+    return count;
+}
+
+} // namespace resonform

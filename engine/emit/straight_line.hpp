@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A program's graph as instructions of a machine with two stages: what is computed once (constants) and
+// what changes from call to call. Powers are chains of multiplications, negative ones start from one
+// shared reciprocal, factors and terms that are constant are gathered into one constant.
+//
+//   3/16 * C^2 * s^-2 * cos_theta   ->   once: c = 3/16 C C;   per call: p = 1/s;  c * (p p) * cos_theta
+#pragma once
+
+#include "emit/program.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+class StraightLine {
+public:
+    using Value = int; // index of an instruction; operands come before their users
+    enum class Op { number, symbol, add, multiply, reciprocal, root, function };
+    struct Instruction {
+        Op op = Op::number;
+        Rational number;                     // number
+        Graph::Node symbol = -1;             // symbol
+        int index = 0;                       // root
+        Graph::Op function = Graph::Op::sin; // function
+        std::vector<Value> operands;         // of add: the positive ones first
+        std::size_t negative = 0;            // add: how many operands at the end are subtracted
+        bool varying = false;                // computed at each call
+        std::string label;                   // the name of Program::names, or ""
+    };
+
+    explicit StraightLine(const Program& program);
+
+    // The value of a node, appending what is not there yet.
+    Value lower(Graph::Node n);
+
+    [[nodiscard]] const Instruction& at(Value v) const { return instructions_[static_cast<std::size_t>(v)]; }
+    [[nodiscard]] std::size_t size() const { return instructions_.size(); }
+    // The instructions behind some values, ascending; constants are included as operands of varying
+    // values but not what is behind them, unless asked for.
+    [[nodiscard]] std::vector<Value> behind(const std::vector<Value>& roots, bool through_constants) const;
+
+private:
+    Value append(Instruction instruction);
+    Value add(const Graph::Entry& e);
+    Value multiply(const Graph::Entry& e);
+    Value chain(Value base, int exponent);
+    Value product(std::vector<Value> factors);
+    void gather_constants(std::vector<Value>& plus, std::vector<Value>& minus);
+    [[nodiscard]] bool any_varying(const std::vector<Value>& operands) const;
+
+    Graph graph_;
+    std::vector<bool> varying_symbols_;
+    std::map<Graph::Node, std::string> names_;
+    std::map<Graph::Node, Value> lowered_;
+    std::map<std::string, Value> index_;
+    std::vector<Instruction> instructions_;
+};
+
+// The operations of one call of the outputs, as emitted.
+OperationCount count_operations(const Program& program);
+
+} // namespace resonform

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The elementary functions of __float128 (libquadmath), declared here because clang does not find
+// g++'s <quadmath.h>. A program that uses them links with -lquadmath; others need not.
+#pragma once
+
+#include <cstddef> // defines __GLIBCXX__
+
+#if defined(__SIZEOF_FLOAT128__) && defined(__GLIBCXX__)
+#define RESONFORM_FLOAT128 1
+
+namespace resonform {
+__extension__ typedef __float128 Float128;
+}
+
+extern "C" {
+resonform::Float128 sqrtq(resonform::Float128) noexcept;
+resonform::Float128 powq(resonform::Float128, resonform::Float128) noexcept;
+resonform::Float128 sinq(resonform::Float128) noexcept;
+resonform::Float128 cosq(resonform::Float128) noexcept;
+resonform::Float128 expq(resonform::Float128) noexcept;
+resonform::Float128 logq(resonform::Float128) noexcept;
+resonform::Float128 asinhq(resonform::Float128) noexcept;
+resonform::Float128 atan2q(resonform::Float128, resonform::Float128) noexcept;
+resonform::Float128 hypotq(resonform::Float128, resonform::Float128) noexcept;
+resonform::Float128 floorq(resonform::Float128) noexcept;
+}
+
+namespace resonform::math {
+
+inline Float128 sqrt(Float128 x) noexcept { return sqrtq(x); }
+inline Float128 pow(Float128 x, Float128 y) noexcept { return powq(x, y); }
+inline Float128 sin(Float128 x) noexcept { return sinq(x); }
+inline Float128 cos(Float128 x) noexcept { return cosq(x); }
+inline Float128 exp(Float128 x) noexcept { return expq(x); }
+inline Float128 log(Float128 x) noexcept { return logq(x); }
+inline Float128 asinh(Float128 x) noexcept { return asinhq(x); }
+inline Float128 atan2(Float128 y, Float128 x) noexcept { return atan2q(y, x); }
+inline Float128 hypot(Float128 x, Float128 y) noexcept { return hypotq(x, y); }
+inline Float128 floor(Float128 x) noexcept { return floorq(x); }
+
+} // namespace resonform::math
+#endif

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// The primitive of smooth functions as a piecewise polynomial: [0, end] is bisected until the
+// Chebyshev coefficients of every integrand decay to the precision of Number within each panel; the
+// series is integrated exactly and stored by powers of the local variable.
+//
+//   fit_panels<double, 1>([](double T) { return std::array{std::cos(T)}; }, 1.0)   ->   sin(T)
+//
+// With n coefficients for n/5 digits a panel ends where the coefficients fall by about 1/32 each, so
+// that the powers (growth 1 + sqrt(2) each) lose nothing against the Chebyshev form.
+#pragma once
+
+#include "runtime/math.hpp"
+#include "runtime/status.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+template <class Number> inline constexpr std::size_t panel_nodes = math::digits<Number> / 5 + 2;
+
+// On |x| <= 1, T = middle + half x:  int_0^T f_k = sum_j coefficient[k][j] x^j.
+template <class Number, std::size_t Count> struct Panel {
+    static constexpr std::size_t size = panel_nodes<Number> + 1;
+    Number middle{}, half{};
+    std::array<std::array<Number, size>, Count> coefficient{};
+};
+
+template <class Number, std::size_t Count> struct Panels {
+    Status status = Status::ok;
+    std::vector<Panel<Number, Count>> panels; // ascending, without gaps
+};
+
+// Chebyshev interpolation at n nodes, and what follows from it for primitives.
+template <class Number> class Chebyshev {
+public:
+    static constexpr std::size_t n = panel_nodes<Number>;
+    using Values = std::array<Number, n>;
+
+    Chebyshev() {
+        using math::cos;
+        for (std::size_t k = 0; k <= n; ++k)
+            quadrant_[k] =
+                cos(math::pi<Number>() * Number(static_cast<int>(k)) / Number(static_cast<int>(2 * n)));
+    }
+
+    // cos((2j + 1) pi/(2n)), descending from near 1 to near -1
+    [[nodiscard]] Number node(std::size_t j) const { return cosine(2 * j + 1); }
+
+    // c_k of f = sum_k c_k T_k(x) from the values at the nodes
+    [[nodiscard]] Values coefficients(const Values& values) const {
+        Values result{};
+        for (std::size_t k = 0; k < n; ++k) {
+            Number sum = Number(0);
+            for (std::size_t j = 0; j < n; ++j) sum = sum + values[j] * cosine(k * (2 * j + 1));
+            result[k] = sum * Number(k == 0 ? 1 : 2) / Number(static_cast<int>(n));
+        }
+        return result;
+    }
+
+    // The primitive that vanishes at x = -1, by powers of x.
+    [[nodiscard]] static std::array<Number, n + 1> primitive(const Values& c) {
+        std::array<Number, n + 1> series{};
+        for (std::size_t k = 1; k <= n; ++k) {
+            const Number above = k + 1 < n ? c[k + 1] : Number(0);
+            series[k] = (Number(k == 1 ? 2 : 1) * c[k - 1] - above) / Number(static_cast<int>(2 * k));
+        }
+        std::array<Number, n + 1> result = powers(series);
+        Number at_left = Number(0);
+        for (std::size_t k = n + 1; k > 0; --k) at_left = result[k - 1] - at_left;
+        result[0] = result[0] - at_left;
+        return result;
+    }
+
+private:
+    // cos(k pi/(2n)), reduced to the first quadrant
+    [[nodiscard]] Number cosine(std::size_t k) const {
+        k %= 4 * n;
+        if (k > 2 * n) k = 4 * n - k;
+        return k > n ? Number(-quadrant_[2 * n - k]) : quadrant_[k];
+    }
+
+    // sum_k series[k] T_k(x) by powers of x, through T_{k+1} = 2 x T_k - T_{k-1}
+    [[nodiscard]] static std::array<Number, n + 1> powers(const std::array<Number, n + 1>& series) {
+        std::array<Number, n + 1> result{}, previous{}, current{};
+        previous[0] = Number(1);
+        current[1] = Number(1);
+        result[0] = series[0];
+        for (std::size_t k = 1; k <= n; ++k) {
+            for (std::size_t j = 0; j <= k; ++j) result[j] = result[j] + series[k] * current[j];
+            std::array<Number, n + 1> next{};
+            for (std::size_t j = 0; j <= k && j < n; ++j) next[j + 1] = Number(2) * current[j];
+            for (std::size_t j = 0; j < k; ++j) next[j] = next[j] - previous[j];
+            previous = std::exchange(current, next);
+        }
+        return result;
+    }
+
+    std::array<Number, n + 1> quadrant_{};
+};
+
+// A sum with its rounding errors carried along (Neumaier).
+template <class Number> class CompensatedSum {
+public:
+    void add(const Number& x) {
+        const Number next = sum_ + x;
+        const bool larger = math::magnitude(sum_) < math::magnitude(x);
+        carry_ = carry_ + (larger ? (x - next) + sum_ : (sum_ - next) + x);
+        sum_ = next;
+    }
+    [[nodiscard]] Number value() const { return sum_ + carry_; }
+
+private:
+    Number sum_ = Number(0), carry_ = Number(0);
+};
+
+template <class Number, std::size_t Count, class Integrand> class PanelFitter {
+public:
+    static constexpr std::size_t most_panels = 2048;
+    static constexpr std::size_t most_halvings = 100;
+
+    PanelFitter(const Integrand& integrand, const Number& end) : integrand_(integrand), end_(end) {}
+
+    Panels<Number, Count> fit() {
+        if (Status status = sample(Number(0), end_); status != Status::ok) return {status, {}};
+        for (std::size_t k = 0; k < Count; ++k)
+            for (const Number& value : values_[k])
+                mean_[k] = mean_[k] + math::magnitude(value) / Number(static_cast<int>(Chebyshev<Number>::n));
+        Number no_parent = Number(-1);
+        Status status = divide(Number(0), end_, no_parent, 0);
+        if (status != Status::ok) result_.panels.clear();
+        result_.status = status;
+        return std::move(result_);
+    }
+
+private:
+    // Values of the integrands at the nodes of [left, right].
+    Status sample(const Number& left, const Number& right) {
+        const Number middle = (left + right) / Number(2), half = (right - left) / Number(2);
+        for (std::size_t j = 0; j < Chebyshev<Number>::n; ++j) {
+            const std::array<Number, Count> value = integrand_(Number(middle + half * chebyshev_.node(j)));
+            for (std::size_t k = 0; k < Count; ++k) {
+                if (!(value[k] == value[k])) return Status::outside_domain;
+                if (!math::finite(value[k])) return Status::overflow;
+                values_[k][j] = value[k];
+            }
+        }
+        return Status::ok;
+    }
+
+    // The last coefficient of each integrand, or 1/8 of the one before where parity makes it vanish, in
+    // units of the tolerance; at most 1 is converged. What is cut off is about 1/16 of it.
+    [[nodiscard]] Number remainder(const std::array<typename Chebyshev<Number>::Values, Count>& c) const {
+        Number worst = Number(0);
+        for (std::size_t k = 0; k < Count; ++k) {
+            Number scale = mean_[k];
+            for (const Number& x : c[k]) scale = std::max(scale, Number(math::magnitude(x)));
+            const Number last = math::magnitude(c[k].back());
+            const Number before = math::magnitude(c[k][c[k].size() - 2]) / Number(8);
+            if (Number(0) < scale)
+                worst = std::max(worst, Number(std::max(last, before) / (tolerance_ * scale)));
+        }
+        return worst;
+    }
+
+    // Smooth functions gain a factor of thousands by halving; where nothing is gained close to the
+    // tolerance, the rounding of the integrand itself is seen, and the panel is as good as it gets.
+    static bool converged(const Number& remainder, const Number& parent) {
+        return !(Number(1) < remainder) ||
+               (remainder < Number(1000) && parent < Number(4) * remainder && Number(0) < parent);
+    }
+
+    Status divide(const Number& left, const Number& right, const Number& parent, std::size_t depth) {
+        if (Status status = sample(left, right); status != Status::ok) return status;
+        std::array<typename Chebyshev<Number>::Values, Count> c;
+        for (std::size_t k = 0; k < Count; ++k) c[k] = chebyshev_.coefficients(values_[k]);
+        const Number rest = remainder(c);
+        if (converged(rest, parent)) {
+            append(left, right, c);
+            return Status::ok;
+        }
+        const Number middle = (left + right) / Number(2);
+        if (depth == most_halvings || result_.panels.size() >= most_panels) return Status::outside_domain;
+        if (Status status = divide(left, middle, rest, depth + 1); status != Status::ok) return status;
+        return divide(middle, right, rest, depth + 1);
+    }
+
+    void append(const Number& left, const Number& right,
+                const std::array<typename Chebyshev<Number>::Values, Count>& c) {
+        Panel<Number, Count> panel;
+        panel.middle = (left + right) / Number(2);
+        panel.half = (right - left) / Number(2);
+        for (std::size_t k = 0; k < Count; ++k) {
+            auto& coefficient = panel.coefficient[k];
+            coefficient = Chebyshev<Number>::primitive(c[k]);
+            Number whole = Number(0);
+            for (Number& x : coefficient) {
+                x = x * panel.half;
+                whole = whole + x;
+            }
+            coefficient[0] = coefficient[0] + sums_[k].value();
+            sums_[k].add(whole);
+        }
+        result_.panels.push_back(panel);
+    }
+
+    const Integrand& integrand_;
+    Number end_;
+    Number tolerance_ = Number(16) * math::epsilon<Number>();
+    Chebyshev<Number> chebyshev_;
+    std::array<typename Chebyshev<Number>::Values, Count> values_{};
+    std::array<Number, Count> mean_{};
+    std::array<CompensatedSum<Number>, Count> sums_{};
+    Panels<Number, Count> result_;
+};
+
+// Integrals over [0, end], end > 0, of the functions integrand(T) -> std::array<Number, Count>.
+// Status: overflow, outside_domain: an integrand is infinite, or not a number; outside_domain too when
+// 2048 panels do not resolve it (a singularity within the interval or next to it).
+template <class Number, std::size_t Count, class Integrand>
+Panels<Number, Count> fit_panels(const Integrand& integrand, const Number& end) {
+    return PanelFitter<Number, Count, Integrand>(integrand, end).fit();
+}
+
+// Finds the panel of T in constant time: a grid of buckets, then a step or two to the right.
+template <class Real> class PanelIndex {
+public:
+    PanelIndex() = default;
+    // lefts: the left ends of the panels, ascending, the first 0.
+    PanelIndex(std::vector<Real> lefts, const Real& end) : lefts_(std::move(lefts)) {
+        std::size_t buckets = 1;
+        while (buckets < 2 * lefts_.size()) buckets *= 2;
+        per_unit_ = static_cast<double>(buckets) / static_cast<double>(end);
+        std::size_t panel = 0;
+        for (std::size_t b = 0; b < buckets; ++b) {
+            while (panel + 1 < lefts_.size() && !(position(lefts_[panel + 1]) > static_cast<double>(b)))
+                ++panel;
+            first_.push_back(panel);
+        }
+    }
+
+    // T slightly outside of [0, end] belongs to the first or the last panel.
+    [[nodiscard]] std::size_t find(const Real& T) const noexcept {
+        const double p = position(T);
+        const auto bucket = p > 0 ? static_cast<std::size_t>(p) : 0;
+        std::size_t panel = first_[std::min(bucket, first_.size() - 1)];
+        while (panel + 1 < lefts_.size() && !(T < lefts_[panel + 1])) ++panel;
+        return panel;
+    }
+
+private:
+    [[nodiscard]] double position(const Real& T) const noexcept { return static_cast<double>(T) * per_unit_; }
+
+    std::vector<Real> lefts_;
+    std::vector<std::size_t> first_;
+    double per_unit_ = 0;
+};
+
+} // namespace resonform

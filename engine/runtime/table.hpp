@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Quadratures as functions of slow time, tabulated once: value_k(T) = int_0^T f_k(T') dT', 0 <= T <= end,
+// to a few ulp of the largest |value_k| in any real type. All f_k share panels and look-up.
+#pragma once
+
+#include "runtime/panels.hpp"
+
+namespace resonform {
+
+template <class Real, std::size_t Count> class PrimitiveTable {
+public:
+    // Tabulates integrand(T) -> std::array<Real, Count>. Status as fit_panels.
+    template <class Integrand> Status build(const Integrand& integrand, const Real& end) {
+        Panels<Real, Count> fitted = fit_panels<Real, Count>(integrand, end);
+        std::vector<Real> lefts;
+        panels_.clear();
+        for (const Panel<Real, Count>& panel : fitted.panels) {
+            lefts.push_back(panel.middle - panel.half);
+            panels_.push_back({panel.middle, Real(1) / panel.half, {}});
+            for (std::size_t k = 0; k < Count; ++k)
+                for (std::size_t j = 0; j < terms; ++j)
+                    panels_.back().coefficient[j][k] = panel.coefficient[k][j];
+        }
+        if (fitted.status == Status::ok) index_ = PanelIndex<Real>(std::move(lefts), end);
+        return fitted.status;
+    }
+
+    // Precondition: build() answered ok.
+    [[nodiscard]] std::array<Real, Count> operator()(const Real& T) const noexcept {
+        const Row& row = panels_[index_.find(T)];
+        const Real x = (T - row.middle) * row.per_half;
+        std::array<Real, Count> value = row.coefficient[terms - 1];
+        for (std::size_t j = terms - 1; j > 0; --j)
+            for (std::size_t k = 0; k < Count; ++k) value[k] = value[k] * x + row.coefficient[j - 1][k];
+        return value;
+    }
+
+    [[nodiscard]] std::size_t panels() const { return panels_.size(); }
+
+private:
+    static constexpr std::size_t terms = Panel<Real, Count>::size;
+    struct Row {
+        Real middle{}, per_half{};
+        std::array<std::array<Real, Count>, terms> coefficient{};
+    };
+    std::vector<Row> panels_;
+    PanelIndex<Real> index_;
+};
+
+} // namespace resonform

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// A number of twice the precision of Real as an unevaluated sum high + low, |low| <= ulp(high)/2, with
+// the error-free sum of Knuth and product of Dekker (T. J. Dekker, Numer. Math. 18, 1971). Correct for
+// binary types that round to nearest; not under -ffast-math.
+//
+// It serves where doubling is cheap and single precision is not enough: phases of many turns.
+#pragma once
+
+#include "runtime/math.hpp"
+
+#include <type_traits>
+
+namespace resonform {
+
+template <class Real> struct Twice {
+    Real high{}, low{};
+
+    Twice() = default;
+    Twice(Real h, Real l) : high(h), low(l) {}
+    explicit Twice(const Real& x) : high(x), low(Real(0)) {}
+    template <class Number>
+    requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, Real>) explicit Twice(Number x)
+        : high(static_cast<Real>(x)), low(Real(0)) {} // exact up to 2^53
+    explicit operator Real() const { return high + low; }
+
+    // a + b with |a| >= |b|
+    static Twice sorted_sum(Real a, Real b) {
+        const Real s = a + b;
+        return {s, b - (s - a)};
+    }
+    static Twice sum(Real a, Real b) {
+        const Real s = a + b, part = s - a;
+        return {s, (a - (s - part)) + (b - part)};
+    }
+    static Twice product(Real a, Real b) {
+        const Real p = a * b;
+        const auto [a1, a0] = split(a);
+        const auto [b1, b0] = split(b);
+        return {p, ((a1 * b1 - p) + a1 * b0 + a0 * b1) + a0 * b0};
+    }
+
+    friend Twice operator-(const Twice& a) { return {-a.high, -a.low}; }
+    friend Twice operator+(const Twice& a, const Twice& b) {
+        const Twice s = sum(a.high, b.high), t = sum(a.low, b.low);
+        const Twice u = sorted_sum(s.high, s.low + t.high);
+        return sorted_sum(u.high, u.low + t.low);
+    }
+    friend Twice operator-(const Twice& a, const Twice& b) { return a + (-b); }
+    friend Twice operator*(const Twice& a, const Twice& b) {
+        const Twice p = product(a.high, b.high);
+        return sorted_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+    }
+    friend Twice operator/(const Twice& a, const Twice& b) {
+        const Real q1 = a.high / b.high;
+        const Twice r1 = a - b * Twice(q1);
+        const Real q2 = r1.high / b.high;
+        const Twice r2 = r1 - b * Twice(q2);
+        return sorted_sum(q1, q2) + Twice(r2.high / b.high);
+    }
+    friend bool operator==(const Twice& a, const Twice& b) { return a.high == b.high && a.low == b.low; }
+    friend bool operator<(const Twice& a, const Twice& b) {
+        return a.high < b.high || (a.high == b.high && a.low < b.low);
+    }
+    friend bool operator>(const Twice& a, const Twice& b) { return b < a; }
+
+private:
+    struct Halves {
+        Real upper, lower;
+    };
+    static Halves split(Real a) {
+        constexpr int half = (math::digits<Real> + 1) / 2;
+        static const Real factor = math::power(Real(2), half) + Real(1);
+        const Real scaled = factor * a;
+        const Real upper = scaled - (scaled - a);
+        return {upper, a - upper};
+    }
+};
+
+namespace math {
+template <class Real> inline constexpr int digits<Twice<Real>> = 2 * digits<Real>;
+} // namespace math
+
+// Elementary functions: a result of Real, corrected by Newton's method in twice the precision.
+
+template <class Real> Twice<Real> sqrt(const Twice<Real>& x) {
+    using math::sqrt;
+    if (!(x.high > Real(0))) return Twice<Real>(sqrt(x.high));
+    const Twice<Real> guess(sqrt(x.high));
+    return (guess + x / guess) * Twice<Real>(Real(1) / Real(2));
+}
+
+// Only as the first guess of math::root.
+template <class Real> Twice<Real> pow(const Twice<Real>& x, const Twice<Real>& y) {
+    using math::pow;
+    return Twice<Real>(pow(x.high, y.high));
+}
+
+// exp(x) = exp(x/2^m)^(2^m), the inner one by its series.
+template <class Real> Twice<Real> exp(const Twice<Real>& x) {
+    using math::exp;
+    if (!math::finite(x.high) || !math::finite(Real(exp(x.high)))) return Twice<Real>(exp(x.high));
+    int halvings = 8;
+    for (Real size = math::magnitude(x.high); size > Real(1); size = size / Real(2)) ++halvings;
+    const Twice<Real> small = x / Twice<Real>(math::power(Real(2), halvings));
+    Twice<Real> less_one(Real(0)), term(Real(1)); // exp(small) - 1 keeps its leading digits
+    for (int n = 1; n <= math::digits<Real> / 4 + 4; ++n) {
+        term = term * small / Twice<Real>(n);
+        less_one = less_one + term;
+    }
+    for (int i = 0; i < halvings; ++i) less_one = less_one * (less_one + Twice<Real>(2));
+    return less_one + Twice<Real>(1);
+}
+
+template <class Real> Twice<Real> log(const Twice<Real>& x) {
+    using math::log;
+    const Twice<Real> guess(log(x.high));
+    if (!math::finite(guess.high)) return guess;
+    return guess + (x * exp(-guess) - Twice<Real>(1));
+}
+
+template <class Real> Twice<Real> asinh(const Twice<Real>& x) {
+    const Twice<Real> size = math::magnitude(x);
+    const Twice<Real> result = log(size + sqrt(size * size + Twice<Real>(1)));
+    return x < Twice<Real>(0) ? -result : result;
+}
+
+template <class Real> Twice<Real> hypot(const Twice<Real>& x, const Twice<Real>& y) {
+    return sqrt(x * x + y * y);
+}
+
+// {sin x, cos x} by series at x/2^m and m doublings that keep cos - 1; meant for |x| of a few turns.
+template <class Real> std::array<Twice<Real>, 2> sine_and_cosine(const Twice<Real>& x) {
+    using Number = Twice<Real>;
+    int halvings = 6;
+    for (Real size = math::magnitude(x.high); size > Real(1); size = size / Real(2)) ++halvings;
+    const Number small = x / Number(math::power(Real(2), halvings));
+    Number term = small, sine = small, cosine_less_one(Real(0));
+    for (int n = 2; n <= math::digits<Real> / 3 + 4; n += 2) {
+        term = -(term * small / Number(n));
+        cosine_less_one = cosine_less_one + term;
+        term = term * small / Number(n + 1);
+        sine = sine + term;
+    }
+    for (int i = 0; i < halvings; ++i) {
+        sine = Number(2) * sine * (Number(1) + cosine_less_one);
+        cosine_less_one = Number(2) * cosine_less_one * (Number(2) + cosine_less_one);
+    }
+    return {sine, Number(1) + cosine_less_one};
+}
+
+template <class Real> Twice<Real> sin(const Twice<Real>& x) { return sine_and_cosine(x)[0]; }
+template <class Real> Twice<Real> cos(const Twice<Real>& x) { return sine_and_cosine(x)[1]; }
+
+// One Newton step for the angle whose direction is (x, y).
+template <class Real> Twice<Real> atan2(const Twice<Real>& y, const Twice<Real>& x) {
+    using math::atan2;
+    const Twice<Real> guess(atan2(y.high, x.high));
+    const Twice<Real> radius = hypot(x, y);
+    if (!(radius > Twice<Real>(0)) || !math::finite(radius.high)) return guess;
+    const auto [sine, cosine] = sine_and_cosine(guess);
+    return guess + (y * cosine - x * sine) / radius;
+}
+
+} // namespace resonform
