@@ -9,6 +9,8 @@
 // Numbers pass from one type to another as unevaluated sums of three doubles.
 #pragma once
 
+#include "runtime/float128.hpp"
+
 #include <qd/dd_real.h>
 #include <quadmath.h>
 
@@ -18,7 +20,6 @@
 
 namespace resonform {
 
-__extension__ using Float128 = __float128;
 using DoubleDouble = dd_real;
 
 using Parts = std::array<double, 3>; // leading part first; their sum is the number

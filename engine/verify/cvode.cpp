@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/cvode.hpp"
+
+#include <cvode/cvode.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+constexpr long max_steps = 50'000'000;
+
+struct Problem {
+    BoundTape<double> rates;
+    std::string message; // what the library complained of last
+};
+
+int right_hand_side(realtype, N_Vector u, N_Vector rate, void* data) {
+    static_cast<Problem*>(data)->rates.evaluate(N_VGetArrayPointer(u), N_VGetArrayPointer(rate));
+    const double* r = N_VGetArrayPointer(rate);
+    return std::all_of(r, r + N_VGetLength(rate), [](double x) { return std::isfinite(x); }) ? 0 : 1;
+}
+
+void keep_message(int code, const char*, const char*, char* text, void* data) {
+    if (code < 0) static_cast<Problem*>(data)->message = text;
+}
+
+// Owns what the library allocates; members are destroyed bottom up, the context last.
+class Solver {
+public:
+    Solver(Method method, Problem& problem, const std::vector<double>& start, double tolerance)
+        : size_(static_cast<sunindextype>(start.size())) {
+        SUNContext raw = nullptr;
+        SUNContext_Create(nullptr, &raw);
+        context_.reset(raw);
+        state_ = vector(start);
+        std::vector<double> absolute(start);
+        for (double& a : absolute) a = tolerance * (a == 0 ? 1.0 : std::abs(a));
+        dense_ = vector(absolute);
+        memory_.reset(CVodeCreate(method == Method::cvode_adams ? CV_ADAMS : CV_BDF, raw));
+        CVodeSetErrHandlerFn(memory_.get(), keep_message, &problem);
+        CVodeInit(memory_.get(), right_hand_side, 0.0, state_.get());
+        CVodeSVtolerances(memory_.get(), tolerance, dense_.get()); // copied
+        CVodeSetUserData(memory_.get(), &problem);
+        CVodeSetMaxNumSteps(memory_.get(), max_steps);
+        if (method == Method::cvode_adams) {
+            iteration_.reset(SUNNonlinSol_FixedPoint(state_.get(), 0, raw));
+            CVodeSetNonlinearSolver(memory_.get(), iteration_.get());
+        } else {
+            matrix_.reset(SUNDenseMatrix(size_, size_, raw));
+            linear_.reset(SUNLinSol_Dense(state_.get(), matrix_.get(), raw));
+            CVodeSetLinearSolver(memory_.get(), linear_.get(), matrix_.get());
+        }
+    }
+
+    // One internal step towards `end`; the time reached, or a failure code below 0.
+    int step(double end, double& reached) {
+        return CVode(memory_.get(), end, state_.get(), &reached, CV_ONE_STEP);
+    }
+    // The interpolant at a time inside the last step.
+    const double* value_at(double t) {
+        CVodeGetDky(memory_.get(), t, 0, dense_.get());
+        return N_VGetArrayPointer(dense_.get());
+    }
+    [[nodiscard]] double last_step() const {
+        double h = 0;
+        CVodeGetLastStep(memory_.get(), &h);
+        return h;
+    }
+    [[nodiscard]] std::size_t steps() const {
+        long n = 0;
+        CVodeGetNumSteps(memory_.get(), &n);
+        return static_cast<std::size_t>(n);
+    }
+    [[nodiscard]] std::size_t evaluations() const {
+        long n = 0;
+        CVodeGetNumRhsEvals(memory_.get(), &n);
+        return static_cast<std::size_t>(n);
+    }
+
+private:
+    struct FreeContext {
+        void operator()(SUNContext c) const { SUNContext_Free(&c); }
+    };
+    struct FreeMemory {
+        void operator()(void* m) const { CVodeFree(&m); }
+    };
+    using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, void (*)(N_Vector)>;
+    Vector vector(const std::vector<double>& values) {
+        Vector v(N_VNew_Serial(size_, context_.get()), N_VDestroy);
+        std::copy(values.begin(), values.end(), N_VGetArrayPointer(v.get()));
+        return v;
+    }
+
+    sunindextype size_;
+    std::unique_ptr<std::remove_pointer_t<SUNContext>, FreeContext> context_;
+    Vector state_{nullptr, N_VDestroy}, dense_{nullptr, N_VDestroy};
+    std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, int (*)(SUNNonlinearSolver)> iteration_{
+        nullptr, SUNNonlinSolFree};
+    std::unique_ptr<std::remove_pointer_t<SUNMatrix>, void (*)(SUNMatrix)> matrix_{nullptr, SUNMatDestroy};
+    std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, int (*)(SUNLinearSolver)> linear_{nullptr,
+                                                                                              SUNLinSolFree};
+    std::unique_ptr<void, FreeMemory> memory_;
+};
+
+} // namespace
+
+IntegrationResult integrate_cvode(Method method, BoundTape<double> rates, const std::vector<double>& start,
+                                  const std::vector<double>& times, double tolerance) {
+    const auto begin = std::chrono::steady_clock::now();
+    IntegrationResult result;
+    result.values.assign(start.size(), std::vector<double>(times.size(), 0.0));
+    Problem problem{std::move(rates), ""};
+    Solver solver(method, problem, start, tolerance);
+    std::size_t next = 0;
+    const auto store = [&](const double* values) {
+        for (std::size_t i = 0; i < start.size(); ++i) result.values[i][next] = values[i];
+        ++next;
+    };
+    while (next < times.size() && times[next] <= 0) store(start.data());
+    while (next < times.size()) {
+        double reached = 0;
+        const int code = solver.step(times.back(), reached);
+        if (code < 0) {
+            result.failure =
+                problem.message.empty() ? fmt::format("CVode returned {}", code) : problem.message;
+            break;
+        }
+        // The library goes on with steps that no longer move the time, and only warns.
+        if (solver.last_step() <= 4e-16 * reached) {
+            result.failure = fmt::format("the step vanishes near t = {:.6g}", reached);
+            break;
+        }
+        while (next < times.size() && times[next] <= reached) store(solver.value_at(times[next]));
+    }
+    result.steps = solver.steps();
+    result.evaluations = solver.evaluations();
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+} // namespace resonform

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/tape.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+namespace {
+
+constexpr std::array<const char*, 17> op_names{
+    "add",     "subtract",  "multiply",   "scale",     "square", "divide", "sqrt", "power", "exp",
+    "sin_cos", "sinh_cosh", "tan_secant", "tanh_sech", "log",    "asin",   "acos", "atan"};
+
+std::string line(const Tape::Step& s) {
+    return fmt::format("{} {} {} {}\n", op_names[static_cast<std::size_t>(s.op)], s.result, s.left, s.right);
+}
+
+} // namespace
+
+std::string Tape::text() const {
+    std::string out = fmt::format("tape {} {} {} {}\n", parameters_, constants_, states_, registers_);
+    for (const Number& n : numbers_)
+        out += fmt::format("number {} {:a} {:a} {:a}\n", n.target, n.value[0], n.value[1], n.value[2]);
+    for (const Step& s : prologue_) out += line(s);
+    out += "body\n";
+    for (const Step& s : body_) out += line(s);
+    for (int r : outputs_) out += fmt::format("output {}\n", r);
+    return out;
+}
+
+template <class Real> void run(const Tape::Step& step, Real* registers) {
+    using Op = Tape::Op;
+    using M = Math<Real>;
+    const Real& left = registers[step.left];
+    const Real& right = registers[step.right];
+    Real* result = registers + step.result;
+    switch (step.op) {
+    case Op::add: *result = left + right; break;
+    case Op::subtract: *result = left - right; break;
+    case Op::multiply:
+    case Op::scale: *result = left * right; break;
+    case Op::square: *result = left * left; break;
+    case Op::divide: *result = left / right; break;
+    case Op::sqrt: *result = M::sqrt(left); break;
+    case Op::power: *result = M::pow(left, right); break;
+    case Op::exp: *result = M::exp(left); break;
+    case Op::sin_cos:
+        result[0] = M::sin(left);
+        result[1] = M::cos(left);
+        break;
+    case Op::sinh_cosh:
+        result[0] = M::sinh(left);
+        result[1] = M::cosh(left);
+        break;
+    case Op::tan_secant:
+        result[0] = M::tan(left);
+        result[1] = Real(1) + result[0] * result[0];
+        break;
+    case Op::tanh_sech:
+        result[0] = M::tanh(left);
+        result[1] = Real(1) - result[0] * result[0];
+        break;
+    case Op::log: *result = M::log(left); break;
+    case Op::asin: *result = M::asin(left); break;
+    case Op::acos: *result = M::acos(left); break;
+    case Op::atan: *result = M::atan(left); break;
+    }
+}
+
+template <class Real>
+BoundTape<Real>::BoundTape(const Tape& tape, const std::vector<Real>& parameters, Real eps)
+    : tape_(tape), registers_(static_cast<std::size_t>(tape.size()), Real(0)) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) registers_[i] = parameters[i];
+    registers_[static_cast<std::size_t>(tape_.parameter_count())] = eps;
+    for (const Tape::Number& n : tape_.numbers())
+        registers_[static_cast<std::size_t>(n.target)] = from_parts<Real>(n.value);
+    for (const Tape::Step& step : tape_.prologue()) run(step, registers_.data());
+}
+
+template <class Real> void BoundTape<Real>::evaluate(const Real* state, Real* outputs) {
+    Real* states = registers_.data() + tape_.constant_count();
+    for (int i = 0; i < tape_.state_count(); ++i) states[i] = state[i];
+    for (const Tape::Step& step : tape_.body()) run(step, registers_.data());
+    for (int r : tape_.outputs()) *outputs++ = registers_[static_cast<std::size_t>(r)];
+}
+
+template <class Real>
+std::vector<Real> evaluate_constants(const Tape& tape, const std::vector<Real>& parameters, Real eps) {
+    BoundTape<Real> bound(tape, parameters, eps);
+    std::vector<Real> values(tape.outputs().size(), Real(0));
+    bound.evaluate(nullptr, values.data());
+    return values;
+}
+
+template void run(const Tape::Step&, double*);
+template void run(const Tape::Step&, long double*);
+template void run(const Tape::Step&, Float128*);
+template void run(const Tape::Step&, DoubleDouble*);
+template class BoundTape<double>;
+template class BoundTape<long double>;
+template class BoundTape<Float128>;
+template class BoundTape<DoubleDouble>;
+template std::vector<double> evaluate_constants(const Tape&, const std::vector<double>&, double);
+template std::vector<long double> evaluate_constants(const Tape&, const std::vector<long double>&,
+                                                     long double);
+template std::vector<Float128> evaluate_constants(const Tape&, const std::vector<Float128>&, Float128);
+template std::vector<DoubleDouble> evaluate_constants(const Tape&, const std::vector<DoubleDouble>&,
+                                                      DoubleDouble);
+
+} // namespace resonform

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GiNaC expressions -> Tape. Operands of sums and products are taken in the order of a spelling made
+// here, because GiNaC's own order changes from run to run and with it the rounding.
+#include "verify/tape.hpp"
+
+#include "algebra/error.hpp"
+
+#include <cln/cln.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <tuple>
+
+namespace resonform {
+
+namespace {
+
+using Op = Tape::Op;
+
+cln::cl_RA exact(const GiNaC::numeric& n) { return cln::the<cln::cl_RA>(n.to_cl_N()); }
+
+bool is_rational(const GiNaC::ex& e) {
+    return GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_rational();
+}
+bool is_integer(const GiNaC::ex& e) {
+    return GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_integer();
+}
+bool is_negative_number(const GiNaC::ex& e) {
+    return is_rational(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_negative();
+}
+
+// Leading double, then the leading double of what is left, twice.
+Parts split(cln::cl_RA value) {
+    Parts parts{};
+    for (double& part : parts) {
+        part = cln::double_approx(value);
+        if (!std::isfinite(part))
+            refuse({"a number of the equations lies within the range of double precision",
+                    "a number beyond 1e308",
+                    "rescale the equations",
+                    {}});
+        value = value - cln::rational(cln::cl_DF(part));
+    }
+    return parts;
+}
+
+} // namespace
+
+class TapeBuilder {
+public:
+    TapeBuilder(const System& system, const std::vector<GiNaC::symbol>& states) {
+        for (const Parameter& p : system.parameters) constants_symbol(p.symbol);
+        tape_.parameters_ = constants_;
+        constants_symbol(system.eps);
+        for (const GiNaC::symbol& s : states) known_[s] = {true, tape_.states_++};
+        varying_ = tape_.states_;
+    }
+
+    Tape build(const std::vector<GiNaC::ex>& expressions) {
+        std::vector<Value> outputs;
+        for (const GiNaC::ex& e : expressions) outputs.push_back(lower(e));
+        finish(outputs);
+        return std::move(tape_);
+    }
+
+private:
+    // A register of its own numbering: constants and varying values are counted apart until finish().
+    struct Value {
+        bool varying = false;
+        int index = 0;
+        friend auto operator<=>(const Value&, const Value&) = default;
+    };
+    struct LooseStep {
+        Op op;
+        Value result, left, right;
+    };
+    using Exponents = std::vector<std::pair<GiNaC::ex, GiNaC::ex>>;
+
+    void constants_symbol(const GiNaC::symbol& s) { known_[s] = {false, constants_++}; }
+
+    Value number(const cln::cl_RA& value, const std::string& spelling) {
+        const auto [at, fresh] = numbers_.try_emplace(spelling, Value{false, constants_});
+        if (fresh) tape_.numbers_.push_back({constants_++, split(value)});
+        return at->second;
+    }
+    Value integer(long n) { return number(cln::cl_I(n), std::to_string(n)); }
+
+    // One operation; an equal one is not repeated.
+    Value step(Op op, Value left, Value right, int results = 1) {
+        if ((op == Op::add || op == Op::multiply) && right < left) std::swap(left, right);
+        if (op == Op::multiply && left == right) op = Op::square;
+        if (op == Op::multiply && !left.varying && right.varying) op = Op::scale;
+        const auto [at, fresh] = steps_.try_emplace(std::tuple(op, left, right));
+        if (!fresh) return at->second;
+        const bool varying = left.varying || right.varying;
+        int& count = varying ? varying_ : constants_;
+        at->second = {varying, count};
+        count += results;
+        (varying ? body_ : prologue_).push_back({op, at->second, left, right});
+        return at->second;
+    }
+    Value step(Op op, Value operand, int results = 1) { return step(op, operand, operand, results); }
+    static Value second(Value v) { return {v.varying, v.index + 1}; }
+
+    Value multiply(Value a, Value b) { return step(Op::multiply, a, b); }
+    Value divide(Value a, Value b) {
+        if (a.varying && !b.varying) return multiply(step(Op::divide, integer(1), b), a);
+        return step(Op::divide, a, b);
+    }
+
+    // A spelling that depends on the expression alone: operands of + and * sorted by their spellings.
+    const std::string& spelling(const GiNaC::ex& e);
+    std::vector<GiNaC::ex> sorted_operands(const GiNaC::ex& e);
+
+    Value lower(const GiNaC::ex& e);
+    Value lower_fresh(const GiNaC::ex& e);
+    Value lower_sum(const GiNaC::ex& e);
+    Value lower_product(const GiNaC::ex& e);
+    Value product(const std::vector<Value>& factors);
+    Value lower_power(const GiNaC::ex& base, const GiNaC::ex& exponent);
+    Value integer_power(Value base, unsigned long exponent);
+    Value lower_function(const GiNaC::function& f);
+    void finish(const std::vector<Value>& outputs);
+
+    Tape tape_;
+    int constants_ = 0, varying_ = 0;
+    std::map<GiNaC::ex, Value, GiNaC::ex_is_less> known_; // symbols, then everything lowered
+    std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> spellings_;
+    std::map<std::string, Value> numbers_;
+    std::map<std::tuple<Op, Value, Value>, Value> steps_;
+    std::vector<LooseStep> prologue_, body_;
+};
+
+const std::string& TapeBuilder::spelling(const GiNaC::ex& e) {
+    const auto found = spellings_.find(e);
+    if (found != spellings_.end()) return found->second;
+    std::string text;
+    if (e.nops() == 0) {
+        // A symbol is spelled by its place in the file: names alone need not differ.
+        std::ostringstream out;
+        const auto symbol = known_.find(e);
+        if (GiNaC::is_a<GiNaC::symbol>(e) && symbol != known_.end())
+            out << (symbol->second.varying ? "state" : "constant") << symbol->second.index;
+        else
+            out << e;
+        text = out.str();
+    } else {
+        std::vector<std::string> operands;
+        for (const GiNaC::ex& operand : e) operands.push_back(spelling(operand));
+        const bool commutes = GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e);
+        if (commutes) std::sort(operands.begin(), operands.end());
+        text = "(" + (GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name()
+                      : GiNaC::is_a<GiNaC::add>(e)    ? "+"
+                      : GiNaC::is_a<GiNaC::mul>(e)    ? "*"
+                                                      : "^");
+        for (const std::string& operand : operands) text += " " + operand;
+        text += ")";
+    }
+    return spellings_.emplace(e, std::move(text)).first->second;
+}
+
+std::vector<GiNaC::ex> TapeBuilder::sorted_operands(const GiNaC::ex& e) {
+    std::vector<GiNaC::ex> operands(e.begin(), e.end());
+    std::sort(operands.begin(), operands.end(),
+              [this](const GiNaC::ex& a, const GiNaC::ex& b) { return spelling(a) < spelling(b); });
+    return operands;
+}
+
+TapeBuilder::Value TapeBuilder::lower(const GiNaC::ex& e) {
+    const auto found = known_.find(e);
+    if (found != known_.end()) return found->second;
+    const Value value = lower_fresh(e);
+    known_.emplace(e, value);
+    return value;
+}
+
+TapeBuilder::Value TapeBuilder::lower_fresh(const GiNaC::ex& e) {
+    if (is_rational(e)) return number(exact(GiNaC::ex_to<GiNaC::numeric>(e)), spelling(e));
+    if (e.is_equal(GiNaC::Pi)) return number(cln::rational(cln::pi(cln::float_format(60))), "pi");
+    if (GiNaC::is_a<GiNaC::add>(e)) return lower_sum(e);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return lower_product(e);
+    if (GiNaC::is_a<GiNaC::power>(e)) return lower_power(e.op(0), e.op(1));
+    if (GiNaC::is_a<GiNaC::function>(e)) return lower_function(GiNaC::ex_to<GiNaC::function>(e));
+    refuse({"direct integration knows numbers, symbols, + - * / ^ and elementary functions",
+            spelling(e),
+            "write the equation with these",
+            {}});
+}
+
+TapeBuilder::Value TapeBuilder::lower_sum(const GiNaC::ex& e) {
+    // Positive terms first, so that a - b is one subtraction and no term is negated.
+    std::vector<Value> plus, minus;
+    for (const GiNaC::ex& term : sorted_operands(e)) {
+        const bool product = GiNaC::is_a<GiNaC::mul>(term);
+        const bool negative = is_negative_number(product ? term.op(term.nops() - 1) : term);
+        (negative ? minus : plus).push_back(lower(negative ? GiNaC::ex(-term) : term));
+    }
+    Value sum = plus.empty() ? integer(0) : plus.front();
+    for (std::size_t i = 1; i < plus.size(); ++i) sum = step(Op::add, sum, plus[i]);
+    for (const Value& term : minus) sum = step(Op::subtract, sum, term);
+    return sum;
+}
+
+TapeBuilder::Value TapeBuilder::lower_product(const GiNaC::ex& e) {
+    std::vector<Value> above, below;
+    for (const GiNaC::ex& factor : sorted_operands(e)) {
+        if (GiNaC::is_a<GiNaC::power>(factor) && is_negative_number(factor.op(1)))
+            below.push_back(lower_power(factor.op(0), -factor.op(1)));
+        else
+            above.push_back(lower(factor));
+    }
+    const Value numerator = product(above);
+    return below.empty() ? numerator : divide(numerator, product(below));
+}
+
+// Constants are multiplied among themselves first: once, not per evaluation.
+TapeBuilder::Value TapeBuilder::product(const std::vector<Value>& factors) {
+    const Value one = integer(1);
+    Value constant = one, varying = one;
+    for (const Value& f : factors) {
+        Value& into = f.varying ? varying : constant;
+        into = into == one ? f : multiply(into, f);
+    }
+    if (varying == one) return constant;
+    return constant == one ? varying : multiply(constant, varying);
+}
+
+TapeBuilder::Value TapeBuilder::lower_power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
+    if (is_negative_number(exponent)) return divide(integer(1), lower_power(base, -exponent));
+    const Value b = lower(base);
+    if (is_integer(exponent))
+        return integer_power(b, static_cast<unsigned long>(GiNaC::ex_to<GiNaC::numeric>(exponent).to_long()));
+    if (exponent.is_equal(GiNaC::ex(1) / 2)) return step(Op::sqrt, b);
+    const Value x = lower(exponent);
+    if (!x.varying) return step(Op::power, b, x);
+    const Value logarithm = step(Op::log, b);
+    return step(Op::exp, multiply(x, logarithm));
+}
+
+TapeBuilder::Value TapeBuilder::integer_power(Value base, unsigned long exponent) {
+    if (exponent == 0) return integer(1);
+    if (exponent == 1) return base;
+    const Value half = integer_power(base, exponent / 2);
+    const Value square = step(Op::square, half);
+    return exponent % 2 == 0 ? square : multiply(square, base);
+}
+
+TapeBuilder::Value TapeBuilder::lower_function(const GiNaC::function& f) {
+    const std::string name = f.get_name();
+    const Value a = lower(f.op(0));
+    const auto one_minus_square = [&] { return step(Op::subtract, integer(1), step(Op::square, a)); };
+    if (name == "sin") return step(Op::sin_cos, a, 2);
+    if (name == "cos") return second(step(Op::sin_cos, a, 2));
+    if (name == "sinh") return step(Op::sinh_cosh, a, 2);
+    if (name == "cosh") return second(step(Op::sinh_cosh, a, 2));
+    if (name == "tan") return step(Op::tan_secant, a, 2);
+    if (name == "tanh") return step(Op::tanh_sech, a, 2);
+    if (name == "exp") return step(Op::exp, a);
+    if (name == "log") return step(Op::log, a);
+    if (name == "asin") return step(Op::asin, a, step(Op::sqrt, one_minus_square()));
+    if (name == "acos")
+        return step(Op::acos, a, step(Op::subtract, integer(0), step(Op::sqrt, one_minus_square())));
+    if (name == "atan") return step(Op::atan, a, step(Op::add, integer(1), step(Op::square, a)));
+    refuse({"direct integration knows sin cos tan exp log sqrt sinh cosh tanh asin acos atan",
+            name,
+            "write the equation with these",
+            {}});
+}
+
+void TapeBuilder::finish(const std::vector<Value>& outputs) {
+    const auto place = [this](const Value& v) { return v.varying ? constants_ + v.index : v.index; };
+    const auto settle = [&](const std::vector<LooseStep>& from, std::vector<Tape::Step>& to) {
+        for (const LooseStep& s : from) to.push_back({s.op, place(s.result), place(s.left), place(s.right)});
+    };
+    settle(prologue_, tape_.prologue_);
+    settle(body_, tape_.body_);
+    for (const Value& v : outputs) tape_.outputs_.push_back(place(v));
+    tape_.constants_ = constants_;
+    tape_.registers_ = constants_ + varying_;
+}
+
+Tape Tape::rates(const FirstOrderSystem& system) {
+    std::vector<GiNaC::symbol> states;
+    std::vector<GiNaC::ex> rates;
+    for (const State& s : system.states) {
+        states.push_back(s.symbol);
+        rates.push_back(s.rate);
+    }
+    return TapeBuilder(*system.system, states).build(rates);
+}
+
+Tape Tape::constants(const System& system, const std::vector<GiNaC::ex>& expressions) {
+    return TapeBuilder(system, {}).build(expressions);
+}
+
+} // namespace resonform

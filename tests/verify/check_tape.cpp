@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tapes: values against GiNaC's own evaluation, Taylor coefficients against GiNaC's derivatives.
+#include "first_order.hpp"
+#include "verify/taylor_jet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace resonform {
+namespace {
+
+struct FunctionCase {
+    const char* name;
+    GiNaC::ex (*make)(const GiNaC::ex& u);
+};
+
+// u runs through 0.3 + t: inside every domain, and no function is at a special point.
+const std::vector<FunctionCase>& function_cases() {
+    static const std::vector<FunctionCase> cases{
+        {"sum and product",
+         [](const GiNaC::ex& u) -> GiNaC::ex { return (3 * u - 2) * (1 - 5 * u * u) + u; }},
+        {"quotient", [](const GiNaC::ex& u) -> GiNaC::ex { return (1 - u) / (2 + u * u); }},
+        {"integer power", [](const GiNaC::ex& u) -> GiNaC::ex { return pow(u - 2, 7) + pow(u, -3); }},
+        {"square root", [](const GiNaC::ex& u) -> GiNaC::ex { return sqrt(1 + u * u); }},
+        {"rational power", [](const GiNaC::ex& u) -> GiNaC::ex { return pow(1 + u, GiNaC::numeric(-5, 3)); }},
+        {"general power", [](const GiNaC::ex& u) -> GiNaC::ex { return pow(1 + u, sin(u)); }},
+        {"sin", [](const GiNaC::ex& u) -> GiNaC::ex { return sin(2 * u); }},
+        {"cos", [](const GiNaC::ex& u) -> GiNaC::ex { return cos(u * u); }},
+        {"tan", [](const GiNaC::ex& u) -> GiNaC::ex { return tan(u); }},
+        {"exp", [](const GiNaC::ex& u) -> GiNaC::ex { return exp(-u * u); }},
+        {"log", [](const GiNaC::ex& u) -> GiNaC::ex { return log(1 + 3 * u); }},
+        {"sinh", [](const GiNaC::ex& u) -> GiNaC::ex { return sinh(u); }},
+        {"cosh", [](const GiNaC::ex& u) -> GiNaC::ex { return cosh(2 * u); }},
+        {"tanh", [](const GiNaC::ex& u) -> GiNaC::ex { return tanh(u); }},
+        {"asin", [](const GiNaC::ex& u) -> GiNaC::ex { return asin(u); }},
+        {"acos", [](const GiNaC::ex& u) -> GiNaC::ex { return acos(u / 2); }},
+        {"atan", [](const GiNaC::ex& u) -> GiNaC::ex { return atan(3 * u); }},
+        {"pi and a large rational",
+         [](const GiNaC::ex& u) -> GiNaC::ex {
+             return GiNaC::Pi * u + GiNaC::numeric("123456789123456789/7");
+         }},
+    };
+    return cases;
+}
+
+double number(const GiNaC::ex& e) { return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double(); }
+
+TEST(TapeFunctions, TaylorCoefficientsAreDerivativesOverFactorials) {
+    constexpr int order = 8;
+    for (const FunctionCase& c : function_cases()) {
+        test::Builder b;
+        const GiNaC::symbol u = b.state("u");
+        b.state("w");
+        const FirstOrderSystem system = b.build({GiNaC::ex(1), c.make(u)}); // u' = 1, w' = f(u)
+        const BoundTape<double> tape(Tape::rates(system), {}, 0.0);
+        TaylorJet<double> jet(tape, order);
+        jet.expand({0.3, 0.0});
+        double factorial = 1;
+        for (int n = 0; n < order; ++n) {
+            if (n > 0) factorial *= n;
+            const double expected =
+                number(c.make(u).diff(u, static_cast<unsigned>(n)).subs(u == 0.3)) / factorial;
+            EXPECT_NEAR(jet.coefficients(1)[n + 1] * (n + 1), expected,
+                        2e-12 * std::max(1.0, std::abs(expected)))
+                << c.name << ", derivative " << n;
+        }
+    }
+}
+
+template <class Real> class TapeTypes : public testing::Test {};
+using RealTypes = testing::Types<double, long double, Float128, DoubleDouble>;
+TYPED_TEST_SUITE(TapeTypes, RealTypes);
+
+// sin^2 + cos^2 = 1, exp(log u) = u, ... in every type to its own precision.
+TYPED_TEST(TapeTypes, IdentitiesHoldToThePrecisionOfTheType) {
+    using Real = TypeParam;
+    test::Builder b;
+    const GiNaC::symbol u = b.parameter("u");
+    const GiNaC::ex e = b.eps();
+    const std::vector<GiNaC::ex> zero{pow(sin(u), 2) + pow(cos(u), 2) - 1,
+                                      exp(log(u)) - u,
+                                      tan(atan(u)) - u,
+                                      sin(asin(u / 2)) - u / 2,
+                                      cos(acos(u / 2)) - u / 2,
+                                      pow(cosh(u), 2) - pow(sinh(u), 2) - 1,
+                                      pow(sqrt(1 + e), 2) - 1 - e,
+                                      tanh(u) * cosh(u) - sinh(u)};
+    const std::vector<Real> values =
+        evaluate_constants<Real>(Tape::constants(b.system(), zero), {Real(7) / Real(10)}, Real(1) / Real(3));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_LE(std::abs(to_double_value(values[i])), 16 * RealTraits<Real>::roundoff()) << zero[i];
+}
+
+TYPED_TEST(TapeTypes, NumbersPassBetweenTypesWithoutLoss) {
+    using Real = TypeParam;
+    const Real third = Real(1) / Real(3);
+    EXPECT_TRUE(convert<Real>(convert<Float128>(third)) == third);
+    EXPECT_EQ(to_double_value(third), 1.0 / 3);
+}
+
+TEST(Tape, SharesEqualSubexpressionsAndFoldsConstants) {
+    const Tape tape = Tape::rates(test::almost_holonomic_pendulum());
+    int roots = 0, pairs = 0;
+    for (const Tape::Step& s : tape.body()) {
+        roots += s.op == Tape::Op::sqrt;
+        pairs += s.op == Tape::Op::sin_cos;
+    }
+    EXPECT_EQ(roots, 1);
+    EXPECT_EQ(pairs, 1);
+    EXPECT_FALSE(tape.prologue().empty()); // eps*v, r^2
+}
+
+TEST(Tape, TextDoesNotDependOnTheOrderInWhichGinacSorts) {
+    const auto make = [] {
+        test::Builder b;
+        const GiNaC::symbol x = b.state("x"), y = b.state("y"), z = b.state("z");
+        return Tape::rates(b.build({x * y * z + x / y + y / z + z / x, sin(x + y + z) - x * exp(y - z), -x}));
+    };
+    const std::string first = make().text();
+    std::vector<GiNaC::symbol> spacers; // shifts the serial numbers by which GiNaC orders symbols
+    for (int i = 0; i < 50; ++i) {
+        spacers.emplace_back("spacer");
+        EXPECT_EQ(make().text(), first);
+    }
+}
+
+TEST(Tape, RefusesWhatItCannotIntegrate) {
+    test::Builder b;
+    const GiNaC::symbol x = b.state("x");
+    const FirstOrderSystem system = b.build({GiNaC::tgamma(x)});
+    try {
+        Tape::rates(system);
+        FAIL() << "tgamma was accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.diagnostic().value, "tgamma");
+        EXPECT_EQ(error.diagnostic().rule,
+                  "direct integration knows sin cos tan exp log sqrt sinh cosh tanh asin acos atan");
+    }
+}
+
+} // namespace
+} // namespace resonform
