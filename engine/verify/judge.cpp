@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/judge.hpp"
+
+#include "algebra/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace resonform {
+
+namespace {
+
+constexpr double above_floor = 100;       // a rung this far above its floor is polluted by 1 % at most
+constexpr double near_integer = 0.3;      // a slope this close to an integer names it
+constexpr double one_slope = 0.05;        // local slopes this close are one straight line
+constexpr double settled_distance = 0.02; // of the last slopes from their integer and from each other
+
+struct Point {
+    double eps, error;
+};
+
+bool usable(const LadderRung& rung) {
+    const double limit = above_floor * std::max(rung.reference_error, rung.floor);
+    return std::isfinite(rung.max_error) && rung.max_error > 0 && rung.max_error >= limit;
+}
+
+// The rungs that can be read: from the first usable one down to where the floor is met.
+std::vector<Point> usable_points(const std::vector<LadderRung>& ladder) {
+    std::vector<Point> points;
+    for (const LadderRung& rung : ladder) {
+        if (usable(rung))
+            points.push_back({to_double(rung.eps), rung.max_error});
+        else if (!points.empty())
+            break;
+    }
+    return points;
+}
+
+double slope_between(const Point& a, const Point& b) {
+    return std::log(a.error / b.error) / std::log(a.eps / b.eps);
+}
+
+std::vector<double> slopes_of(const std::vector<Point>& points) {
+    std::vector<double> slopes;
+    for (std::size_t i = 1; i < points.size(); ++i) slopes.push_back(slope_between(points[i - 1], points[i]));
+    return slopes;
+}
+
+// How many of the last slopes agree with the very last one.
+std::size_t straight_tail(const std::vector<double>& slopes) {
+    std::size_t n = 1;
+    while (n < slopes.size() && std::abs(slopes[slopes.size() - 1 - n] - slopes.back()) <= one_slope) ++n;
+    return n;
+}
+
+double least_squares_slope(const std::vector<Point>& points, std::size_t first) {
+    const double n = static_cast<double>(points.size() - first);
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (std::size_t i = first; i < points.size(); ++i) {
+        const double u = std::log(points[i].eps), w = std::log(points[i].error);
+        x += u;
+        y += w;
+        xx += u * u;
+        xy += u * w;
+    }
+    return (n * xy - x * y) / (n * xx - x * x);
+}
+
+// e = a eps^k + b eps^{k+1} has the local slope k + c m at the logarithmic mean m of its two eps:
+// the last two slopes are continued to m = 0.
+double extrapolated_slope(const std::vector<Point>& points, const std::vector<double>& slopes) {
+    const auto mean = [&points](std::size_t i) {
+        return (points[i].eps - points[i + 1].eps) / std::log(points[i].eps / points[i + 1].eps);
+    };
+    const std::size_t last = slopes.size() - 1;
+    const double m1 = mean(last), m2 = mean(last - 1);
+    return slopes[last] - (slopes[last - 1] - slopes[last]) * m1 / (m2 - m1);
+}
+
+// The limit of error/eps^order: the parabola in eps through the last three rungs, at 0.
+double limiting_constant(const std::vector<Point>& points, int order) {
+    double limit = 0;
+    const std::size_t first = points.size() - 3;
+    for (std::size_t i = first; i < points.size(); ++i) {
+        double weight = 1;
+        for (std::size_t j = first; j < points.size(); ++j)
+            if (j != i) weight *= points[j].eps / (points[j].eps - points[i].eps);
+        limit += weight * points[i].error / std::pow(points[i].eps, order);
+    }
+    return limit;
+}
+
+void undecided(OutputVerdict& output, std::string reason) {
+    output.verdict = Verdict::undecided;
+    output.reason = std::move(reason);
+}
+
+void judge_few(OutputVerdict& output, const std::vector<Point>& points) {
+    const bool finite = std::all_of(output.ladder.begin(), output.ladder.end(),
+                                    [](const LadderRung& r) { return std::isfinite(r.max_error); });
+    if (!finite) return undecided(output, "the evaluator refuses points of the interval: no error to judge");
+    if (points.empty() && !output.ladder.empty()) {
+        output.verdict = Verdict::pass;
+        output.found_order = output.claimed_order;
+        output.reason =
+            "the error stays below what the arithmetic can show at every eps: exact as far as can be seen";
+        return;
+    }
+    undecided(output, fmt::format("{} of {} rungs lie clear of the arithmetic's floor, 3 are needed",
+                                  points.size(), output.ladder.size()));
+}
+
+} // namespace
+
+void judge(OutputVerdict& output) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    output.slope = output.slope_low_eps = output.slope_high_eps = output.constant = none;
+    output.found_order = 0;
+    output.reason.clear();
+    output.local_slopes.clear();
+    for (std::size_t i = 1; i < output.ladder.size(); ++i) {
+        const LadderRung &a = output.ladder[i - 1], &b = output.ladder[i];
+        output.local_slopes.push_back(
+            slope_between({to_double(a.eps), a.max_error}, {to_double(b.eps), b.max_error}));
+    }
+    const std::vector<Point> points = usable_points(output.ladder);
+    if (points.size() < 3) return judge_few(output, points);
+
+    const std::vector<double> slopes = slopes_of(points);
+    const std::size_t tail = std::max<std::size_t>(straight_tail(slopes), 2);
+    const std::size_t first = points.size() - 1 - tail;
+    const bool straight = straight_tail(slopes) >= 3;
+    output.slope = straight ? least_squares_slope(points, first) : extrapolated_slope(points, slopes);
+    output.slope_low_eps = points.back().eps;
+    output.slope_high_eps = points[first].eps;
+    output.found_order = static_cast<int>(std::lround(output.slope));
+    output.constant = limiting_constant(points, output.found_order);
+
+    if (std::abs(output.slope - slopes.back()) > near_integer)
+        return undecided(
+            output, fmt::format("the slope still bends ({:.2f}, then {:.2f}) at eps = {:g}: add smaller eps",
+                                slopes[slopes.size() - 2], slopes.back(), points.back().eps));
+    if (std::abs(output.slope - output.found_order) > near_integer)
+        return undecided(output, fmt::format("the slope {:.2f} is not near an integer", output.slope));
+    const bool holds = output.found_order >= output.claimed_order;
+    output.verdict = holds ? Verdict::pass : Verdict::fail;
+    if (!holds)
+        output.reason =
+            fmt::format("claimed eps^{}, found eps^{}: max|error| -> {:.3g} eps^{}", output.claimed_order,
+                        output.found_order, output.constant, output.found_order);
+}
+
+bool settled(const OutputVerdict& output) {
+    const std::vector<Point> points = usable_points(output.ladder);
+    if (output.ladder.empty() || !usable(output.ladder.back())) return true; // the floor is reached
+    if (points.size() < 3) return false;
+    const std::vector<double> slopes = slopes_of(points);
+    const double last = slopes.back();
+    return std::abs(last - std::round(last)) <= settled_distance &&
+           std::abs(last - slopes[slopes.size() - 2]) <= 2 * settled_distance;
+}
+
+} // namespace resonform
