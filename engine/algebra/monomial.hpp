@@ -25,11 +25,17 @@ struct Monomial {
     friend auto operator<=>(const Monomial&, const Monomial&) = default;
 };
 
+// Both halves of a 128-bit product are folded together, so that fields at the top of a word reach the
+// low bits, which choose the slot of a hash table.
 struct MonomialHash {
     std::size_t operator()(const Monomial& m) const noexcept {
+        __extension__ typedef unsigned __int128 Wide;
         std::uint64_t h = 0x9E3779B97F4A7C15ULL;
-        for (std::uint64_t w : m.word) h = (h ^ w) * 0xBF58476D1CE4E5B9ULL + (h >> 29);
-        return static_cast<std::size_t>(h ^ (h >> 32));
+        for (std::uint64_t w : m.word) {
+            const Wide product = static_cast<Wide>(h ^ w) * 0xBF58476D1CE4E5B9ULL;
+            h = static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+        }
+        return static_cast<std::size_t>(h);
     }
 };
 
