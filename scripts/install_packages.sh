@@ -8,9 +8,9 @@ export LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive
 present() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
 missing=()
-while read -r package; do
+for package in $(sed -e 's/#.*//' "$@"); do
     present "$package" || missing+=("$package")
-done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@")
+done
 
 if [ ${#missing[@]} -eq 0 ]; then
     echo "== packages: all present"

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every mistake on the command line and in files: one message, exit code 2 or 3, nothing written.
+#include "support/shell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace resonform::test {
+
+namespace {
+
+const std::string scene = "systems/almost_holonomic_pendulum/scenes/third_order.toml";
+
+// What the command says on stderr, once: code, no output, one short message.
+std::string complaint(const std::string& command, int code = 2) {
+    const Outcome outcome = run(command, RESONFORM_SOURCE_DIR);
+    EXPECT_EQ(outcome.code, code) << command << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << command;
+    EXPECT_LE(outcome.err.size(), 2100U) << command;
+    EXPECT_EQ(outcome.err.compare(0, 11, "resonform: "), 0) << command << "\n" << outcome.err;
+    return outcome.err;
+}
+
+bool says(const std::string& text, const std::vector<std::string>& parts) {
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const std::string& part) { return text.find(part) != std::string::npos; });
+}
+
+} // namespace
+
+#define EXPECT_SAYS(text, ...) EXPECT_TRUE(says(text, __VA_ARGS__)) << (text)
+
+TEST(BadInput, CommandLine) {
+    EXPECT_SAYS(complaint("resonform"), {"a command is needed", "resonform --help"});
+    EXPECT_SAYS(complaint("resonform derve x"), {"derve", "did you mean derive?"});
+    EXPECT_SAYS(complaint("resonform derive"), {"SYSTEM", "required"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --ordr 3"),
+                {"--ordr", "did you mean --order?"});
+    EXPECT_SAYS(complaint("resonform derive a b"), {"b"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --order 3 --order 4"), {"--order"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --order"), {"--order"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --format txt"), {"txt", "text"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --stage normal"),
+                {"normal", "normal_form"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --stage solution --format maxima"),
+                {"maxima"});
+    EXPECT_SAYS(complaint("resonform verify " + scene + " --format yaml"), {"yaml", "text, json"});
+}
+
+TEST(BadInput, Orders) {
+    for (const char* order : {"0", "-1", "100", "3.5", "1e3", "''", "three", "99999999999999999999"})
+        EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --order " + std::string(order)),
+                    {"--order", "from 1 to 99"});
+    EXPECT_SAYS(complaint("resonform certify almost_holonomic_pendulum --order 0"),
+                {"--order", "from 1 to 99"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --stage solution --truncation 2"),
+                {"order <= truncation", "2", "--truncation 3"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --truncation 4"), {"--stage solution"});
+}
+
+TEST(BadInput, EpsAndTimes) {
+    for (const char* eps : {"0", "-0.1", "nan", "inf", "''", "0.1x", "1e999"})
+        EXPECT_SAYS(complaint("resonform evaluate " + scene + " --t 1 --eps=" + eps),
+                    {"--eps", "finite decimal number > 0"});
+    for (const char* times : {"''", "1,,2", "1,two", "1;2", ","})
+        EXPECT_SAYS(complaint("resonform evaluate " + scene + " --eps 0.1 --t=" + times),
+                    {"--t", "separated by commas"});
+}
+
+TEST(BadInput, MissingFiles) {
+    EXPECT_SAYS(complaint("resonform derive no_such_system"), {"no_such_system"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulun"), {"almost_holonomic_pendulum"});
+    EXPECT_SAYS(complaint("resonform verify systems/no/scenes/such.toml"), {"systems/no/scenes/such.toml"});
+    EXPECT_SAYS(complaint("resonform verify systems"), {"systems"});
+    EXPECT_SAYS(complaint("resonform derive README.md"), {"README.md"});
+}
+
+TEST(BadInput, OutputsThatCannotBeWritten) {
+    const Scratch scratch;
+    const std::string file = (scratch.path() / "file").string();
+    write(file, "in the way");
+    EXPECT_SAYS(complaint("resonform generate " + scene + " -o " + file + "/x.hpp"), {file, "folder"});
+    EXPECT_SAYS(complaint("resonform generate " + scene + " -o " + scratch.path().string()),
+                {"not a regular file"});
+    EXPECT_SAYS(complaint("resonform generate " + scene + " -o " + scratch.path().string() + "/no/x.hpp"),
+                {"folder"});
+    EXPECT_SAYS(complaint("resonform verify " + scene + " --report " + file), {file, "in the way"});
+    EXPECT_SAYS(complaint("resonform generate " + scene + " -o /dev/null"), {"not a regular file"});
+    EXPECT_EQ(read(file), "in the way");
+    const auto entries = std::filesystem::directory_iterator(scratch.path());
+    EXPECT_EQ(std::distance(begin(entries), end(entries)), 1) << "a half-written file was left";
+}
+
+TEST(BadInput, ResultsThatCannotBePrinted) {
+    const Outcome outcome =
+        run("resonform derive almost_holonomic_pendulum > /dev/full", RESONFORM_SOURCE_DIR);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_SAYS(outcome.err, {"standard output"});
+}
+
+} // namespace resonform::test

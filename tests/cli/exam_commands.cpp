@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each command on the first system: exit code, where output goes, the shape of its JSON.
+#include "support/shell.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace resonform::test {
+
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string scenes = "systems/almost_holonomic_pendulum/scenes/";
+
+std::string output_of(const std::string& command) {
+    const Outcome outcome = run(command, RESONFORM_SOURCE_DIR);
+    EXPECT_EQ(outcome.code, 0) << command << "\n" << outcome.err;
+    return outcome.out;
+}
+
+Json json_of(const std::string& command) { return Json::parse(output_of(command + " --format json")); }
+
+} // namespace
+
+TEST(Commands, HelpAndVersion) {
+    EXPECT_NE(output_of("resonform --help").find("Exit codes: 0 done"), std::string::npos);
+    EXPECT_EQ(output_of("resonform --version"), "resonform 0.1.0\n");
+    for (const char* command : {"derive", "generate", "verify", "certify", "compare", "stability",
+                                "regenerate", "list", "evaluate"})
+        EXPECT_NE(output_of(std::string("resonform ") + command + " --help").find("--format"),
+                  std::string::npos);
+}
+
+TEST(Commands, ListNamesSystemsAndScenes) {
+    const Json list = json_of("resonform list");
+    EXPECT_EQ(list["schema"], "resonform.list/1");
+    EXPECT_EQ(list["systems"][0]["name"], "almost_holonomic_pendulum");
+    EXPECT_EQ(list["systems"][0]["scenes"][0]["name"], "as_published");
+}
+
+TEST(Commands, DeriveInEveryStageAndFormat) {
+    for (const char* stage : {"equations", "expand", "normal_form", "solution"})
+        for (const char* format : {"text", "latex", "json"})
+            EXPECT_NE(output_of(std::string("resonform derive almost_holonomic_pendulum --stage ") + stage +
+                                " --format " + format),
+                      "");
+    const Json form = json_of("resonform derive almost_holonomic_pendulum --order 2");
+    EXPECT_EQ(form["schema"], "resonform.normal_form/1");
+    EXPECT_EQ(form["order"], 2);
+    EXPECT_EQ(form["certificate"]["holds"], true);
+    EXPECT_EQ(form["certificate"]["through_weight"], 2);
+}
+
+TEST(Commands, ASystemIsAFolderAFileOrAName) {
+    const std::string by_name = output_of("resonform derive almost_holonomic_pendulum");
+    EXPECT_EQ(output_of("resonform derive systems/almost_holonomic_pendulum"), by_name);
+    EXPECT_EQ(output_of("resonform derive systems/almost_holonomic_pendulum/system.toml"), by_name);
+}
+
+TEST(Commands, Certify) {
+    const Json certificate = json_of("resonform certify almost_holonomic_pendulum --order 4");
+    EXPECT_EQ(certificate["schema"], "resonform.certificate/1");
+    EXPECT_EQ(certificate["holds"], true);
+    EXPECT_EQ(certificate["through_weight"], 4);
+    EXPECT_LT(certificate["error_probability"].get<double>(), 1e-20);
+}
+
+TEST(Commands, EvaluateAnswersOutsideItsDomainWithAStatus) {
+    const Json values =
+        json_of("resonform evaluate " + scenes + "third_order.toml --eps 0.1 --t 0,10,nan,-1,11");
+    EXPECT_EQ(values["schema"], "resonform.values/1");
+    EXPECT_EQ(values["status"], Json({"ok", "ok", "bad_argument", "outside_interval", "outside_interval"}));
+    EXPECT_TRUE(values["outputs"]["psi"][2].is_null());
+    EXPECT_TRUE(values["t"][2].is_null());
+    // (23) at t = 0 with (24): y = C_Y + 1 - eps^2 (1 + 1)/2 + f_y, and f_y vanishes with xi and theta
+    EXPECT_NEAR(values["outputs"]["y"][0].get<double>(), 2 - 0.01, 1e-12);
+}
+
+TEST(Commands, EvaluatePrintsCsv) {
+    const std::string csv = output_of("resonform evaluate " + scenes + "xy_only.toml --eps 0.1 --t 0,-1");
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "t,x,y,status");
+    EXPECT_NE(csv.find("\n-1,,,outside_interval\n"), std::string::npos) << csv;
+}
+
+TEST(Commands, GenerateWritesTheCommittedHeader) {
+    const Scratch scratch;
+    const std::string file = (scratch.path() / "xy.hpp").string();
+    const Json made = json_of("resonform generate " + scenes + "xy_only.toml -o " + file);
+    EXPECT_EQ(made["schema"], "resonform.generation/1");
+    const auto committed =
+        std::filesystem::path(RESONFORM_SOURCE_DIR) / "generated/almost_holonomic_pendulum/xy_only.hpp";
+    EXPECT_EQ(read(file), read(committed));
+    EXPECT_EQ(output_of("resonform generate " + scenes + "xy_only.toml"), read(committed));
+}
+
+TEST(Commands, TheInlinedRuntimeIsWhole) {
+    const Scratch scratch;
+    write(scratch.path() / "main.cpp", "#include \"xy.hpp\"\nint main() {}\n");
+    output_of("resonform generate " + scenes + "xy_only.toml --inline-runtime -o " +
+              (scratch.path() / "xy.hpp").string());
+    const Outcome outcome =
+        run(RESONFORM_CXX_COMPILER " -std=c++20 -Wall -Wextra -Werror main.cpp -o main && ./main",
+            scratch.path());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST(Commands, SameInputSameBytes) {
+    for (const char* format : {"text", "latex", "json"}) {
+        const std::string command =
+            std::string("resonform derive almost_holonomic_pendulum --order 5 --format ") + format;
+        EXPECT_EQ(output_of(command), output_of(command));
+    }
+}
+
+} // namespace resonform::test
