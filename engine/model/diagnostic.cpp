@@ -21,6 +21,12 @@ Place place_of(const SourceText& source) {
     return place;
 }
 
+Place whole_file(const std::filesystem::path& file) {
+    Place place;
+    place.file = file.string();
+    return place;
+}
+
 Place place_at(const SourceText& source, std::string_view text, std::size_t offset) {
     Place place = place_of(source);
     if (!source.verbatim) return place;

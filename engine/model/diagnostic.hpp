@@ -5,6 +5,7 @@
 #include "algebra/error.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ struct SourceText {
 
 // The place of the whole text.
 Place place_of(const SourceText& source);
+
+// A file as a whole: for what is missing in it.
+Place whole_file(const std::filesystem::path& file);
 
 // The place of the byte `offset` of `text`; a text of several lines is followed to the right one.
 Place place_at(const SourceText& source, std::string_view text, std::size_t offset);

@@ -42,7 +42,8 @@ private:
     bool solve_a_single();
     void solve_the_rest();
     void find_unknowns(Pending& p) const;
-    void linearise(Pending& p) const; // fills coefficients and rest
+    // Fills coefficients and rest; or returns the variable in whose highest derivative it is not linear.
+    [[nodiscard]] std::optional<std::size_t> linearise(Pending& p) const;
     void check_coefficient(const Pending& p, const ex& coefficient) const;
     void substitute(std::size_t variable);
 
@@ -84,6 +85,29 @@ ex guarded(const Equation& equation, const std::function<ex()>& build) {
     bad_input(d);
 }
 
+using Row = std::vector<ex>; // coefficients of the unknowns, then the right-hand side
+
+// Gaussian elimination to the unit matrix; a pivot is an entry proved not to vanish. False: none is.
+bool eliminate(std::vector<Row>& rows) {
+    const std::size_t n = rows.size();
+    for (std::size_t column = 0; column < n; ++column) {
+        std::size_t pivot = column;
+        while (pivot < n && vanishes(rows[pivot][column]) != Zero::no) ++pivot;
+        if (pivot == n) return false;
+        std::swap(rows[column], rows[pivot]);
+        const ex divisor = rows[column][column];
+        for (std::size_t k = column; k <= n; ++k) rows[column][k] = (rows[column][k] / divisor).normal();
+        for (std::size_t other = 0; other < n; ++other) {
+            const ex factor = rows[other][column];
+            if (other == column || factor.is_zero()) continue;
+            for (std::size_t k = column; k <= n; ++k) {
+                rows[other][k] = (rows[other][k] - factor * rows[column][k]).normal();
+            }
+        }
+    }
+    return true;
+}
+
 std::vector<ex> HighestDerivatives::solve() {
     while (solve_a_single()) {
     }
@@ -104,12 +128,10 @@ void HighestDerivatives::find_unknowns(Pending& p) const {
              "write " + system_.variable(p.equation->variable)->jet.back().get_name() + " in this equation");
 }
 
-void HighestDerivatives::linearise(Pending& p) const {
-    const auto derivatives = [&] {
+std::optional<std::size_t> HighestDerivatives::linearise(Pending& p) const {
+    const auto nonlinear_in = [&]() -> std::optional<std::size_t> {
         p.coefficients.clear();
         for (std::size_t v : p.unknowns) p.coefficients.push_back(p.residual.diff(highest(v)));
-    };
-    const auto nonlinear_in = [&]() -> std::optional<std::size_t> {
         for (std::size_t v : p.unknowns) {
             for (const ex& c : p.coefficients) {
                 if (c.has(highest(v))) return v;
@@ -117,15 +139,14 @@ void HighestDerivatives::linearise(Pending& p) const {
         }
         return std::nullopt;
     };
-    derivatives();
     if (nonlinear_in()) { // perhaps only as written
         p.residual = p.residual.expand();
-        derivatives();
+        if (const auto v = nonlinear_in()) return v;
     }
-    if (const auto v = nonlinear_in()) complain_nonlinear(*p.equation, system_.variables[*v]);
     GiNaC::exmap zero;
     for (std::size_t v : p.unknowns) zero[highest(v)] = 0;
     p.rest = guarded(*p.equation, [&] { return p.residual.subs(zero); });
+    return std::nullopt;
 }
 
 void HighestDerivatives::check_coefficient(const Pending& p, const ex& coefficient) const {
@@ -141,13 +162,12 @@ void HighestDerivatives::check_coefficient(const Pending& p, const ex& coefficie
             place_of(p.equation->source)});
 }
 
-// The first equation with a single unknown gives it. False: every equation left has several.
+// The first equation that is linear in a single unknown gives it. False: there is none.
 bool HighestDerivatives::solve_a_single() {
     for (std::size_t i = 0; i < pending_.size(); ++i) {
         Pending& p = pending_[i];
         find_unknowns(p);
-        if (p.unknowns.size() != 1) continue;
-        linearise(p);
+        if (p.unknowns.size() != 1 || linearise(p)) continue;
         check_coefficient(p, p.coefficients.front());
         const std::size_t variable = p.unknowns.front();
         solved_[variable] =
@@ -166,17 +186,16 @@ void HighestDerivatives::substitute(std::size_t variable) {
     }
 }
 
-// Gaussian elimination by rows; a pivot is an entry proved not to vanish.
 void HighestDerivatives::solve_the_rest() {
     std::vector<std::size_t> unknowns;
     for (std::size_t v = 0; v < solved_.size(); ++v) {
         if (!solved_[v]) unknowns.push_back(v);
     }
     const std::size_t n = unknowns.size();
-    std::vector<std::vector<ex>> rows;
+    std::vector<Row> rows;
     for (Pending& p : pending_) {
-        linearise(p);
-        std::vector<ex> row(n + 1, ex(0));
+        if (const auto v = linearise(p)) complain_nonlinear(*p.equation, system_.variables[*v]);
+        Row row(n + 1, ex(0));
         for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
             const auto at = std::find(unknowns.begin(), unknowns.end(), p.unknowns[k]);
             row[static_cast<std::size_t>(at - unknowns.begin())] = p.coefficients[k];
@@ -184,25 +203,10 @@ void HighestDerivatives::solve_the_rest() {
         row[n] = -p.rest;
         rows.push_back(std::move(row));
     }
-    for (std::size_t column = 0; column < n; ++column) {
-        std::size_t pivot = column;
-        while (pivot < n && vanishes(rows[pivot][column]) != Zero::no) ++pivot;
-        if (pivot == n) {
-            complain(*pending_.front().equation, "the equations can be solved for the highest derivatives",
-                     "the determinant of their coefficients is zero", "correct the equations");
-        }
-        std::swap(rows[column], rows[pivot]);
-        for (ex& entry : rows[column]) {
-            if (&entry != &rows[column][column]) entry = (entry / rows[column][column]).normal();
-        }
-        rows[column][column] = 1;
-        for (std::size_t other = 0; other < n; ++other) {
-            const ex factor = rows[other][column];
-            if (other == column || factor.is_zero()) continue;
-            for (std::size_t k = column; k <= n; ++k) {
-                rows[other][k] = (rows[other][k] - factor * rows[column][k]).normal();
-            }
-        }
+    if (!eliminate(rows)) {
+        complain(*pending_.front().equation, "the equations can be solved for the highest derivatives",
+                 "the determinant of their coefficients is not known to differ from zero",
+                 "correct or simplify the equations");
     }
     for (std::size_t k = 0; k < n; ++k) solved_[unknowns[k]] = rows[k][n];
 }

@@ -29,9 +29,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 } // namespace
 
 std::string nearest(const std::string& name, const std::vector<std::string>& known) {
-    if (name.size() > longest_compared) return "";
+    if (name.empty() || name.size() > longest_compared) return "";
     std::string best;
-    std::size_t best_distance = 2 + name.size() / 3;
+    std::size_t best_distance = 2 + (name.size() - 1) / 3; // too far
     for (const std::string& candidate : known) {
         if (candidate.size() > longest_compared) continue;
         const std::size_t distance = edit_distance(name, candidate);

@@ -8,7 +8,7 @@
 namespace resonform {
 
 // The known name nearest to `name` by edit distance (insert, delete, replace, swap neighbours), at
-// most 1 + length/3 away; the first of equals; "" if there is none.
+// most 1 + (length - 1)/3 away; the first of equals; "" if there is none.
 //   nearest("oder", {"order", "outputs"}) = "order"
 std::string nearest(const std::string& name, const std::vector<std::string>& known);
 

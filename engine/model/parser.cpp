@@ -2,6 +2,7 @@
 #include "model/parser.hpp"
 
 #include "algebra/number.hpp"
+#include "model/zero_test.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +38,6 @@ ex apply(const std::string& function, const ex& x) {
 bool begins_operand(TokenKind kind) {
     return kind == TokenKind::number || kind == TokenKind::name || kind == TokenKind::open;
 }
-
-// Growth is bounded, so that expanding is cheap.
-bool vanishes(const ex& e) { return e.is_zero() || e.expand().is_zero(); }
 
 double log2_size(const numeric& n) { return n.numer().int_length() + n.denom().int_length(); }
 
@@ -85,21 +83,6 @@ ex Parser::equation() {
     expect_end(true);
     check_growth(of_sum(left.growth, right.growth), left.begin, right.end);
     return left.value - right.value;
-}
-
-void Parser::expect_end(bool equation) {
-    const Token& token = next();
-    if (token.kind == TokenKind::end) return;
-    if (token.kind == TokenKind::equals) {
-        if (equation)
-            complain(token.begin, token.end, "an equation has exactly one '='", "remove the second");
-        complain(token.begin, token.end, "an expression here has no '='", "give the value alone");
-    }
-    if (token.kind == TokenKind::comma) {
-        complain(token.begin, token.end, "a comma has no meaning in an expression",
-                 "write decimals with a point; functions take one argument");
-    }
-    complain(token.begin, token.end, "every ')' closes a '('", "remove it or add the '('");
 }
 
 // Addends are collected and added once: one by one would cost the square of their number.
@@ -176,7 +159,7 @@ Parser::Piece Parser::number() {
     if (digits_of(spelled) > static_cast<std::size_t>(limits_.digits)) {
         complain(token.begin, token.end,
                  "a number has at most " + std::to_string(limits_.digits) +
-                     " digits, those of its decimal exponent's zeros included",
+                     " digits, its decimal exponent included",
                  "write a shorter number, or a parameter in its place");
     }
     Piece piece;
@@ -247,7 +230,7 @@ Parser::Piece Parser::parenthesis() {
 }
 
 Parser::Piece Parser::reciprocal(const Piece& denominator) {
-    if (vanishes(denominator.value)) {
+    if (vanishes(denominator.value) == Zero::yes) {
         complain(denominator.begin, denominator.end, "a denominator is not zero",
                  "this expression is zero for all values: correct it");
     }
@@ -263,7 +246,7 @@ Parser::Piece Parser::raise(const Piece& base, const Piece& exponent) {
     piece.end = exponent.end;
     piece.growth = of_power(base.growth, n.to_double());
     check_growth(piece.growth, piece.begin, piece.end);
-    if (!n.is_positive() && vanishes(base.value)) {
+    if (!n.is_positive() && vanishes(base.value) == Zero::yes) {
         complain(piece.begin, piece.end, "zero is raised to positive powers only",
                  "the base is zero for all values: correct it");
     }
@@ -274,56 +257,6 @@ Parser::Piece Parser::raise(const Piece& base, const Piece& exponent) {
     }
     piece.value = evaluate(piece.begin, piece.end, [&] { return GiNaC::pow(base.value, n); });
     return piece;
-}
-
-numeric Parser::checked_exponent(const Piece& base, const Piece& exponent) {
-    if (!GiNaC::is_a<numeric>(exponent.value)) {
-        complain(exponent.begin, exponent.end, "an exponent is a rational number",
-                 "write exp(b*log(a)) for a^b with " + excerpt(text_, base.begin, base.end) + " as a");
-    }
-    const numeric n = GiNaC::ex_to<numeric>(exponent.value);
-    const numeric limit(limits_.exponent);
-    if (GiNaC::abs(n.numer()) > limit || n.denom() > limit) {
-        complain(exponent.begin, exponent.end,
-                 "an exponent is a fraction of integers of at most " + std::to_string(limits_.exponent),
-                 "use a smaller exponent");
-    }
-    return n;
-}
-
-void Parser::check_argument(const std::string& function, const Piece& argument) {
-    if (function == "log" && vanishes(argument.value)) {
-        complain(argument.begin, argument.end, "log has no value at zero", "correct the argument");
-    }
-    if (!GiNaC::is_a<numeric>(argument.value)) return;
-    const numeric x = GiNaC::ex_to<numeric>(argument.value);
-    const bool real = ((function != "log" && function != "sqrt") || !x.is_negative()) &&
-                      ((function != "asin" && function != "acos") || GiNaC::abs(x) <= numeric(1));
-    if (!real) {
-        complain(argument.begin, argument.end, function + " of this number is not real",
-                 "write the real value meant");
-    }
-}
-
-void Parser::check_growth(const Growth& growth, std::size_t begin, std::size_t end) {
-    // Negated comparisons, so that a bound that overflowed to NaN is refused too.
-    if (!(growth.bits <= limits_.bits)) {
-        complain(begin, end,
-                 "the numbers of an expression stay below 2^" +
-                     std::to_string(static_cast<long>(limits_.bits)) + " when it is expanded",
-                 "use smaller numbers or exponents");
-    }
-    if (!(growth.terms <= limits_.terms)) {
-        complain(begin, end,
-                 "an expression has at most " + std::to_string(static_cast<long>(limits_.terms)) +
-                     " terms when it is expanded",
-                 "use smaller exponents or fewer products of sums");
-    }
-    if (!(growth.degree <= limits_.degree)) {
-        complain(begin, end,
-                 "an expression is at most of degree " + std::to_string(static_cast<long>(limits_.degree)),
-                 "use smaller exponents");
-    }
 }
 
 ex Parser::evaluate(std::size_t begin, std::size_t end, const std::function<ex()>& build) {
@@ -341,67 +274,6 @@ bool Parser::accept(TokenKind kind) {
     if (next().kind != kind) return false;
     take();
     return true;
-}
-
-std::string Parser::spelling(const Token& token) const { return excerpt(text_, token.begin, token.end); }
-
-void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std::string mend) const {
-    bad_input(
-        {std::move(rule), excerpt(text_, begin, end), std::move(mend), place_at(source_, text_, begin)});
-}
-
-void Parser::missing_operand() const {
-    const Token& token = next();
-    if (tokens_.size() == 1) complain(0, 0, "an expression is not empty", "write one");
-    if (token.kind == TokenKind::comma) {
-        complain(token.begin, token.end, "a comma has no meaning in an expression",
-                 "write decimals with a point; functions take one argument");
-    }
-    if (at_ == 0) {
-        complain(token.begin, token.end, "an expression begins with a number, a name, a sign or '('",
-                 "write what stands before '" + spelling(token) + "'");
-    }
-    const Token& before = tokens_[at_ - 1];
-    complain(before.begin, token.end, "something stands after '" + spelling(before) + "'",
-             "write the missing number, name or '('");
-}
-
-void Parser::implicit_product() const {
-    const Token& left = tokens_[at_ - 1];
-    const Token& right = next();
-    complain(left.begin, right.end, "a product is written with '*'",
-             "write " + spelling(left) + "*" + spelling(right));
-}
-
-void Parser::unknown_name(const Token& token) const {
-    const std::string name(text_.substr(token.begin, token.name_end - token.begin));
-    if (scope_.find(name, 0) != nullptr) {
-        int highest = 0;
-        while (scope_.find(name, highest + 1) != nullptr) ++highest;
-        if (highest == 0) {
-            complain(token.begin, token.end, "'" + excerpt(name) + "' has no derivative here",
-                     "remove the primes");
-        }
-        complain(token.begin, token.end,
-                 "'" + excerpt(name) + "' has at most " + std::to_string(highest) + " primes here",
-                 "write fewer primes");
-    }
-    if (tokens_[at_ + 1].kind == TokenKind::open) {
-        complain(token.begin, token.end, "a function is one of the known ones",
-                 suggest(name, function_names()));
-    }
-    if (name == "E" || name == "e") {
-        complain(token.begin, token.end, "a symbol is declared before it is used", "write exp(1)");
-    }
-    complain(token.begin, token.end, "a symbol is declared before it is used", suggest(name, scope_.names()));
-}
-
-void Parser::enter(std::size_t at) {
-    if (++depth_ > limits_.depth) {
-        complain(at, at + 1,
-                 "parentheses, functions and powers nest at most " + std::to_string(limits_.depth) + " deep",
-                 "flatten the expression");
-    }
 }
 
 } // namespace resonform

@@ -4,6 +4,9 @@
 #include "model/scene_reader.hpp"
 #include "model/start_names.hpp"
 #include "model/toml_tree.hpp"
+#include "model/zero_test.hpp"
+
+#include <cmath>
 
 namespace resonform {
 
@@ -23,8 +26,38 @@ const StartValue* Scene::start_of(const std::string& canonical) const {
     return nullptr;
 }
 
+GiNaC::ex Scene::fixed(const GiNaC::ex& value) const {
+    GiNaC::exmap values;
+    for (const Parameter& p : system->parameters) {
+        const auto found = fix.find(p.name);
+        if (found != fix.end()) values[p.symbol] = GiNaC::numeric(cln::cl_N(found->second));
+    }
+    return value.subs(values);
+}
+
+Estimate Scene::estimate(const GiNaC::ex& value) const {
+    GiNaC::ex e;
+    try {
+        e = fixed(value);
+    } catch (const std::exception&) { // a denominator became zero
+        return Estimate::unbounded;
+    }
+    if (e.is_zero()) return Estimate::zero;
+    for (const Parameter& p : system->parameters) {
+        if (e.has(p.symbol)) return Estimate::unknown;
+    }
+    const Ball ball = evaluate(e, {{system->eps, GiNaC::numeric(1, 10)}});
+    if (ball.excludes_zero()) return ball.middle > 0 ? Estimate::positive : Estimate::negative;
+    return std::isfinite(ball.radius) ? Estimate::unknown : Estimate::unbounded;
+}
+
 Scene read_scene(const std::filesystem::path& file, const std::filesystem::path& systems) {
-    return SceneReader(read_toml(read_text(file), file), file, systems).read();
+    return read_scene_text(read_text(file), file, systems);
+}
+
+Scene read_scene_text(std::string_view toml, const std::filesystem::path& file,
+                      const std::filesystem::path& systems) {
+    return SceneReader(read_toml(toml, file), file, systems).read();
 }
 
 } // namespace resonform

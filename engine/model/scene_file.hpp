@@ -32,6 +32,15 @@ struct VerifyPlan {
     std::map<std::string, Verdict> expect;
 };
 
+// What is known of a value once [fix] is put in and eps is 0.1.
+enum class Estimate {
+    unknown,   // parameters are left, or rounding hides the sign
+    unbounded, // no parameter is left, but it is not finite in double precision
+    negative,
+    zero,
+    positive,
+};
+
 struct Scene {
     std::string name; // file stem
     std::string title;
@@ -48,10 +57,16 @@ struct Scene {
 
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
     [[nodiscard]] const StartValue* start_of(const std::string& canonical) const;
+    // An expression with the values of [fix] put in; GiNaC throws if a denominator becomes zero.
+    [[nodiscard]] GiNaC::ex fixed(const GiNaC::ex& value) const;
+    [[nodiscard]] Estimate estimate(const GiNaC::ex& value) const;
 };
 
 // The system is the one in the scene's parent's parent folder (systems/x/scenes/s.toml), else by the
 // name it gives, in `systems`.
+// Errors: bad_input for what breaks a rule of docs/file_formats.md, and those of read_system.
 Scene read_scene(const std::filesystem::path& file, const std::filesystem::path& systems);
+Scene read_scene_text(std::string_view toml, const std::filesystem::path& file,
+                      const std::filesystem::path& systems);
 
 } // namespace resonform

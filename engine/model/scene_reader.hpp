@@ -5,8 +5,6 @@
 #include "model/scene_file.hpp"
 #include "model/toml_tree.hpp"
 
-#include <set>
-
 namespace resonform {
 
 class SceneReader {
@@ -15,28 +13,10 @@ public:
     Scene read();
 
 private:
-    void find_and_read_system();
+    void read_system_of_scene();
     void read_orders();
     void read_outputs();
     void read_fix();
-    void read_start();
-    void read_verify();
-
-    void add_start_value(const TomlEntry& entry);
-    void check_start_domain(const StartValue& value) const;
-    void check_start_is_complete() const;
-    void check_fast_start(const Variable& variable) const;
-    void read_interval(const TomlNode* node);
-    void read_ladder(const TomlNode* node);
-    void read_claims(const TomlNode& verify);
-    void check_output(const TomlEntry& entry) const;
-    [[nodiscard]] bool has_start(const std::string& canonical) const {
-        return start_of(canonical) != nullptr;
-    }
-    [[nodiscard]] const StartValue* start_of(const std::string& c) const { return scene_.start_of(c); }
-    // An expression with the values of [fix] put in.
-    [[nodiscard]] GiNaC::ex fixed(const GiNaC::ex& value) const;
-    [[nodiscard]] Place whole_file() const;
 
     TomlNode root_;
     std::filesystem::path systems_;

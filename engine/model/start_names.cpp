@@ -5,17 +5,6 @@
 
 namespace resonform {
 
-namespace {
-
-std::string notation_of(const std::string& kind, const std::string& variable, const System& system) {
-    for (const Notation& entry : system.notation) {
-        if (entry.kind == kind && entry.variable == variable) return entry.name;
-    }
-    return kind + "." + variable;
-}
-
-} // namespace
-
 std::string canonical_start(const std::string& name, const System& system) {
     for (const Notation& entry : system.notation) {
         if (entry.name == name) return entry.kind + "." + entry.variable;
@@ -31,11 +20,18 @@ std::string canonical_start(const std::string& name, const System& system) {
     return "";
 }
 
+std::string user_start(const std::string& canonical, const System& system) {
+    for (const Notation& entry : system.notation) {
+        if (entry.kind + "." + entry.variable == canonical) return entry.name;
+    }
+    return canonical;
+}
+
 std::vector<std::string> start_names(const System& system) {
     std::vector<std::string> names;
     for (const Variable& variable : system.variables) {
         for (const std::string& kind : constant_kinds(variable.role)) {
-            names.push_back(notation_of(kind, variable.name, system));
+            names.push_back(user_start(kind + "." + variable.name, system));
         }
         for (int k = 0; k < variable.order; ++k) {
             names.push_back(variable.jet[static_cast<std::size_t>(k)].get_name());

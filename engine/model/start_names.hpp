@@ -13,6 +13,9 @@ namespace resonform {
 // "C_delta" -> "amplitude.psi"; canonical names stay; anything else is "".
 std::string canonical_start(const std::string& name, const System& system);
 
+// The name a user of this system would write: "amplitude.psi" -> "C_delta".
+std::string user_start(const std::string& canonical, const System& system);
+
 // Every name that [start] accepts, the notation's instead of the canonical one where it has one.
 std::vector<std::string> start_names(const System& system);
 

@@ -2,7 +2,9 @@
 #include "model/system_reader.hpp"
 
 #include "model/names.hpp"
+#include "model/positivity.hpp"
 #include "model/toml_values.hpp"
+#include "model/zero_test.hpp"
 
 #include <algorithm>
 
@@ -253,7 +255,7 @@ void SystemReader::read_domain() {
     }
     for (const TomlNode& item : positive->items) {
         const GiNaC::ex value = read_expression(string_of(item), scope, item.source);
-        if (GiNaC::is_a<GiNaC::numeric>(value) && !GiNaC::ex_to<GiNaC::numeric>(value).is_positive()) {
+        if (vanishes(value) == Zero::yes || provably_positive(-value, system_)) {
             bad_value(item, "an expression declared positive can be positive", "correct or remove it");
         }
         system_.positive.push_back(value);
@@ -280,9 +282,8 @@ void SystemReader::read_notation() {
 const TomlNode& SystemReader::table(const std::string& key, const std::string& mend) const {
     const TomlNode* node = root_.find(key);
     if (node == nullptr) {
-        Place place;
-        place.file = system_.file.string();
-        bad_input({"a system file has the table [" + key + "]", "no [" + key + "]", mend, place});
+        bad_input({"a system file has the table [" + key + "]", "no [" + key + "]", mend,
+                   whole_file(system_.file)});
     }
     check_table(*node);
     return *node;

@@ -173,8 +173,7 @@ const TomlNode* TomlNode::find(std::string_view key) const {
 
 std::string read_text(const std::filesystem::path& file) {
     std::error_code ignored;
-    Place place;
-    place.file = file.string();
+    const Place place = whole_file(file);
     const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     if (!std::filesystem::exists(status)) {
         bad_input({"the file exists", excerpt(file.string()), "check the path", place});

@@ -40,9 +40,10 @@ void bad_value(const TomlNode& node, const std::string& rule, const std::string&
 }
 
 void check_table(const TomlNode& node) {
-    if (node.type != TomlNode::Type::table) {
-        bad_value(node, "'" + node.source.key + "' is a table", "write [" + node.source.key + "]");
-    }
+    if (node.type == TomlNode::Type::table) return;
+    const bool inner = node.source.key.find('.') != std::string::npos;
+    bad_value(node, "'" + node.source.key + "' is a table",
+              inner ? "write it as { key = value, ... }" : "write [" + node.source.key + "]");
 }
 
 void check_keys(const TomlNode& table, const std::vector<std::string>& known) {

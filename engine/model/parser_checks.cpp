@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the parser refuses, and how it says so.
+#include "model/parser.hpp"
+#include "model/zero_test.hpp"
+
+namespace resonform {
+
+using GiNaC::numeric;
+
+void Parser::expect_end(bool equation) {
+    const Token& token = next();
+    if (token.kind == TokenKind::end) return;
+    if (token.kind == TokenKind::equals) {
+        complain(token.begin, token.end,
+                 equation ? "an equation has exactly one '='" : "an expression here has no '='",
+                 equation ? "remove the second" : "give the value alone");
+    }
+    if (token.kind == TokenKind::comma) {
+        complain(token.begin, token.end, "a comma has no meaning in an expression",
+                 "write decimals with a point; functions take one argument");
+    }
+    complain(token.begin, token.end, "every ')' closes a '('", "remove it or add the '('");
+}
+
+numeric Parser::checked_exponent(const Piece& base, const Piece& exponent) {
+    if (!GiNaC::is_a<numeric>(exponent.value)) {
+        complain(exponent.begin, exponent.end, "an exponent is a rational number",
+                 "write exp(b*log(a)) for a^b with " + excerpt(text_, base.begin, base.end) + " as a");
+    }
+    const numeric n = GiNaC::ex_to<numeric>(exponent.value);
+    const numeric limit(limits_.exponent);
+    if (GiNaC::abs(n.numer()) > limit || n.denom() > limit) {
+        complain(exponent.begin, exponent.end,
+                 "an exponent is a fraction of integers of at most " + std::to_string(limits_.exponent),
+                 "use a smaller exponent");
+    }
+    return n;
+}
+
+void Parser::check_argument(const std::string& function, const Piece& argument) {
+    if (function == "log" && vanishes(argument.value) == Zero::yes) {
+        complain(argument.begin, argument.end, "log has no value at zero", "correct the argument");
+    }
+    if (!GiNaC::is_a<numeric>(argument.value)) return;
+    const numeric x = GiNaC::ex_to<numeric>(argument.value);
+    const bool real = ((function != "log" && function != "sqrt") || !x.is_negative()) &&
+                      ((function != "asin" && function != "acos") || GiNaC::abs(x) <= numeric(1));
+    if (!real) {
+        complain(argument.begin, argument.end, function + " of this number is not real",
+                 "write the real value meant");
+    }
+}
+
+void Parser::check_growth(const Growth& growth, std::size_t begin, std::size_t end) {
+    // Negated comparisons, so that a bound that overflowed to NaN is refused too.
+    if (!(growth.bits <= limits_.bits)) {
+        complain(begin, end,
+                 "the numbers of an expression stay below 2^" +
+                     std::to_string(static_cast<long>(limits_.bits)) + " when it is expanded",
+                 "use smaller numbers or exponents");
+    }
+    if (!(growth.terms <= limits_.terms)) {
+        complain(begin, end,
+                 "an expression has at most " + std::to_string(static_cast<long>(limits_.terms)) +
+                     " terms when it is expanded",
+                 "use smaller exponents or fewer products of sums");
+    }
+    if (!(growth.degree <= limits_.degree)) {
+        complain(begin, end,
+                 "an expression is at most of degree " + std::to_string(static_cast<long>(limits_.degree)),
+                 "use smaller exponents");
+    }
+}
+
+std::string Parser::spelling(const Token& token) const { return excerpt(text_, token.begin, token.end); }
+
+void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std::string mend) const {
+    bad_input(
+        {std::move(rule), excerpt(text_, begin, end), std::move(mend), place_at(source_, text_, begin)});
+}
+
+void Parser::missing_operand() const {
+    const Token& token = next();
+    if (tokens_.size() == 1) complain(0, 0, "an expression is not empty", "write one");
+    if (token.kind == TokenKind::comma) {
+        complain(token.begin, token.end, "a comma has no meaning in an expression",
+                 "write decimals with a point; functions take one argument");
+    }
+    if (at_ == 0) {
+        complain(token.begin, token.end, "an expression begins with a number, a name, a sign or '('",
+                 "write what stands before '" + spelling(token) + "'");
+    }
+    const Token& before = tokens_[at_ - 1];
+    complain(before.begin, token.end, "something stands after '" + spelling(before) + "'",
+             "write the missing number, name or '('");
+}
+
+void Parser::implicit_product() const {
+    const Token& left = tokens_[at_ - 1];
+    const Token& right = next();
+    complain(left.begin, right.end, "a product is written with '*'",
+             "write " + spelling(left) + "*" + spelling(right));
+}
+
+void Parser::unknown_name(const Token& token) const {
+    const std::string name(text_.substr(token.begin, token.name_end - token.begin));
+    if (scope_.find(name, 0) != nullptr) {
+        int highest = 0;
+        while (scope_.find(name, highest + 1) != nullptr) ++highest;
+        if (highest == 0) {
+            complain(token.begin, token.end, in_quotes(name) + " has no derivative here",
+                     "remove the primes");
+        }
+        complain(token.begin, token.end,
+                 in_quotes(name) + " is known here with at most " + std::to_string(highest) + " primes",
+                 "write fewer");
+    }
+    if (tokens_[at_ + 1].kind == TokenKind::open) {
+        complain(token.begin, token.end, "a function is one of the known ones",
+                 suggest(name, function_names()));
+    }
+    if (name == "E" || name == "e") {
+        complain(token.begin, token.end, "a symbol is declared before it is used", "write exp(1)");
+    }
+    complain(token.begin, token.end, "a symbol is declared before it is used", suggest(name, scope_.names()));
+}
+
+void Parser::enter(std::size_t at) {
+    if (++depth_ > limits_.depth) {
+        complain(at, at + 1,
+                 "parentheses, functions and powers nest at most " + std::to_string(limits_.depth) + " deep",
+                 "flatten the expression");
+    }
+}
+
+} // namespace resonform

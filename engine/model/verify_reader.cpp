@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/verify_reader.hpp"
+
+#include "model/toml_values.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+constexpr int highest_claim = 100;
+constexpr std::size_t longest_ladder = 100;
+
+// 0.2, 0.1, 0.05, 0.02, ... 10^-4: 1-2-5 in each decade.
+std::vector<Rational> default_ladder() {
+    std::vector<Rational> ladder;
+    for (int decade = 1; decade <= 1000; decade *= 10) {
+        for (int step : {5, 10, 20}) {
+            const int inverse = decade * step;
+            if (inverse <= 10000) ladder.push_back(Rational(1) / inverse);
+        }
+    }
+    return ladder;
+}
+
+Rational ladder_value(const TomlNode& node) {
+    const Rational eps = number_of(node);
+    const Rational smallest = Rational(1) / cln::expt_pos(cln::cl_I(10), 12);
+    if (eps < smallest || eps > Rational(1) / 2) {
+        bad_value(node, "eps of a ladder lies in 1e-12 <= eps <= 0.5", "give a small positive number");
+    }
+    return eps;
+}
+
+std::vector<Rational> read_ladder(const TomlNode& node) {
+    if (node.type != TomlNode::Type::array || node.items.empty() || node.items.size() > longest_ladder) {
+        bad_value(node, "'verify.eps' is an array of 1 ... " + std::to_string(longest_ladder) + " numbers",
+                  "write eps = [0.1, 0.05, 0.02]");
+    }
+    std::vector<Rational> ladder;
+    for (const TomlNode& item : node.items) {
+        const Rational eps = ladder_value(item);
+        if (std::find(ladder.begin(), ladder.end(), eps) != ladder.end()) {
+            bad_value(item, "eps of a ladder is listed once", "remove the second");
+        }
+        ladder.push_back(eps);
+    }
+    std::sort(ladder.begin(), ladder.end(), [](const Rational& a, const Rational& b) { return a > b; });
+    return ladder;
+}
+
+void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
+    if (node == nullptr) {
+        const int p = scene.time_scale.value_or(1);
+        plan.interval_text = p == 1 ? "1/eps" : "1/eps^" + std::to_string(p);
+        plan.interval = GiNaC::pow(scene.system->eps, -p);
+        return;
+    }
+    plan.interval = expression_of(*node, scene.system->constants());
+    plan.interval_text = node->text;
+    const Estimate estimate = scene.estimate(plan.interval);
+    if (estimate != Estimate::positive && estimate != Estimate::unknown) {
+        bad_value(*node, "the interval of verification is positive and finite",
+                  "write one such as \"1/eps\"");
+    }
+}
+
+void check_output(const TomlEntry& entry, const Scene& scene) {
+    const std::vector<std::string>& outputs = scene.outputs;
+    if (std::find(outputs.begin(), outputs.end(), entry.key) != outputs.end()) return;
+    bad_input({"claims and expectations are about outputs of the scene", in_quotes(entry.key),
+               suggest(entry.key, outputs), entry.place});
+}
+
+Verdict verdict_of(const TomlNode& node) {
+    const std::string verdict = string_of(node);
+    for (Verdict v : {Verdict::pass, Verdict::fail, Verdict::undecided}) {
+        if (verdict == to_string(v)) return v;
+    }
+    bad_value(node, "an expected verdict is pass, fail or undecided",
+              suggest(verdict, {"pass", "fail", "undecided"}));
+}
+
+} // namespace
+
+VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
+    const TomlNode empty;
+    const TomlNode& verify = table == nullptr ? empty : *table;
+    check_keys(verify, {"interval", "eps", "claim", "expect"});
+    VerifyPlan plan;
+    read_interval(verify.find("interval"), scene, plan);
+    const TomlNode* ladder = verify.find("eps");
+    plan.eps_given = ladder != nullptr;
+    plan.eps = ladder == nullptr ? default_ladder() : read_ladder(*ladder);
+    for (const std::string& output : scene.outputs) {
+        plan.claim[output] = scene.order + 1;
+        plan.expect[output] = Verdict::pass;
+    }
+    const auto each = [&](const char* key, auto&& read) {
+        const TomlNode* node = verify.find(key);
+        if (node == nullptr) return;
+        check_table(*node);
+        for (const TomlEntry& entry : node->entries) {
+            check_output(entry, scene);
+            read(entry);
+        }
+    };
+    each("claim", [&](const TomlEntry& e) { plan.claim[e.key] = integer_of(e.value, 1, highest_claim); });
+    each("expect", [&](const TomlEntry& e) { plan.expect[e.key] = verdict_of(e.value); });
+    return plan;
+}
+
+} // namespace resonform
