@@ -111,6 +111,8 @@ public:
     // unknown: neither was proved, e.g. sqrt(2) sqrt(3) - sqrt(6) over three roots, or a combination
     //      of primitives that may be dependent.
     [[nodiscard]] Zero is_zero(const Polynomial& p) const;
+    // is_zero(p) == Zero::yes, without the search for a proof of the opposite.
+    [[nodiscard]] bool vanishes(const Polynomial& p) const { return cleared(p).empty(); }
     // Splits each term into (part in generators selected by `outer`) x (coefficient):
     // outer monomial -> coefficient polynomial in the remaining generators. Sorted by outer key.
     [[nodiscard]] std::vector<std::pair<Monomial, Polynomial>>
@@ -129,6 +131,7 @@ private:
     friend class RingBuilder;
     explicit Ring(int size) : packing_(size) {}
 
+    [[nodiscard]] Polynomial cleared(const Polynomial& p) const; // reduced, times a unit
     [[nodiscard]] const Polynomial* derivative_of(GeneratorId generator, GeneratorId id) const;
 
     Packing packing_;

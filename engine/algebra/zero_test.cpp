@@ -91,7 +91,7 @@ bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Poly
 
 // Multiplies with what makes the least exponent of `lead` zero, so that its rule applies. The factor
 // itself must not be rewritten first.
-Polynomial cleared(const Ring& ring, const Polynomial& p, GeneratorId lead) {
+Polynomial cleared_of(const Ring& ring, const Polynomial& p, GeneratorId lead) {
     int least = 0;
     for (const Term& t : p.terms()) least = std::min(least, ring.exponent(t.monomial, lead));
     if (least == 0) return p;
@@ -100,15 +100,20 @@ Polynomial cleared(const Ring& ring, const Polynomial& p, GeneratorId lead) {
 
 } // namespace
 
-Zero Ring::is_zero(const Polynomial& p) const {
+// Roots that were not eliminated: with sigma^-1 left, sigma^k and its radicand differ in form. Later
+// roots first, as their radicands may hold earlier ones.
+Polynomial Ring::cleared(const Polynomial& p) const {
     Polynomial form = reduce(p);
-    // Roots that were not eliminated: with sigma^-1 left, sigma^k and its radicand differ in form. Later
-    // roots first, as their radicands may hold earlier ones.
     for (std::size_t k = relations_.size(); k-- > 0;) {
         const Relation& relation = relations_[k];
         if (!relation.total && generator(relation.lead).invertible)
-            form = cleared(*this, form, relation.lead);
+            form = cleared_of(*this, form, relation.lead);
     }
+    return form;
+}
+
+Zero Ring::is_zero(const Polynomial& p) const {
+    const Polynomial form = cleared(p);
     if (form.empty()) return Zero::yes;
     std::vector<GeneratorId> outer;
     for (GeneratorId id = 0; id < size(); ++id) {
