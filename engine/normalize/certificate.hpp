@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The second route (design section 3): map and normal form are substituted into the ORIGINAL
 // equations of the file at random points modulo several primes, and the normal form is scanned.
+//
+//   z = w + h, X = Z + l, w' = N, Z' = N_X, xi' as given, psi = (z + zbar)/2:
+//   (a) psi' = d/dt psi, and equation_k(psi'', psi', psi, X', xi', xi, eps) = 0, through weight M
+//   (b) every monomial of N is resonant, none of h and l is; N = i omega w + weights 2 ... M
+//
+// (a) and (b) have one solution, so that any wrong coefficient through M is found. Only exponents and
+// coefficients are read from the ring; no product, relation, derivative or conjugation of it is used.
 #pragma once
 
 #include "normalize/normal_form.hpp"
@@ -9,8 +16,15 @@
 
 namespace resonform {
 
-// Checks through normal_form.through. `seed` chooses points and primes; the default is fixed, so that
-// the same input gives the same answer.
+// Checks through M = normal_form.through. `seed` chooses points and primes; the default is fixed, so
+// that the same input gives the same answer. There are at least 4 points, and as many as bring
+// error_probability, the probability that a wrong normal form would be passed (derivation:
+// certificate_bound.hpp), to 1e-20. Cost: linear in the number of terms.
+//
+// A normal form that fails is no error: holds = false, and `complaint` says where.
+// Errors (refused): a style other than Poincare; an equation with constructs that cannot be substituted;
+// roots in the ring that are not proved independent; equations whose highest derivatives are not
+// determined by them at weight 0, so that a residual says less than its weight.
 Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed = 1);
 
 } // namespace resonform

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// w = z + g(z, zbar, eps; xi): the inverse of the near-identity map, through the same weight; the
-// drift: Z = X + m(z, zbar, eps; xi).
+// The inverse of the near-identity map, through the same weight M. From z = w + h(w), X = Z + l(w):
+//   w = z + g(z, zbar, eps; xi),   g = -h(z + g)        weight by weight: h starts at weight 2, so that
+//   Z = X + m(z, zbar, eps; xi),   m = -l(z + g)        [h(z + g)]_n needs g only below weight n
 #pragma once
 
 #include "normalize/normal_form.hpp"
 
 namespace resonform {
 
-// The new variable minus the old one, as functions of the old ones.
+// The new variable minus the old one: g and m, in which the generators of the modes stand for the old
+// variables z. Precondition: map.mode starts at weight 2.
 NearIdentityMap invert(const NormalForm& normal_form, const NearIdentityMap& map);
 
-// p(w, wbar, ...) with w -> w + shift(w, ...) through a weight: substitution of a near-identity map.
+// p(w + s, wbar + conj s, eps; xi) through a weight; shift[k] is the s of mode k.
 Series compose(const GradedField& field, const Series& p, const std::vector<Series>& shift, int through);
 
 } // namespace resonform

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/certificate.hpp"
+
+#include "normalize/certificate_bound.hpp"
+#include "normalize/certificate_point.hpp"
+#include "normalize/certificate_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+constexpr int fewest_points = 4;
+constexpr double wanted_error = 1e-20;
+constexpr int unlucky_points_allowed = 64;
+
+using Matrix = std::vector<std::vector<Residue>>;
+
+bool is_singular(const PrimeField& f, Matrix a) {
+    for (std::size_t column = 0; column < a.size(); ++column) {
+        std::size_t pivot = column;
+        while (pivot < a.size() && a[pivot][column] == 0) ++pivot;
+        if (pivot == a.size()) return true;
+        std::swap(a[pivot], a[column]);
+        const Residue inverse = f.inverse(a[column][column]);
+        for (std::size_t row = column + 1; row < a.size(); ++row) {
+            const Residue factor = f.multiply(a[row][column], inverse);
+            for (std::size_t k = column; k < a.size(); ++k)
+                a[row][k] = f.subtract(a[row][k], f.multiply(factor, a[column][k]));
+        }
+    }
+    return false;
+}
+
+// Substitution at one point.
+class PointCheck {
+public:
+    PointCheck(const NormalForm& normal_form, const NearIdentityMap& map, CertificateRoots& roots,
+               Point point)
+        : normal_form_(normal_form), system_(normal_form.field->system()), roots_(roots),
+          algebra_(*normal_form.field->ring, std::move(point), normal_form.through),
+          jets_(Flow(algebra_, normal_form, map).jets()) {}
+
+    // The lowest weight at which something does not vanish, as a sentence; "" if all vanish.
+    std::string complaint() {
+        require_regular_equations();
+        check_linear_part();
+        for (const auto& [variable, defect] : jets_.velocity_defects) {
+            const std::string& name = system_.variables[variable].name;
+            must_vanish(defect, fmt::format("d/dt of {} along the normal form is not {}'", name, name));
+        }
+        for (const Equation& equation : system_.equations)
+            must_vanish(evaluate(equation.residual, equation),
+                        fmt::format("the residual of the equation of {} is not zero", equation.variable));
+        return lowest_weight_ > normal_form_.through
+                   ? ""
+                   : fmt::format("weight {}: {}", lowest_weight_, sentence_);
+    }
+
+    FrequencySample frequencies() const {
+        FrequencySample sample{algebra_.field(), {}};
+        for (const Mode& m : normal_form_.field->modes) sample.omega.push_back(value(m.omega)[0]);
+        return sample;
+    }
+
+private:
+    PointAlgebra::Value value(const Polynomial& p) const {
+        return algebra_.gradient(Series({p}), Side::itself).value;
+    }
+
+    PointAlgebra::Value evaluate(const GiNaC::ex& e, const Equation& equation) {
+        return EquationEvaluator(algebra_, roots_, jets_.symbols, equation)(e);
+    }
+
+    // A residual that vanishes through M says that the highest derivatives are right through M only if
+    // they are determined at weight 0. A non-zero determinant at one point proves it.
+    void require_regular_equations() {
+        Matrix jacobian;
+        for (const Equation& equation : system_.equations) {
+            jacobian.emplace_back();
+            for (const Variable& v : system_.variables) {
+                const GiNaC::symbol& highest = v.jet[static_cast<std::size_t>(v.order)];
+                jacobian.back().push_back(evaluate(equation.residual.diff(highest), equation)[0]);
+            }
+        }
+        if (is_singular(algebra_.field(), std::move(jacobian))) throw UnluckyPoint();
+    }
+
+    void check_linear_part() {
+        for (std::size_t k = 0; k < normal_form_.mode.size(); ++k) {
+            const Mode& m = normal_form_.field->modes[k];
+            const auto rotation =
+                algebra_.multiply(algebra_.generator(Ring::imaginary_unit, 1),
+                                  algebra_.multiply(value(m.omega), algebra_.generator(m.z, 1)));
+            auto difference = algebra_.gradient(normal_form_.mode[k], Side::itself).value;
+            difference[1] = algebra_.field().subtract(difference[1], rotation[1]);
+            std::fill(difference.begin() + 2, difference.end(), 0);
+            must_vanish(difference, fmt::format("the linear part of {}' is not i*omega*{}", m.name, m.name));
+        }
+    }
+
+    void must_vanish(const PointAlgebra::Value& value, const std::string& sentence) {
+        for (int n = 0; n < static_cast<int>(value.size()) && n < lowest_weight_; ++n) {
+            if (value[static_cast<std::size_t>(n)] == 0) continue;
+            lowest_weight_ = n;
+            sentence_ = sentence;
+        }
+    }
+
+    const NormalForm& normal_form_;
+    const System& system_;
+    CertificateRoots& roots_;
+    PointAlgebra algebra_;
+    Jets<PointAlgebra::Value> jets_;
+    int lowest_weight_ = normal_form_.through + 1;
+    std::string sentence_;
+};
+
+int points_needed(double bound) {
+    if (!(bound < 0.1))
+        refuse({"one random point of the certificate leaves an error probability below 0.1",
+                fmt::format("{:.2g}", bound),
+                "ask for a lower order",
+                {}});
+    return std::max(fewest_points, static_cast<int>(std::ceil(std::log(wanted_error) / std::log(bound))));
+}
+
+// Part (a); the frequencies at the points are kept for part (b).
+std::string residual_complaint(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed,
+                               Certificate& certificate, std::vector<FrequencySample>& samples) {
+    CertificateRoots roots(*normal_form.field);
+    const double bound = point_error_bound(normal_form, map, roots);
+    const int points = points_needed(bound);
+    certificate.error_probability = std::pow(bound, points);
+    PointSampler sampler(*normal_form.field->ring, seed);
+    std::string complaint;
+    int unlucky = 0;
+    while (certificate.points < points) {
+        try {
+            Point point = sampler.next();
+            const std::uint64_t prime = point.field.prime();
+            PointCheck check(normal_form, map, roots, std::move(point));
+            const std::string here = check.complaint();
+            if (complaint.empty()) complaint = here;
+            samples.push_back(check.frequencies());
+            certificate.primes.push_back(std::to_string(prime));
+            ++certificate.points;
+        } catch (const UnluckyPoint&) {
+            if (++unlucky > unlucky_points_allowed)
+                refuse(
+                    {"at the origin no denominator of the equations vanishes and their highest derivatives "
+                     "are determined",
+                     normal_form.field->system().name,
+                     "divide the equations by what vanishes at the origin",
+                     {}});
+        }
+    }
+    sampler.prove_roots_independent();
+    return complaint;
+}
+
+} // namespace
+
+Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed) {
+    if (normal_form.style != "poincare")
+        refuse({"the certificate knows the style poincare", normal_form.style, "use style = poincare", {}});
+    Certificate certificate;
+    certificate.through_weight = normal_form.through;
+    certificate.complaint = shape_complaint(normal_form, map);
+    if (!certificate.complaint.empty()) return certificate;
+
+    std::vector<FrequencySample> samples;
+    const std::string residual = residual_complaint(normal_form, map, seed, certificate, samples);
+    const std::string scan = scan_complaint(normal_form, map, samples);
+    certificate.residual_zero = residual.empty();
+    certificate.normal_form_scan = scan.empty();
+    certificate.holds = certificate.residual_zero && certificate.normal_form_scan;
+    certificate.complaint = residual + (residual.empty() || scan.empty() ? "" : "; ") + scan;
+    return certificate;
+}
+
+} // namespace resonform

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/certificate_bound.hpp"
+
+#include "algebra/modular.hpp"
+#include "normalize/certificate_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace resonform {
+
+namespace {
+
+double bits_of(const Integer& n) { return static_cast<double>(cln::integer_length(cln::abs(n))) + 1; }
+
+// A t-series s: with one polynomial Q of degree <= denominator, all Q s_n are polynomials of degree
+// <= degree, and the sum of the sizes of the integer coefficients of each Q s_n, and of Q, is <= 2^bits.
+struct Size {
+    double degree = 0, denominator = 0, bits = 0;
+};
+
+class SizeAlgebra {
+public:
+    using Value = Size;
+
+    SizeAlgebra(const Ring& ring, int through) : ring_(ring), through_(through) {
+        for (GeneratorId id = 0; id < ring.size(); ++id) {
+            const Generator& g = ring.generator(id);
+            double degree = g.kind == GeneratorKind::imaginary ? 0 : 1;
+            if (g.kind == GeneratorKind::root)
+                degree = std::max(1.0, std::ceil(polynomial(g.radicand).degree / g.index));
+            degrees_.push_back(degree);
+        }
+    }
+
+    [[nodiscard]] Size number(const Rational& value) const {
+        return {0, 0, bits_of(cln::numerator(value)) + bits_of(cln::denominator(value))};
+    }
+    [[nodiscard]] Size generator(GeneratorId id, int power) const {
+        const double degree = degrees_[static_cast<std::size_t>(id)] * std::abs(power);
+        return power < 0 ? Size{0, degree, 0} : Size{degree, 0, 0};
+    }
+    [[nodiscard]] Size add(const Size& a, const Size& b) const {
+        return {std::max(a.degree + b.denominator, b.degree + a.denominator), a.denominator + b.denominator,
+                a.bits + b.bits + 1};
+    }
+    [[nodiscard]] Size multiply(const Size& a, const Size& b) const {
+        return {a.degree + b.degree, a.denominator + b.denominator,
+                a.bits + b.bits + std::log2(through_ + 1)};
+    }
+    [[nodiscard]] Size function(Elementary function, const Size& u) const {
+        const Size sum = taylor(u, 4 * through_ * std::log2(2 * through_ + 2));
+        if (function != Elementary::tangent && function != Elementary::hyperbolic_tangent) return sum;
+        return multiply(sum, inverse_power(sum, 1));
+    }
+    // (a/a_0 - 1)^k has the numerator of a_0 below.
+    [[nodiscard]] Size power(const Size& a, const Rational& exponent, const Size& lead) const {
+        const double numbers = bits_of(cln::numerator(exponent)) + bits_of(cln::denominator(exponent));
+        return multiply(
+            lead, taylor({a.degree, a.degree, a.bits}, 2 * through_ * (numbers + std::log2(through_ + 1))));
+    }
+    [[nodiscard]] Size inverse_power(const Size& a, int n) const {
+        return power(a, -n, {n * a.denominator, n * a.degree, n * a.bits});
+    }
+    [[nodiscard]] Gradient<Size> gradient(const Series& s, Side /*side*/) const {
+        std::vector<Polynomial> parts;
+        for (int n = 0; n <= through_; ++n) parts.push_back(s.part(n));
+        const Polynomial total = sum(parts);
+        Gradient<Size> result{polynomial(total), {}};
+        std::vector<int> largest(static_cast<std::size_t>(ring_.size()), 0);
+        for (const Term& term : total.terms()) {
+            const std::vector<int> exponents = ring_.exponents(term.monomial);
+            for (std::size_t id = 0; id < exponents.size(); ++id)
+                largest[id] = std::max(largest[id], std::abs(exponents[id]));
+        }
+        for (GeneratorId id = 0; id < ring_.size(); ++id) {
+            const int exponent = largest[static_cast<std::size_t>(id)];
+            if (exponent == 0) continue;
+            Size slope = result.value; // g ds/dg / g
+            slope.denominator += degrees_[static_cast<std::size_t>(id)];
+            slope.bits += std::log2(exponent);
+            result.slopes.emplace_back(id, slope);
+        }
+        return result;
+    }
+
+    // K of the header, and log2 |P|_1 / k at its largest.
+    [[nodiscard]] double field_degree() const {
+        double degree = 2;
+        for (GeneratorId id = 0; id < ring_.size(); ++id)
+            if (ring_.generator(id).kind == GeneratorKind::root) degree *= ring_.generator(id).index;
+        return degree;
+    }
+    [[nodiscard]] double radicand_bits() const {
+        double bits = 0;
+        for (GeneratorId id = 0; id < ring_.size(); ++id) {
+            const Generator& g = ring_.generator(id);
+            if (g.kind == GeneratorKind::root) bits = std::max(bits, polynomial(g.radicand).bits / g.index);
+        }
+        return bits;
+    }
+
+private:
+    // sum_{k <= M} c_k u^k over the common denominator Q^M and `numbers` bits for those of the c_k.
+    [[nodiscard]] Size taylor(const Size& u, double numbers) const {
+        const double m = through_;
+        return {m * std::max(u.degree, u.denominator), m * u.denominator,
+                m * (u.bits + std::log2(m + 1)) + numbers + std::log2(m + 1)};
+    }
+
+    [[nodiscard]] Size polynomial(const Polynomial& p) const {
+        std::vector<int> lowest(degrees_.size(), 0);
+        Integer denominator = 1;
+        for (const Term& term : p.terms()) {
+            const std::vector<int> exponents = ring_.exponents(term.monomial);
+            for (std::size_t id = 0; id < degrees_.size(); ++id)
+                lowest[id] = std::min(lowest[id], exponents[id]);
+            denominator = cln::lcm(denominator, cln::denominator(term.coefficient));
+        }
+        Size size;
+        for (std::size_t id = 0; id < degrees_.size(); ++id) size.denominator -= degrees_[id] * lowest[id];
+        Integer total = denominator;
+        for (const Term& term : p.terms()) {
+            const std::vector<int> exponents = ring_.exponents(term.monomial);
+            double degree = size.denominator;
+            for (std::size_t id = 0; id < degrees_.size(); ++id) degree += degrees_[id] * exponents[id];
+            size.degree = std::max(size.degree, degree);
+            total = total + cln::numerator(cln::abs(term.coefficient) * denominator);
+        }
+        size.bits = bits_of(total);
+        return size;
+    }
+
+    const Ring& ring_;
+    int through_;
+    std::vector<double> degrees_; // of each generator
+};
+
+} // namespace
+
+double point_error_bound(const NormalForm& normal_form, const NearIdentityMap& map, CertificateRoots& roots) {
+    const GradedField& field = *normal_form.field;
+    SizeAlgebra algebra(*field.ring, normal_form.through);
+    const Jets<Size> jets = Flow(algebra, normal_form, map).jets();
+    double degree = 0, bits = 0;
+    const auto include = [&](const Size& s) {
+        degree = std::max(degree, s.degree);
+        bits = std::max(bits, s.bits);
+    };
+    for (const auto& [variable, defect] : jets.velocity_defects) include(defect);
+    for (const Equation& equation : field.system().equations)
+        include(EquationEvaluator(algebra, roots, jets.symbols, equation)(equation.residual));
+
+    const double k = algebra.field_degree();
+    const double norm_bits = k * (bits + degree * algebra.radicand_bits());
+    return 2 * k * (k * degree / std::pow(2.0, 60) + norm_bits / 60 / primes_to_choose_from);
+}
+
+} // namespace resonform

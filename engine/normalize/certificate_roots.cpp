@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/certificate_roots.hpp"
+
+#include "normalize/certificate_equation.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+bool is_whole(const Rational& r) { return cln::denominator(r) == 1; }
+
+int to_int(const Rational& r) { return cln::cl_I_to_int(cln::numerator(r)); }
+
+// The total degree of a polynomial in its symbols.
+int total_degree(const ex& e) {
+    if (is_a<GiNaC::symbol>(e)) return 1;
+    if (is_a<GiNaC::power>(e)) return total_degree(e.op(0)) * GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
+    int degree = 0;
+    for (const ex& operand : e)
+        degree =
+            is_a<GiNaC::add>(e) ? std::max(degree, total_degree(operand)) : degree + total_degree(operand);
+    return degree;
+}
+
+} // namespace
+
+CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
+    const System& system = field.system();
+    const Ring& ring = *field.ring;
+    std::vector<ex> symbols(static_cast<std::size_t>(ring.size()), 0);
+    for (int id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (const Parameter* p = system.parameter(g.name); p != nullptr && g.kind == GeneratorKind::parameter)
+            symbols[static_cast<std::size_t>(id)] = p->symbol;
+    }
+    for (const SlowVariable& s : field.slow)
+        symbols[static_cast<std::size_t>(s.generator)] = system.variables[s.variable].jet.front();
+    for (int id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (g.kind != GeneratorKind::root) continue;
+        const ex radicand = radicand_of(g, symbols);
+        const GiNaC::symbol symbol(g.name);
+        symbols[static_cast<std::size_t>(id)] = symbol;
+        roots_.push_back({id, g.index, g.positive, radicand, symbol});
+    }
+    std::stable_sort(roots_.begin(), roots_.end(), [](const Root& a, const Root& b) {
+        return total_degree(a.radicand) > total_degree(b.radicand);
+    });
+    origin_[system.eps] = 0;
+    for (const Variable& v : system.variables)
+        for (std::size_t k = v.role == Role::fast ? 0 : 1; k < v.jet.size(); ++k) origin_[v.jet[k]] = 0;
+}
+
+// The ring may have written a variable by a root in it, a = sigma^4: whole powers of radicands are put back.
+ex CertificateRoots::radicand_of(const Generator& root, const std::vector<ex>& symbols) const {
+    ex radicand = 0;
+    for (const Term& term : root.radicand.terms()) {
+        ex product = GiNaC::numeric(term.coefficient);
+        const std::vector<int> exponents = field_->ring->exponents(term.monomial);
+        for (std::size_t k = 0; k < exponents.size(); ++k) {
+            if (exponents[k] == 0) continue;
+            const auto inner = std::find_if(roots_.begin(), roots_.end(), [&](const Root& r) {
+                return r.id == static_cast<GeneratorId>(k);
+            });
+            const int index = inner == roots_.end() ? exponents[k] + 1 : inner->index;
+            if (exponents[k] >= index) product *= GiNaC::pow(inner->radicand, exponents[k] / index);
+            if (exponents[k] % index != 0) product *= GiNaC::pow(symbols[k], exponents[k] % index);
+        }
+        radicand += product;
+    }
+    return radicand.expand();
+}
+
+const Radical& CertificateRoots::resolve(const ex& base, const Rational& exponent, const Equation& equation) {
+    for (const Known& k : known_)
+        if (k.exponent == exponent && k.base.is_equal(base)) return k.radical;
+    Product product;
+    product.roots.resize(roots_.size());
+    split(base.subs(origin_, GiNaC::subs_options::no_pattern), exponent, equation, product);
+    known_.push_back({base, exponent, collect(product, equation)});
+    return known_.back().radical;
+}
+
+void CertificateRoots::split(const ex& e, const Rational& exponent, const Equation& equation,
+                             Product& product) {
+    if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
+    if (is_a<GiNaC::power>(e))
+        return split(e.op(0), exponent * rational_of(e.op(1), equation), equation, product);
+    if (is_a<GiNaC::mul>(e)) {
+        for (const ex& factor : e) split(factor, exponent, equation, product);
+        return;
+    }
+    const ex fraction = with_root_symbols(e, equation).normal().numer_denom();
+    split_polynomial(fraction.op(0), exponent, equation, product);
+    split_polynomial(fraction.op(1), -exponent, equation, product);
+}
+
+void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Equation& equation,
+                                        Product& product) {
+    e = e.expand();
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+        if (is_a<GiNaC::numeric>(roots_[k].radicand) || !roots_[k].positive) continue;
+        ex quotient;
+        while (!is_a<GiNaC::numeric>(e) && GiNaC::divide(e, roots_[k].radicand, quotient)) {
+            product.roots[k] = product.roots[k] + exponent;
+            e = quotient.expand();
+        }
+    }
+    if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
+    split_rest(GiNaC::sqrfree(e), exponent, equation, product);
+}
+
+void CertificateRoots::split_rest(const ex& e, const Rational& exponent, const Equation& equation,
+                                  Product& product) const {
+    if (is_a<GiNaC::mul>(e)) {
+        for (const ex& factor : e) split_rest(factor, exponent, equation, product);
+        return;
+    }
+    if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
+    if (is_a<GiNaC::power>(e))
+        return split_rest(e.op(0), exponent * rational_of(e.op(1), equation), equation, product);
+    const bool has_root =
+        std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return e.has(r.symbol); });
+    if (has_root || !provably_positive(e, field_->system()))
+        refuse_certificate("the base of a fractional power is a product of factors proved positive",
+                           equation);
+    product.rest.emplace_back(e, exponent);
+}
+
+void CertificateRoots::split_number(const Rational& value, const Rational& exponent, const Equation& equation,
+                                    Product& product) const {
+    if (!cln::plusp(value))
+        refuse_certificate("the base of a fractional power is a product of factors proved positive",
+                           equation);
+    Integer numerator = cln::numerator(value), denominator = cln::denominator(value);
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+        if (!is_a<GiNaC::numeric>(roots_[k].radicand)) continue;
+        const Rational radicand = rational_of(roots_[k].radicand, equation);
+        if (!is_whole(radicand) || radicand <= 1) continue;
+        const Integer whole = cln::numerator(radicand);
+        for (; cln::zerop(cln::mod(numerator, whole)); numerator = cln::exquo(numerator, whole))
+            product.roots[k] = product.roots[k] + exponent;
+        for (; cln::zerop(cln::mod(denominator, whole)); denominator = cln::exquo(denominator, whole))
+            product.roots[k] = product.roots[k] - exponent;
+    }
+    product.numbers.emplace_back(numerator / denominator, exponent);
+}
+
+Radical CertificateRoots::collect(const Product& product, const Equation& equation) const {
+    Radical radical;
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+        const Rational power = roots_[k].index * product.roots[k];
+        if (!is_whole(power))
+            refuse_certificate("every fractional power in an equation is one of the ring's roots", equation);
+        if (!cln::zerop(power)) radical.roots.emplace_back(roots_[k].id, to_int(power));
+    }
+    for (const auto& [value, exponent] : product.numbers) {
+        Rational root;
+        if (!exact_root(value, cln::cl_I_to_int(cln::denominator(exponent)), root))
+            refuse_certificate("every root of a number in an equation is one of the ring's roots", equation);
+        radical.number = radical.number * cln::expt(root, cln::numerator(exponent));
+    }
+    for (const auto& [factor, exponent] : product.rest) {
+        if (!is_whole(exponent))
+            refuse_certificate("every fractional power in an equation is one of the ring's roots", equation);
+        radical.rest *= GiNaC::pow(factor, to_int(exponent));
+    }
+    return radical;
+}
+
+ex CertificateRoots::with_root_symbols(const ex& e, const Equation& equation) {
+    if (is_a<GiNaC::numeric>(e) || is_a<GiNaC::symbol>(e)) return e;
+    if (is_a<GiNaC::add>(e)) {
+        ex result = 0;
+        for (const ex& term : e) result += with_root_symbols(term, equation);
+        return result;
+    }
+    if (is_a<GiNaC::mul>(e)) {
+        ex result = 1;
+        for (const ex& factor : e) result *= with_root_symbols(factor, equation);
+        return result;
+    }
+    if (!is_a<GiNaC::power>(e))
+        refuse_certificate("the base of a fractional power has no elementary function at weight 0", equation);
+    const Rational exponent = rational_of(e.op(1), equation);
+    if (is_whole(exponent)) return GiNaC::pow(with_root_symbols(e.op(0), equation), e.op(1));
+    const Radical radical = resolve(e.op(0), exponent, equation);
+    ex result = GiNaC::numeric(radical.number) * radical.rest;
+    for (const auto& [id, power] : radical.roots) {
+        const auto root =
+            std::find_if(roots_.begin(), roots_.end(), [&](const Root& r) { return r.id == id; });
+        result *= GiNaC::pow(root->symbol, power);
+    }
+    return result;
+}
+
+} // namespace resonform

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which root of the ring is meant by a fractional power in an equation of the file. Decided on the
+// expressions, never by comparing residues: modulo a prime both square roots look alike.
+//
+//   sigma^4 = xi^2 + r^2:   (4*xi^2 + 4*r^2)^(-1/2)  ->  1/2 * sigma^-2
+#pragma once
+
+#include "expand/graded_field.hpp"
+
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+// number * product of root powers * rest; `rest` has whole powers of parameters and slow variables.
+struct Radical {
+    Rational number = 1;
+    std::vector<std::pair<GeneratorId, int>> roots;
+    GiNaC::ex rest = 1;
+};
+
+class CertificateRoots {
+public:
+    explicit CertificateRoots(const GradedField& field);
+
+    // The weight-0 part of `base` to a fractional power, by (a b)^e = a^e b^e and (a^d)^e = a^(d e), which
+    // hold because every factor is required to be positive.
+    // Errors (refused, with the equation as written): a factor that is not proved positive, or is neither
+    // a radicand of the ring nor raised to a whole power.
+    const Radical& resolve(const GiNaC::ex& base, const Rational& exponent, const Equation& equation);
+
+private:
+    struct Root {
+        GeneratorId id;
+        int index;
+        bool positive;
+        GiNaC::ex radicand;
+        GiNaC::symbol symbol; // stands for the root inside the radicand of another
+    };
+    struct Known {
+        GiNaC::ex base;
+        Rational exponent;
+        Radical radical;
+    };
+    // A product of positive factors, each to a rational power.
+    struct Product {
+        std::vector<Rational> roots; // exponent of each radicand
+        std::vector<std::pair<Rational, Rational>> numbers;
+        std::vector<std::pair<GiNaC::ex, Rational>> rest;
+    };
+
+    [[nodiscard]] GiNaC::ex radicand_of(const Generator& root, const std::vector<GiNaC::ex>& symbols) const;
+    void split(const GiNaC::ex& e, const Rational& exponent, const Equation& equation, Product& product);
+    void split_polynomial(GiNaC::ex e, const Rational& exponent, const Equation& equation, Product& product);
+    void split_rest(const GiNaC::ex& e, const Rational& exponent, const Equation& equation,
+                    Product& product) const;
+    void split_number(const Rational& value, const Rational& exponent, const Equation& equation,
+                      Product& product) const;
+    [[nodiscard]] Radical collect(const Product& product, const Equation& equation) const;
+    // A rational expression in which root symbols stand for the fractional powers.
+    [[nodiscard]] GiNaC::ex with_root_symbols(const GiNaC::ex& e, const Equation& equation);
+
+    const GradedField* field_;
+    std::vector<Root> roots_; // largest degree first, so that a product is tried before its factors
+    GiNaC::exmap origin_;     // symbols of positive weight -> 0
+    std::deque<Known> known_; // references into it are handed out
+};
+
+} // namespace resonform

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/certificate_point.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+constexpr int attempts_per_prime = 16;
+constexpr int primes_per_search = 4000;
+
+Residue evaluate_at(const Ring& ring, const Polynomial& p, const Point& point) {
+    const PrimeField& f = point.field;
+    Residue sum = 0;
+    for (const Term& term : p.terms()) {
+        const std::optional<Residue> coefficient = f.from(term.coefficient);
+        if (!coefficient) throw UnluckyPoint();
+        Residue product = *coefficient;
+        const std::vector<int> exponents = ring.exponents(term.monomial);
+        for (std::size_t id = 0; id < exponents.size(); ++id)
+            if (exponents[id] != 0) product = f.multiply(product, f.power(point.values[id], exponents[id]));
+        sum = f.add(sum, product);
+    }
+    return sum;
+}
+
+} // namespace
+
+PointSampler::PointSampler(const Ring& ring, std::uint64_t seed) : ring_(ring), random_(seed) {
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        int rest = g.kind == GeneratorKind::root ? g.index : 1;
+        for (int prime = 2; rest > 1; ++prime) {
+            if (rest % prime == 0) witnesses_.push_back({id, prime, false});
+            while (rest % prime == 0) rest /= prime;
+        }
+    }
+}
+
+Point PointSampler::next() {
+    for (int n = 0; n < primes_per_search; ++n) {
+        const PrimeField field(random_prime(random_));
+        for (int k = 0; k < attempts_per_prime; ++k)
+            if (std::optional<Point> point = attempt(field)) return *std::move(point);
+    }
+    refuse({"a random point at which all roots of the ring exist is found",
+            std::to_string(witnesses_.size()),
+            "use fewer roots, or roots of smaller index, in the equations",
+            {}});
+}
+
+void PointSampler::prove_roots_independent() {
+    const auto missing = [&] {
+        return std::find_if(witnesses_.begin(), witnesses_.end(), [](const Witness& w) { return !w.found; });
+    };
+    for (int n = 0; n < primes_per_search && missing() != witnesses_.end(); ++n)
+        attempt(PrimeField(random_prime(random_)));
+    if (const auto witness = missing(); witness != witnesses_.end())
+        refuse({"the roots of the ring are independent of each other",
+                ring_.generator(witness->root).name,
+                "write the equations with one root instead of several that depend on each other",
+                {}});
+}
+
+std::optional<Point> PointSampler::attempt(const PrimeField& field) {
+    Point point{field, std::vector<Residue>(static_cast<std::size_t>(ring_.size()), 0)};
+    for (GeneratorId id = 0; id < ring_.size(); ++id) {
+        const Generator& g = ring_.generator(id);
+        Residue& value = point.values[static_cast<std::size_t>(id)];
+        switch (g.kind) {
+        case GeneratorKind::imaginary: value = *field.root(field.prime() - 1, 2); break;
+        case GeneratorKind::fast:
+        case GeneratorKind::small:
+        case GeneratorKind::parameter:
+        case GeneratorKind::slow: value = field.random_unit(random_); break;
+        case GeneratorKind::root: {
+            const Residue radicand = evaluate_at(ring_, g.radicand, point);
+            if (radicand == 0) return std::nullopt;
+            observe(field, id, radicand);
+            const std::optional<Residue> root = field.root(radicand, g.index);
+            if (!root) return std::nullopt;
+            value = *root;
+            break;
+        }
+        case GeneratorKind::constant:
+        case GeneratorKind::phase:
+        case GeneratorKind::primitive:
+            refuse({"a normal form is certified over parameters, slow variables and roots",
+                    g.name,
+                    "certify before the solution adds its constants",
+                    {}});
+        }
+    }
+    return point;
+}
+
+void PointSampler::observe(const PrimeField& field, GeneratorId root, Residue radicand) {
+    for (Witness& w : witnesses_) {
+        if (w.root != root || w.found || (field.prime() - 1) % static_cast<std::uint64_t>(w.prime) != 0)
+            continue;
+        const auto exponent =
+            static_cast<std::int64_t>((field.prime() - 1) / static_cast<std::uint64_t>(w.prime));
+        w.found = field.power(radicand, exponent) != 1;
+    }
+}
+
+} // namespace resonform

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Systems on which the certificate and the inverse map are tried, and ways to lie about them.
+#pragma once
+
+#include "normalize/certificate.hpp"
+#include "normalize/poincare.hpp"
+#include "support/exact.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform::test {
+
+inline std::string oscillator_file(const std::string& equation, const std::string& more_variables = "",
+                                   const std::string& more_equations = "",
+                                   const std::string& parameters = "") {
+    return "[system]\nname = \"test\"\n[parameters]\n" + parameters +
+           "[variables]\nx = { role = \"fast\" }\n" + more_variables + "[equations]\nx = \"" + equation +
+           "\"\n" + more_equations;
+}
+
+inline std::shared_ptr<const GradedField> duffing() {
+    return field_from(oscillator_file("x'' + x + x^3 = 0"));
+}
+
+inline std::shared_ptr<const GradedField> pendulum() { return field_named("almost_holonomic_pendulum"); }
+
+inline Certificate certificate_of(const Normalization& n, std::uint64_t seed = 1) {
+    return certify(n.normal_form, n.map, seed);
+}
+
+// Every series of a normalisation, with its name in failure messages.
+struct NamedSeries {
+    std::string name;
+    Series* series;
+};
+
+inline std::vector<NamedSeries> all_series(Normalization& n) {
+    std::vector<NamedSeries> result;
+    const auto add = [&](const std::string& name, std::vector<Series>& list) {
+        for (std::size_t k = 0; k < list.size(); ++k)
+            result.push_back({name + " " + std::to_string(k), &list[k]});
+    };
+    add("normal form, mode", n.normal_form.mode);
+    add("normal form, slow", n.normal_form.slow);
+    add("normal form, drift", n.normal_form.drift);
+    add("map, mode", n.map.mode);
+    add("map, drift", n.map.drift);
+    return result;
+}
+
+} // namespace resonform::test
