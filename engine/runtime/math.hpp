@@ -64,9 +64,8 @@ template <class Real> Real power(Real x, int exponent) {
     return result;
 }
 
-// The positive k-th root of x >= 0, from pow and one Newton step that removes its rounding.
-template <int k, class Real> Real root(const Real& x) {
-    static_assert(k >= 2);
+// The positive k-th root of x >= 0, k >= 2, from pow and one Newton step that removes its rounding.
+template <class Real> Real root(const Real& x, int k) {
     if (!(x > Real(0))) return x == Real(0) ? x : not_a_number<Real>();
     const Real guess = pow(x, Real(Real(1) / Real(k)));
     return guess + (x / power(guess, k - 1) - guess) / Real(k);

@@ -23,7 +23,8 @@ public:
 
     Status call(Real t, std::vector<Real>& outputs) const; // sized like program.outputs
     Status state(Real t, std::vector<Real>& state) const;  // sized like program.state
-    // sum of |terms| of each output at t: the scale against which accuracy is judged.
+    // sum of |terms| of each output at t, written out, with 1 for |cos| and |sin|: the scale against which
+    // accuracy is judged. Functions and negative powers count as one term.
     Status scale(Real t, std::vector<Real>& scale) const;
     [[nodiscard]] Status construction_status() const;
 
@@ -32,7 +33,7 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// The defaults of parameters and start values at a given eps.
+// The defaults of parameters and start values at a given eps; NaN where a parameter has no default.
 template <class Real> std::vector<Real> default_parameters(const Program& program, Real eps);
 template <class Real>
 std::vector<Real> default_start(const Program& program, Real eps, const std::vector<Real>& parameters);

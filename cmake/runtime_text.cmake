@@ -1,0 +1,28 @@
+# Writes the source of emit/runtime_text.hpp: the headers of runtime/ as strings, in the order of their
+# includes (each header's own includes come before it).
+function(add_runtime_text target)
+    set(literals "")
+    foreach(header status float128 math twice panels table interval phase)
+        set(file ${CMAKE_SOURCE_DIR}/engine/runtime/${header}.hpp)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+        file(READ ${file} text)
+        string(REGEX REPLACE "// SPDX[^\n]*\n" "" text "${text}")
+        string(REPLACE "#pragma once\n" "" text "${text}")
+        string(REGEX REPLACE "#include \"runtime/[^\n]*\n" "" text "${text}")
+        string(APPEND literals "        R\"resonform_text(${text})resonform_text\",\n")
+    endforeach()
+    set(source ${CMAKE_BINARY_DIR}/runtime_text.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT [[#include "emit/runtime_text.hpp"
+
+namespace resonform {
+
+const std::vector<std::string_view>& runtime_texts() {
+    static const std::vector<std::string_view> texts{
+@literals@    };
+    return texts;
+}
+
+} // namespace resonform
+]] @ONLY)
+    target_sources(${target} PRIVATE ${source})
+endfunction()

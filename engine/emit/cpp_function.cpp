@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp_function.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using Value = StraightLine::Value;
+
+constexpr std::size_t longest_function = 300; // operations
+constexpr std::size_t longest_piece = 120;    // statements
+constexpr std::size_t longest_inline = 64;    // characters
+const Integer chunk = Integer(1) << 48;       // exact in every real type
+
+// A non-negative integer in terms of literals up to 2^48.
+std::string integer_text(const std::string& type, const Integer& n) {
+    if (n <= chunk)
+        return fmt::format("{}({}{})", type, to_string(Rational(n)), n < (Integer(1) << 31) ? "" : "LL");
+    const cln::cl_I_div_t parts = cln::floor2(n, chunk);
+    return fmt::format("({} * {} + {})", integer_text(type, parts.quotient), integer_text(type, chunk),
+                       integer_text(type, parts.remainder));
+}
+
+std::string function_name(Graph::Op op) {
+    switch (op) {
+    case Graph::Op::sin: return "sin";
+    case Graph::Op::cos: return "cos";
+    case Graph::Op::log: return "log";
+    case Graph::Op::exp: return "exp";
+    case Graph::Op::asinh: return "asinh";
+    case Graph::Op::atan2: return "atan2";
+    default: return "hypot";
+    }
+}
+
+std::string joined(const std::vector<std::pair<std::string, std::string>>& parameters, bool with_types) {
+    std::vector<std::string> parts;
+    for (const auto& [type, name] : parameters)
+        parts.push_back(with_types ? fmt::format("[[maybe_unused]] {} {}", type, name) : name);
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+} // namespace
+
+void CppFunction::compute(const std::vector<Value>& roots, bool through_constants) {
+    const std::vector<Value> order = code_->behind(roots, through_constants);
+    std::map<Value, int> uses;
+    for (const Value root : roots) uses[root] += 1;
+    for (const Value v : order)
+        if (code_->at(v).varying || through_constants)
+            for (const Value operand : code_->at(v).operands) uses[operand] += 1;
+    in_pieces_ = order.size() > longest_function;
+    for (const Value v : order)
+        if (texts_.count(v) == 0) compute_one(v, uses[v]);
+}
+
+void CppFunction::compute_one(Value v, int uses) {
+    const StraightLine::Instruction& i = code_->at(v);
+    const auto given = given_.find(v);
+    const Text text = given == given_.end() ? expression(v) : Text{given->second.second, atom};
+    if (const auto target = targets_.find(v); target != targets_.end()) {
+        statements_.push_back({target->second, text.text, false});
+        texts_[v] = {target->second, atom};
+        return;
+    }
+    const bool short_enough = text.text.size() <= longest_inline;
+    const bool literal = i.op == StraightLine::Op::number && short_enough;
+    if (literal || (uses == 1 && i.label.empty() && short_enough && given == given_.end())) {
+        texts_[v] = text;
+        return;
+    }
+    const std::string wish = given == given_.end() ? i.label : given->second.first;
+    std::string name = wish.empty() ? names_.numbered(prefix_) : names_.unique(wish);
+    if (in_pieces_) name = "w." + name;
+    statements_.push_back({name, text.text, !in_pieces_});
+    texts_[v] = {name, atom};
+}
+
+std::string CppFunction::operand(Value v, Level least) const {
+    const Text& text = texts_.at(v);
+    return text.level >= least ? text.text : "(" + text.text + ")";
+}
+
+CppFunction::Text CppFunction::number(const Rational& value) const {
+    const bool negative = value < 0;
+    const Integer numerator = cln::abs(cln::numerator(value)), denominator = cln::denominator(value);
+    std::string text = integer_text(type_, numerator);
+    if (negative) text = "-" + text;
+    if (denominator == 1) return {text, negative ? product : atom};
+    return {fmt::format("{} / {}", text, integer_text(type_, denominator)), product};
+}
+
+CppFunction::Text CppFunction::sum_of(const StraightLine::Instruction& i) const {
+    std::string text;
+    const std::size_t positive = i.operands.size() - i.negative;
+    for (std::size_t k = 0; k < i.operands.size(); ++k) {
+        const bool minus = k >= positive;
+        if (k == 0)
+            text = minus ? "-" : "";
+        else
+            text += minus ? " - " : " + ";
+        text += operand(i.operands[k], product);
+    }
+    return {text, sum};
+}
+
+CppFunction::Text CppFunction::product_of(const StraightLine::Instruction& i) const {
+    std::string text;
+    for (std::size_t k = 0; k < i.operands.size(); ++k) {
+        const StraightLine::Instruction& factor = code_->at(i.operands[k]);
+        if (k == 0 && factor.op == StraightLine::Op::number && factor.number == -1)
+            text = "-";
+        else
+            text +=
+                (text.empty() || text == "-" ? "" : " * ") + operand(i.operands[k], k == 0 ? product : atom);
+    }
+    return {text, product};
+}
+
+CppFunction::Text CppFunction::function_of(const StraightLine::Instruction& i) const {
+    std::vector<std::string> arguments;
+    for (const Value v : i.operands) {
+        const Text& argument = texts_.at(v);
+        arguments.push_back(argument.level == atom ? argument.text
+                                                   : fmt::format("{}({})", type_, argument.text));
+    }
+    if (i.op == StraightLine::Op::root && i.index != 2)
+        return {fmt::format("resonform::math::root({}, {})", arguments.front(), i.index), atom};
+    const std::string name = i.op == StraightLine::Op::root ? "sqrt" : function_name(i.function);
+    return {fmt::format("{}({})", name, fmt::join(arguments, ", ")), atom};
+}
+
+CppFunction::Text CppFunction::expression(Value v) const {
+    const StraightLine::Instruction& i = code_->at(v);
+    switch (i.op) {
+    case StraightLine::Op::number: return number(i.number);
+    case StraightLine::Op::add: return sum_of(i);
+    case StraightLine::Op::multiply: return product_of(i);
+    case StraightLine::Op::reciprocal:
+        return {fmt::format("{}(1) / {}", type_, operand(i.operands.front(), atom)), product};
+    default: return function_of(i);
+    }
+}
+
+std::string CppFunction::statement_lines(std::size_t begin, std::size_t end) const {
+    std::string text;
+    for (std::size_t k = begin; k < end; ++k) {
+        const Statement& s = statements_[k];
+        text += s.declared ? fmt::format("        const {} {} = {};\n", type_, s.target, s.expression)
+                           : fmt::format("        {} = {};\n", s.target, s.expression);
+    }
+    return text;
+}
+
+std::string CppFunction::print(const Frame& frame) const {
+    const auto lines = [](const std::vector<std::string>& all) {
+        std::string text;
+        for (const std::string& line : all) text += "        " + line + "\n";
+        return text;
+    };
+    std::string before, body = statement_lines(0, statements_.size());
+    if (in_pieces_) {
+        const bool is_template = frame.head.find("template") != std::string::npos;
+        const std::string work = frame.name + "_quantities" + (is_template ? "<Number>" : "");
+        before = quantities(frame.name + "_quantities", is_template);
+        body = fmt::format("        {} w;\n", work);
+        std::size_t piece = 0;
+        for (std::size_t k = 0; k < statements_.size(); k += longest_piece) {
+            const std::string name = fmt::format("{}_{}", frame.name, ++piece);
+            before += fmt::format("    {} void {}({}, {}& w) {{\n{}{}    }}\n\n", frame.head, name,
+                                  joined(frame.parameters, true), work, lines(frame.first),
+                                  statement_lines(k, std::min(k + longest_piece, statements_.size())));
+            body += fmt::format("        {}({}, w);\n", name, joined(frame.parameters, false));
+        }
+    }
+    return fmt::format("{}    {} {} {}({}) {{\n{}{}{}    }}\n", before, frame.head, frame.result, frame.name,
+                       joined(frame.parameters, true), lines(frame.first), body, lines(frame.last));
+}
+
+// The struct of what the pieces of a long function hand on.
+std::string CppFunction::quantities(const std::string& name, bool is_template) const {
+    std::string text =
+        fmt::format("    {}struct {} {{\n", is_template ? "template <class Number> " : "", name);
+    for (const Statement& s : statements_)
+        if (s.target.rfind("w.", 0) == 0)
+            text += fmt::format("        {} {}{{}};\n", type_, s.target.substr(2));
+    return text + "    };\n\n";
+}
+
+} // namespace resonform

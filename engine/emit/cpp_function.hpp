@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Instructions -> the statements of one C++ function. What is used once is written in place, what is
+// shared or has a name gets its statement; long functions are cut into pieces of bounded size.
+#pragma once
+
+#include "emit/cpp_names.hpp"
+#include "emit/straight_line.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+class CppFunction {
+public:
+    // type: the number type of its statements; prefix: of names for nameless values.
+    CppFunction(const StraightLine& code, std::string type, std::string prefix)
+        : code_(&code), type_(std::move(type)), prefix_(std::move(prefix)) {}
+
+    // A value that need not be computed: `text` stands for it.
+    void know(StraightLine::Value v, const std::string& text) { texts_[v] = {text, atom}; }
+    // A value computed by `expression`, as a statement of the name `wish`, if something uses it.
+    void define(StraightLine::Value v, const std::string& wish, const std::string& expression) {
+        given_[v] = {wish, expression};
+    }
+    // A value to be assigned to `target`, not declared here.
+    void assign(StraightLine::Value v, const std::string& target) { targets_[v] = target; }
+
+    // Writes the statements for the roots and all they need.
+    void compute(const std::vector<StraightLine::Value>& roots, bool through_constants);
+    // How a root is written after compute().
+    [[nodiscard]] const std::string& text(StraightLine::Value v) const { return texts_.at(v).text; }
+
+    // The function `result name(parameters)`: its statements, then `last` (lines). With many statements,
+    // local quantities become members of a struct and the pieces functions before it.
+    struct Frame {
+        std::string head;                                            // "template <class Number> static"
+        std::string result, name;                                    // "Status", "outputs"
+        std::vector<std::pair<std::string, std::string>> parameters; // type, name
+        std::vector<std::string> first, last;                        // lines around the statements
+    };
+    [[nodiscard]] std::string print(const Frame& frame) const;
+
+private:
+    enum Level { sum, product, atom };
+    struct Text {
+        std::string text;
+        Level level = atom;
+    };
+    struct Statement {
+        std::string target, expression;
+        bool declared = true;
+    };
+
+    void compute_one(StraightLine::Value v, int uses);
+    [[nodiscard]] Text expression(StraightLine::Value v) const;
+    [[nodiscard]] Text sum_of(const StraightLine::Instruction& i) const;
+    [[nodiscard]] Text product_of(const StraightLine::Instruction& i) const;
+    [[nodiscard]] Text function_of(const StraightLine::Instruction& i) const;
+    [[nodiscard]] std::string operand(StraightLine::Value v, Level least) const;
+    [[nodiscard]] Text number(const Rational& value) const;
+    [[nodiscard]] std::string statement_lines(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] std::string quantities(const std::string& name, bool is_template) const;
+
+    const StraightLine* code_;
+    std::string type_, prefix_;
+    CppNames names_;
+    bool in_pieces_ = false;
+    std::map<StraightLine::Value, Text> texts_;
+    std::map<StraightLine::Value, std::pair<std::string, std::string>> given_;
+    std::map<StraightLine::Value, std::string> targets_;
+    std::vector<Statement> statements_;
+};
+
+} // namespace resonform

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp_interface.hpp"
+
+#include "emit/cpp_function.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace resonform {
+
+namespace {
+
+using Value = StraightLine::Value;
+
+class CppInterface {
+public:
+    explicit CppInterface(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
+
+    std::string print() {
+        return parameters() + start() + results("Values", plan_.outputs, "The outputs at one time.") +
+               results("State", plan_.state, "All states at one time, with the map at its full weight.") +
+               constructors() + default_start() + default_slow_time_end() + calls();
+    }
+
+private:
+    std::string parameters();
+    std::string start() const;
+    static std::string results(const std::string& name, const std::vector<CppResult>& list,
+                               const std::string& comment);
+    static std::string constructors();
+    std::string default_start();
+    std::string default_slow_time_end();
+    std::string calls() const;
+    static std::string call(const std::string& head, const std::string& type, const std::string& function,
+                            const std::vector<CppResult>& list);
+    std::string batch() const;
+    void know_inputs(CppFunction& function);
+
+    const Program& program_;
+    CppPlan& plan_;
+};
+
+std::string CppInterface::parameters() {
+    std::string text = "    // Parameters that are not fixed.\n    struct Parameters {\n";
+    for (const ProgramInput& input : program_.parameters) {
+        std::string value = "resonform::math::not_a_number<Real>()"; // to be given
+        if (input.default_value >= 0) {
+            CppFunction function(plan_.code, "Real", "q");
+            const Value v = plan_.code.lower(input.default_value);
+            function.compute({v}, true);
+            value = function.text(v);
+        }
+        text += fmt::format("        Real {} = {};\n", input.name, value);
+    }
+    return text + "    };\n\n";
+}
+
+std::string CppInterface::start() const {
+    std::string text = "    // Start values and constants of the solution.\n    struct Start {\n";
+    for (const ProgramInput& input : program_.start)
+        text += fmt::format("        Real {}{{}}; // {}\n", input.name, input.meaning);
+    return text + "    };\n\n";
+}
+
+std::string CppInterface::results(const std::string& name, const std::vector<CppResult>& list,
+                                  const std::string& comment) {
+    if (list.empty()) return "";
+    std::string text = fmt::format("    // {}\n    struct {} {{\n", comment, name);
+    for (const CppResult& result : list) text += fmt::format("        Real {}{{}};\n", result.name);
+    return text + "    };\n\n";
+}
+
+std::string CppInterface::constructors() {
+    return R"(    explicit Evaluator(const Real& eps) : Evaluator(eps, Parameters{}) {}
+    Evaluator(const Real& eps, const Parameters& parameters)
+        : Evaluator(eps, parameters, default_start(eps, parameters)) {}
+    Evaluator(const Real& eps, const Parameters& parameters, const Start& start)
+        : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
+    // Answers for 0 <= t <= slow_time_end/eps.
+    Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
+        : status_(construct(eps, parameters, start, slow_time_end)) {}
+
+    // If this is not ok, it is the answer to every call.
+    Status construction_status() const noexcept { return status_; }
+
+)";
+}
+
+void CppInterface::know_inputs(CppFunction& function) {
+    function.know(plan_.code.lower(program_.eps), "eps");
+    for (const ProgramInput& input : program_.parameters)
+        function.know(plan_.code.lower(input.symbol), "parameters." + input.name);
+}
+
+// The values of the scene.
+std::string CppInterface::default_start() {
+    CppFunction function(plan_.code, "Real", "q");
+    know_inputs(function);
+    std::vector<Value> roots;
+    CppFunction::Frame frame{"static",         "Start",
+                             "default_start",  {{"const Real&", "eps"}, {"const Parameters&", "parameters"}},
+                             {"Start start;"}, {}};
+    for (const ProgramInput& input : program_.start) roots.push_back(plan_.code.lower(input.default_value));
+    function.compute(roots, true);
+    for (std::size_t k = 0; k < roots.size(); ++k)
+        frame.last.push_back(fmt::format("start.{} = {};", program_.start[k].name, function.text(roots[k])));
+    frame.last.emplace_back("return start;");
+    return function.print(frame) + "\n";
+}
+
+std::string CppInterface::default_slow_time_end() {
+    CppFunction function(plan_.code, "Real", "q");
+    know_inputs(function);
+    const Value v = plan_.code.lower(program_.slow_time_end);
+    function.compute({v}, true);
+    return function.print({"static",
+                           "Real",
+                           "default_slow_time_end",
+                           {{"const Real&", "eps"}, {"const Parameters&", "parameters"}},
+                           {},
+                           {fmt::format("return {};", function.text(v))}}) +
+           "\n";
+}
+
+std::string CppInterface::call(const std::string& head, const std::string& type, const std::string& function,
+                               const std::vector<CppResult>& list) {
+    return fmt::format(R"(    Status {0}(const Real& t, {1}& values) const noexcept {{
+        Arguments a;
+        const Status prepared = prepare(t, a);
+        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
+        const Status status = answers ? {2}(c_, a, values) : prepared;
+        if (status == Status::ok) return prepared;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {{{3}}};
+        return status;
+    }}
+
+)",
+                       head, type, function, fmt::join(std::vector<std::string>(list.size(), "none"), ", "));
+}
+
+std::string CppInterface::batch() const {
+    std::vector<std::string> pointers, stores;
+    for (const CppResult& output : plan_.outputs) {
+        pointers.push_back("Real* " + output.name);
+        stores.push_back(fmt::format("            {0}[i] = values.{0};\n", output.name));
+    }
+    return fmt::format(R"(    // The same for `count` times; every array has that many elements.
+    void batch(const Real* t, std::size_t count, {}, Status* status) const noexcept {{
+        for (std::size_t i = 0; i < count; ++i) {{
+            Values values;
+            status[i] = (*this)(t[i], values);
+{}        }}
+    }}
+
+)",
+                       fmt::join(pointers, ", "), fmt::join(stores, ""));
+}
+
+std::string CppInterface::calls() const {
+    std::string text = "    // Anything but ok and low_precision: the values are not numbers.\n";
+    text += call("operator()", "Values", "outputs", plan_.outputs) + batch();
+    return plan_.state.empty() ? text : text + call("state", "State", "states", plan_.state);
+}
+
+} // namespace
+
+std::string cpp_interface(CppPlan& plan) { return CppInterface(plan).print(); }
+
+} // namespace resonform

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp_plan.hpp"
+
+#include "emit/cpp_names.hpp"
+#include "emit/prune.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace resonform {
+
+using Value = StraightLine::Value;
+
+CppPlan::CppPlan(const Program& p) : program(&p), code(p) {
+    assign_levels();
+    lower_results();
+    find_members();
+}
+
+void CppPlan::assign_levels() {
+    std::vector<std::size_t> level(program->tables.size(), 0);
+    for (std::size_t k = 0; k < level.size(); ++k) {
+        const std::vector<bool> used = reachable(program->graph, {program->tables[k].integrand});
+        for (std::size_t j = 0; j < k; ++j)
+            if (used[static_cast<std::size_t>(program->tables[j].value)])
+                level[k] = std::max(level[k], level[j] + 1);
+        if (levels.size() <= level[k]) levels.resize(level[k] + 1);
+        levels[level[k]].tables.push_back(k);
+    }
+}
+
+std::size_t CppPlan::column(std::size_t table) const {
+    std::size_t result = 0;
+    for (const CppLevel& level : levels)
+        for (const std::size_t k : level.tables) {
+            if (k == table) return result;
+            ++result;
+        }
+    return result;
+}
+
+std::size_t CppPlan::tables_before(std::size_t level) const {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < level; ++k) count += levels[k].tables.size();
+    return count;
+}
+
+void CppPlan::lower_results() {
+    const auto results = [this](const std::vector<ProgramOutput>& list) {
+        CppNames names;
+        std::vector<CppResult> lowered;
+        for (const ProgramOutput& output : list)
+            lowered.push_back({names.unique(output.name), code.lower(output.value)});
+        return lowered;
+    };
+    CppNames names;
+    for (const ProgramTable& table : program->tables) integrands.push_back(code.lower(table.integrand));
+    for (const ProgramPhase& phase : program->phases) {
+        phase_names.push_back(names.unique(phase.name));
+        phase_starts.push_back(code.lower(phase.start));
+        phase_rates.push_back(code.lower(phase.rate));
+        const std::vector<bool> used = reachable(program->graph, {phase.rate});
+        phase_uses_tables.push_back(
+            std::any_of(program->tables.begin(), program->tables.end(), [&](const ProgramTable& table) {
+                return used[static_cast<std::size_t>(table.value)];
+            }));
+    }
+    outputs = results(program->outputs);
+    state = results(program->state);
+    for (const Graph::Node condition : program->positive) {
+        const Value v = code.lower(condition);
+        (code.at(v).varying ? varying_conditions : constant_conditions).push_back(v);
+    }
+}
+
+// Constants that varying values use, and results that are constant; small integers are written in place.
+void CppPlan::find_members() {
+    std::vector<Value> roots = integrands;
+    for (const std::vector<Value>* more :
+         {&phase_starts, &phase_rates, &constant_conditions, &varying_conditions})
+        roots.insert(roots.end(), more->begin(), more->end());
+    for (const std::vector<CppResult>* results : {&outputs, &state})
+        for (const CppResult& result : *results) roots.push_back(result.value);
+
+    std::map<Graph::Node, std::string> inputs{{program->eps, "eps"}};
+    for (const std::vector<ProgramInput>* list : {&program->parameters, &program->start})
+        for (const ProgramInput& input : *list) inputs[input.symbol] = input.name;
+
+    CppNames names;
+    for (const Value v : code.behind(roots, false)) {
+        const StraightLine::Instruction& i = code.at(v);
+        const bool literal = i.op == StraightLine::Op::number && cln::denominator(i.number) == 1 &&
+                             cln::abs(i.number) < (Integer(1) << 31);
+        if (i.varying || literal) continue;
+        const std::string wish = i.op == StraightLine::Op::symbol ? inputs.at(i.symbol) : i.label;
+        members[v] = wish.empty() ? names.numbered("c") : names.unique(wish);
+    }
+}
+
+} // namespace resonform

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp_stages.hpp"
+
+#include "emit/cpp_function.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace resonform {
+
+namespace {
+
+using Value = StraightLine::Value;
+
+class CppStages {
+public:
+    explicit CppStages(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
+
+    std::string print() {
+        return constants() + integrands() + phase_rates() + arguments() +
+               evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state);
+    }
+
+private:
+    std::string constants();
+    std::string integrands();
+    std::string phase_rates();
+    std::string arguments() const;
+    std::string evaluation(const std::string& name, const std::string& type,
+                           const std::vector<CppResult>& list);
+    void know_members(CppFunction& function) const;
+    void know_tables(CppFunction& function, const std::string& array);
+
+    const Program& program_;
+    CppPlan& plan_;
+};
+
+void CppStages::know_members(CppFunction& function) const {
+    for (const auto& [value, name] : plan_.members) function.know(value, "c." + name);
+}
+
+std::string CppStages::constants() {
+    std::string text = "    // What is computed once.\n    template <class Number> struct Constants {\n";
+    CppFunction function(plan_.code, "Number", "k");
+    function.define(plan_.code.lower(program_.eps), "eps", "Number(given_eps)");
+    for (const ProgramInput& input : program_.parameters)
+        function.define(plan_.code.lower(input.symbol), input.name, "Number(p." + input.name + ")");
+    for (const ProgramInput& input : program_.start)
+        function.define(plan_.code.lower(input.symbol), input.name, "Number(s." + input.name + ")");
+    std::vector<Value> roots;
+    for (const auto& [value, name] : plan_.members) {
+        text += fmt::format("        Number {}{{}};\n", name);
+        function.assign(value, "c." + name);
+        roots.push_back(value);
+    }
+    function.compute(roots, true);
+    return text + "    };\n\n" +
+           function.print({"template <class Number> static",
+                           "void",
+                           "compute_constants",
+                           {{"const Real&", "given_eps"},
+                            {"const Parameters&", "p"},
+                            {"const Start&", "s"},
+                            {"Constants<Number>&", "c"}},
+                           {},
+                           {}}) +
+           "\n";
+}
+
+void CppStages::know_tables(CppFunction& function, const std::string& array) {
+    for (std::size_t k = 0; k < program_.tables.size(); ++k)
+        function.define(plan_.code.lower(program_.tables[k].value), program_.tables[k].name,
+                        fmt::format("{}[{}]", array, plan_.column(k)));
+}
+
+std::string CppStages::integrands() {
+    std::string text;
+    for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
+        CppFunction function(plan_.code, "Number", "q");
+        know_members(function);
+        function.know(plan_.code.lower(program_.slow_time), "T");
+        know_tables(function, "tables");
+        std::vector<Value> roots;
+        std::vector<std::string> names, texts;
+        for (const std::size_t k : plan_.levels[level].tables) {
+            roots.push_back(plan_.integrands[k]);
+            names.push_back("d" + program_.tables[k].name + "/dT");
+        }
+        function.compute(roots, false);
+        for (const Value root : roots) texts.push_back("Number(" + function.text(root) + ")");
+        const std::string type = fmt::format("std::array<Number, {}>", roots.size());
+        CppFunction::Frame frame{"template <class Number> static",
+                                 type,
+                                 fmt::format("integrands_{}", level),
+                                 {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
+                                 {},
+                                 {fmt::format("return {{{}}};", fmt::join(texts, ", "))}};
+        if (level > 0)
+            frame.parameters.emplace_back(
+                fmt::format("const std::array<Number, {}>&", plan_.tables_before(level)), "tables");
+        text += fmt::format("    // {}\n{}\n", fmt::join(names, ", "), function.print(frame));
+    }
+    return text;
+}
+
+std::string CppStages::phase_rates() {
+    std::string text;
+    for (std::size_t k = 0; k < program_.phases.size(); ++k) {
+        CppFunction function(plan_.code, "Number", "q");
+        know_members(function);
+        function.know(plan_.code.lower(program_.slow_time), "T");
+        know_tables(function, "tables");
+        function.compute({plan_.phase_rates[k]}, false);
+        CppFunction::Frame frame{"template <class Number> static",
+                                 "Number",
+                                 plan_.phase_names[k] + "_rate",
+                                 {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
+                                 {},
+                                 {fmt::format("return {};", function.text(plan_.phase_rates[k]))}};
+        if (plan_.phase_uses_tables[k])
+            frame.parameters.emplace_back(
+                fmt::format("const std::array<Number, {}>&", program_.tables.size()), "tables");
+        text += fmt::format("    // d{}/dT\n", plan_.phase_names[k]) + function.print(frame) + "\n";
+    }
+    return text;
+}
+
+std::string CppStages::arguments() const {
+    std::string text = "    // What differs from call to call.\n    struct Arguments {\n        Real T{}; // "
+                       "slow time eps t\n";
+    if (!program_.tables.empty())
+        text += fmt::format("        std::array<Real, {}> tables{{}};\n", program_.tables.size());
+    for (const std::string& name : plan_.phase_names)
+        text += fmt::format("        Real cos_{0}{{}}, sin_{0}{{}};\n", name);
+    return text + "    };\n\n";
+}
+
+std::string CppStages::evaluation(const std::string& name, const std::string& type,
+                                  const std::vector<CppResult>& list) {
+    if (list.empty()) return "";
+    CppFunction function(plan_.code, "Real", "q");
+    know_members(function);
+    function.know(plan_.code.lower(program_.slow_time), "a.T");
+    know_tables(function, "a.tables");
+    for (std::size_t k = 0; k < program_.phases.size(); ++k) {
+        function.know(plan_.code.lower(program_.phases[k].cosine), "a.cos_" + plan_.phase_names[k]);
+        function.know(plan_.code.lower(program_.phases[k].sine), "a.sin_" + plan_.phase_names[k]);
+    }
+    std::vector<Value> roots = plan_.varying_conditions;
+    for (const CppResult& result : list) roots.push_back(result.value);
+    function.compute(roots, false);
+
+    CppFunction::Frame frame{
+        "static", "Status",
+        name,     {{"const Constants<Real>&", "c"}, {"const Arguments&", "a"}, {type + "&", "values"}},
+        {},       {}};
+    for (const Value condition : plan_.varying_conditions)
+        frame.last.push_back(
+            fmt::format("if (!({} > Real(0))) return Status::outside_domain;", function.text(condition)));
+    std::vector<std::string> finite;
+    for (const CppResult& result : list) {
+        frame.last.push_back(fmt::format("values.{} = {};", result.name, function.text(result.value)));
+        finite.push_back(fmt::format("finite(values.{})", result.name));
+    }
+    frame.last.push_back(
+        fmt::format("return {} ? Status::ok : Status::overflow;", fmt::join(finite, " && ")));
+    return function.print(frame) + "\n";
+}
+
+} // namespace
+
+std::string cpp_stages(CppPlan& plan) { return CppStages(plan).print(); }
+
+} // namespace resonform
