@@ -81,7 +81,11 @@ const Radical& CertificateRoots::resolve(const ex& base, const Rational& exponen
         if (k.exponent == exponent && k.base.is_equal(base)) return k.radical;
     Product product;
     product.roots.resize(roots_.size());
-    split(base.subs(origin_, GiNaC::subs_options::no_pattern), exponent, equation, product);
+    try {
+        split(base.subs(origin_, GiNaC::subs_options::no_pattern), exponent, equation, product);
+    } catch (const GiNaC::pole_error&) {
+        refuse_certificate("no denominator vanishes at the origin", equation);
+    }
     known_.push_back({base, exponent, collect(product, equation)});
     return known_.back().radical;
 }

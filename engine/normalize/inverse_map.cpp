@@ -41,10 +41,12 @@ private:
         for (const auto& base : bases_) outer.push_back(base.first);
         std::vector<std::pair<Rational, SeriesProgram::Node>> addends;
         for (const auto& [monomial, coefficient] : ring.collect(p, outer)) {
-            SeriesProgram::Node product = program_.constant(coefficient);
+            // The powers first: equal products of powers are shared between all series.
+            SeriesProgram::Node product = program_.constant(ring.one());
             for (const auto& [id, input] : bases_)
                 if (const int exponent = ring.exponent(monomial, id); exponent != 0)
                     product = program_.product(product, power(input, exponent));
+            product = program_.product(program_.constant(coefficient), product);
             addends.emplace_back(1, product);
         }
         return program_.sum(std::move(addends));
