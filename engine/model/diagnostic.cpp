@@ -7,9 +7,38 @@ namespace resonform {
 
 namespace {
 
-bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+// The length of the UTF-8 character at the beginning of a text; 0 if there is none.
+std::size_t character_length(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    std::size_t length = 0;
+    if (lead < 0x80U) length = 1;
+    if (lead >= 0xC2U && lead < 0xE0U) length = 2;
+    if (lead >= 0xE0U && lead < 0xF0U) length = 3;
+    if (lead >= 0xF0U && lead < 0xF5U) length = 4;
+    if (length == 0 || length > text.size()) return 0;
+    const bool whole = std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length),
+                                   [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; });
+    return whole ? length : 0;
+}
 
 } // namespace
+
+std::string printable(std::string_view text) {
+    std::string shown;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = character_length(text.substr(at));
+        const bool control =
+            length == 1 && (static_cast<unsigned char>(text[at]) < 0x20U || text[at] == 0x7f);
+        if (length == 0 || (control && text[at] != '\t')) {
+            shown += '?';
+            ++at;
+            continue;
+        }
+        shown += text.substr(at, length);
+        at += length;
+    }
+    return shown;
+}
 
 Place place_of(const SourceText& source) {
     Place place;
@@ -41,7 +70,7 @@ Place place_at(const SourceText& source, std::string_view text, std::size_t offs
     const std::size_t end = std::min(text.find('\n', start), text.size());
     place.line += static_cast<int>(std::count(before.begin(), before.end(), '\n'));
     place.column = static_cast<int>(offset - start) + 1;
-    place.source_line = std::string(text.substr(start, end - start));
+    place.source_line = printable(text.substr(start, end - start));
     return place;
 }
 
@@ -49,16 +78,12 @@ std::string excerpt(std::string_view text, std::size_t begin, std::size_t end) {
     constexpr std::size_t longest = 60;
     begin = std::min(begin, text.size());
     end = std::min(std::max(end, begin), text.size());
-    std::string shown(text.substr(begin, std::min(end - begin, longest)));
+    std::size_t cut = end;
     if (end - begin > longest) {
-        while (!shown.empty() && continues_utf8(shown.back())) shown.pop_back();
-        if (!shown.empty() && static_cast<unsigned char>(shown.back()) >= 0xC0U) shown.pop_back();
-        shown += "...";
+        cut = begin + longest;
+        while (cut > begin && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) --cut;
     }
-    for (char& c : shown) {
-        if (static_cast<unsigned char>(c) < 0x20U || c == '\x7f') c = '?';
-    }
-    return shown;
+    return printable(text.substr(begin, cut - begin)) + (cut < end ? "..." : "");
 }
 
 std::string in_quotes(std::string_view text) { return "'" + excerpt(text) + "'"; }

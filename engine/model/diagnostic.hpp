@@ -30,7 +30,11 @@ Place whole_file(const std::filesystem::path& file);
 // The place of the byte `offset` of `text`; a text of several lines is followed to the right one.
 Place place_at(const SourceText& source, std::string_view text, std::size_t offset);
 
-// text[begin, end) fit to be printed: control characters as '?', at most 60 bytes, cut with "...".
+// The text fit to be printed: control characters but tabs, and bytes that are not UTF-8, become '?'.
+// Its length and its columns stay.
+std::string printable(std::string_view text);
+
+// text[begin, end), printable, at most 60 bytes, cut with "...".
 std::string excerpt(std::string_view text, std::size_t begin = 0, std::size_t end = std::string_view::npos);
 
 // 'text', cut like excerpt.

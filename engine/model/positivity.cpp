@@ -126,8 +126,8 @@ Sign Prover::by_declaration(const ex& e, int comparisons) const {
         const ex d = declared.expand();
         const ex rest = (expanded - d).expand();
         if (rest.is_zero()) return Sign::positive;
-        const bool smaller = !GiNaC::is_a<GiNaC::add>(rest) || rest.nops() < expanded.nops();
-        if (smaller && sign(rest, comparisons - 1) != Sign::unknown) return Sign::positive;
+        const bool simpler = !GiNaC::is_a<GiNaC::add>(rest) || rest.nops() <= expanded.nops();
+        if (simpler && sign(rest, comparisons - 1) != Sign::unknown) return Sign::positive;
         ex quotient;
         if (GiNaC::is_a<numeric>(d) || !expanded.info(GiNaC::info_flags::rational_polynomial) ||
             !d.info(GiNaC::info_flags::rational_polynomial) || !GiNaC::divide(expanded, d, quotient)) {

@@ -50,7 +50,7 @@ public:
         source.key = std::move(key);
         source.line = static_cast<int>(at.line);
         source.column = static_cast<int>(byte(at)) + 1;
-        source.source_line = std::string(line(at));
+        source.source_line = printable(line(at));
         return source;
     }
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The prover of signs: what it must see, and what it must not claim.
+#include "model/positivity.hpp"
+#include "model/zero_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace resonform {
+namespace {
+
+class Positivity : public testing::Test {
+protected:
+    Positivity()
+        : system(read_system_text("[system]\nname = \"s\"\n"
+                                  "[parameters]\nr = { positive = true }\nc = { nonzero = true }\nk = {}\n"
+                                  "[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
+                                  "p = { role = \"slow\", positive = true }\n"
+                                  "[equations]\nx = \"x'' = -x\"\ntau = \"tau' = eps\"\np = \"p' = eps\"\n"
+                                  "[domain]\npositive = [\"1 + tau\", \"k - tau\"]\n",
+                                  "system.toml")) {}
+
+    GiNaC::ex read(const std::string& text) const {
+        Scope scope = system.constants();
+        for (const Variable& v : system.variables) scope.define(v.name, v.jet.front());
+        return read_expression(text, scope, SourceText{});
+    }
+    bool positive(const std::string& text) const { return provably_positive(read(text), system); }
+    bool nonzero(const std::string& text) const { return provably_nonzero(read(text), system); }
+
+    System system;
+};
+
+TEST_F(Positivity, Proves) {
+    for (const char* text : {"2",
+                             "pi",
+                             "r",
+                             "p",
+                             "eps",
+                             "tau^2 + r^2",
+                             "r/sqrt(tau^2 + r^2)",
+                             "2 + tau^2",
+                             "c^2",
+                             "1/c^2",
+                             "exp(tau)",
+                             "cosh(x)",
+                             "(tau^2 + 1)^(-3/4)",
+                             "sqrt(r)*p",
+                             "1 + sqrt(tau^2)",
+                             "1 + tau",
+                             "(1 + tau)^2",
+                             "1/(1 + tau)",
+                             "sqrt(1 + tau)",
+                             "2 + 2*tau",
+                             "r + r*tau",
+                             "2 + tau",
+                             "1 + tau + r",
+                             "k - tau",
+                             "1 + 2*tau + tau^2",
+                             "1 + k",
+                             "atan(r)",
+                             "(1 + tau)*(tau^2 + r)"}) {
+        EXPECT_TRUE(positive(text)) << text;
+    }
+}
+
+TEST_F(Positivity, DoesNotClaim) {
+    for (const char* text : {"0",
+                             "-1",
+                             "k",
+                             "c",
+                             "tau",
+                             "x",
+                             "tau^2",
+                             "r - p",
+                             "tau - 1",
+                             "-r",
+                             "sin(tau)",
+                             "tau + r",
+                             "1/tau^2",
+                             "sqrt(tau)",
+                             "1 + sqrt(tau)",
+                             "exp(sqrt(tau))",
+                             "log(r)",
+                             "r*tau",
+                             "tau - k",
+                             "1 + tau - tau^2",
+                             "-(1 + tau)",
+                             "tan(tau)^2 + 1",
+                             "1 + 1/tau^2"}) {
+        EXPECT_FALSE(positive(text)) << text;
+    }
+}
+
+TEST_F(Positivity, Nonzero) {
+    for (const char* text : {"c", "-r", "c*r", "c^3", "1/c", "-(1 + tau)", "tau - k", "c*(1 + tau)^(1/2)"}) {
+        EXPECT_TRUE(nonzero(text)) << text;
+    }
+    for (const char* text : {"k", "tau", "c + 1", "c - r", "sin(r)", "0"})
+        EXPECT_FALSE(nonzero(text)) << text;
+}
+
+TEST_F(Positivity, ZeroTestHasThreeAnswers) {
+    EXPECT_EQ(vanishes(read("tau - k")), Zero::no);
+    EXPECT_EQ(vanishes(read("sin(tau) - tau")), Zero::no);
+    EXPECT_EQ(vanishes(read("(tau+1)^2 - tau^2 - 2*tau - 1")), Zero::yes);
+    EXPECT_EQ(vanishes(read("1/(tau+1) - 1/(tau-1) + 2/(tau^2-1)")), Zero::yes);
+    EXPECT_EQ(vanishes(read("sin(tau)^2 + cos(tau)^2 - 1")), Zero::unknown);
+    EXPECT_EQ(vanishes(read("1e-30*tau")), Zero::no);
+    EXPECT_EQ(vanishes(read("exp(tau)*exp(k) - exp(tau + k) + 1e-30")), Zero::unknown);
+}
+
+TEST_F(Positivity, BallsHoldTheValue) {
+    const GiNaC::exmap point{{system.variables[1].jet[0], GiNaC::numeric(1, 3)}};
+    for (const char* text :
+         {"sin(tau)^2 + cos(tau)^2 - 1", "exp(log(tau) + 1) - tau*exp(1)", "cosh(tau)^2 - sinh(tau)^2 - 1",
+          "tan(tau)*cos(tau) - sin(tau)", "asin(tau) + acos(tau) - pi/2", "sqrt(tau)^2 - tau",
+          "tanh(tau)*cosh(tau) - sinh(tau)", "tan(atan(tau)) - tau"}) {
+        const Ball ball = evaluate(read(text), point);
+        EXPECT_FALSE(ball.excludes_zero()) << text << " " << ball.middle << " " << ball.radius;
+        EXPECT_LT(ball.radius, 1e-12) << text;
+    }
+    EXPECT_FALSE(std::isfinite(evaluate(read("exp(exp(exp(tau + 10)))"), point).radius));
+}
+
+} // namespace
+} // namespace resonform

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pendulum's system file, read: everything in the order of the file, nothing lost.
+#include "model/system_file.hpp"
+
+#include "messages.hpp"
+
+namespace resonform {
+namespace {
+
+template <typename Named> std::vector<std::string> names(const std::vector<Named>& all) {
+    std::vector<std::string> result;
+    for (const Named& one : all) result.push_back(one.name);
+    return result;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(SystemFile, KeepsTheOrderOfTheFile) {
+    const System system = read_system(source_dir() / "systems/almost_holonomic_pendulum/system.toml");
+    EXPECT_EQ(system.name, "almost_holonomic_pendulum");
+    EXPECT_EQ(system.title, "Almost holonomic pendulum");
+    EXPECT_EQ(names(system.parameters), (Names{"g", "r", "v"}));
+    EXPECT_EQ(names(system.variables), (Names{"psi", "xi", "x", "y"}));
+    EXPECT_EQ(names(system.notation), (Names{"C_delta", "theta_0", "C_X", "C_Y"}));
+    ASSERT_EQ(system.equations.size(), 4U); // of the variables, in their order
+    EXPECT_EQ(system.equations[1].variable, "xi");
+    EXPECT_EQ(system.equations[1].text, "xi' = eps*v");
+}
+
+TEST(SystemFile, ReadsRolesUnitsAndDomains) {
+    const System system = read_system_text(pendulum_system(), "system.toml");
+    EXPECT_TRUE(system.parameter("g")->positive);
+    EXPECT_TRUE(system.parameter("g")->nonzero);
+    EXPECT_FALSE(system.parameter("v")->positive);
+    EXPECT_EQ(system.parameter("g")->unit, "m/s^2");
+    EXPECT_EQ(system.variable("psi")->role, Role::fast);
+    EXPECT_EQ(system.variable("psi")->order, 2);
+    EXPECT_EQ(system.variable("psi")->jet.size(), 3U);
+    EXPECT_EQ(system.variable("psi")->jet[2].get_name(), "psi''");
+    EXPECT_EQ(system.variable("xi")->role, Role::slow);
+    EXPECT_EQ(system.variable("y")->role, Role::drift);
+    EXPECT_EQ(system.variable("y")->unit, "m");
+    EXPECT_EQ(system.variable("z"), nullptr);
+}
+
+TEST(SystemFile, NotationNamesTheConstants) {
+    const System system = read_system_text(pendulum_system(), "system.toml");
+    EXPECT_EQ(system.constant_name("amplitude", "psi"), "C_delta");
+    EXPECT_EQ(system.constant_name("constant", "y"), "C_Y");
+    const System plain = read_system_text(
+        "[system]\nname = \"s\"\n[variables]\nu = { role = \"fast\" }\n[equations]\nu = \"u'' = -u\"\n", "s");
+    EXPECT_EQ(plain.constant_name("amplitude", "u"), "amplitude_u");
+    EXPECT_EQ(plain.title, "s");
+}
+
+TEST(SystemFile, ResidualIsLeftMinusRight) {
+    const System system = read_system_text(pendulum_system(), "system.toml");
+    const Variable& xi = *system.variable("xi");
+    EXPECT_EQ(system.equations[1].residual, xi.jet[1] - system.eps * system.parameter("v")->symbol);
+}
+
+TEST(SystemFile, DeclaredExpressionsAreKept) {
+    const System system = read_system_text(
+        edited(pendulum_system(), "[equations]", "[domain]\npositive = [\"1 + xi/r\"]\n[equations]"), "s");
+    ASSERT_EQ(system.positive.size(), 1U);
+    EXPECT_EQ(system.positive[0], 1 + system.variable("xi")->jet[0] / system.parameter("r")->symbol);
+}
+
+TEST(SystemFile, IsFoundByFolderFileOrName) {
+    const std::filesystem::path systems = source_dir() / "systems";
+    const std::filesystem::path file = systems / "almost_holonomic_pendulum" / "system.toml";
+    EXPECT_EQ(find_system("almost_holonomic_pendulum", systems), file);
+    EXPECT_EQ(find_system(file.parent_path().string(), "nowhere"), file);
+    EXPECT_EQ(find_system(file.string(), "nowhere"), file);
+    try {
+        find_system("almost_holonomic_pendulun", systems);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.diagnostic().mend.substr(0, 45), "did you mean 'almost_holonomic_pendulum'? Kno");
+    }
+}
+
+TEST(SystemFile, MissingFilesAndFolders) {
+    const auto rule = [](const std::filesystem::path& file) -> std::string {
+        try {
+            read_system(file);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), Kind::bad_input);
+            return error.diagnostic().rule;
+        }
+        return "";
+    };
+    EXPECT_EQ(rule("no/such/file.toml"), "the file exists");
+    EXPECT_EQ(rule(source_dir()), "a regular file is given");
+    EXPECT_EQ(rule("/dev/zero"), "a regular file is given");
+}
+
+// A number, a comment and an escape do not shift the marked place.
+TEST(SystemFile, PlacesSurviveTheSpellingsOfToml) {
+    const auto place = [](const std::string& equation) {
+        try {
+            read_system_text(edited(pendulum_system(), "xi = \"xi' = eps*v\"", equation), "system.toml");
+        } catch (const Error& error) {
+            const Place& p = error.diagnostic().place;
+            return std::to_string(p.line) + ":" + std::to_string(p.column) + ": " + p.source_line;
+        }
+        return std::string();
+    };
+    EXPECT_EQ(place("xi = \"\"\"\nxi' =\n  eps*vv\"\"\""), "23:7:   eps*vv");
+    EXPECT_EQ(place("xi = \"\"\"xi' = eps*vv\"\"\""), "21:19: xi = \"\"\"xi' = eps*vv\"\"\"");
+    EXPECT_EQ(place("xi = \"xi\\u0027 = eps*vv\""), "21:7: xi = \"xi\\u0027 = eps*vv\"");
+    EXPECT_EQ(place("\"xi\" = \"xi' = eps*vv\" # ψ"), "21:19: \"xi\" = \"xi' = eps*vv\" # ψ");
+    EXPECT_EQ(place("xi = \"xi' = eps*vv\"\r"), "21:17: xi = \"xi' = eps*vv\"");
+}
+
+} // namespace
+} // namespace resonform
