@@ -160,6 +160,7 @@ std::vector<std::pair<Monomial, Polynomial>> Ring::collect(const Polynomial& p,
         groups[key].push_back({t.monomial - key, t.coefficient});
     }
     std::vector<std::pair<Monomial, Polynomial>> result;
+    result.reserve(groups.size());
     for (auto& group : groups) {
         result.emplace_back(group.first, Polynomial::from_terms(std::move(group.second)));
     }

@@ -38,7 +38,7 @@ SeriesProgram::Node SeriesProgram::constant(const Polynomial& p) {
     return intern(std::move(c));
 }
 
-SeriesProgram::Node SeriesProgram::sum(std::vector<std::pair<Rational, Node>> addends) {
+SeriesProgram::Node SeriesProgram::sum(const std::vector<std::pair<Rational, Node>>& addends) {
     std::map<Node, Rational> collected;
     for (const auto& addend : addends) collected[addend.second] = collected[addend.second] + addend.first;
     Instruction s;

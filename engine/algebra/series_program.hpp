@@ -50,7 +50,7 @@ public:
 
     Node input(std::string name);
     Node constant(const Polynomial& p); // split by weight
-    Node sum(std::vector<std::pair<Rational, Node>> addends);
+    Node sum(const std::vector<std::pair<Rational, Node>>& addends);
     Node product(Node a, Node b);
     Node sine(Node u); // creates cosine(u) too, once per u
     Node cosine(Node u);
