@@ -30,7 +30,8 @@ std::vector<GiNaC::symbol> fast_jets(const System& system) {
     return jets;
 }
 
-CoefficientRing jet_ring(const FirstOrderSystem& first_order, const std::vector<GiNaC::symbol>& jets) {
+std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_order,
+                                                const std::vector<GiNaC::symbol>& jets) {
     std::vector<std::string> names;
     for (const auto& jet : jets) names.push_back(jet.get_name());
     CoefficientRing coefficients(first_order.system, names, std::vector<int>(names.size(), -1));
@@ -39,7 +40,7 @@ CoefficientRing jet_ring(const FirstOrderSystem& first_order, const std::vector<
         coefficients.collect(line_expression(first_order, v),
                              place_of(first_order.system->equations[v].source));
     coefficients.freeze();
-    return coefficients;
+    return std::make_shared<const CoefficientRing>(std::move(coefficients));
 }
 
 EquationLine make_line(std::size_t variable, bool implicit, const Series& series, int through) {
@@ -61,7 +62,8 @@ EquationSeries expand_equations(const GradedField& field, int through) {
     const FirstOrderSystem& first_order = *field.first_order;
     const System& system = *first_order.system;
     const auto jets = fast_jets(system);
-    const CoefficientRing coefficients = jet_ring(first_order, jets);
+    const auto shared = jet_ring(first_order, jets);
+    const CoefficientRing& coefficients = *shared;
 
     SeriesProgram program(coefficients.ring());
     Translator translate(program, coefficients);
@@ -81,7 +83,7 @@ EquationSeries expand_equations(const GradedField& field, int through) {
                           n == 1 ? coefficients.ring()->gen(coefficients.fast(k)) : Polynomial());
         run.advance(n);
     }
-    EquationSeries result{coefficients.ring(), coefficients.eps(), through, {}};
+    EquationSeries result{shared, coefficients.ring(), coefficients.eps(), through, {}};
     for (std::size_t v = 0; v < system.variables.size(); ++v)
         result.lines.push_back(
             make_line(v, system.variables[v].role == Role::fast, run.series(lines[v]), through));

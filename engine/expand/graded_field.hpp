@@ -77,6 +77,7 @@ struct EquationLine {
     int next_weight; // the first weight > through with a term, 0 if none was seen
 };
 struct EquationSeries {
+    std::shared_ptr<const CoefficientRing> coefficients;
     RingPtr ring; // parameters, slow variables, roots as in GradedField; fast generators are
                   // the jets, named "psi", "psi'", "psi''"
     GeneratorId eps;

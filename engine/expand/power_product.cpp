@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/power_product.hpp"
 
+#include "model/positivity.hpp"
+
 #include <algorithm>
 #include <sstream>
 
@@ -132,21 +134,12 @@ private:
 
     void append(const ex& base, const Rational& exponent) {
         if (!is_integer(exponent) && !provably_positive(base, system_)) not_positive(base);
-        if (cln::minusp(exponent) && !provably_nonzero(base))
+        if (cln::minusp(exponent) && !provably_nonzero(base, system_))
             refuse({"nothing is divided by an expression that is not proved to be non-zero", spell(base),
                     "declare it: nonzero = true or positive = true for a name, or [domain] positive = [\"" +
                         spell(base) + "\"]",
                     place_});
         result.factors.push_back({base, exponent});
-    }
-
-    [[nodiscard]] bool provably_nonzero(const ex& base) const {
-        if (provably_positive(base, system_) || provably_positive(-base, system_)) return true;
-        for (const auto& p : system_.parameters)
-            if (base.is_equal(p.symbol)) return p.nonzero;
-        for (const auto& v : system_.variables)
-            if (base.is_equal(v.jet.front())) return v.nonzero;
-        return false;
     }
 
     [[noreturn]] void not_positive(const ex& base) const {
@@ -172,10 +165,6 @@ Rational to_rational(const ex& number) {
 }
 
 ex to_ginac(const Rational& number) { return GiNaC::numeric(number); }
-
-Place place_of(const SourceText& source) {
-    return {source.file, source.line, source.column, source.key, source.source_line};
-}
 
 std::string spell(const ex& e) {
     // GiNaC's own order of terms depends on addresses: sort the printed terms of sums and products.

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "algebra/number.hpp"
+#include "model/diagnostic.hpp"
 #include "model/first_order_system.hpp"
 
 #include <ginac/ginac.h>
@@ -35,9 +36,6 @@ PowerProduct split_power(const GiNaC::ex& base, const Rational& exponent, const 
 
 Rational to_rational(const GiNaC::ex& number); // precondition: a rational GiNaC number
 GiNaC::ex to_ginac(const Rational& number);
-
-// The place of a whole text.
-Place place_of(const SourceText& source);
 
 // An expression as the user would write it; the order of terms is canonical.
 std::string spell(const GiNaC::ex& e);

@@ -19,16 +19,8 @@ protected:
 // A polynomial of the jets, written over the ring of an EquationSeries.
 Polynomial term(const EquationSeries& equations, const GradedField& field, const std::string& text,
                 const std::vector<std::pair<std::string, int>>& powers) {
-    // both rings hold the same roots here, so the coefficient may be carried over by name
-    const auto carry = RingMap::by_name(field.ring, equations.ring, [&] {
-        std::vector<std::pair<GeneratorId, Polynomial>> others;
-        for (const Mode& m : field.modes) {
-            others.emplace_back(m.z, Polynomial());
-            others.emplace_back(m.zbar, Polynomial());
-        }
-        return others;
-    }());
-    return equations.ring->multiply(carry(coefficient(field, text)), monomial(*equations.ring, powers));
+    return equations.ring->multiply(coefficient(*equations.coefficients, field.system(), text),
+                                    monomial(*equations.ring, powers));
 }
 
 } // namespace
@@ -54,8 +46,10 @@ TEST_F(Pendulum, EveryGeneratorOfWeightZeroIsKnownByName) {
 TEST_F(Pendulum, DriftsStartAtWeightOne) {
     const FieldSeries series = evaluate_field(*field, 1);
     const Polynomial eps = field->ring->gen(field->eps);
-    EXPECT_EQ(series.drift[0].part(1), field->ring->multiply(coefficient(*field, "r*v/sqrt(xi^2 + r^2)"), eps));
-    EXPECT_EQ(series.drift[1].part(1), field->ring->multiply(coefficient(*field, "xi*v/sqrt(xi^2 + r^2)"), eps));
+    EXPECT_EQ(series.drift[0].part(1),
+              field->ring->multiply(coefficient(*field, "r*v/sqrt(xi^2 + r^2)"), eps));
+    EXPECT_EQ(series.drift[1].part(1),
+              field->ring->multiply(coefficient(*field, "xi*v/sqrt(xi^2 + r^2)"), eps));
 }
 
 TEST_F(Pendulum, Equation16) {

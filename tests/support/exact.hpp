@@ -35,23 +35,29 @@ inline std::shared_ptr<const GradedField> field_from(const std::string& toml) {
     return std::make_shared<const GradedField>(expand(first_order_from(toml)));
 }
 
-// "I" is the imaginary unit: text = "a" is read as a, and times_i multiplies by i.
-inline Polynomial coefficient(const GradedField& field, const std::string& text, bool times_i = false) {
+// A coefficient in parameters, slow variables and eps.
+inline Polynomial coefficient(const CoefficientRing& coefficients, const System& system,
+                              const std::string& text) {
     Scope scope;
-    const System& system = field.system();
     for (const auto& p : system.parameters) scope.define(p.name, p.symbol);
     for (const auto& v : system.variables)
         if (v.role == Role::slow) scope.define(v.name, v.jet.front());
     scope.define("eps", system.eps);
-    const SourceText source{"test", "expected", 1, 1, text};
-    const Polynomial value = field.coefficients->convert(read_expression(text, scope, source), {});
+    const SourceText source{"test", "expected", 1, 1, text, true};
+    return coefficients.convert(read_expression(text, scope, source), {});
+}
+
+// times_i: the coefficient times the imaginary unit.
+inline Polynomial coefficient(const GradedField& field, const std::string& text, bool times_i = false) {
+    const Polynomial value = coefficient(*field.coefficients, field.system(), text);
     return times_i ? field.ring->multiply(field.ring->imaginary(), value) : value;
 }
 
 // The product of generators of a field: {{"z1", 2}, {"eps", 1}}.
 inline Polynomial monomial(const Ring& ring, const std::vector<std::pair<std::string, int>>& powers) {
     Polynomial result = ring.one();
-    for (const auto& [name, power] : powers) result = ring.multiply(result, ring.gen(ring.find(name).value(), power));
+    for (const auto& [name, power] : powers)
+        result = ring.multiply(result, ring.gen(ring.find(name).value(), power));
     return result;
 }
 
