@@ -7,8 +7,8 @@ namespace resonform {
 
 namespace {
 
-__extension__ typedef unsigned __int128 Wide;
-__extension__ typedef __int128 SignedWide;
+__extension__ using Wide = unsigned __int128;
+__extension__ using SignedWide = __int128;
 
 std::uint64_t multiply_modulo(std::uint64_t a, std::uint64_t b, std::uint64_t n) {
     return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % n);

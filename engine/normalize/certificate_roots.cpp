@@ -195,11 +195,9 @@ ex CertificateRoots::with_root_symbols(const ex& e, const Equation& equation) {
     if (is_whole(exponent)) return GiNaC::pow(with_root_symbols(e.op(0), equation), e.op(1));
     const Radical radical = resolve(e.op(0), exponent, equation);
     ex result = GiNaC::numeric(radical.number) * radical.rest;
-    for (const auto& [id, power] : radical.roots) {
-        const auto root =
-            std::find_if(roots_.begin(), roots_.end(), [&](const Root& r) { return r.id == id; });
-        result *= GiNaC::pow(root->symbol, power);
-    }
+    for (const Root& root : roots_)
+        for (const auto& [id, power] : radical.roots)
+            if (root.id == id) result *= GiNaC::pow(root.symbol, power);
     return result;
 }
 
