@@ -39,11 +39,16 @@ std::string banner(const Program& program) {
     return text;
 }
 
-std::string runtime(bool inlined) {
-    if (!inlined)
-        return "#include \"runtime/interval.hpp\"\n#include \"runtime/phase.hpp\"\n#include "
-               "\"runtime/table.hpp\"\n\n";
-    std::string text = "#ifndef RESONFORM_RUNTIME_INLINED\n#define RESONFORM_RUNTIME_INLINED\n";
+// What of the runtime the class needs, or all of it as text.
+std::string runtime(const Program& program, bool inlined) {
+    std::string text;
+    if (!inlined) {
+        text = "#include \"runtime/interval.hpp\"\n";
+        if (!program.phases.empty()) text += "#include \"runtime/phase.hpp\"\n";
+        if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
+        return text + "\n";
+    }
+    text = "#ifndef RESONFORM_RUNTIME_INLINED\n#define RESONFORM_RUNTIME_INLINED\n";
     for (const std::string_view part : runtime_texts()) text += part;
     return text + "#endif\n\n";
 }
@@ -55,9 +60,9 @@ std::string cpp_namespace(const Program& program) {
 // Includes, namespace and class.
 std::string body(const Program& program, bool inline_runtime) {
     std::string text =
-        runtime(inline_runtime) + "#include <algorithm>\n#include <array>\n#include <cstddef>\n\n";
+        runtime(program, inline_runtime) + "#include <algorithm>\n#include <array>\n#include <cstddef>\n\n";
     text += fmt::format("namespace {} {{\n\n", cpp_namespace(program));
-    text += "using namespace resonform::math; // sqrt, sin, ... of every real type\n\n";
+    text += "using namespace resonform::math; // elementary functions of every real type\n\n";
     return text + cpp_class(program) + fmt::format("\n}} // namespace {}\n", cpp_namespace(program));
 }
 

@@ -28,8 +28,8 @@ void StartConstants::define_given(Surroundings& surroundings) {
         if (is_physical(mode.variable)) continue;
         const std::string& variable = solution_.system().variables[mode.variable].name;
         surroundings.symbols[solution_.ring->generator(mode.amplitude).name] =
-            input(mode.amplitude_name, "amplitude of " + variable, "amplitude." + variable);
-        phase_start_ = input(mode.phase_name, "phase of " + variable + " at t = 0", "phase." + variable);
+            input(mode.amplitude_name, "amplitude of the oscillation", "amplitude." + variable);
+        phase_start_ = input(mode.phase_name, "its phase at t = 0", "phase." + variable);
     }
     for (const DriftSolution& drift : solution_.drift) {
         if (is_physical(drift.variable)) continue;

@@ -183,7 +183,9 @@ private:
             return Status::ok;
         }
         const Number middle = (left + right) / Number(2);
-        if (depth == most_halvings || result_.panels.size() >= most_panels) return Status::outside_domain;
+        const bool narrow = right - left < Number(1024) * math::epsilon<Number>() * right;
+        if (narrow || depth == most_halvings || result_.panels.size() >= most_panels)
+            return Status::outside_domain;
         if (Status status = divide(left, middle, rest, depth + 1); status != Status::ok) return status;
         return divide(middle, right, rest, depth + 1);
     }
@@ -219,7 +221,7 @@ private:
 
 // Integrals over [0, end], end > 0, of the functions integrand(T) -> std::array<Number, Count>.
 // Status: overflow, outside_domain: an integrand is infinite, or not a number; outside_domain too when
-// 2048 panels do not resolve it (a singularity within the interval or next to it).
+// 2048 panels, or the spacing of numbers, do not resolve it (a singularity within or next to the interval).
 template <class Number, std::size_t Count, class Integrand>
 Panels<Number, Count> fit_panels(const Integrand& integrand, const Number& end) {
     return PanelFitter<Number, Count, Integrand>(integrand, end).fit();

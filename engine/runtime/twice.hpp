@@ -99,11 +99,12 @@ template <class Real> Twice<Real> pow(const Twice<Real>& x, const Twice<Real>& y
 template <class Real> Twice<Real> exp(const Twice<Real>& x) {
     using math::exp;
     if (!math::finite(x.high) || !math::finite(Real(exp(x.high)))) return Twice<Real>(exp(x.high));
-    int halvings = 8;
-    for (Real size = math::magnitude(x.high); size > Real(1); size = size / Real(2)) ++halvings;
+    if (x.high < Real(0)) return Twice<Real>(1) / exp(-x);
+    int halvings = 3;
+    for (Real size = x.high; size > Real(1); size = size / Real(2)) ++halvings;
     const Twice<Real> small = x / Twice<Real>(math::power(Real(2), halvings));
     Twice<Real> less_one(Real(0)), term(Real(1)); // exp(small) - 1 keeps its leading digits
-    for (int n = 1; n <= math::digits<Real> / 4 + 4; ++n) {
+    for (int n = 1; n <= math::digits<Real> / 3 + 6; ++n) {
         term = term * small / Twice<Real>(n);
         less_one = less_one + term;
     }

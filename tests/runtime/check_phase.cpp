@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Phases of many turns against 100 digits: theta = 1 + (1/eps) T/(1 + T), T = eps t.
+#include "runtime/phase.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
+
+namespace resonform {
+
+namespace {
+
+using Hundred = boost::multiprecision::cpp_bin_float_100;
+
+template <class Real> Phase<Real> phase_of(const Real& eps) {
+    using Wide = typename Phase<Real>::Wide;
+    Phase<Real> phase;
+    const Status status = phase.build(
+        [&](const Wide& T) {
+            const Wide w = T + Wide(1);
+            return std::array<Wide, 1>{Wide(1) / (w * w) / Wide(eps)};
+        },
+        Wide(1), eps, Real(1));
+    EXPECT_EQ(status, Status::ok);
+    return phase;
+}
+
+// The worst error of cosine and sine over the interval.
+template <class Real> double worst_error(const Real& eps) {
+    const Phase<Real> phase = phase_of(eps);
+    Hundred worst(0);
+    for (int i = 0; i < 300; ++i) {
+        const Real t = (Real(i) + Real(0.37)) / Real(301) / eps;
+        Real cosine(0), sine(0);
+        EXPECT_EQ(phase(t, cosine, sine), Status::ok);
+        const Hundred T = Hundred(t) * Hundred(eps), theta = 1 + T / (1 + T) / Hundred(eps);
+        worst = std::max(
+            {worst, Hundred(abs(Hundred(cosine) - cos(theta))), Hundred(abs(Hundred(sine) - sin(theta)))});
+    }
+    return static_cast<double>(worst);
+}
+
+} // namespace
+
+TEST(Phase, CostsNoDigitsUpTo1e14Radians) {
+    for (const double eps : {0.1, 1e-3, 1e-6, 1e-10, 1e-14}) EXPECT_LT(worst_error(eps), 2.5e-16) << eps;
+}
+
+TEST(Phase, LongDoubleToo) {
+    for (const long double eps : {0.1L, 1e-8L})
+        EXPECT_LT(worst_error(eps), 1.2e-19) << static_cast<double>(eps);
+}
+
+TEST(Phase, SaysWhenItIsLost) {
+    const Phase<double> phase = phase_of(1e-30);
+    double cosine = 0, sine = 0;
+    EXPECT_EQ(phase(0.9e30, cosine, sine), Status::low_precision);
+}
+
+} // namespace resonform

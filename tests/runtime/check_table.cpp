@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tabulated integrals against known ones, in every real type.
+#include "runtime/table.hpp"
+#include "runtime/twice.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
+
+namespace resonform {
+
+namespace {
+
+using Fifty = boost::multiprecision::cpp_bin_float_50;
+
+template <class Real> Real worst_error(const PrimitiveTable<Real, 2>& table, const Real& end) {
+    using math::asinh;
+    using math::sin;
+    Real worst(0);
+    for (int i = 0; i <= 300; ++i) {
+        const Real T = end * Real(i) / Real(300);
+        const auto value = table(T);
+        for (const Real& error : {Real(value[0] - asinh(T)), Real(value[1] - sin(T))})
+            worst = std::max(worst, Real(math::magnitude(error)));
+    }
+    return worst;
+}
+
+template <class Real> class Table : public ::testing::Test {};
+using Reals = ::testing::Types<double, long double, Float128, Fifty>;
+TYPED_TEST_SUITE(Table, Reals);
+
+} // namespace
+
+// int 1/sqrt(1 + T^2) = asinh T and int cos T = sin T side by side, to a few ulp of their size.
+TYPED_TEST(Table, IntegralsOfSmoothFunctionsHaveFullPrecision) {
+    using Real = TypeParam;
+    PrimitiveTable<Real, 2> table;
+    const Status status = table.build(
+        [](const Real& T) {
+            using math::cos;
+            using math::sqrt;
+            return std::array<Real, 2>{Real(Real(1) / sqrt(Real(Real(1) + T * T))), Real(cos(T))};
+        },
+        Real(3));
+    ASSERT_EQ(status, Status::ok);
+    EXPECT_LT(worst_error(table, Real(3)), Real(10) * math::epsilon<Real>());
+    EXPECT_LT(table.panels(), 60U);
+}
+
+TYPED_TEST(Table, PolynomialsNeedOnePanel) {
+    using Real = TypeParam;
+    PrimitiveTable<Real, 1> table;
+    ASSERT_EQ(table.build([](const Real& T) { return std::array<Real, 1>{Real(3) * T * T}; }, Real(2)),
+              Status::ok);
+    EXPECT_EQ(table.panels(), 1U);
+    EXPECT_LT(math::magnitude(Real(table(Real(2))[0] - Real(8))), Real(32) * math::epsilon<Real>());
+}
+
+// A peak 10^-4 wide in the middle: panels gather there, and the integral is exact all the same.
+TEST(TableOfPeaks, NarrowPeaksAreResolved) {
+    const double width = 1e-4;
+    PrimitiveTable<double, 1> table;
+    const auto peak = [&](double T) { return std::array{width / ((T - 0.3) * (T - 0.3) + width * width)}; };
+    ASSERT_EQ(table.build(peak, 1.0), Status::ok);
+    for (const double T : {0.1, 0.29, 0.3, 0.30005, 0.7, 1.0})
+        EXPECT_NEAR(table(T)[0], std::atan((T - 0.3) / width) + std::atan(0.3 / width), 1e-14) << T;
+}
+
+// Rounding noise of the integrand (here 100 ulp) is no lack of smoothness.
+TEST(TableOfPeaks, NoiseOfTheIntegrandIsTolerated) {
+    PrimitiveTable<double, 1> table;
+    const auto noisy = [](double T) { return std::array{(std::cos(T) + 100.0) - 100.0}; };
+    ASSERT_EQ(table.build(noisy, 1.0), Status::ok);
+    EXPECT_NEAR(table(1.0)[0], std::sin(1.0), 1e-13);
+}
+
+TEST(TableStatus, SaysWhatIsWrongWithTheIntegrand) {
+    const auto status_of = [](auto integrand) {
+        PrimitiveTable<double, 1> table;
+        return table.build([&](double T) { return std::array<double, 1>{integrand(T)}; }, 1.0);
+    };
+    EXPECT_EQ(status_of([](double T) { return std::sqrt(T - 0.5); }), Status::outside_domain);
+    EXPECT_EQ(status_of([](double T) { return T < 0.5 ? 0.0 : 1e308 * 10; }), Status::overflow);
+    EXPECT_EQ(status_of([](double T) { return 1 / std::abs(T - 0.3); }), Status::outside_domain);
+}
+
+} // namespace resonform

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Twice<double> against 100 digits: arithmetic and every elementary function, at seeded random points.
+#include "runtime/twice.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace resonform {
+
+namespace {
+
+using Number = Twice<double>;
+using Hundred = boost::multiprecision::cpp_bin_float_100;
+
+Hundred exact(const Number& x) { return Hundred(x.high) + Hundred(x.low); }
+
+// |found - expected| relative to max(|expected|, floor)
+void expect_close(const Number& found, const Hundred& expected, double floor, const char* what) {
+    const Hundred size = std::max(Hundred(abs(expected)), Hundred(floor));
+    EXPECT_LT(static_cast<double>(Hundred(abs(exact(found) - expected)) / size), 5e-30) << what;
+}
+
+class TwiceDouble : public ::testing::Test {
+protected:
+    Number random(double low, double high) {
+        std::uniform_real_distribution<double> d(low, high);
+        const double x = d(generator_);
+        return Number::sum(x, x * 1e-17 * d(generator_));
+    }
+
+private:
+    std::mt19937_64 generator_{20261121};
+};
+
+} // namespace
+
+TEST_F(TwiceDouble, ArithmeticHas30Digits) {
+    for (int i = 0; i < 200; ++i) {
+        const Number a = random(-9, 9), b = random(-9, 9);
+        expect_close(a + b, exact(a) + exact(b), 1, "+");
+        expect_close(a - b, exact(a) - exact(b), 1, "-");
+        expect_close(a * b, exact(a) * exact(b), 0, "*");
+        expect_close(a / b, exact(a) / exact(b), 0, "/");
+    }
+}
+
+TEST_F(TwiceDouble, FunctionsHave29Digits) {
+    for (int i = 0; i < 50; ++i) {
+        const Number x = random(0.01, 8), y = random(-8, 8);
+        expect_close(sqrt(x), sqrt(exact(x)), 0, "sqrt");
+        expect_close(math::root(x, 3), cbrt(exact(x)), 0, "root");
+        expect_close(exp(y), exp(exact(y)), 0, "exp");
+        expect_close(log(x), log(exact(x)), 1, "log");
+        expect_close(asinh(y), asinh(exact(y)), 1, "asinh");
+        expect_close(sin(y), sin(exact(y)), 1, "sin");
+        expect_close(cos(y), cos(exact(y)), 1, "cos");
+        expect_close(atan2(y, x), atan2(exact(y), exact(x)), 1, "atan2");
+        expect_close(hypot(y, x), sqrt(exact(x) * exact(x) + exact(y) * exact(y)), 0, "hypot");
+    }
+}
+
+TEST(Pi, IsPiInEveryType) {
+    const Hundred pi = boost::math::constants::pi<Hundred>();
+    EXPECT_EQ(math::pi<double>(), static_cast<double>(pi));
+    EXPECT_EQ(math::pi<long double>(), static_cast<long double>(pi));
+    expect_close(math::pi<Number>(), pi, 0, "pi");
+    EXPECT_LT(static_cast<double>(Hundred(abs(math::pi<Hundred>() - pi))), 1e-80);
+}
+
+} // namespace resonform
