@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line from a system's text or file to its solution, for the tests of this room.
+#pragma once
+
+#include "expand/graded_field.hpp"
+#include "normalize/poincare.hpp"
+#include "solve/solution.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace resonform::testing {
+
+inline std::shared_ptr<const GradedField> field_of(System system) {
+    auto first_order = std::make_shared<const FirstOrderSystem>(
+        solve_for_highest(std::make_shared<const System>(std::move(system))));
+    return std::make_shared<const GradedField>(expand(std::move(first_order)));
+}
+
+inline Solution solution_of(System system, int order, int truncation) {
+    auto normalization =
+        std::make_shared<const Normalization>(normalize_poincare(field_of(std::move(system)), truncation));
+    return solve(std::move(normalization), {order, truncation});
+}
+
+inline Solution solution_of_text(const std::string& toml, int order, int truncation) {
+    return solution_of(read_system_text(toml, "test.toml"), order, truncation);
+}
+
+inline System pendulum() {
+    return read_system(std::string(RESONFORM_SOURCE_DIR) + "/systems/almost_holonomic_pendulum/system.toml");
+}
+
+} // namespace resonform::testing
