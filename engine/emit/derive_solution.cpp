@@ -87,7 +87,7 @@ public:
 
     // A drift variable is its mean motion plus an oscillating part f, as in (23).
     [[nodiscard]] Section outputs() const {
-        Section section{"outputs through eps^" + std::to_string(solution_.order), {}};
+        Section section{"outputs through order " + std::to_string(solution_.order), {}};
         for (const SolutionOutput& output : solution_.outputs) {
             const Variable* variable = solution_.system().variable(output.name);
             const bool split = variable != nullptr && variable->role == Role::drift;
@@ -174,7 +174,7 @@ private:
 Page solution_page(const Solution& solution) {
     const SolutionPage parts(solution);
     Page page;
-    page.title = fmt::format("solution of {} through eps^{} (normal form and map through weight {})",
+    page.title = fmt::format("solution of {} through order {} (normal form and map through weight {})",
                              solution.system().name, solution.order, solution.truncation);
     for (Section section : {parts.slow(), parts.amplitude_and_phase(), parts.drift(), parts.outputs()})
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));

@@ -33,14 +33,15 @@ bool same_sum(const DisplaySum& a, const DisplaySum& b) {
                       });
 }
 
-// The smallest exponent of a base over all terms; 0 where some term is free of it.
+// The smallest exponent of a base over all terms, 0 for a term that is free of it: what is common above
+// the fraction bar, and the common denominator.
 Rational common_exponent(const DisplaySum& sum, const DisplayFactor& base) {
     Rational least = base.exponent;
     for (const DisplayTerm& term : sum.terms) {
         const auto it = std::find_if(term.factors.begin(), term.factors.end(),
                                      [&](const DisplayFactor& f) { return same_base(f, base); });
-        if (it == term.factors.end()) return 0;
-        if (it->exponent < least) least = it->exponent;
+        const Rational exponent = it == term.factors.end() ? Rational(0) : it->exponent;
+        if (exponent < least) least = exponent;
     }
     return least;
 }
@@ -48,8 +49,24 @@ Rational common_exponent(const DisplaySum& sum, const DisplayFactor& base) {
 void divide(DisplayTerm& term, const DisplayFactor& divisor) {
     const auto it = std::find_if(term.factors.begin(), term.factors.end(),
                                  [&](const DisplayFactor& f) { return same_base(f, divisor); });
+    if (it == term.factors.end()) {
+        term.factors.insert(term.factors.begin(), divisor);
+        term.factors.front().exponent = -divisor.exponent;
+        return;
+    }
     it->exponent = it->exponent - divisor.exponent;
     if (cln::zerop(it->exponent)) term.factors.erase(it);
+}
+
+// Every base that occurs, in the order of its first occurrence.
+std::vector<DisplayFactor> bases_of(const DisplaySum& sum) {
+    std::vector<DisplayFactor> bases;
+    for (const DisplayTerm& term : sum.terms)
+        for (const DisplayFactor& factor : term.factors)
+            if (std::none_of(bases.begin(), bases.end(),
+                             [&](const DisplayFactor& base) { return same_base(base, factor); }))
+                bases.push_back(factor);
+    return bases;
 }
 
 // The rational content, with the sign of the first term; `i` too when all terms have it.
@@ -130,8 +147,7 @@ DisplayTerm factored(const DisplaySum& sum) {
     }
     DisplaySum rest = sum;
     take_coefficient(rest, content);
-    const std::vector<DisplayFactor> candidates = rest.terms.front().factors;
-    for (DisplayFactor common : candidates) {
+    for (DisplayFactor common : bases_of(rest)) {
         common.exponent = common_exponent(rest, common);
         if (cln::zerop(common.exponent)) continue;
         for (DisplayTerm& term : rest.terms) divide(term, common);

@@ -55,11 +55,27 @@ std::string dotted(const std::string& symbol, int primes) {
 
 std::string parenthesised(const std::string& text) { return "\\left(" + text + "\\right)"; }
 
+std::string function_macro(const std::string& name) {
+    if (name == "log") return "ln";
+    const bool inverse = name == "asin" || name == "acos" || name == "atan";
+    return inverse ? "arc" + name.substr(1) : name;
+}
+
+// 3 \theta, psi: read without parentheses behind \cos.
+bool is_simple_argument(const DisplaySum& argument) {
+    if (argument.terms.size() != 1) return false;
+    const DisplayTerm& term = argument.terms.front();
+    return !cln::minusp(term.coefficient) && cln::denominator(term.coefficient) == 1 && !term.imaginary &&
+           term.factors.size() == 1 && term.factors.front().kind == Kind::symbol &&
+           term.factors.front().exponent == 1 && term.tail.empty();
+}
+
 std::string function(const DisplayFactor& factor) {
     const DisplaySum& argument = factor.arguments.front();
-    if (factor.name == "conj") return "\\overline{" + latex(argument) + "}";
-    const std::string name = factor.name == "log" ? "\\ln" : "\\" + factor.name;
-    return name + " " + parenthesised(latex(argument));
+    const std::string text = latex(argument);
+    if (factor.name == "conj") return "\\overline{" + text + "}";
+    return "\\" + function_macro(factor.name) + " " +
+           (is_simple_argument(argument) ? text : parenthesised(text));
 }
 
 std::string integral(const DisplayFactor& factor) {
@@ -100,20 +116,38 @@ void append(std::string& text, const std::string& factor) {
     text += factor;
 }
 
+// Above or below a fraction bar; a lone sum needs no parentheses there.
+struct BarSide {
+    std::string text;
+    std::string lone_sum; // of the only factor so far, if that is a sum
+
+    void multiply(const DisplayFactor& factor) {
+        const Rational exponent = cln::abs(factor.exponent);
+        const bool lone = text.empty() && factor.kind == Kind::sum && exponent == 1;
+        lone_sum = lone ? inner(factor) : std::string();
+        append(text, power(factor, exponent));
+    }
+    [[nodiscard]] const std::string& on_bar() const { return lone_sum.empty() ? text : lone_sum; }
+};
+
 // |coefficient| * [i] * factors; integrals and functions stand after the fraction bar.
 std::string head(const DisplayTerm& term) {
     const Rational size = cln::abs(term.coefficient);
-    std::string above, below, behind;
-    if (cln::numerator(size) != 1) above = to_string(Rational(cln::numerator(size)));
-    if (cln::denominator(size) != 1) below = to_string(Rational(cln::denominator(size)));
-    if (term.imaginary) append(above, "i");
+    BarSide above, below;
+    std::string behind;
+    if (cln::numerator(size) != 1) above.text = to_string(Rational(cln::numerator(size)));
+    if (cln::denominator(size) != 1) below.text = to_string(Rational(cln::denominator(size)));
+    if (term.imaginary) append(above.text, "i");
     for (const DisplayFactor& factor : term.factors) {
         const bool wide = factor.kind == Kind::function || factor.kind == Kind::integral;
-        std::string& place = factor.exponent < 0 ? below : wide ? behind : above;
-        append(place, power(factor, cln::abs(factor.exponent)));
+        if (factor.exponent > 0 && wide)
+            append(behind, power(factor, factor.exponent));
+        else
+            (factor.exponent < 0 ? below : above).multiply(factor);
     }
-    std::string text = above;
-    if (!below.empty()) text = fmt::format("\\frac{{{}}}{{{}}}", above.empty() ? "1" : above, below);
+    std::string text = above.text;
+    if (!below.text.empty())
+        text = fmt::format("\\frac{{{}}}{{{}}}", above.text.empty() ? "1" : above.on_bar(), below.on_bar());
     if (!behind.empty()) append(text, behind);
     return text;
 }

@@ -27,9 +27,19 @@ std::vector<DisplaySum> without_empty(const std::vector<DisplaySum>& groups) {
     return result;
 }
 
+// A group, or its terms one by one where it is too long for a line.
+void append_pieces(std::vector<std::string>& pieces, const DisplaySum& group) {
+    const std::string text = spell(group, text_spelling());
+    if (text.size() <= text_columns) {
+        pieces.push_back(text);
+        return;
+    }
+    for (const DisplayTerm& term : group.terms) pieces.push_back(spell(DisplaySum{{term}}, text_spelling()));
+}
+
 std::vector<std::string> text_pieces(const Side& s) {
     std::vector<std::string> pieces;
-    for (const DisplaySum& group : without_empty(s.groups)) pieces.push_back(spell(group, text_spelling()));
+    for (const DisplaySum& group : without_empty(s.groups)) append_pieces(pieces, group);
     if (s.remainder > 0) pieces.push_back("O(eps^" + std::to_string(s.remainder) + ")");
     if (pieces.empty()) pieces.emplace_back("0");
     return pieces;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/as_written.hpp"
+
+#include "model/lexer.hpp"
+
+#include <cln/rational.h>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+// The grammar of model/expression.hpp once more, over text that is known to obey it.
+class Reader {
+public:
+    explicit Reader(const Equation& equation)
+        : text_(equation.text), tokens_(tokenize(equation.text, equation.source)) {}
+
+    WrittenEquation equation() {
+        WrittenEquation result;
+        result.left = sum();
+        take(); // =
+        result.right = sum();
+        return result;
+    }
+
+private:
+    DisplaySum sum() {
+        DisplaySum result;
+        append(result, product(), false);
+        while (at(TokenKind::plus) || at(TokenKind::minus)) {
+            const bool negative = take().kind == TokenKind::minus;
+            append(result, product(), negative);
+        }
+        return result;
+    }
+
+    DisplayTerm product() {
+        DisplayTerm result;
+        multiply(result, unary(), 1);
+        while (at(TokenKind::star) || at(TokenKind::slash)) {
+            const int exponent = take().kind == TokenKind::star ? 1 : -1;
+            multiply(result, unary(), exponent);
+        }
+        return result;
+    }
+
+    DisplayTerm unary() {
+        bool negative = false;
+        while (at(TokenKind::plus) || at(TokenKind::minus))
+            if (take().kind == TokenKind::minus) negative = !negative;
+        DisplayTerm result = power();
+        if (negative) result.coefficient = -result.coefficient;
+        return result;
+    }
+
+    DisplayTerm power() {
+        const DisplayTerm base = primary();
+        if (!at(TokenKind::power)) return base;
+        take();
+        return raised(base, constant());
+    }
+
+    // An exponent is a rational number, however it is written.
+    Rational constant() {
+        const std::size_t begin = next().begin;
+        unary();
+        const std::size_t end = next().begin;
+        const GiNaC::ex value = read_expression(text_.substr(begin, end - begin), Scope{}, SourceText{});
+        return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+    }
+
+    DisplayTerm primary() {
+        const Token token = take();
+        DisplayTerm result;
+        if (token.kind == TokenKind::number) {
+            result.coefficient = parse_rational(text_.substr(token.begin, token.end - token.begin));
+        } else if (token.kind == TokenKind::open) {
+            result = as_term(sum());
+            take(); // )
+        } else if (at(TokenKind::open)) {
+            const std::string function = text_.substr(token.begin, token.end - token.begin);
+            take();
+            DisplaySum argument = sum();
+            take(); // )
+            result = function == "sqrt" ? raised(as_term(std::move(argument)), Rational(1) / 2)
+                                        : as_term(factor_sum(function_factor(function, std::move(argument))));
+        } else {
+            result.factors.push_back(symbol_factor(text_.substr(token.begin, token.end - token.begin)));
+        }
+        return result;
+    }
+
+    // A parenthesis around one term is none.
+    static DisplayTerm as_term(DisplaySum sum) {
+        if (sum.terms.size() == 1) return std::move(sum.terms.front());
+        DisplayFactor factor;
+        factor.kind = DisplayFactor::Kind::sum;
+        factor.arguments.push_back(std::move(sum));
+        DisplayTerm term;
+        term.factors.push_back(std::move(factor));
+        return term;
+    }
+
+    static DisplayTerm raised(const DisplayTerm& base, const Rational& exponent) {
+        DisplayTerm term;
+        const bool one_factor = base.coefficient == 1 && base.factors.size() == 1;
+        // sqrt(x^2) is not x.
+        if (one_factor && (base.factors.front().exponent == 1 || cln::denominator(exponent) == 1)) {
+            term = base;
+            term.factors.front().exponent = base.factors.front().exponent * exponent;
+            return term;
+        }
+        DisplayFactor factor;
+        factor.kind = DisplayFactor::Kind::sum;
+        factor.arguments.emplace_back();
+        factor.arguments.front().terms.push_back(base);
+        factor.exponent = exponent;
+        term.factors.push_back(std::move(factor));
+        return term;
+    }
+
+    static void multiply(DisplayTerm& product, const DisplayTerm& term, int exponent) {
+        product.coefficient = product.coefficient * cln::expt(term.coefficient, exponent);
+        for (DisplayFactor factor : term.factors) {
+            factor.exponent = factor.exponent * exponent;
+            product.factors.push_back(std::move(factor));
+        }
+    }
+
+    static void append(DisplaySum& sum, DisplayTerm term, bool negative) {
+        if (negative) term.coefficient = -term.coefficient;
+        if (!cln::zerop(term.coefficient)) sum.terms.push_back(std::move(term));
+    }
+
+    [[nodiscard]] const Token& next() const { return tokens_[at_]; }
+    [[nodiscard]] bool at(TokenKind kind) const { return next().kind == kind; }
+    Token take() { return tokens_[at_++]; }
+
+    std::string text_;
+    std::vector<Token> tokens_;
+    std::size_t at_ = 0;
+};
+
+} // namespace
+
+WrittenEquation as_written(const Equation& equation) { return Reader(equation).equation(); }
+
+} // namespace resonform
