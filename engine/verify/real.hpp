@@ -9,6 +9,7 @@
 // Numbers pass from one type to another as unevaluated sums of three doubles.
 #pragma once
 
+#include "algebra/number.hpp"
 #include "runtime/float128.hpp"
 
 #include <qd/dd_real.h>
@@ -37,9 +38,13 @@ template <class Real> Parts to_parts(const Real& x) {
 }
 template <> inline Parts to_parts(const DoubleDouble& x) { return {x.x[0], x.x[1], 0.0}; }
 
+// The leading double of an exact number, then of what is left, twice. Errors: refused, beyond 1e308.
+Parts to_parts(const Rational& value);
+
 template <class Real> Real from_parts(const Parts& p) { return Real(p[2]) + Real(p[1]) + Real(p[0]); }
 
 template <class To, class From> To convert(const From& x) { return from_parts<To>(to_parts(x)); }
+template <class Real> Real from_rational(const Rational& value) { return from_parts<Real>(to_parts(value)); }
 template <class Real> double to_double_value(const Real& x) { return to_parts(x)[0]; }
 
 // epsilon: spacing of numbers at 1, divided by 2 (unit roundoff); digits: decimal digits carried.

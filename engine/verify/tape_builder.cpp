@@ -31,21 +31,6 @@ bool is_negative_number(const GiNaC::ex& e) {
     return is_rational(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_negative();
 }
 
-// Leading double, then the leading double of what is left, twice.
-Parts split(cln::cl_RA value) {
-    Parts parts{};
-    for (double& part : parts) {
-        part = cln::double_approx(value);
-        if (!std::isfinite(part))
-            refuse({"a number of the equations lies within the range of double precision",
-                    "a number beyond 1e308",
-                    "rescale the equations",
-                    {}});
-        value = value - cln::rational(cln::cl_DF(part));
-    }
-    return parts;
-}
-
 } // namespace
 
 class TapeBuilder {
@@ -82,7 +67,7 @@ private:
 
     Value number(const cln::cl_RA& value, const std::string& spelling) {
         const auto [at, fresh] = numbers_.try_emplace(spelling, Value{false, constants_});
-        if (fresh) tape_.numbers_.push_back({constants_++, split(value)});
+        if (fresh) tape_.numbers_.push_back({constants_++, to_parts(value)});
         return at->second;
     }
     Value integer(long n) { return number(cln::cl_I(n), std::to_string(n)); }

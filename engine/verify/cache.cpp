@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/cache.hpp"
+
+#include "algebra/error.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace resonform {
+
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+constexpr std::string_view magic = "resonform cache 1";
+
+std::string header(std::string_view payload) {
+    return fmt::format("{} {} {}\n", magic, payload.size(), content_hash(payload));
+}
+
+[[noreturn]] void not_writable(const std::filesystem::path& file) {
+    bad_input({"the folder of cached results can be written",
+               file.parent_path().string(),
+               "make it writable, free space, or choose another folder",
+               {}});
+}
+
+} // namespace
+
+std::string content_hash(std::string_view bytes) {
+    Wide hash = (Wide(0x6c62272e07bb0142ULL) << 64) | 0x62b821756295c58dULL;
+    constexpr Wide prime = (Wide(1) << 88) | 0x13b;
+    for (const char c : bytes) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= prime;
+    }
+    return fmt::format("{:016x}{:016x}", static_cast<std::uint64_t>(hash >> 64),
+                       static_cast<std::uint64_t>(hash));
+}
+
+void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
+    std::error_code failed;
+    std::filesystem::create_directories(file.parent_path(), failed);
+    std::filesystem::path draft = file;
+    draft += fmt::format(".{}.part", getpid());
+    {
+        std::ofstream out(draft, std::ios::binary);
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        out.close();
+        if (!out) {
+            std::filesystem::remove(draft, failed);
+            not_writable(file);
+        }
+    }
+    std::filesystem::rename(draft, file, failed);
+    if (failed) not_writable(file);
+}
+
+std::optional<std::string> read_bytes(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return std::nullopt;
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    return bytes.str();
+}
+
+void store_checked(const std::filesystem::path& file, std::string_view payload) {
+    write_atomically(file, header(payload) + std::string(payload));
+}
+
+std::optional<std::string> load_checked(const std::filesystem::path& file) {
+    const std::optional<std::string> bytes = read_bytes(file);
+    if (!bytes) return std::nullopt;
+    const std::size_t end = bytes->find('\n');
+    if (end == std::string::npos) return std::nullopt;
+    std::string payload = bytes->substr(end + 1);
+    if (bytes->compare(0, end + 1, header(payload)) != 0) return std::nullopt;
+    return payload;
+}
+
+} // namespace resonform

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results that are expensive to compute, kept in files named by a hash of everything they depend on.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace resonform {
+
+// 128 bits as 32 hexadecimal digits (FNV-1a, Fowler, Noll and Vo).
+std::string content_hash(std::string_view bytes);
+
+// Written beside its place and renamed, so that nobody ever sees half a file. Makes the folder.
+// Errors: bad_input, the folder or the file cannot be written.
+void write_atomically(const std::filesystem::path& file, std::string_view bytes);
+
+// nullopt if there is no such file or it cannot be read.
+std::optional<std::string> read_bytes(const std::filesystem::path& file);
+
+// A payload with its length and hash in front: a file that was cut or changed reads as absent.
+void store_checked(const std::filesystem::path& file, std::string_view payload);
+std::optional<std::string> load_checked(const std::filesystem::path& file);
+
+} // namespace resonform

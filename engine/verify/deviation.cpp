@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/deviation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <thread>
+
+namespace resonform {
+
+namespace {
+
+constexpr std::size_t samples = 64; // points at which long double is compared with Float128
+constexpr double clear_of_floor = 200;
+constexpr double sample_margin = 4; // the worst of all points may be this much above the worst sample
+
+using Errors = std::vector<std::vector<double>>;
+
+// error[k][i] for points first, first + step, ... below last.
+template <class Real>
+void fill(const Evaluator<Real>& evaluator, const Reference& reference, Errors& error, std::size_t first,
+          std::size_t last, std::size_t step) {
+    std::vector<Real> values(reference.values.size());
+    for (std::size_t i = first; i < last; i += step) {
+        const bool ok = evaluator.call(static_cast<Real>(reference.times[i]), values.data()) == Status::ok;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const Float128 direct = convert<Float128>(reference.values[k][i]);
+            error[k][i] = ok ? static_cast<double>(Float128(values[k]) - direct)
+                             : std::numeric_limits<double>::infinity();
+        }
+    }
+}
+
+template <class Real> Errors errors_in(const Trial& trial, const TrialPoint& at, const Reference& reference) {
+    const std::size_t points = reference.times.size();
+    const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
+    const Evaluator<Real> evaluator = trial.evaluator<Real>(at);
+    Errors error(reference.values.size(), std::vector<double>(points));
+    std::vector<std::future<void>> work;
+    for (std::size_t j = 0; j < threads; ++j)
+        work.push_back(std::async(std::launch::async, [&, j] {
+            fill(evaluator, reference, error, points * j / threads, points * (j + 1) / threads, 1);
+        }));
+    for (auto& w : work) w.get();
+    return error;
+}
+
+// The rounding of long double: its distance from Float128 at some points.
+std::vector<double> long_double_floor(const Trial& trial, const TrialPoint& at, const Reference& reference) {
+    const std::size_t points = reference.times.size(), step = std::max<std::size_t>(1, points / samples);
+    const Evaluator<long double> coarse = trial.evaluator<long double>(at);
+    const Evaluator<Float128> fine = trial.evaluator<Float128>(at);
+    std::vector<long double> a(reference.values.size());
+    std::vector<Float128> b(reference.values.size());
+    std::vector<double> floor(reference.values.size(), 0.0);
+    for (std::size_t i = 0; i < points; i += step) {
+        const double t = reference.times[i];
+        if (coarse.call(t, a.data()) != Status::ok || fine.call(t, b.data()) != Status::ok) continue;
+        for (std::size_t k = 0; k < floor.size(); ++k)
+            floor[k] =
+                std::max(floor[k], sample_margin * std::abs(static_cast<double>(Float128(a[k]) - b[k])));
+    }
+    return floor;
+}
+
+} // namespace
+
+Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& reference) {
+    Deviation result;
+    result.floor = long_double_floor(trial, at, reference);
+    result.digits = RealTraits<long double>::digits;
+    result.error = errors_in<long double>(trial, at, reference);
+    bool clear = true;
+    for (std::size_t k = 0; k < result.floor.size(); ++k)
+        clear = clear && largest(result.error[k]) >= clear_of_floor * result.floor[k];
+    if (clear) return result;
+    result.error = errors_in<Float128>(trial, at, reference);
+    result.digits = RealTraits<DoubleDouble>::digits; // the reference has fewer than Float128
+    for (double& f : result.floor)
+        f *= RealTraits<Float128>::roundoff() / RealTraits<long double>::roundoff();
+    return result;
+}
+
+double largest(const std::vector<double>& error) {
+    double most = 0;
+    for (std::size_t i = 0; i < error.size(); ++i) {
+        const double here = std::abs(error[i]);
+        if (!(here <= std::numeric_limits<double>::max())) return std::numeric_limits<double>::infinity();
+        most = std::max(most, here);
+        if (i == 0 || i + 1 == error.size()) continue;
+        const double sign = error[i] < 0 ? -1 : 1, before = sign * error[i - 1], after = sign * error[i + 1];
+        const double bend = before - 2 * here + after;
+        if (here >= before && here >= after && bend < 0)
+            most = std::max(most, here - (after - before) * (after - before) / (8 * bend));
+    }
+    return most;
+}
+
+double root_mean_square(const std::vector<double>& error) {
+    double sum = 0;
+    for (std::size_t i = 0; i < error.size(); ++i)
+        sum += (i == 0 || i + 1 == error.size() ? 0.5 : 1.0) * error[i] * error[i];
+    return std::sqrt(sum / static_cast<double>(error.size() - 1));
+}
+
+} // namespace resonform

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Emitted minus direct, at every time of a reference.
+#pragma once
+
+#include "verify/trial.hpp"
+
+#include <vector>
+
+namespace resonform {
+
+struct Deviation {
+    std::vector<std::vector<double>> error; // [output][point]; infinite where the evaluator refuses
+    int digits = 0;                         // of the arithmetic that was needed
+    std::vector<double> floor;              // its rounding, per output
+};
+
+// Long double where its rounding is a hundred times below the error, otherwise Float128.
+Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& reference);
+
+// The largest |error|, peaks between the points refined by the parabola through their neighbours.
+double largest(const std::vector<double>& error);
+// sqrt of the mean of error^2 over the interval (trapezoidal rule).
+double root_mean_square(const std::vector<double>& error);
+
+} // namespace resonform

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/ladder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace resonform {
+
+namespace {
+
+std::string verdict_line(const OutputVerdict& o) {
+    std::string line =
+        fmt::format("  {:<8} {:<10} claimed eps^{}", o.name, to_string(o.verdict), o.claimed_order);
+    if (std::isfinite(o.slope))
+        line +=
+            fmt::format(", found eps^{}: slope {:.3f} over eps = {:g} ... {:g}, max|error| -> {:.3e} eps^{}",
+                        o.found_order, o.slope, o.slope_high_eps, o.slope_low_eps, o.constant, o.found_order);
+    if (o.verdict != o.expected)
+        line += fmt::format("  EXPECTED {}", to_string(o.expected));
+    else if (o.expected != Verdict::pass)
+        line += "  (as expected)";
+    if (!o.reason.empty()) line += "\n           " + o.reason;
+    return line + "\n";
+}
+
+// One row per eps: max error and local slope of each output.
+std::string ladder_table(const Verification& v) {
+    std::string text = fmt::format("  {:>8}", "eps");
+    for (const OutputVerdict& o : v.outputs)
+        text += fmt::format(" | {:>9} {:>9} {:>6}", "max|" + o.name + "|", "rms", "slope");
+    text += " | digits\n";
+    const std::size_t rungs = v.outputs.empty() ? 0 : v.outputs.front().ladder.size();
+    for (std::size_t i = 0; i < rungs; ++i) {
+        text += fmt::format("  {:>8g}", to_double(v.outputs.front().ladder[i].eps));
+        for (const OutputVerdict& o : v.outputs)
+            text += fmt::format(" | {:9.2e} {:9.2e} {:>6}", o.ladder[i].max_error, o.ladder[i].rms_error,
+                                i == 0 ? "" : fmt::format("{:.3f}", o.local_slopes[i - 1]));
+        text += fmt::format(" | {:>6}\n", v.outputs.front().ladder[i].digits);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string to_text(const Verification& v) {
+    std::string text = fmt::format("{} / {}: emitted code against direct integration\n", v.system, v.scene);
+    text += ladder_table(v);
+    for (const OutputVerdict& o : v.outputs) text += verdict_line(o);
+    text += fmt::format("  emitted = symbolic within {:.1f} ulp of the output's scale; {:.1f} s\n",
+                        v.emitted_against_symbolic, v.seconds);
+    return text;
+}
+
+} // namespace resonform

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/start_scaling.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+namespace {
+
+// value(k eps) = k^weight value(eps) for k = 2 and 3.
+bool scales(const GiNaC::ex& value, const GiNaC::symbol& eps, int weight) {
+    for (const int k : {2, 3}) {
+        const GiNaC::ex rest = value.subs(eps == k * eps) - pow(GiNaC::ex(k), weight) * value;
+        if (!rest.normal().expand().is_zero()) return false;
+    }
+    return true;
+}
+
+int weight_of(const System& system, const std::string& name) {
+    const Variable* variable = system.variable(name.substr(0, name.find('\'')));
+    return variable != nullptr && variable->role == Role::fast ? 1 : 0;
+}
+
+} // namespace
+
+std::string start_scaling_complaint(const Scene& scene) {
+    for (const StartValue& start : scene.start) {
+        const int weight = weight_of(*scene.system, start.name);
+        if (scales(start.value, scene.system->eps, weight)) continue;
+        return fmt::format(
+            "{} starts at {}, which is not {}a constant: along a ladder of eps the error has no order",
+            start.name, start.text, weight == 0 ? "" : "eps times ");
+    }
+    return "";
+}
+
+} // namespace resonform

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the start values of a scene follow the grading, without which a ladder in eps means nothing.
+#pragma once
+
+#include "model/scene_file.hpp"
+
+#include <string>
+
+namespace resonform {
+
+// A variable of weight k must start at eps^k times a constant: fast variables at eps * constant, the
+// others and the constants of the solution free of eps (design 2.5). Returns the complaint, or "".
+std::string start_scaling_complaint(const Scene& scene);
+
+} // namespace resonform

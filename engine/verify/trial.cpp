@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/trial.hpp"
+
+#include "algebra/error.hpp"
+#include "verify/cache.hpp"
+#include "verify/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <future>
+
+namespace resonform {
+
+namespace {
+
+constexpr double reference_tolerance = 1e-32; // of a step, in double-double
+constexpr double check_tolerance = 1e-29;     // of the second, coarser run
+constexpr int check_order = 30;
+constexpr std::size_t check_points = 1000;
+constexpr double scout_tolerance = 1e-15; // steps of a double run: about six in a period
+constexpr std::size_t points_per_step = 8;
+constexpr std::size_t least_points = 2000, most_points = 200'000;
+
+std::vector<double> even_times(double interval, std::size_t points) {
+    std::vector<double> times(points);
+    for (std::size_t i = 0; i < points; ++i)
+        times[i] = interval * (static_cast<double>(i) / static_cast<double>(points - 1));
+    return times;
+}
+
+template <class To> std::vector<To> convert_all(const std::vector<Float128>& values) {
+    std::vector<To> out;
+    for (const Float128& v : values) out.push_back(convert<To>(v));
+    return out;
+}
+
+std::vector<Rational> parameter_values(const System& system, const Scene& scene) {
+    std::vector<Rational> values;
+    for (const Parameter& p : system.parameters) {
+        const auto fixed = scene.fix.find(p.name);
+        if (fixed == scene.fix.end())
+            bad_input({"verification needs a value for every parameter",
+                       p.name,
+                       fmt::format("add {} = ... under [fix]", p.name),
+                       {scene.file.string(), 0, 0, "fix", ""}});
+        values.push_back(fixed->second);
+    }
+    return values;
+}
+
+// What the scene gives for a state directly: its own start value, or 0 for a slow variable without one.
+const StartValue* given_start(const Scene& scene, const State& state) { return scene.start_of(state.name); }
+
+bool is_given(const System& system, const Scene& scene, const State& state) {
+    return system.variables[state.variable].role == Role::slow || given_start(scene, state) != nullptr;
+}
+
+std::string pack(const Reference& reference) {
+    std::string bytes;
+    const auto put = [&bytes](double x) { bytes.append(reinterpret_cast<const char*>(&x), sizeof x); };
+    for (const double e : reference.error) put(e);
+    for (const auto& row : reference.values)
+        for (const DoubleDouble& v : row)
+            for (const double part : v.x) put(part);
+    return bytes;
+}
+
+bool unpack(const std::string& bytes, std::size_t outputs, std::size_t points, Reference& reference) {
+    if (bytes.size() != outputs * (1 + 2 * points) * sizeof(double)) return false;
+    const char* at = bytes.data();
+    const auto take = [&at](double& x) {
+        std::memcpy(&x, at, sizeof x);
+        at += sizeof x;
+    };
+    reference.error.assign(outputs, 0.0);
+    for (double& e : reference.error) take(e);
+    reference.values.assign(outputs, std::vector<DoubleDouble>(points));
+    for (auto& row : reference.values)
+        for (DoubleDouble& v : row)
+            for (double& part : v.x) take(part);
+    return true;
+}
+
+} // namespace
+
+Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene, const Solution& solution,
+             const VerifyOptions& options)
+    : system_(std::move(system)), options_(options),
+      program_(std::make_shared<const Program>(build_program(solution, scene, {true, true}))),
+      tape_(Tape::rates(*system_)), start_tape_(Tape::constants(*system_->system, {scene.verify.interval})),
+      parameters_(parameter_values(*system_->system, scene)) {
+    std::vector<GiNaC::ex> expressions{scene.verify.interval};
+    for (std::size_t i = 0; i < system_->states.size(); ++i) {
+        const State& state = system_->states[i];
+        if (!is_given(*system_->system, scene, state)) continue;
+        const StartValue* start = given_start(scene, state);
+        given_.push_back(i);
+        expressions.push_back(start == nullptr ? GiNaC::ex(0) : start->value);
+    }
+    start_tape_ = Tape::constants(*system_->system, expressions);
+    for (const ProgramOutput& output : program_->outputs)
+        output_states_.push_back(
+            static_cast<std::size_t>(&system_->state(output.name) - system_->states.data()));
+    library_ = EvaluatorLibrary::build(*program_, options_.cache, options_.progress);
+}
+
+template <class Real> Evaluator<Real> Trial::evaluator(const TrialPoint& at) const {
+    const Real eps = convert<Real>(at.eps_value);
+    const std::vector<Real> parameters = default_parameters<Real>(*program_, eps);
+    return Evaluator<Real>(library_, eps, parameters, default_start<Real>(*program_, eps, parameters),
+                           convert<Real>(at.slow_time_end));
+}
+
+template Evaluator<double> Trial::evaluator(const TrialPoint&) const;
+template Evaluator<long double> Trial::evaluator(const TrialPoint&) const;
+template Evaluator<Float128> Trial::evaluator(const TrialPoint&) const;
+
+TrialPoint Trial::point(const Rational& eps) const {
+    TrialPoint at;
+    at.eps = eps;
+    at.eps_value = from_rational<Float128>(eps);
+    for (const Rational& p : parameters_) at.parameters.push_back(from_rational<Float128>(p));
+    const std::vector<Float128> given = evaluate_constants(start_tape_, at.parameters, at.eps_value);
+    at.interval = to_double_value(given[0]);
+    at.slow_time_end = at.eps_value * Float128(at.interval) * Float128(1 + 0x1p-40);
+    at.start.assign(system_->states.size(), Float128(0));
+
+    std::vector<Float128> state(program_->state.size());
+    const Status status = evaluator<Float128>(at).state(Float128(0), state.data());
+    if (status != Status::ok)
+        refuse({"the formula answers at t = 0",
+                to_string(status),
+                fmt::format("change the start values or leave eps = {} out of the ladder", to_string(eps)),
+                {}});
+    for (std::size_t k = 0; k < state.size(); ++k)
+        at.start[static_cast<std::size_t>(&system_->state(program_->state[k].name) -
+                                          system_->states.data())] = state[k];
+    for (std::size_t k = 0; k < given_.size(); ++k) at.start[given_[k]] = given[k + 1];
+    return at;
+}
+
+std::size_t Trial::resolving_points(const TrialPoint& at) const {
+    const auto run =
+        integrate_taylor<double>(tape_, convert_all<double>(at.parameters), to_double_value(at.eps_value),
+                                 convert_all<double>(at.start), {at.interval}, scout_tolerance);
+    return std::clamp(points_per_step * run.steps + 1, least_points, most_points);
+}
+
+std::string Trial::cache_key(const TrialPoint& at, std::size_t points) const {
+    std::string text = fmt::format("reference 1, tolerances {} {} order {}, points {}, interval {:a}\n",
+                                   reference_tolerance, check_tolerance, check_order, points, at.interval);
+    const auto put = [&text](const Float128& x) {
+        for (const double part : to_parts(x)) text += fmt::format("{:a} ", part);
+    };
+    put(at.eps_value);
+    for (const Float128& x : at.parameters) put(x);
+    for (const Float128& x : at.start) put(x);
+    for (const std::size_t s : output_states_) text += fmt::format("output {} ", s);
+    return content_hash(text + "\n" + tape_.text());
+}
+
+Reference Trial::reference(const TrialPoint& at, std::size_t points) const {
+    Reference result;
+    result.times = even_times(at.interval, points);
+    const std::filesystem::path file = options_.cache / (cache_key(at, points) + ".reference");
+    if (const auto bytes = load_checked(file); bytes && unpack(*bytes, output_states_.size(), points, result))
+        return result;
+
+    if (options_.progress)
+        options_.progress(fmt::format("integrating directly at eps = {}", to_string(at.eps)));
+    const std::size_t stride = std::max<std::size_t>(1, points / check_points);
+    const auto run = [&](double tolerance, int order, std::size_t every) {
+        std::vector<DoubleDouble> times;
+        for (std::size_t i = 0; i < points; i += every) times.emplace_back(result.times[i]);
+        return integrate_taylor<DoubleDouble>(tape_, convert_all<DoubleDouble>(at.parameters),
+                                              convert<DoubleDouble>(at.eps_value),
+                                              convert_all<DoubleDouble>(at.start), times, tolerance, order);
+    };
+    auto coarse = std::async(std::launch::async, [&] { return run(check_tolerance, check_order, stride); });
+    const Integration<DoubleDouble> fine = run(reference_tolerance, 0, 1), check = coarse.get();
+    if (!fine.failure.empty())
+        refuse({"direct integration reaches the end of the interval",
+                fine.failure,
+                fmt::format("shorten verify.interval or leave eps = {} out of the ladder", to_string(at.eps)),
+                {}});
+    for (const std::size_t s : output_states_) {
+        double error = 0;
+        for (std::size_t i = 0; i < points; i += stride)
+            error = std::max(error, std::abs(to_double_value(
+                                        DoubleDouble(fine.values[s][i] - check.values[s][i / stride]))));
+        result.error.push_back(error);
+        result.values.push_back(fine.values[s]);
+    }
+    store_checked(file, pack(result));
+    return result;
+}
+
+} // namespace resonform

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One scene made ready to be tried against direct integration: its equations as a tape, its emitted
+// code compiled, and for each eps the start of the integration and the integration itself.
+#pragma once
+
+#include "verify/evaluator.hpp"
+#include "verify/integrate.hpp"
+#include "verify/ladder.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// The numbers of one run. slow_time_end is a little beyond eps*interval, so that rounding does not put
+// the last time outside the evaluator's tables.
+struct TrialPoint {
+    Rational eps;
+    double interval = 0;
+    Float128 eps_value = 0, slow_time_end = 0;
+    std::vector<Float128> parameters; // all of the system: for the integration
+    std::vector<Float128> start;      // all states at t = 0
+};
+
+// Direct integration in double-double at evenly spread times; of the outputs only.
+struct Reference {
+    std::vector<double> times;
+    std::vector<std::vector<DoubleDouble>> values; // [output][point]
+    std::vector<double> error;                     // of each output: a second run, coarser, differs by this
+};
+
+class Trial {
+public:
+    // Errors: bad_input, a parameter without a value; those of Tape and EvaluatorLibrary.
+    Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene, const Solution& solution,
+          const VerifyOptions& options);
+
+    [[nodiscard]] const std::shared_ptr<const Program>& program() const { return program_; }
+    [[nodiscard]] const Tape& tape() const { return tape_; }
+    [[nodiscard]] const std::vector<std::size_t>& output_states() const { return output_states_; }
+
+    // The start is the formula itself at t = 0, all weights of the map kept; where the scene gives
+    // physical start values, it is those. Errors: refused, the evaluator answers no start.
+    [[nodiscard]] TrialPoint point(const Rational& eps) const;
+
+    // How many times resolve the fastest motion (40 or more in each period), at most 200,000.
+    [[nodiscard]] std::size_t resolving_points(const TrialPoint& at) const;
+
+    // Cached. points >= 2, both ends included. Errors: refused, the solution leaves the domain.
+    [[nodiscard]] Reference reference(const TrialPoint& at, std::size_t points) const;
+
+    template <class Real> [[nodiscard]] Evaluator<Real> evaluator(const TrialPoint& at) const;
+
+private:
+    [[nodiscard]] std::string cache_key(const TrialPoint& at, std::size_t points) const;
+
+    std::shared_ptr<const FirstOrderSystem> system_;
+    VerifyOptions options_;
+    std::shared_ptr<const Program> program_;
+    std::shared_ptr<const EvaluatorLibrary> library_;
+    Tape tape_, start_tape_; // start_tape_: the interval, then the given start values
+    std::vector<Rational> parameters_;
+    std::vector<std::size_t> given_; // states with a given start value
+    std::vector<std::size_t> output_states_;
+};
+
+} // namespace resonform
