@@ -65,22 +65,11 @@ name = "two"
 x = { role = "fast" }
 y = { role = "fast" }
 [equations]
-x = "x'' + 2*x + x*y = 0"
-y = "y'' + 3*y + x^2 = 0"
+x = "x'' + x + x^3 = 0"
+y = "y'' + 9*y + y^3 = 0"
 )";
-    std::shared_ptr<const Normalization> normalization;
-    try {
-        normalization = std::make_shared<const Normalization>(
-            normalize_poincare(field_of(read_system_text(two, "test.toml")), 2));
-    } catch (const Error&) {
-        GTEST_SKIP() << "several oscillators are refused below this room";
-    }
-    try {
-        solve(normalization, {2, 2});
-        FAIL() << "accepted";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.diagnostic().value, "2 oscillators");
-    }
+    expect_error(two, 1, 1, Kind::refused, "2 oscillators",
+                 "derive and print the normal form; its slow flow is not solved yet");
 }
 
 TEST(Refusal, ATruncationBelowTheOrder) {
