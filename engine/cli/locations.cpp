@@ -86,6 +86,7 @@ void make_folder(const fs::path& folder) {
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder))
         cannot_write(folder, error ? error.message() : "a file is in the way");
+    if (access(folder.c_str(), W_OK | X_OK) != 0) cannot_write(folder, "the folder is not writable");
 }
 
 } // namespace resonform

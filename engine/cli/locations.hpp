@@ -30,7 +30,7 @@ std::string read_file(const std::filesystem::path& file);
 // Errors (bad_input): the folder is absent or not writable, the target is no regular file.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
-// Makes a folder and its parents. Errors (bad_input): it cannot be made, a file is in its way.
+// Makes a folder and its parents. Errors (bad_input): it cannot be made or written, a file is in its way.
 void make_folder(const std::filesystem::path& folder);
 
 } // namespace resonform
