@@ -15,7 +15,7 @@ namespace {
 
 constexpr double above_floor = 100;       // a rung this far above its floor is polluted by 1 % at most
 constexpr double near_integer = 0.3;      // a slope this close to an integer names it
-constexpr double one_slope = 0.05;        // local slopes this close are one straight line
+constexpr double one_slope = 0.02;        // local slopes this close are one straight line
 constexpr double settled_distance = 0.02; // of the last slopes from their integer and from each other
 
 struct Point {
@@ -80,17 +80,18 @@ double extrapolated_slope(const std::vector<Point>& points, const std::vector<do
     return slopes[last] - (slopes[last - 1] - slopes[last]) * m1 / (m2 - m1);
 }
 
-// The limit of error/eps^order: the parabola in eps through the last three rungs, at 0.
-double limiting_constant(const std::vector<Point>& points, int order) {
-    double limit = 0;
-    const std::size_t first = points.size() - 3;
+// The limit of error/eps^order: the straight line in eps through the points from `first` on, at 0.
+double limiting_constant(const std::vector<Point>& points, std::size_t first, int order) {
+    const double n = static_cast<double>(points.size() - first);
+    double x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = first; i < points.size(); ++i) {
-        double weight = 1;
-        for (std::size_t j = first; j < points.size(); ++j)
-            if (j != i) weight *= points[j].eps / (points[j].eps - points[i].eps);
-        limit += weight * points[i].error / std::pow(points[i].eps, order);
+        const double eps = points[i].eps, ratio = points[i].error / std::pow(eps, order);
+        x += eps;
+        y += ratio;
+        xx += eps * eps;
+        xy += eps * ratio;
     }
-    return limit;
+    return (y * xx - x * xy) / (n * xx - x * x);
 }
 
 void undecided(OutputVerdict& output, std::string reason) {
@@ -137,7 +138,7 @@ void judge(OutputVerdict& output) {
     output.slope_low_eps = points.back().eps;
     output.slope_high_eps = points[first].eps;
     output.found_order = static_cast<int>(std::lround(output.slope));
-    output.constant = limiting_constant(points, output.found_order);
+    output.constant = limiting_constant(points, straight ? first : points.size() - 2, output.found_order);
 
     if (std::abs(output.slope - slopes.back()) > near_integer)
         return undecided(

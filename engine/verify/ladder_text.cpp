@@ -20,7 +20,7 @@ std::string verdict_line(const OutputVerdict& o) {
         line += fmt::format("  EXPECTED {}", to_string(o.expected));
     else if (o.expected != Verdict::pass)
         line += "  (as expected)";
-    if (!o.reason.empty()) line += "\n           " + o.reason;
+    if (!o.reason.empty() && o.verdict != Verdict::fail) line += "\n           " + o.reason;
     return line + "\n";
 }
 
@@ -28,7 +28,7 @@ std::string verdict_line(const OutputVerdict& o) {
 std::string ladder_table(const Verification& v) {
     std::string text = fmt::format("  {:>8}", "eps");
     for (const OutputVerdict& o : v.outputs)
-        text += fmt::format(" | {:>9} {:>9} {:>6}", "max|" + o.name + "|", "rms", "slope");
+        text += fmt::format(" | {:>9} {:>9} {:>6}", o.name + ": max", "rms", "slope");
     text += " | digits\n";
     const std::size_t rungs = v.outputs.empty() ? 0 : v.outputs.front().ladder.size();
     for (std::size_t i = 0; i < rungs; ++i) {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/stability.hpp"
+
+#include "verify/evaluator.hpp"
+#include "verify/interpreter.hpp"
+#include "verify/stability_points.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace resonform {
+
+namespace {
+
+using Wide = boost::multiprecision::cpp_bin_float_50;
+
+constexpr std::size_t listed_points = 5; // the worst of each output
+
+std::vector<Wide> widen(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
+class Sweep {
+public:
+    Sweep(std::shared_ptr<const Program> program, std::shared_ptr<const EvaluatorLibrary> library,
+          Stability& result)
+        : program_(std::move(program)), library_(std::move(library)), result_(result),
+          ulps_(program_->outputs.size()), worst_(program_->outputs.size()) {}
+
+    void try_point(const SweepPoint& at) {
+        ++result_.cases;
+        const Evaluator<double> emitted(library_, at.eps, at.parameters, at.start,
+                                        program_->interval_slow_time);
+        std::vector<double> values(program_->outputs.size());
+        const double t = at.slow_time / at.eps;
+        const Status status = emitted.call(t, values.data());
+        if (status != Status::ok) {
+            ++result_.refused;
+            ++result_.refused_by[to_string(status)];
+            return;
+        }
+        const Interpreter<Wide> symbolic(program_, Wide(at.eps), widen(at.parameters), widen(at.start),
+                                         Wide(program_->interval_slow_time));
+        std::vector<Wide> exact, scale;
+        if (symbolic.call(Wide(t), exact) != Status::ok || symbolic.scale(Wide(t), scale) != Status::ok) {
+            ++result_.beyond_reference;
+            return;
+        }
+        for (std::size_t k = 0; k < values.size(); ++k) record(k, ulp(values[k], exact[k], scale[k]), at, t);
+    }
+
+    void finish() {
+        for (std::size_t k = 0; k < ulps_.size(); ++k) {
+            result_.worst.insert(result_.worst.end(), worst_[k].begin(), worst_[k].end());
+            if (ulps_[k].empty()) continue;
+            const auto middle = ulps_[k].begin() + static_cast<long>(ulps_[k].size() / 2);
+            std::nth_element(ulps_[k].begin(), middle, ulps_[k].end());
+            result_.median.emplace_back(program_->outputs[k].name, *middle);
+        }
+    }
+
+private:
+    // |value - exact| over the spacing of doubles at the scale.
+    static double ulp(double value, const Wide& exact, const Wide& scale) {
+        if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+        const Wide spacing = scale * Wide(0x1p-52), least(std::numeric_limits<double>::denorm_min());
+        const Wide error = abs(Wide(value) - exact);
+        return static_cast<double>(Wide(error / (spacing < least ? least : spacing)));
+    }
+
+    void record(std::size_t output, double ulp, const SweepPoint& at, double t) {
+        ulps_[output].push_back(ulp);
+        std::vector<WorstPoint>& list = worst_[output];
+        if (list.size() == listed_points && !(ulp > list.back().ulp)) return;
+        WorstPoint point{program_->outputs[output].name, ulp, {{"eps", at.eps}}};
+        for (std::size_t i = 0; i < at.parameters.size(); ++i)
+            point.at.emplace_back(program_->parameters[i].name, at.parameters[i]);
+        for (std::size_t i = 0; i < at.start.size(); ++i)
+            point.at.emplace_back(program_->start[i].name, at.start[i]);
+        point.at.emplace_back("t", t);
+        const auto place =
+            std::find_if(list.begin(), list.end(), [ulp](const WorstPoint& p) { return p.ulp < ulp; });
+        list.insert(place, std::move(point));
+        if (list.size() > listed_points) list.pop_back();
+    }
+
+    std::shared_ptr<const Program> program_;
+    std::shared_ptr<const EvaluatorLibrary> library_;
+    Stability& result_;
+    std::vector<std::vector<double>> ulps_;
+    std::vector<std::vector<WorstPoint>> worst_;
+};
+
+} // namespace
+
+Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto program = std::make_shared<const Program>(build_program(solution, scene, {false, false}));
+    Stability result;
+    result.system = program->system;
+    result.scene = program->scene;
+    Sweep sweep(program, EvaluatorLibrary::build(*program, options.cache, options.progress), result);
+    if (options.progress) options.progress("sweeping the inputs over their decades");
+    for (const SweepPoint& point :
+         sweep_points(*program, solution.system(), options.random_points, options.seed))
+        sweep.try_point(point);
+    sweep.finish();
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+std::string to_text(const Stability& s) {
+    std::string text = fmt::format("{} / {}: double against 50 digits, errors in ulp of the output's scale\n"
+                                   "  {} cases, {} refused",
+                                   s.system, s.scene, s.cases, s.refused);
+    for (const auto& [status, count] : s.refused_by) text += fmt::format(", {} {}", count, status);
+    text += fmt::format(", {} beyond the reference\n", s.beyond_reference);
+    for (const auto& [name, ulp] : s.median) text += fmt::format("  {:<8} median {:.2g} ulp\n", name, ulp);
+    for (const WorstPoint& w : s.worst) {
+        text += fmt::format("  {:<8} {:>9.3g} ulp at", w.output, w.ulp);
+        for (const auto& [name, value] : w.at) text += fmt::format(" {} = {:.6g}", name, value);
+        text += "\n";
+    }
+    return text + fmt::format("  {:.1f} s\n", s.seconds);
+}
+
+} // namespace resonform
