@@ -136,7 +136,7 @@ Parser::Piece Parser::unary() {
 }
 
 Parser::Piece Parser::power() {
-    const Piece base = primary();
+    Piece base = primary();
     if (!accept(TokenKind::power)) return base;
     enter(next().begin);
     const Piece exponent = unary();

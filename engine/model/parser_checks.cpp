@@ -27,7 +27,7 @@ numeric Parser::checked_exponent(const Piece& base, const Piece& exponent) {
         complain(exponent.begin, exponent.end, "an exponent is a rational number",
                  "write exp(b*log(a)) for a^b with " + excerpt(text_, base.begin, base.end) + " as a");
     }
-    const numeric n = GiNaC::ex_to<numeric>(exponent.value);
+    numeric n = GiNaC::ex_to<numeric>(exponent.value);
     const numeric limit(limits_.exponent);
     if (GiNaC::abs(n.numer()) > limit || n.denom() > limit) {
         complain(exponent.begin, exponent.end,

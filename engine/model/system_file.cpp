@@ -61,7 +61,7 @@ Scope System::constants() const {
 
 std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems) {
     std::error_code ignored;
-    const std::filesystem::path given(argument);
+    std::filesystem::path given(argument);
     if (!argument.empty()) {
         for (const std::filesystem::path& candidate : {given, systems / given}) {
             if (std::filesystem::is_regular_file(candidate / "system.toml", ignored)) {
