@@ -2,6 +2,7 @@
 #include "algebra/choose_relation.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/products.hpp"
 
 #include <algorithm>
 #include <cstddef>

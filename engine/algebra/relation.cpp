@@ -86,20 +86,4 @@ std::vector<Term> rewrite(const Packing& packing, const std::vector<Relation>& r
             .place = {}});
 }
 
-std::vector<Term>
-collect_products(const Packing& packing,
-                 const std::vector<std::pair<const Polynomial*, const Polynomial*>>& pairs) {
-    Accumulator sum;
-    for (const auto& pair : pairs) {
-        for (const Term& a : pair.first->terms()) packing.require_safe(a.monomial);
-        for (const Term& b : pair.second->terms()) packing.require_safe(b.monomial);
-        for (const Term& a : pair.first->terms()) {
-            for (const Term& b : pair.second->terms()) {
-                sum.add(a.monomial + b.monomial, a.coefficient * b.coefficient);
-            }
-        }
-    }
-    return sum.take();
-}
-
 } // namespace resonform

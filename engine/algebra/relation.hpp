@@ -9,7 +9,6 @@
 #include "algebra/packing.hpp"
 #include "algebra/polynomial.hpp"
 
-#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -29,9 +28,5 @@ struct Relation {
 // Rewrites until no relation applies to any term. Exponents that overflow are refused.
 std::vector<Term> rewrite(const Packing& packing, const std::vector<Relation>& relations,
                           std::vector<Term> terms);
-
-// sum_k a_k b_k, collected, no relation applied. Exponents that overflow are refused.
-std::vector<Term> collect_products(const Packing& packing,
-                                   const std::vector<std::pair<const Polynomial*, const Polynomial*>>& pairs);
 
 } // namespace resonform

@@ -3,6 +3,7 @@
 #include "algebra/ring.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/products.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/choose_relation.hpp"
 #include "algebra/error.hpp"
+#include "algebra/products.hpp"
 #include "algebra/ring.hpp"
 
 #include <cstddef>
