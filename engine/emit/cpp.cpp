@@ -33,7 +33,7 @@ std::string banner(const Program& program) {
                         in_comment(program.title));
     text += fmt::format("//   order       {}, normal form and map through weight {}\n", program.order,
                         program.truncation);
-    text += fmt::format("//   operations  {} (written out: {})\n//\n", counts(program.after),
+    text += fmt::format("//   operations  {}\n//   written out {}\n//\n", counts(program.after),
                         counts(program.before));
     for (const std::string& note : program.notes) text += fmt::format("// {}\n", in_comment(note));
     return text;

@@ -22,9 +22,9 @@ const char* const words[] = {
     "wchar_t", "while", "xor", "xor_eq",
     // the frame of emitted code, and what macros of the C library may call themselves
     "Real", "Number", "Wide", "Status", "Values", "State", "Start", "Parameters", "Constants", "Evaluator",
-    "c", "w", "t", "T", "p", "s", "tables", "values", "status", "count", "math", "std", "resonform", "sqrt",
-    "sin", "cos", "log", "exp", "asinh", "atan2", "hypot", "pow", "NAN", "INFINITY", "I", "EOF", "NULL",
-    "errno", "assert", "unix", "linux"};
+    "c", "w", "t", "T", "a", "parameters", "start", "given_eps", "tables", "values", "status", "count",
+    "math", "std", "resonform", "sqrt", "sin", "cos", "log", "exp", "asinh", "atan2", "hypot", "pow", "NAN",
+    "INFINITY", "I", "EOF", "NULL", "errno", "assert", "unix", "linux"};
 
 } // namespace
 

@@ -44,9 +44,9 @@ std::string CppStages::constants() {
     CppFunction function(plan_.code, "Number", "k");
     function.define(plan_.code.lower(program_.eps), "eps", "Number(given_eps)");
     for (const ProgramInput& input : program_.parameters)
-        function.define(plan_.code.lower(input.symbol), input.name, "Number(p." + input.name + ")");
+        function.define(plan_.code.lower(input.symbol), input.name, "Number(parameters." + input.name + ")");
     for (const ProgramInput& input : program_.start)
-        function.define(plan_.code.lower(input.symbol), input.name, "Number(s." + input.name + ")");
+        function.define(plan_.code.lower(input.symbol), input.name, "Number(start." + input.name + ")");
     std::vector<Value> roots;
     for (const auto& [value, name] : plan_.members) {
         text += fmt::format("        Number {}{{}};\n", name);
@@ -59,8 +59,8 @@ std::string CppStages::constants() {
                            "void",
                            "compute_constants",
                            {{"const Real&", "given_eps"},
-                            {"const Parameters&", "p"},
-                            {"const Start&", "s"},
+                            {"const Parameters&", "parameters"},
+                            {"const Start&", "start"},
                             {"Constants<Number>&", "c"}},
                            {},
                            {}}) +

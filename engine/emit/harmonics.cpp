@@ -5,6 +5,14 @@
 
 namespace resonform {
 
+Polynomial harmonic(const Ring& ring, GeneratorId phase, const Polynomial& p, int k) {
+    std::vector<Term> terms;
+    for (const Term& t : p.terms())
+        if (ring.exponent(t.monomial, phase) == k)
+            terms.push_back({t.monomial - ring.monomial(phase, k), t.coefficient});
+    return Polynomial::from_terms(std::move(terms));
+}
+
 void Harmonics::set_angle(GeneratorId phase, Graph::Node cosine, Graph::Node sine) {
     phase_ = phase;
     multiples_ = {{1, {cosine, sine}}};
@@ -18,12 +26,8 @@ int Harmonics::highest(const Polynomial& p) const {
 }
 
 Polynomial Harmonics::coefficient(const Polynomial& p, int k) const {
-    if (!phase_) return k == 0 ? p : Polynomial();
-    std::vector<Term> terms;
-    for (const Term& t : p.terms())
-        if (ring_->exponent(t.monomial, *phase_) == k)
-            terms.push_back({t.monomial - ring_->monomial(*phase_, k), t.coefficient});
-    return Polynomial::from_terms(std::move(terms));
+    if (phase_) return harmonic(*ring_, *phase_, p, k);
+    return k == 0 ? p : Polynomial();
 }
 
 // Re p or Im p of a polynomial whose generators are real but for i.

@@ -16,6 +16,9 @@
 
 namespace resonform {
 
+// a_k of p = sum_k a_k e^{ik theta}, where `phase` is e^{i theta}.
+Polynomial harmonic(const Ring& ring, GeneratorId phase, const Polynomial& p, int k);
+
 class Harmonics {
 public:
     Harmonics(Graph& graph, RingPtr ring, Lowering& lowering)
@@ -26,8 +29,6 @@ public:
 
     // The part of p with e^{ik theta}, k = 0 only or all.
     Graph::Node value(const Polynomial& p, bool oscillating = true);
-    // a_k of p, and p's part without e^{i theta}.
-    [[nodiscard]] Polynomial coefficient(const Polynomial& p, int k) const;
 
     // cos k theta and sin k theta as built so far, k >= 1.
     [[nodiscard]] const std::map<int, std::pair<Graph::Node, Graph::Node>>& multiples() const {
@@ -36,6 +37,7 @@ public:
 
 private:
     std::pair<Graph::Node, Graph::Node> multiple(int k);
+    [[nodiscard]] Polynomial coefficient(const Polynomial& p, int k) const;
     [[nodiscard]] Polynomial part(const Polynomial& p, bool imaginary) const;
     [[nodiscard]] int highest(const Polynomial& p) const;
 

@@ -6,17 +6,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace resonform {
 
 namespace {
 
-// rho = (xi^2 + r^2)^(1/8): the names of rho, rho^2, rho^4, rho^8.
-void name_powers(Program& program, const std::string& name, Graph::Node n) {
+// Names for a radicand and its roots: s = xi^2 + r^2, s_2 = s^(1/2), s_4, s_8; then s1, s1_2, ... A
+// radicand that has a name keeps it: tau, tau_2.
+void name_roots(Program& program, Graph::Node n, int& radicands) {
+    std::vector<Graph::Node> nested;
+    for (; program.graph.at(n).op == Graph::Op::root; n = program.graph.at(n).operands.front())
+        nested.push_back(n);
+    const auto known = std::find_if(program.names.begin(), program.names.end(),
+                                    [&](const ProgramOutput& named) { return named.value == n; });
+    std::string name = radicands == 0 ? "s" : fmt::format("s{}", radicands);
+    if (known == program.names.end())
+        ++radicands;
+    else
+        name = known->name;
     program.names.push_back({name, n});
-    for (int power = 1; program.graph.at(n).op == Graph::Op::root;) {
-        power *= program.graph.at(n).exponent;
-        n = program.graph.at(n).operands.front();
-        program.names.push_back({fmt::format("{}_{}", name, power), n});
+    int index = 1;
+    for (auto root = nested.rbegin(); root != nested.rend(); ++root) {
+        index *= program.graph.at(*root).exponent;
+        program.names.push_back({fmt::format("{}_{}", name, index), *root});
     }
 }
 
@@ -45,6 +58,7 @@ void Moment::define(const Program& program, GeneratorId id, Graph::Node node) {
 }
 
 void Moment::define_roots(Program& program, const Surroundings& surroundings) {
+    int radicands = 0;
     for (GeneratorId id = 0; id < ring_->size(); ++id) {
         const Generator& g = ring_->generator(id);
         if (g.kind != GeneratorKind::root) continue;
@@ -53,7 +67,7 @@ void Moment::define_roots(Program& program, const Surroundings& surroundings) {
             program.positive.push_back(radicand);
         const Graph::Node root = program.graph.root(radicand, g.index);
         define(program, id, root);
-        if (lowering.varying(id)) name_powers(program, g.name, root);
+        if (lowering.varying(id)) name_roots(program, root, radicands);
     }
 }
 

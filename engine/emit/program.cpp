@@ -8,6 +8,7 @@
 #include "emit/moment.hpp"
 #include "emit/prune.hpp"
 #include "emit/quadratures.hpp"
+#include "emit/scene_formulas.hpp"
 #include "emit/start_constants.hpp"
 #include "emit/straight_line.hpp"
 
@@ -74,7 +75,6 @@ void ProgramBuilder::describe() {
     program_.title = scene_.title;
     program_.order = solution_.order;
     program_.truncation = solution_.truncation;
-    if (!solution_.system().source.empty()) program_.notes.push_back("source: " + solution_.system().source);
 }
 
 void ProgramBuilder::define_symbols() {
@@ -219,6 +219,16 @@ void ProgramBuilder::declare_domain() {
     program_.slow_time_end = from_expression(program_.graph, slow_time, names_);
 }
 
+// "with g = 1, r = 1, v = 1", in the order of the system's file
+std::string fixed_values(const System& system, const Scene& scene) {
+    std::string text;
+    for (const Parameter& parameter : system.parameters)
+        if (const auto fixed = scene.fix.find(parameter.name); fixed != scene.fix.end())
+            text += fmt::format("{} {} = {}", text.empty() ? "with" : ",", parameter.name,
+                                to_string(fixed->second));
+    return text;
+}
+
 // The same scene with nothing left out and nothing fixed: what the evaluator would compute without pruning.
 Program without_savings(const Solution& solution, Scene scene) {
     scene.outputs.clear();
@@ -232,6 +242,10 @@ Program without_savings(const Solution& solution, Scene scene) {
 Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
     Program program = ProgramBuilder(solution, scene, options).build();
     prune(program);
+    program.notes = scene_formulas(solution, scene, !program.phases.empty());
+    if (options.fold_fixed && !scene.fix.empty())
+        program.notes.push_back(fixed_values(solution.system(), scene));
+    if (!solution.system().source.empty()) program.notes.push_back("source: " + solution.system().source);
     program.before = count_written_out(without_savings(solution, scene));
     program.after = count_operations(program);
     return program;

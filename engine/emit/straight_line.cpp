@@ -115,9 +115,49 @@ void StraightLine::gather_constants(std::vector<Value>& plus, std::vector<Value>
     plus.push_back(append(std::move(gathered)));
 }
 
+// n as a rational power of what is under all its roots: sqrt(sqrt(s)) = s^(1/4).
+StraightLine::RootPower StraightLine::root_power(Graph::Node n) const {
+    Rational exponent = 1;
+    for (;; n = graph_.at(n).operands.front()) {
+        const Graph::Entry& e = graph_.at(n);
+        if (e.op == Graph::Op::power)
+            exponent = exponent * e.exponent;
+        else if (e.op == Graph::Op::root)
+            exponent = exponent / e.exponent;
+        else
+            return {n, exponent};
+    }
+}
+
+// Takes the factors out that are powers of one radicand, two or more, and makes them one value each.
+std::vector<StraightLine::Value> StraightLine::root_powers(std::vector<Graph::Node>& factors) {
+    std::map<Graph::Node, std::vector<Graph::Node>> by_base;
+    for (const Graph::Node n : factors) by_base[root_power(n).base].push_back(n);
+    std::vector<Value> result;
+    for (const auto& [base, powers] : by_base) {
+        if (powers.size() < 2) continue;
+        Rational exponent = 0;
+        std::vector<Value> values;
+        for (const Graph::Node n : powers) {
+            exponent = exponent + root_power(n).exponent;
+            values.push_back(lower(n));
+            factors.erase(std::find(factors.begin(), factors.end(), n));
+        }
+        result.push_back(product(std::move(values)));
+        Instruction& power = instructions_[static_cast<std::size_t>(result.back())];
+        if (const auto name = names_.find(base); name != names_.end() && power.label.empty())
+            power.label = fmt::format("{}_{}{}_{}", name->second, exponent < 0 ? "m" : "p",
+                                      to_string(cln::abs(cln::numerator(exponent))),
+                                      to_string(Rational(cln::denominator(exponent))));
+    }
+    return result;
+}
+
 StraightLine::Value StraightLine::multiply(const Graph::Entry& e) {
-    std::vector<Value> factors;
-    for (const Graph::Node operand : e.operands) factors.push_back(lower(operand));
+    std::vector<Graph::Node> nodes = e.operands;
+    std::vector<Value> factors = root_powers(nodes);
+    if (nodes.empty() && factors.size() == 1) return factors.front();
+    for (const Graph::Node n : nodes) factors.push_back(lower(n));
     return product(std::move(factors));
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program's graph as instructions of a machine with two stages: what is computed once (constants) and
 // what changes from call to call. Powers are chains of multiplications, negative ones start from one
-// shared reciprocal, factors and terms that are constant are gathered into one constant.
+// shared reciprocal, factors and terms that are constant are gathered into one constant, powers of the
+// roots of one radicand into one shared power.
 //
-//   3/16 * C^2 * s^-2 * cos_theta   ->   once: c = 3/16 C C;   per call: p = 1/s;  c * (p p) * cos_theta
+//   3/16 C^2 s^-3 cos_theta   ->   once: c = 3/16 C C;   per call: p = 1/s, q = p p p, c q cos_theta
 #pragma once
 
 #include "emit/program.hpp"
@@ -43,11 +44,17 @@ public:
     [[nodiscard]] std::vector<Value> behind(const std::vector<Value>& roots, bool through_constants) const;
 
 private:
+    struct RootPower { // base^exponent
+        Graph::Node base;
+        Rational exponent;
+    };
     Value append(Instruction instruction);
     Value add(const Graph::Entry& e);
     Value multiply(const Graph::Entry& e);
     Value chain(Value base, int exponent);
     Value product(std::vector<Value> factors);
+    std::vector<Value> root_powers(std::vector<Graph::Node>& factors);
+    [[nodiscard]] RootPower root_power(Graph::Node n) const;
     void gather_constants(std::vector<Value>& plus, std::vector<Value>& minus);
     [[nodiscard]] bool any_varying(const std::vector<Value>& operands) const;
 
