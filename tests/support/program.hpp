@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene as a program, for the tests of emitted and interpreted code.
+#pragma once
+
+#include "emit/program.hpp"
+#include "normalize/poincare.hpp"
+#include "support/exact.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace resonform::test {
+
+inline Solution solution_of(const Scene& scene) {
+    const int truncation = scene.truncation ? *scene.truncation : scene.order + *scene.time_scale;
+    const auto first_order = std::make_shared<const FirstOrderSystem>(solve_for_highest(scene.system));
+    const auto field = std::make_shared<const GradedField>(expand(first_order));
+    auto normalization = std::make_shared<const Normalization>(normalize_poincare(field, truncation));
+    return solve(std::move(normalization), {scene.order, truncation});
+}
+
+inline Scene pendulum_scene(const std::string& name) {
+    const std::filesystem::path systems = source_dir() / "systems";
+    return read_scene(systems / "almost_holonomic_pendulum" / "scenes" / (name + ".toml"), systems);
+}
+
+inline std::shared_ptr<const Program> program_of(const Scene& scene, const ProgramOptions& options = {}) {
+    return std::make_shared<const Program>(build_program(solution_of(scene), scene, options));
+}
+
+} // namespace resonform::test
