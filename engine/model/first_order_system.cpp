@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/first_order_system.hpp"
 
+#include "model/growth.hpp"
 #include "model/lexer.hpp"
 #include "model/zero_test.hpp"
 
@@ -55,6 +56,14 @@ private:
 [[noreturn]] void complain(const Equation& equation, const std::string& rule, const std::string& value,
                            const std::string& mend) {
     bad_input({rule, value, mend, place_of(equation.source)});
+}
+
+// a' = 2, b' = a'^1000, c' = b'^1000, ... must not be computed.
+void check_growth(const Equation& equation, const Growth& growth) {
+    constexpr double most_bits = 1e6, highest_degree = 1e5;
+    if (growth.bits <= most_bits && growth.degree <= highest_degree) return;
+    complain(equation, "an equation stays moderate when the other rates are put in", excerpt(equation.text),
+             "use smaller exponents");
 }
 
 // Runs what GiNaC may find singular.
@@ -180,7 +189,9 @@ bool HighestDerivatives::solve_a_single() {
 }
 
 void HighestDerivatives::substitute(std::size_t variable) {
+    const Growth growth = of_expression(*solved_[variable]);
     for (Pending& p : pending_) {
+        check_growth(*p.equation, of_substitution(p.residual, highest(variable), growth));
         p.residual =
             guarded(*p.equation, [&] { return p.residual.subs(highest(variable) == *solved_[variable]); });
     }

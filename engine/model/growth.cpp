@@ -26,4 +26,27 @@ Growth of_power(const Growth& base, double exponent) {
     return power;
 }
 
+Growth of_number(const GiNaC::numeric& n) {
+    return {1, 0, static_cast<double>(n.numer().int_length() + n.denom().int_length())};
+}
+
+Growth of_substitution(const GiNaC::ex& e, const GiNaC::symbol& symbol, const Growth& value) {
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return of_number(GiNaC::ex_to<GiNaC::numeric>(e));
+    if (e.is_equal(symbol)) return value;
+    if (e.nops() == 0) return {1, 1, 0};
+    Growth total = of_substitution(e.op(0), symbol, value);
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+        const bool known = GiNaC::is_a<GiNaC::numeric>(e.op(1));
+        return of_power(total, known ? GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_double() : 1);
+    }
+    if (GiNaC::is_a<GiNaC::function>(e)) return {1, 1, total.bits};
+    for (std::size_t i = 1; i < e.nops(); ++i) {
+        const Growth part = of_substitution(e.op(i), symbol, value);
+        total = GiNaC::is_a<GiNaC::add>(e) ? of_sum(total, part) : of_product(total, part);
+    }
+    return total;
+}
+
+Growth of_expression(const GiNaC::ex& e) { return of_substitution(e, GiNaC::symbol(), {}); }
+
 } // namespace resonform

@@ -3,6 +3,8 @@
 // ((2^1000)^1000)^1000 is refused instead of computed.
 #pragma once
 
+#include <ginac/ginac.h>
+
 namespace resonform {
 
 // Bounds for the expanded form: its number of terms, its degree, and the size in bits of the largest
@@ -16,5 +18,10 @@ struct Growth {
 Growth of_sum(const Growth& a, const Growth& b);
 Growth of_product(const Growth& a, const Growth& b);
 Growth of_power(const Growth& base, double exponent);
+
+// The growth of e when `symbol` is replaced by something of the growth `value`.
+Growth of_substitution(const GiNaC::ex& e, const GiNaC::symbol& symbol, const Growth& value);
+Growth of_expression(const GiNaC::ex& e);
+Growth of_number(const GiNaC::numeric& n);
 
 } // namespace resonform

@@ -39,8 +39,6 @@ bool begins_operand(TokenKind kind) {
     return kind == TokenKind::number || kind == TokenKind::name || kind == TokenKind::open;
 }
 
-double log2_size(const numeric& n) { return n.numer().int_length() + n.denom().int_length(); }
-
 // Digits of the mantissa plus the size of the decimal exponent of a number token.
 std::size_t digits_of(std::string_view number) {
     constexpr std::size_t absurd = 1000000000;
@@ -165,7 +163,7 @@ Parser::Piece Parser::number() {
     Piece piece;
     const numeric value{cln::cl_N(parse_rational(spelled))};
     piece.value = value;
-    piece.growth.bits = log2_size(value);
+    piece.growth = of_number(value);
     piece.begin = token.begin;
     piece.end = token.end;
     return piece;

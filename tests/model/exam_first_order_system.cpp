@@ -82,5 +82,19 @@ TEST(FirstOrderSystem, RefusesASingularMatrix) {
               "  mend:  correct or simplify the equations");
 }
 
+// Each equation is harmless; put into one another they make 2^(1000^6).
+TEST(FirstOrderSystem, RefusesTowersOfPowers) {
+    std::string variables, equations = "a0 = \"a0' = 2\"\n";
+    for (int k = 1; k <= 6; ++k) {
+        const std::string before = "a" + std::to_string(k - 1), name = "a" + std::to_string(k);
+        equations += name + " = \"" + name + "' = " + before + "'^1000\"\n";
+    }
+    for (int k = 0; k <= 6; ++k) variables += "a" + std::to_string(k) + " = { role = \"drift\" }\n";
+    const std::string message =
+        system_message("[system]\nname = \"s\"\n[variables]\n" + variables + "[equations]\n" + equations);
+    EXPECT_NE(message.find("an equation stays moderate when the other rates are put in"), std::string::npos)
+        << message;
+}
+
 } // namespace
 } // namespace resonform
