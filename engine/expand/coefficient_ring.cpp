@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include <exception>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -34,7 +35,14 @@ CoefficientRing::CoefficientRing(std::shared_ptr<const System> system, std::vect
 
 void CoefficientRing::vanish(const ex& symbol) { zero_[symbol] = 0; }
 
-ex CoefficientRing::at_origin(const ex& e) const { return e.subs(zero_, GiNaC::subs_options::no_pattern); }
+ex CoefficientRing::at_origin(const ex& e, const Place& place) const {
+    try {
+        return e.subs(zero_, GiNaC::subs_options::no_pattern).normal();
+    } catch (const std::exception&) { // GiNaC::pole_error, and division by zero in normal()
+        bad_input({"nothing is divided by an expression that is zero", spell(e),
+                   "remove the singularity, or expand about another point", place});
+    }
+}
 
 bool CoefficientRing::has_weight(const ex& e) const {
     return std::any_of(zero_.begin(), zero_.end(), [&](const auto& entry) { return e.has(entry.first); });
@@ -48,7 +56,7 @@ void CoefficientRing::collect(const ex& e, const Place& place) {
         const Rational exponent = to_rational(e.op(1));
         collect(base, place);
         if (e.op(1).info(GiNaC::info_flags::nonnegint)) return;
-        note(split_power(at_origin(base), exponent, *system_, place), place);
+        note(split_power(at_origin(base, place), exponent, *system_, place), place);
         return;
     }
     for (const ex& operand : e) collect(operand, place);
@@ -141,6 +149,7 @@ void CoefficientRing::add_symbols(RingBuilder& builder) {
 void CoefficientRing::add_roots(RingBuilder& builder) {
     int number = 0;
     for (Base& base : bases_) {
+        if (base.index == 1) base.index = 2; // only inverted: a root's index is at least 2
         Generator g;
         g.kind = GeneratorKind::root;
         g.name = fmt::format("root_{}", ++number);

@@ -24,7 +24,8 @@ public:
 
     // Symbols of positive weight: set to zero, they leave the weight-0 part of an expression.
     void vanish(const GiNaC::ex& symbol);
-    [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e) const;
+    // Errors (bad_input): a pole at the origin.
+    [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Place& place) const;
     [[nodiscard]] bool has_weight(const GiNaC::ex& e) const; // does a vanishing symbol occur in e?
 
     // Notes the roots and inverses that a later convert of e, or of the weight-0 part of a power of

@@ -28,7 +28,7 @@ public:
     GradedField build() {
         for (const State& state : first_order_->states)
             if (system_.variables[state.variable].role == Role::fast) coefficients_.vanish(state.symbol);
-        check_dependence();
+        check_drifts();
         for (std::size_t v = 0; v < system_.variables.size(); ++v)
             if (system_.variables[v].role == Role::fast)
                 oscillators_.push_back(find_oscillator(*first_order_, v, coefficients_));
@@ -59,17 +59,7 @@ private:
         return partners;
     }
 
-    // Nothing depends on a drift; no parameter or variable takes the name of a mode.
-    void check_dependence() const {
-        const auto names = mode_names();
-        const auto reserved = [&](const std::string& name, const Place& place) {
-            if (std::find(names.begin(), names.end(), name) != names.end())
-                bad_input({"z1, z2, ... are the names of the modes", name, "choose another name", place});
-        };
-        for (const auto& p : system_.parameters)
-            reserved(p.name, {system_.file.string(), 0, 0, "parameters." + p.name, ""});
-        for (const auto& v : system_.variables)
-            if (v.role != Role::fast) reserved(v.name, v.place);
+    void check_drifts() const {
         for (const State& state : first_order_->states)
             for (const Variable& v : system_.variables)
                 if (v.role == Role::drift && state.rate.has(v.jet.front()))
@@ -111,7 +101,7 @@ private:
                 refuse({"the rate of a slow variable depends on slow variables and parameters only",
                         fmt::format("the rate of {} contains {}", variable.name, other.name),
                         "slow variables driven by fast ones are not supported yet", place});
-        if (!coefficients_.at_origin(state.rate).normal().is_zero())
+        if (!coefficients_.at_origin(state.rate, place).is_zero())
             bad_input({"the rate of a slow variable vanishes with eps",
                        fmt::format("{}' = {}", variable.name, spell(state.rate)),
                        "write the rate with a factor eps", place});
@@ -129,7 +119,7 @@ private:
             const Variable& variable = system_.variables[state.variable];
             if (variable.role != Role::drift) continue;
             const Place place = place_of_equation(system_, state.variable);
-            if (!coefficients_.at_origin(state.rate).normal().is_zero())
+            if (!coefficients_.at_origin(state.rate, place).is_zero())
                 bad_input({"the rate of a drift variable vanishes with eps and the fast variables",
                            fmt::format("{}' = {}", variable.name, spell(state.rate)),
                            "write the rate with a factor eps", place});

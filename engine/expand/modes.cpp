@@ -3,23 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 namespace resonform {
 
 namespace {
 
 using GiNaC::ex;
-
-// The value at the origin; a pole there is the user's error.
-ex at_origin(const ex& e, const CoefficientRing& coefficients, const Place& place) {
-    try {
-        return coefficients.at_origin(e).normal();
-    } catch (const std::runtime_error& pole) { // GiNaC::pole_error, and division by zero in normal()
-        bad_input({"nothing is divided by an expression that is zero", spell(e),
-                   "remove the singularity, or expand about another point", place});
-    }
-}
 
 void check_order(const Variable& variable) {
     if (variable.order != 2)
@@ -36,7 +24,7 @@ void check_uncoupled(const FirstOrderSystem& system, const State& velocity,
         if (system.system->variables[other.variable].role != Role::fast) continue;
         const bool own = other.variable == velocity.variable;
         if (own && other.derivative == 0) continue;
-        const ex coupling = at_origin(velocity.rate.diff(other.symbol), coefficients, place);
+        const ex coupling = coefficients.at_origin(velocity.rate.diff(other.symbol), place);
         if (coupling.is_zero()) continue;
         const std::string value = fmt::format("the coefficient of {} is {}", other.name, spell(coupling));
         if (own)
@@ -57,12 +45,12 @@ Oscillator find_oscillator(const FirstOrderSystem& system, std::size_t variable,
     const State& position = system.states[system.index(variable, 0)];
     const State& velocity = system.states[system.index(variable, 1)];
 
-    const ex force = at_origin(velocity.rate, coefficients, place);
+    const ex force = coefficients.at_origin(velocity.rate, place);
     if (!force.is_zero())
         bad_input({"the origin of the fast variables is an equilibrium at eps = 0",
                    fmt::format("{}'' = {} there", fast.name, spell(force)),
                    fmt::format("shift {} to the equilibrium by a change of variable", fast.name), place});
-    const ex slope = at_origin(velocity.rate.diff(position.symbol), coefficients, place);
+    const ex slope = coefficients.at_origin(velocity.rate.diff(position.symbol), place);
     if (slope.is_zero())
         bad_input({"the linear part of a fast variable is an oscillator",
                    fmt::format("{}'' has no term linear in {}", fast.name, fast.name),

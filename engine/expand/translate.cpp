@@ -52,7 +52,7 @@ Node Translator::product(const ex& e, const Place& place) {
 Node Translator::power(const ex& e, const Place& place) {
     const Rational exponent = to_rational(e.op(1));
     const bool whole = e.op(1).info(GiNaC::info_flags::nonnegint);
-    if (!whole && coefficients_.at_origin(e.op(0)).normal().is_zero())
+    if (!whole && coefficients_.at_origin(e.op(0), place).is_zero())
         bad_input({"a root or an inverse is taken only of what does not vanish at the origin", spell(e),
                    "remove the singularity, or expand about another point", place});
     return program_.power((*this)(e.op(0), place), exponent);
@@ -61,7 +61,7 @@ Node Translator::power(const ex& e, const Place& place) {
 Node Translator::function(const ex& e, const Place& place) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
     const ex& argument = e.op(0);
-    const ex origin = coefficients_.at_origin(argument) - (name == "log" ? 1 : 0);
+    const ex origin = coefficients_.at_origin(argument, place) - (name == "log" ? 1 : 0);
     if (!origin.normal().is_zero())
         refuse({name == "log" ? "the argument of log is 1 at the origin"
                               : fmt::format("the argument of {} vanishes at the origin", name),

@@ -25,7 +25,7 @@ std::vector<Item> items(const NormalForm& normal_form, const NearIdentityMap& ma
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const std::string& name = field.modes[k].name;
         result.push_back({&normal_form.mode[k], "normal form of " + name, 1, static_cast<int>(k), false});
-        result.push_back({&map.mode[k], "map of " + name, 2, static_cast<int>(k), true});
+        result.push_back({&map.mode[k], "map of " + name, 1, static_cast<int>(k), true});
     }
     for (std::size_t k = 0; k < field.slow.size(); ++k)
         result.push_back({&normal_form.slow[k], "rate of " + field.slow[k].name, 1, -1, false});

@@ -37,7 +37,7 @@ Divisor DivisorTable::make(const std::vector<int>& harmonics) const {
                                field_.system().variables[field_.modes[m].variable].name);
     }
     const Polynomial value = ring.multiply(ring.imaginary(), frequency);
-    if (ring.is_zero(value) == Zero::yes) return {{}, DivisorVerdict::kept_exact, {}};
+    if (ring.vanishes(value)) return {{}, DivisorVerdict::kept_exact, {}};
     if (const auto inverse = ring.inverse(value)) return {value, DivisorVerdict::removed, *inverse};
     refuse({"a divisor is proved to be zero or to be non-zero before anything is divided by it",
             "i*(" + spelled + ")",

@@ -34,7 +34,7 @@ void HomologicalEquation::solve(int weight, const Polynomial& field_part, const 
     std::vector<Polynomial> kept, removed;
     for (const auto& [monomial, coefficient] :
          ring.collect(right_hand_side(weight, field_part, transport), outer_)) {
-        if (ring.is_zero(coefficient) == Zero::yes) continue;
+        if (ring.vanishes(coefficient)) continue;
         const Divisor& divisor = divisors_.of(monomial);
         records_.push_back({variable_, monomial, weight, divisor.value, divisor.verdict});
         const Polynomial outer(monomial, 1);

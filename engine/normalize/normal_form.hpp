@@ -35,7 +35,7 @@ struct NormalForm {
 // The old variable minus the new one.
 struct NearIdentityMap {
     int through = 0;
-    std::vector<Series> mode;  // h, weights 2 ... through
+    std::vector<Series> mode;  // h, weights 2 ... through; at weight 1 a pure eps term may stand
     std::vector<Series> drift; // l, weights 1 ... through
 };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every elementary function that a system may contain, and every kind of coefficient, goes through
+// expansion and normalisation and satisfies its own equations (the certificate's second route).
+#include "normalize/certificate.hpp"
+#include "normalize/poincare.hpp"
+#include "support/exact.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform {
+
+namespace {
+
+class EveryEquation : public ::testing::TestWithParam<const char*> {};
+
+} // namespace
+
+TEST_P(EveryEquation, IsCertifiedThroughWeightFive) {
+    const auto field =
+        test::field_from(std::string("[system]\nname = \"s\"\n[parameters]\ng = { positive = true }\n"
+                                     "a = { nonzero = true }\n[variables]\nx = { role = \"fast\" }\n"
+                                     "tau = { role = \"slow\" }\ny = { role = \"drift\" }\n"
+                                     "[domain]\npositive = [\"1 + tau\"]\n[equations]\nx = \"") +
+                         GetParam() + "\"\ntau = \"tau' = eps*a\"\ny = \"y' = x^2 + eps*x'\"\n");
+    const Normalization n = normalize_poincare(field, 5);
+    const Certificate c = certify(n.normal_form, n.map);
+    EXPECT_TRUE(c.holds) << c.complaint;
+    EXPECT_EQ(c.through_weight, 5);
+    EXPECT_LT(c.error_probability, 1e-20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Functions, EveryEquation,
+                         ::testing::Values("x'' + tan(x) = 0", "x'' + sinh(x) + eps*cosh(x) = 0",
+                                           "x'' + tanh(x)*cos(x) = 0", "x'' + atan(x) = 0",
+                                           "x'' + asin(x) + eps*x'^2 = 0", "x'' + exp(x) - 1 = 0",
+                                           "x'' + log(1 + x) = 0", "x'' + x/sqrt(1 + x^2) = 0",
+                                           "x'' + x + eps = 0", "(1 + x^2)*x'' + x + eps*x' = 0",
+                                           "x'' + x/(1 + eps*x - x')^2 = 0"));
+
+INSTANTIATE_TEST_SUITE_P(
+    Coefficients, EveryEquation,
+    ::testing::Values("x'' + (1 + tau)*x + x^3 = 0", "x'' + sqrt(1 + tau)*x + tau*x^2 = 0",
+                      "x'' + (2 + tau^2)*x + (1 + tau)*x^3 = 0", "g^2*x'' + x*(g + a*x) = 0",
+                      "x'' + 2*g/(1 + tau^2)*sin(x) = 0", "x'' + g^(2/3)*x + x^2/a = 0",
+                      "x'' + sqrt(g + sqrt(1 + tau^2))*x + x^2 = 0", "x'' + 3*x + tau*x^3/(1 + tau) = 0",
+                      "x'' + (1 + tau)*(4 + tau^2)*x + x^3 = 0"));
+
+} // namespace resonform
