@@ -99,7 +99,8 @@ EvaluatorLibrary::build(const Program& program, const fs::path& cache,
     const auto load = [&object] { return dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL); };
     void* handle = load();
     if (handle == nullptr) { // absent, or damaged
-        if (progress) progress(fmt::format("compiling the emitted code of {}", program.scene));
+        if (progress)
+            progress(fmt::format("compiling the emitted code of {}, order {}", program.scene, program.order));
         write_atomically(source, text);
         compile(source, object);
         handle = load();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/stability_points.hpp"
 
+#include "emit/identifier.hpp"
 #include "verify/interpreter.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace resonform {
 namespace {
 
 constexpr double default_eps = 0.01;
-constexpr double corner_probability = 0.25;
+constexpr double corner_probability = 0.4;
 
 struct Range {
     double low, high; // of the magnitude
@@ -24,22 +25,23 @@ Range range(InputKind kind) {
     case InputKind::eps: return {1e-12, 0.5, false};
     case InputKind::positive: return {1e-12, 1e12, false};
     case InputKind::real: return {1e-12, 1e12, true};
+    case InputKind::amplitude: return {1e-12, 1e3, true};
     case InputKind::slow: return {1e-150, 1e150, true};
     case InputKind::phase: return {1e-3, 1e14, true};
     }
     return {1, 1, false};
 }
 
-// All inputs as one vector: eps, parameters, start, slow time.
+// All inputs as one vector: eps, parameters, start.
 using Inputs = std::vector<double>;
 
 SweepPoint unpack(const Program& program, const Inputs& inputs) {
     const auto parameters = inputs.begin() + 1,
                start = parameters + static_cast<long>(program.parameters.size());
-    return {inputs.front(), {parameters, start}, {start, inputs.end() - 1}, inputs.back()};
+    return {inputs.front(), {parameters, start}, {start, inputs.end()}};
 }
 
-Inputs defaults(const Program& program, const std::vector<InputKind>& kinds) {
+Inputs defaults(const Program& program) {
     Inputs inputs{default_eps};
     std::vector<double> parameters = default_parameters<double>(program, default_eps);
     for (double& p : parameters)
@@ -47,8 +49,6 @@ Inputs defaults(const Program& program, const std::vector<InputKind>& kinds) {
     const std::vector<double> start = default_start<double>(program, default_eps, parameters);
     inputs.insert(inputs.end(), parameters.begin(), parameters.end());
     inputs.insert(inputs.end(), start.begin(), start.end());
-    inputs.resize(kinds.size());
-    inputs.push_back(program.interval_slow_time);
     return inputs;
 }
 
@@ -79,12 +79,28 @@ std::vector<double> corners(InputKind kind) {
     switch (kind) {
     case InputKind::eps: return {r.low, 1e-6, 1e-3, 0.1, r.high};
     case InputKind::positive: return {r.low, 1, r.high};
-    case InputKind::real: return {-r.high, -1, r.low, 1, r.high};
+    case InputKind::real:
+    case InputKind::amplitude: return {-r.high, -1, r.low, 1, r.high};
     case InputKind::slow: return {0, -r.high, -1, -r.low, r.low, 1, r.high};
     case InputKind::phase: return {0, -r.high, 1, r.high};
     }
     return {};
 }
+
+namespace {
+
+InputKind start_kind(const ProgramInput& input, const Program& program, const System& system) {
+    for (const ProgramOutput& slow : program.slow)
+        if (input.name == identifier(slow.name + "_0")) return InputKind::slow;
+    for (const Variable& variable : system.variables) {
+        if (input.name == identifier(system.constant_name("phase", variable.name))) return InputKind::phase;
+        if (input.name == identifier(system.constant_name("amplitude", variable.name)))
+            return InputKind::amplitude;
+    }
+    return InputKind::real;
+}
+
+} // namespace
 
 std::vector<InputKind> input_kinds(const Program& program, const System& system) {
     std::vector<InputKind> kinds{InputKind::eps};
@@ -94,40 +110,25 @@ std::vector<InputKind> input_kinds(const Program& program, const System& system)
         const bool positive = found != system.parameters.end() && found->positive;
         kinds.push_back(positive ? InputKind::positive : InputKind::real);
     }
-    for (const ProgramInput& input : program.start) {
-        const bool slow =
-            std::any_of(program.slow.begin(), program.slow.end(), [&](const ProgramOutput& variable) {
-                return input.meaning == variable.name + " at t = 0";
-            });
-        const bool phase = input.meaning.rfind("phase.", 0) == 0;
-        kinds.push_back(slow ? InputKind::slow : phase ? InputKind::phase : InputKind::real);
-    }
+    for (const ProgramInput& input : program.start) kinds.push_back(start_kind(input, program, system));
     return kinds;
 }
 
 std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t random_points,
                                      std::uint64_t seed) {
     const std::vector<InputKind> kinds = input_kinds(program, system);
-    const Inputs base = defaults(program, kinds);
+    const Inputs base = defaults(program);
     std::vector<SweepPoint> points{unpack(program, base)};
     for (std::size_t i = 0; i < kinds.size(); ++i)
         for (const double first : corners(kinds[i])) {
             Inputs inputs = base;
             inputs[i] = first;
             points.push_back(unpack(program, inputs));
-            for (std::size_t j = 0; j < i; ++j)
-                for (const double second : corners(kinds[j])) {
-                    inputs = base;
-                    inputs[i] = first;
-                    inputs[j] = second;
-                    points.push_back(unpack(program, inputs));
-                }
         }
     Dice dice(seed);
     for (std::size_t n = 0; n < random_points; ++n) {
         Inputs inputs = base;
         for (std::size_t i = 0; i < kinds.size(); ++i) inputs[i] = dice.value(kinds[i]);
-        inputs.back() = base.back() * dice.uniform();
         points.push_back(unpack(program, inputs));
     }
     return points;
