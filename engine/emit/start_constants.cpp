@@ -79,7 +79,8 @@ void StartConstants::derive_oscillator(const InitialValues& values, Moment& star
     const Graph::Node radius = graph.function(Graph::Op::sqrt_sum_squares, {re, im});
     Graph::Node amplitude =
         graph.multiply({radius, graph.power(start.lowering.polynomial(values.leading_scale), -1)});
-    for (int step = 0; values.implicit && step <= solution_.truncation; ++step) {
+    const int substitutions = values.implicit ? solution_.truncation + 1 : 1;
+    for (int step = 0; step < substitutions; ++step) {
         start.lowering.define(*values.ring->find(name), amplitude, false);
         amplitude = graph.multiply({radius, graph.power(start.lowering.polynomial(values.scale), -1)});
     }

@@ -80,9 +80,8 @@ StraightLine::Value StraightLine::add(const Graph::Entry& e) {
     std::vector<Value> plus, minus;
     for (const Graph::Node operand : e.operands) {
         const Graph::Entry& term = graph_.at(operand);
-        const bool negative = term.op == Graph::Op::multiply &&
-                              graph_.at(term.operands.front()).op == Graph::Op::rational &&
-                              graph_.at(term.operands.front()).value < 0;
+        const Graph::Entry& first = term.op == Graph::Op::multiply ? graph_.at(term.operands.front()) : term;
+        const bool negative = first.op == Graph::Op::rational && first.value < 0;
         if (negative)
             minus.push_back(lower(graph_.negate(operand)));
         else

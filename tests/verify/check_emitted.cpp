@@ -124,6 +124,33 @@ TEST_F(ThirdOrder, BatchesEqualCalls) {
     }
 }
 
+// Physical start values become constants of the solution through the inverse map at its full weight 4:
+// the solution at t = 0 gives them back up to O(eps^5).
+TEST(Interpreter, PhysicalStartValuesComeBackAtTheStart) {
+    Scene scene = test::pendulum_scene("third_order");
+    const GiNaC::symbol& eps_symbol = scene.system->eps;
+    scene.start = {{"xi", GiNaC::numeric(1, 4), "1/4", {}},
+                   {"psi", GiNaC::numeric(3, 10) * eps_symbol, "3/10*eps", {}},
+                   {"psi'", GiNaC::numeric(1, 7) * eps_symbol, "eps/7", {}},
+                   {"x", GiNaC::numeric(1, 2), "1/2", {}},
+                   {"C_Y", GiNaC::numeric(2), "2", {}}};
+    const auto program = test::program_of(scene, {true, true});
+    double error[2] = {0, 0};
+    for (int k = 0; k < 2; ++k) {
+        const Fifty eps = k == 0 ? Fifty(1) / 1000 : Fifty(1) / 2000;
+        std::vector<Fifty> state;
+        ASSERT_EQ(Interpreter<Fifty>(program, eps, {}, {}, Fifty(1)).state(0, state), Status::ok);
+        ASSERT_EQ(program->state[0].name, "psi");
+        ASSERT_EQ(program->state[2].name, "x");
+        const Fifty psi = abs(state[0] - 3 * eps / 10), rate = abs(state[1] - eps / 7),
+                    x = abs(state[2] - Fifty(1) / 2);
+        error[k] = static_cast<double>(psi + rate + x);
+    }
+    EXPECT_LT(error[0], 1e-13);
+    EXPECT_GT(error[0], 0);
+    EXPECT_NEAR(std::log2(error[0] / error[1]), 5, 0.1);
+}
+
 // (22) and (23) with the values (24), in 50 digits; the quadratures of the paper by another route: as
 // theta' and the integrand of x are elementary here only numerically, the trapezoidal rule in tanh-sinh
 // form on [0, T] serves.
