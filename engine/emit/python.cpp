@@ -52,10 +52,15 @@ std::string symbols(const GradedField& field) {
     return text;
 }
 
+// (a,) needs its comma.
+std::string tuple(const std::string& elements, std::size_t size) {
+    return "(" + elements + (size == 1 ? ",)" : ")");
+}
+
 std::string variables(const GradedField& field) {
     std::vector<std::string> names;
     for (GeneratorId id : modes_and_eps(field)) names.push_back(python_name(field.ring->generator(id).name));
-    return fmt::format("variables = ({},)\n", fmt::join(names, ", "));
+    return "variables = " + tuple(fmt::format("{}", fmt::join(names, ", ")), names.size()) + "\n";
 }
 
 std::string dictionary(const GradedField& field, const std::string& name,
@@ -68,7 +73,8 @@ std::string dictionary(const GradedField& field, const std::string& name,
         for (const auto& [monomial, coefficient] : collect_in_order(ring, series.total, outer)) {
             std::vector<int> powers;
             for (GeneratorId id : outer) powers.push_back(ring.exponent(monomial, id));
-            text += fmt::format("        ({},): {},\n", fmt::join(powers, ", "),
+            text += fmt::format("        {}: {},\n",
+                                tuple(fmt::format("{}", fmt::join(powers, ", ")), powers.size()),
                                 spell(display(ring, coefficient), python_spelling()));
         }
         text += "    },\n";

@@ -53,7 +53,7 @@ TEST(AsWritten, ThePendulumInLatex) {
     const auto system = first_order_named("almost_holonomic_pendulum")->system;
     const std::string document = print_equations(*system, Format::latex);
     EXPECT_NE(document.find("\\left(\\xi^{2} + r^{2}\\right) \\ddot{\\psi} + \\xi \\dot{\\xi} \\dot{\\psi} + "
-                            "g \\sqrt{\\xi^{2} + r^{2}} \\sin \\left(\\psi\\right) - "
+                            "g \\sqrt{\\xi^{2} + r^{2}} \\sin \\psi - "
                             "\\frac{r \\xi \\dot{\\xi}^{2}}{\\xi^{2} + r^{2}} &= 0"),
               std::string::npos)
         << document;

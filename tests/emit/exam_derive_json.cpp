@@ -52,12 +52,10 @@ TEST(DeriveJson, AHigherNormalisationGivesTheSameLowerOrder) {
             }
     // The weight-4 term that (22) lacks.
     const Json full = normal_form_json(*high, 4);
+    const std::string term = R"x({"variable":"z1","exponents":{"z1":1,"eps":3},"weight":4,)x"
+                             R"x("coefficient":"v**3*xi*(2*r**2 - xi**2)/(128*g*(r**2 + xi**2)**(5/2))"})x";
     bool found = false;
-    for (const Json& entry : full["normal_form"])
-        found = found || entry.dump() ==
-                             R"({"variable":"z1","exponents":{"z1":1,"eps":3},"weight":4,)"
-                             R"("coefficient":"v**3*xi*(2*r**2 - xi**2)/(128*g*(r**2 + xi**2)**(5/2))"
-})";
+    for (const Json& entry : full["normal_form"]) found = found || entry.dump() == term;
     EXPECT_TRUE(found);
 }
 
