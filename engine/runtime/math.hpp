@@ -31,12 +31,18 @@ template <class Real> inline constexpr int digits = std::numeric_limits<Real>::d
 template <> inline constexpr int digits<Float128> = 113;
 #endif
 
-// The distance from 1 to the next number, 2^(1 - digits).
-template <class Real> Real epsilon() {
+// x^exponent by squaring; exponent >= 0.
+template <class Real> constexpr Real power(Real x, int exponent) {
     Real result = Real(1);
-    for (int i = 1; i < digits<Real>; ++i) result = result / Real(2);
+    for (; exponent > 0; exponent /= 2) {
+        if (exponent % 2 == 1) result = result * x;
+        x = x * x;
+    }
     return result;
 }
+
+// The distance from 1 to the next number, 2^(1 - digits).
+template <class Real> Real epsilon() { return power(Real(Real(1) / Real(2)), digits<Real> - 1); }
 
 // False for NaN and infinities. (Meaningless under -ffast-math, as is every status then.)
 template <class Real> bool finite(const Real& x) { return x - x == Real(0); }
@@ -51,16 +57,6 @@ template <class Real> Real pi() {
                                            1.1124542208633653e-49, 5.672231979640316e-66};
     Real result = Real(0);
     for (std::size_t i = chunks.size(); i > 0; --i) result = result + Real(chunks[i - 1]);
-    return result;
-}
-
-// x^exponent by squaring; exponent >= 0.
-template <class Real> Real power(Real x, int exponent) {
-    Real result = Real(1);
-    for (; exponent > 0; exponent /= 2) {
-        if (exponent % 2 == 1) result = result * x;
-        x = x * x;
-    }
     return result;
 }
 

@@ -122,7 +122,8 @@ public:
     static constexpr std::size_t most_panels = 2048;
     static constexpr std::size_t most_halvings = 100;
 
-    PanelFitter(const Integrand& integrand, const Number& end) : integrand_(integrand), end_(end) {}
+    PanelFitter(const Integrand& integrand, const Number& end, const Number& tolerated)
+        : integrand_(integrand), end_(end), tolerated_(tolerated) {}
 
     Panels<Number, Count> fit() {
         if (Status status = sample(Number(0), end_); status != Status::ok) return {status, {}};
@@ -160,8 +161,8 @@ private:
             for (const Number& x : c[k]) scale = std::max(scale, Number(math::magnitude(x)));
             const Number last = math::magnitude(c[k].back());
             const Number before = math::magnitude(c[k][c[k].size() - 2]) / Number(8);
-            if (Number(0) < scale)
-                worst = std::max(worst, Number(std::max(last, before) / (tolerance_ * scale)));
+            const Number tolerance = std::max(Number(tolerance_ * scale), tolerated_);
+            if (Number(0) < tolerance) worst = std::max(worst, Number(std::max(last, before) / tolerance));
         }
         return worst;
     }
@@ -210,7 +211,7 @@ private:
     }
 
     const Integrand& integrand_;
-    Number end_;
+    Number end_, tolerated_;
     Number tolerance_ = Number(16) * math::epsilon<Number>();
     Chebyshev<Number> chebyshev_;
     std::array<typename Chebyshev<Number>::Values, Count> values_{};
@@ -219,12 +220,14 @@ private:
     Panels<Number, Count> result_;
 };
 
-// Integrals over [0, end], end > 0, of the functions integrand(T) -> std::array<Number, Count>.
+// Integrals over [0, end], end > 0, of the functions integrand(T) -> std::array<Number, Count>, to full
+// precision or to an error of about `tolerated`/16 in the integrands, whichever is larger.
 // Status: overflow, outside_domain: an integrand is infinite, or not a number; outside_domain too when
 // 2048 panels, or the spacing of numbers, do not resolve it (a singularity within or next to the interval).
 template <class Number, std::size_t Count, class Integrand>
-Panels<Number, Count> fit_panels(const Integrand& integrand, const Number& end) {
-    return PanelFitter<Number, Count, Integrand>(integrand, end).fit();
+Panels<Number, Count> fit_panels(const Integrand& integrand, const Number& end,
+                                 const Number& tolerated = Number(0)) {
+    return PanelFitter<Number, Count, Integrand>(integrand, end, tolerated).fit();
 }
 
 // Finds the panel of T in constant time: a grid of buckets, then a step or two to the right.

@@ -27,15 +27,13 @@ public:
     template <class Rate>
     Status build(const Rate& rate, const Wide& start, const Real& eps, const Real& end) {
         eps_ = eps;
-        const Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end));
+        const Panels<Wide, 1> fitted =
+            fit_panels<Wide, 1>(rate, Wide(end), Wide(math::epsilon<Real>() / end));
         if (fitted.status != Status::ok) return fitted.status;
-        choose_lengths(fitted);
-        std::vector<Real> lefts;
         rows_.clear();
-        for (const Panel<Wide, 1>& panel : fitted.panels) {
-            lefts.push_back(narrow(panel.middle - panel.half));
-            rows_.push_back(row(panel, start));
-        }
+        std::vector<Real> lefts;
+        for (const Panel<Wide, 1>& panel : fitted.panels) divide(panel, start, lefts);
+        choose_lengths();
         index_ = PanelIndex<Real>(std::move(lefts), end);
         return Status::ok;
     }
@@ -44,17 +42,20 @@ public:
     // Precondition: build() answered ok.
     Status operator()(const Real& t, Real& cosine, Real& sine) const noexcept {
         using math::cos;
+        using math::floor;
         using math::sin;
         const Wide T = exact_product(eps_, t);
         const Row& r = rows_[index_.find(narrow(T))];
-        const Wide x = (T - r.middle) * r.per_half;
-        const Real rough = narrow(x);
+        const Wide y = local(T, r);
+        const Real rough = narrow(y);
         Real tail = Real(0);
-        for (std::size_t j = length_; j > wide_length_; --j) tail = tail * rough + r.low[j - 1];
-        Wide theta(tail);
-        for (std::size_t j = wide_length_; j > 0; --j) theta = theta * x + r.coefficient[j - 1];
-        theta = reduce(theta);
-        const Real angle = narrow(theta), rest = narrow(theta - Wide(angle));
+        for (std::size_t j = length_; j > wide_length_; --j) tail = (tail + r.low[j - 1]) * rough;
+        Wide turns = r.coefficient[wide_length_ - 1] + Wide(tail);
+        for (std::size_t j = wide_length_ - 1; j > 0; --j)
+            turns = multiply_add(turns, y, r.coefficient[j - 1]);
+        const Real whole = floor(narrow(turns) + Real(1) / Real(2));
+        Real rest;
+        const Real angle = radians(turns, whole, rest);
         const Real c = cos(angle), s = sin(angle);
         cosine = c - s * rest;
         sine = s + c * rest;
@@ -63,10 +64,11 @@ public:
 
 private:
     static constexpr std::size_t terms = Panel<Wide, 1>::size;
-    struct Row {
-        Wide middle{}, per_half{};
-        std::array<Wide, terms> coefficient{}; // the constant term reduced to one turn
-        std::array<Real, terms> low{};         // the same, rounded
+    using Coefficients = std::array<Wide, terms>;
+    struct Row { // theta/(2 pi) = sum_j coefficient[j] y^j, y = (T - middle) scale
+        Real middle{}, scale{};
+        Coefficients coefficient{};    // the constant term without whole turns
+        std::array<Real, terms> low{}; // the same, rounded
         bool precise = true;
     };
 
@@ -77,43 +79,99 @@ private:
         else
             return Wide::product(a, b);
     }
-    static Wide reduce(const Wide& theta) {
-        using math::floor;
-        static const Wide turn = Wide(2) * math::pi<Wide>(), per_turn = Wide(1) / turn;
-        const Real turns = floor(narrow(theta * per_turn) + Real(1) / Real(2));
-        return theta - Wide(turns) * turn;
+    static Wide multiply_add(const Wide& a, const Wide& b, const Wide& c) {
+        if constexpr (std::is_same_v<Wide, Real>)
+            return a * b + c;
+        else
+            return Wide::multiply_add(a, b, c);
     }
-
-    // An absolute error of ulp(1)/8 is asked of theta: terms beyond `length_` are below it, and the
-    // rounding of terms beyond `wide_length_` is.
-    void choose_lengths(const Panels<Wide, 1>& fitted) {
-        const Real ulp = math::epsilon<Real>();
-        length_ = wide_length_ = 1;
-        for (const Panel<Wide, 1>& panel : fitted.panels) {
-            Real rest = Real(0);
-            for (std::size_t j = terms; j > 1; --j) {
-                rest = rest + math::magnitude(narrow(panel.coefficient[0][j - 1]));
-                if (rest > ulp / Real(8)) length_ = std::max(length_, j);
-                if (rest > Real(1) / Real(8)) wide_length_ = std::max(wide_length_, j);
-            }
+    // 2 pi (turns - whole) = result + rest, |turns - whole| at most about 1/2.
+    [[nodiscard]] Real radians(const Wide& turns, const Real& whole, Real& rest) const noexcept {
+        if constexpr (std::is_same_v<Wide, Real>) {
+            rest = Real(0);
+            return (turns - whole) * turn_;
+        } else {
+            const Wide part = Wide::sum(turns.high - whole, turns.low); // the difference is exact
+            const Wide angle = Wide::product(part.high, turn_.high);
+            rest = angle.low + (part.high * turn_.low + part.low * turn_.high);
+            return angle.high;
+        }
+    }
+    // scale is a power of two: only T - middle has to be computed with care.
+    static Wide local(const Wide& T, const Row& r) {
+        if constexpr (std::is_same_v<Wide, Real>) {
+            return (T - r.middle) * r.scale;
+        } else {
+            const Wide difference = Wide::sum(T.high, -r.middle);
+            return Wide::sorted_sum(difference.high * r.scale, (difference.low + T.low) * r.scale);
         }
     }
 
-    static Row row(const Panel<Wide, 1>& panel, const Wide& start) {
+    // Cuts a panel into 2^k rows in which the terms from the second on are below 1/4 of a turn, so that
+    // few of them have to be evaluated in Wide, and few at all.
+    void divide(const Panel<Wide, 1>& panel, const Wide& start, std::vector<Real>& lefts) {
+        Coefficients c = panel.coefficient[0];
+        c[0] = c[0] + start;
+        for (Wide& x : c) x = x / turn_;
+        Real curved = Real(0);
+        for (std::size_t j = 2; j < terms; ++j) curved = curved + math::magnitude(narrow(c[j]));
+        curved = curved / Real(least_parts * least_parts);
+        int parts = least_parts;
+        for (; parts < most_parts && curved > Real(1) / Real(4); parts *= 2) curved = curved / Real(4);
+        for (int k = 0; k < parts; ++k) {
+            const Wide left = Wide(2 * k - parts) / Wide(parts); // in units of panel.half
+            lefts.push_back(narrow(panel.middle + panel.half * left));
+            rows_.push_back(row(panel, c, left + Wide(1) / Wide(parts), parts));
+        }
+    }
+
+    // The part of a panel around x, the panel's own variable, re-expanded (Horner's scheme, repeated).
+    static Row row(const Panel<Wide, 1>& panel, const Coefficients& c, const Wide& x, int parts) {
         Row result;
-        result.middle = panel.middle;
-        result.per_half = Wide(1) / panel.half;
-        result.coefficient = panel.coefficient[0];
-        Wide& base = result.coefficient[0];
-        base = base + start;
+        result.middle = narrow(panel.middle + panel.half * x);
+        result.scale = Real(1);
+        while (result.scale * narrow(panel.half) > Real(2 * parts)) result.scale = result.scale / Real(2);
+        while (result.scale * narrow(panel.half) < Real(parts)) result.scale = result.scale * Real(2);
+        const Wide centre = (Wide(result.middle) - panel.middle) / panel.half;
+        const Wide unit = Wide(1) / (Wide(result.scale) * panel.half);
+        result.coefficient = c;
+        const Real negligible = math::epsilon<Real>() / Real(4096);
+        std::size_t used = terms;
+        while (used > 1 && math::magnitude(narrow(c[used - 1])) < negligible) --used;
+        for (std::size_t from = 0; from + 1 < used; ++from)
+            for (std::size_t j = used - 1; j > from; --j)
+                result.coefficient[j - 1] = result.coefficient[j - 1] + centre * result.coefficient[j];
+        Wide power(1);
         Real largest = Real(0);
-        for (const Wide& c : result.coefficient) largest = largest + math::magnitude(narrow(c));
-        result.precise = largest * narrow(math::epsilon<Wide>()) * Real(8000) < Real(1);
-        base = reduce(base);
+        for (Wide& coefficient : result.coefficient) {
+            coefficient = coefficient * power;
+            power = power * unit;
+            largest = largest + math::magnitude(narrow(coefficient));
+        }
+        result.precise = largest * narrow(math::epsilon<Wide>()) * Real(50000) < Real(1);
+        using math::floor;
+        result.coefficient[0] = result.coefficient[0] - Wide(floor(narrow(result.coefficient[0])));
         for (std::size_t j = 0; j < terms; ++j) result.low[j] = narrow(result.coefficient[j]);
         return result;
     }
 
+    // Terms beyond `length_` are below ulp(1)/64 of a turn, and so is the rounding of those beyond
+    // `wide_length_`, or nearly.
+    void choose_lengths() {
+        const Real ulp = math::epsilon<Real>();
+        length_ = wide_length_ = 1;
+        for (const Row& r : rows_) {
+            Real rest = Real(0);
+            for (std::size_t j = terms; j > 1; --j) {
+                rest = rest + math::magnitude(r.low[j - 1]);
+                if (rest > ulp / Real(64)) length_ = std::max(length_, j);
+                if (rest > Real(1) / Real(16)) wide_length_ = std::max(wide_length_, j);
+            }
+        }
+    }
+
+    static constexpr int least_parts = 8, most_parts = 32;
+    Wide turn_ = Wide(2) * math::pi<Wide>();
     Real eps_{};
     std::size_t length_ = 1, wide_length_ = 1;
     std::vector<Row> rows_;

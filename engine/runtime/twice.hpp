@@ -34,9 +34,17 @@ template <class Real> struct Twice {
     }
     static Twice product(Real a, Real b) {
         const Real p = a * b;
+#ifdef FP_FAST_FMA
+        if constexpr (std::is_same_v<Real, double>) return {p, std::fma(a, b, -p)};
+#endif
         const auto [a1, a0] = split(a);
         const auto [b1, b0] = split(b);
         return {p, ((a1 * b1 - p) + a1 * b0 + a0 * b1) + a0 * b0};
+    }
+    // a b + c, where the low parts of the sum need not be exact: for |a b| not far above |c|.
+    static Twice multiply_add(const Twice& a, const Twice& b, const Twice& c) {
+        const Twice p = product(a.high, b.high), s = sum(p.high, c.high);
+        return sorted_sum(s.high, s.low + ((p.low + (a.high * b.low + a.low * b.high)) + c.low));
     }
 
     friend Twice operator-(const Twice& a) { return {-a.high, -a.low}; }
@@ -69,7 +77,7 @@ private:
     };
     static Halves split(Real a) {
         constexpr int half = (math::digits<Real> + 1) / 2;
-        static const Real factor = math::power(Real(2), half) + Real(1);
+        constexpr Real factor = math::power(Real(2), half) + Real(1);
         const Real scaled = factor * a;
         const Real upper = scaled - (scaled - a);
         return {upper, a - upper};
