@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comparison of run times and the stability sweep: what must hold on any machine.
+#include "scene_line.hpp"
+#include "verify/json.hpp"
+#include "verify/stability_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace resonform {
+namespace {
+
+Comparison compared() {
+    const test::SceneLine line = test::pendulum("third_order");
+    CompareOptions options;
+    static_cast<VerifyOptions&>(options) = test::options();
+    options.eps = Rational(1) / Rational(100);
+    options.dense_points = 20000;
+    return compare(line.system, line.scene, line.solution, options);
+}
+
+TEST(Compare, RowsBreakEvenAndJson) {
+    const Comparison c = compared();
+    EXPECT_EQ(c.rows.size(), 2U * (3 + 3 * 10)); // two tasks; orders 1 ... 3, three rivals at ten tolerances
+    for (const ComparisonRow& row : c.rows) {
+        EXPECT_EQ(row.failure, "") << row.method << ' ' << row.setting;
+        EXPECT_GT(row.seconds, 0);
+        ASSERT_EQ(row.max_error.size(), 3U);
+        if (row.task == Task::dense) {
+            EXPECT_GE(row.points, 20000U);
+        }
+        if (row.method == "Taylor" && row.setting == "tolerance 1e-13") {
+            EXPECT_LT(row.max_error[0], 1e-13);
+        }
+        if (row.method == "emitted" && row.setting == "order 3" && row.task == Task::dense) {
+            EXPECT_NEAR(row.max_error[0], 2.01e-8, 0.02e-8);
+        }
+    }
+    ASSERT_EQ(c.break_even.size(), 2U);
+    for (const BreakEven& b : c.break_even) {
+        ASSERT_EQ(b.rivals.size(), 3U);
+        double best = b.emitted_seconds;
+        for (const RivalAtEqualAccuracy& r : b.rivals) {
+            ASSERT_TRUE(r.seconds.has_value()) << r.method;
+            EXPECT_DOUBLE_EQ(*r.ratio, *r.seconds / b.emitted_seconds);
+            best = std::min(best, *r.seconds);
+        }
+        const bool emitted_wins = b.winner == "emitted";
+        EXPECT_EQ(emitted_wins, best == b.emitted_seconds) << "the winner is the fastest";
+    }
+    const auto json = to_json(c);
+    EXPECT_EQ(json["schema"], "resonform.comparison/1");
+    EXPECT_EQ(json["eps"], 0.01);
+    for (const char* key :
+         {"method", "setting", "task", "points", "max_error", "seconds", "construction_seconds"})
+        EXPECT_TRUE(json["rows"][0].contains(key)) << key;
+    EXPECT_TRUE(json["break_even"]["dense"].contains("winner"));
+}
+
+TEST(Compare, ErrorsOfAMethodFallWithItsTolerance) {
+    const Comparison c = compared();
+    for (const char* method : {"CVODE Adams", "odeint dopri5", "Taylor"}) {
+        std::vector<double> errors;
+        for (const ComparisonRow& row : c.rows)
+            if (row.method == method && row.task == Task::dense) errors.push_back(row.max_error[0]);
+        EXPECT_GT(errors.front(), 1e6 * errors.back()) << method;
+    }
+}
+
+Stability swept(std::size_t random_points) {
+    const test::SceneLine line = test::pendulum("third_order");
+    StabilityOptions options;
+    static_cast<VerifyOptions&>(options) = test::options();
+    options.random_points = random_points;
+    return stability(line.scene, line.solution, options);
+}
+
+TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
+    const Stability s = swept(10);
+    EXPECT_GT(s.cases, 300U);
+    EXPECT_LT(s.refused, s.cases / 2);
+    EXPECT_EQ(s.beyond_reference, 0U);
+    ASSERT_EQ(s.median.size(), 3U);
+    EXPECT_EQ(s.worst.size(), 15U);
+    for (const auto& [name, ulp] : s.median) EXPECT_LT(ulp, 1) << name;
+    for (const WorstPoint& w : s.worst) {
+        EXPECT_LT(w.ulp, 64) << w.output;
+        EXPECT_EQ(w.at.front().first, "eps");
+        EXPECT_EQ(w.at.back().first, "t");
+    }
+    const auto json = to_json(s);
+    EXPECT_EQ(json["schema"], "resonform.stability/1");
+    for (const char* key : {"cases", "refused", "worst"}) EXPECT_TRUE(json.contains(key)) << key;
+    for (const char* key : {"output", "ulp", "at"}) EXPECT_TRUE(json["worst"][0].contains(key)) << key;
+}
+
+TEST(Stability, KindsFollowFromTheSystemNotFromNames) {
+    const test::SceneLine line = test::pendulum("third_order");
+    const Program program = build_program(line.solution, line.scene, {false, false});
+    using enum InputKind;
+    EXPECT_EQ(input_kinds(program, *line.system->system),
+              (std::vector<InputKind>{eps, positive, positive, real, slow, amplitude, phase, real, real}));
+    for (const InputKind kind : {eps, positive, real, amplitude, slow, phase})
+        EXPECT_GE(corners(kind).size(), 3U);
+}
+
+TEST(Stability, SamePointsForTheSameSeed) {
+    const test::SceneLine line = test::pendulum("third_order");
+    const Program program = build_program(line.solution, line.scene, {false, false});
+    const auto draw = [&](std::uint64_t seed) {
+        std::vector<double> all;
+        for (const SweepPoint& p : sweep_points(program, *line.system->system, 30, seed)) {
+            all.push_back(p.eps);
+            all.insert(all.end(), p.parameters.begin(), p.parameters.end());
+            all.insert(all.end(), p.start.begin(), p.start.end());
+        }
+        return all;
+    };
+    EXPECT_EQ(draw(2), draw(2));
+    EXPECT_NE(draw(2), draw(3));
+}
+
+} // namespace
+} // namespace resonform

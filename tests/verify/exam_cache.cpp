@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/error.hpp"
+#include "verify/cache.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform {
+namespace {
+
+std::filesystem::path folder() {
+    const auto path = std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache_files";
+    std::filesystem::remove_all(path);
+    return path;
+}
+
+TEST(Cache, HashIsFowlerNollVo) { // published values of FNV-1a with 128 bits
+    EXPECT_EQ(content_hash(""), "6c62272e07bb014262b821756295c58d");
+    EXPECT_EQ(content_hash("a"), "d228cb696f1a8caf78912b704e4a8964");
+    EXPECT_EQ(content_hash("foobar"), "343e1662793c64bf6f0d3597ba446f18");
+}
+
+TEST(Cache, ReadsBackWhatWasStored) {
+    const auto file = folder() / "sub" / "entry";
+    const std::string payload("\n\0binary\n", 9);
+    EXPECT_EQ(load_checked(file), std::nullopt);
+    store_checked(file, payload);
+    EXPECT_EQ(load_checked(file), payload);
+}
+
+TEST(Cache, DamagedFilesReadAsAbsent) {
+    const auto file = folder() / "entry";
+    store_checked(file, "0123456789");
+    const std::string whole = read_bytes(file).value();
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        std::string damaged = whole;
+        damaged[i] = static_cast<char>(damaged[i] ^ 1);
+        write_atomically(file, damaged);
+        EXPECT_EQ(load_checked(file), std::nullopt) << "byte " << i;
+        write_atomically(file, whole.substr(0, i));
+        EXPECT_EQ(load_checked(file), std::nullopt) << "cut at " << i;
+    }
+}
+
+TEST(Cache, SaysThatItCannotWrite) {
+    const auto blocked = folder();
+    write_atomically(blocked, "a file where a folder is wanted");
+    try {
+        store_checked(blocked / "entry", "payload");
+        FAIL() << "wrote below a file";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.diagnostic().rule, "the folder of cached results can be written");
+        EXPECT_EQ(error.diagnostic().value, blocked.string());
+    }
+}
+
+} // namespace
+} // namespace resonform

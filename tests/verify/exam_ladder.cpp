@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ladder finds the orders of the pendulum's scenes by itself, and catches liars.
+#include "scene_line.hpp"
+#include "verify/json.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform {
+namespace {
+
+Verification verified(const test::SceneLine& line) {
+    return verify(line.system, line.scene, line.solution, test::options());
+}
+
+// The factor of eps^weight in one output gets the opposite sign.
+void plant_sign_error(Solution& solution, const std::string& name, int weight) {
+    for (SolutionOutput& output : solution.outputs)
+        if (output.name == name) output.value.set(weight, -output.value.part(weight));
+}
+
+TEST(Ladder, ThirdOrderSceneIsFourthOrderAccurate) {
+    test::SceneLine line = test::pendulum("third_order");
+    test::shorten_ladder(line.scene);
+    const Verification v = verified(line);
+    ASSERT_EQ(v.outputs.size(), 3U);
+    const std::vector<double> constants{2.03, 1.48, 1.42};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const OutputVerdict& o = v.outputs[k];
+        EXPECT_EQ(o.verdict, Verdict::pass) << o.name << ": " << o.reason;
+        EXPECT_EQ(o.claimed_order, 4);
+        EXPECT_EQ(o.found_order, 4);
+        EXPECT_NEAR(o.constant, constants[k], 0.02) << o.name;
+        for (const LadderRung& rung : o.ladder) {
+            EXPECT_LT(rung.reference_error, 1e-24);
+            EXPECT_LT(rung.rms_error, rung.max_error);
+        }
+    }
+    EXPECT_TRUE(v.as_expected());
+    EXPECT_LT(v.emitted_against_symbolic, 8);
+}
+
+TEST(Ladder, LiarsFail) {
+    struct Lie {
+        const char* output;
+        int weight;
+    };
+    for (const Lie& lie : {Lie{"psi", 1}, Lie{"psi", 3}, Lie{"x", 2}, Lie{"y", 3}}) {
+        test::SceneLine line = test::pendulum("third_order");
+        test::shorten_ladder(line.scene);
+        plant_sign_error(line.solution, lie.output, lie.weight);
+        const Verification v = verified(line);
+        for (const OutputVerdict& o : v.outputs) {
+            const bool lied = o.name == lie.output;
+            EXPECT_EQ(o.verdict, lied ? Verdict::fail : Verdict::pass) << o.name << ", weight " << lie.weight;
+            EXPECT_EQ(o.found_order, lied ? lie.weight : 4) << o.name;
+        }
+        EXPECT_FALSE(v.as_expected());
+    }
+}
+
+TEST(Ladder, StartValuesAgainstTheGradingAreUndecided) {
+    test::SceneLine line = test::pendulum("third_order");
+    test::shorten_ladder(line.scene);
+    for (StartValue& start : line.scene.start)
+        if (start.name == "C_delta") {
+            start.value = 1 + line.scene.system->eps;
+            start.text = "1 + eps";
+        }
+    const Verification v = verified(line);
+    for (const OutputVerdict& o : v.outputs) {
+        EXPECT_EQ(o.verdict, Verdict::undecided);
+        EXPECT_EQ(o.reason,
+                  "C_delta starts at 1 + eps, which is not a constant: along a ladder of eps the error "
+                  "has no order");
+    }
+}
+
+TEST(Ladder, RefusesAParameterWithoutValue) {
+    test::SceneLine line = test::pendulum("third_order");
+    line.scene.fix.erase("r");
+    try {
+        verified(line);
+        FAIL() << "a free parameter was integrated";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Kind::bad_input);
+        EXPECT_EQ(error.diagnostic().rule, "verification needs a value for every parameter");
+        EXPECT_EQ(error.diagnostic().mend, "add r = ... under [fix]");
+    }
+}
+
+TEST(Ladder, JsonHasTheAgreedKeys) {
+    test::SceneLine line = test::pendulum("xy_only");
+    test::shorten_ladder(line.scene);
+    const auto json = to_json(verified(line));
+    EXPECT_EQ(json["schema"], "resonform.verification/1");
+    EXPECT_EQ(json["system"], "almost_holonomic_pendulum");
+    EXPECT_EQ(json["scene"], "xy_only");
+    ASSERT_EQ(json["outputs"].size(), 2U);
+    for (const char* key : {"name", "claimed_order", "found_order", "verdict", "expected", "slope",
+                            "slope_window", "constant", "ladder"})
+        EXPECT_TRUE(json["outputs"][0].contains(key)) << key;
+    EXPECT_EQ(json["outputs"][0]["verdict"], "pass");
+    EXPECT_EQ(json["outputs"][0]["slope_window"][0], 0.001); // [lo, hi]
+    ASSERT_EQ(json["outputs"][0]["ladder"].size(), 5U);
+    for (const char* key : {"eps", "max_error", "rms_error", "digits", "reference_error"})
+        EXPECT_TRUE(json["outputs"][0]["ladder"][0].contains(key)) << key;
+}
+
+TEST(Ladder, CurvesAreEmittedAndDirect) {
+    const test::SceneLine line = test::pendulum("third_order");
+    const ErrorCurves c = error_curves(line.system, line.scene, line.solution, Rational(1) / Rational(100),
+                                       201, test::options());
+    ASSERT_EQ(c.outputs, (std::vector<std::string>{"psi", "x", "y"}));
+    ASSERT_EQ(c.times.size(), 201U);
+    EXPECT_EQ(c.times.back(), 100.0);
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 201; ++i) {
+            EXPECT_NEAR(c.emitted[k][i] - c.direct[k][i], c.error[k][i], 1e-15);
+            EXPECT_LT(std::abs(c.error[k][i]), 2.1e-8);
+        }
+}
+
+// The whole default ladder, extended by the judge: what the issue asks to be found.
+TEST(SlowLadder, PublishedPsiIsThirdOrderOnly) {
+    const test::SceneLine line = test::pendulum("as_published");
+    const Verification v = verified(line);
+    EXPECT_TRUE(v.as_expected());
+    ASSERT_EQ(v.outputs.size(), 3U);
+    EXPECT_EQ(v.outputs[0].verdict, Verdict::fail);
+    EXPECT_EQ(v.outputs[0].found_order, 3);
+    EXPECT_NEAR(v.outputs[0].constant, 2.53e-3, 0.01e-3);
+    for (std::size_t k : {1U, 2U}) {
+        EXPECT_EQ(v.outputs[k].verdict, Verdict::pass) << v.outputs[k].reason;
+        EXPECT_EQ(v.outputs[k].found_order, 4);
+        EXPECT_NEAR(v.outputs[k].constant, 1.48, 0.01);
+    }
+    EXPECT_LE(to_double(v.outputs[0].ladder.back().eps), 5e-5) << "the ladder was extended until psi settled";
+}
+
+} // namespace
+} // namespace resonform
