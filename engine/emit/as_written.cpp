@@ -56,7 +56,7 @@ private:
     }
 
     DisplayTerm power() {
-        const DisplayTerm base = primary();
+        DisplayTerm base = primary();
         if (!at(TokenKind::power)) return base;
         take();
         return raised(base, constant());

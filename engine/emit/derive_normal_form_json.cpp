@@ -3,6 +3,7 @@
 #include "emit/derive.hpp"
 #include "emit/normal_form_parts.hpp"
 
+#include <fmt/format.h>
 #include <string>
 #include <utility>
 
@@ -20,8 +21,8 @@ Json fast_json(const GradedField& field) {
         list.push_back({{"name", mode.name},
                         {"conjugate", mode.conjugate_name},
                         {"eigenvalue", json_expression(ring, ring.multiply(ring.imaginary(), mode.omega))},
-                        {"definition", variable + " - I*" + variable + "'/" + omega + ", " + omega + " = " +
-                                           json_expression(ring, mode.omega)}});
+                        {"definition", fmt::format("{0} - I*{0}'/{1}, {1} = {2}", variable, omega,
+                                                   json_expression(ring, mode.omega))}});
     }
     return list;
 }

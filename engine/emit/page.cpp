@@ -77,6 +77,7 @@ std::vector<std::string> latex_lines(const Side& s) {
             lines.back().terms.push_back(group.terms[i]);
         }
     std::vector<std::string> result;
+    result.reserve(lines.size());
     for (const DisplaySum& line : lines) result.push_back(latex(line));
     if (s.remainder > 0) {
         const std::string order = "O\\left(\\varepsilon^{" + std::to_string(s.remainder) + "}\\right)";

@@ -72,6 +72,7 @@ std::string dictionary(const GradedField& field, const std::string& name,
         text += fmt::format("    \"{}\": {{\n", series.variable);
         for (const auto& [monomial, coefficient] : collect_in_order(ring, series.total, outer)) {
             std::vector<int> powers;
+            powers.reserve(outer.size());
             for (GeneratorId id : outer) powers.push_back(ring.exponent(monomial, id));
             text += fmt::format("        {}: {},\n",
                                 tuple(fmt::format("{}", fmt::join(powers, ", ")), powers.size()),

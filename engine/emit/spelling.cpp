@@ -95,7 +95,7 @@ std::string power(const DisplayFactor& factor, const Rational& exponent, const S
     const std::string base = inner(factor, spelling);
     const bool has_root = factor.kind != Kind::sum || spelling.root_of_sums;
     if (has_root && exponent == Rational(1) / 2) return "sqrt(" + base + ")";
-    const std::string atom = needs_parentheses(factor) ? "(" + base + ")" : base;
+    std::string atom = needs_parentheses(factor) ? "(" + base + ")" : base;
     if (exponent == 1) return atom;
     const std::string spelled = rational(exponent, spelling);
     const bool plain = is_integer(exponent) && exponent > 0;
