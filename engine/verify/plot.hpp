@@ -23,7 +23,7 @@ struct Curve {
 };
 
 struct Plot {
-    std::string name; // letters, digits, - and _: the prefix of its ids, so that many fit one page
+    std::string name; // letters, digits and _: the prefix of its ids, so that many fit one page
     std::string x_label, y_label;
     bool log_x = false, log_y = false;
     std::vector<Curve> curves;

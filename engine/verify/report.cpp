@@ -102,8 +102,10 @@ Section accuracy(const Findings& f, const Figures& figures) {
 }
 
 Section speed(const Findings& f, const Figures& figures) {
-    Table rows{
-        "Every run", {"method", "setting", "task", "points", "max error", "seconds", "construction, s"}, {}};
+    Table rows{"Every run",
+               {"method", "setting", "task", "points", "max error", "seconds", "construction, s"},
+               {},
+               true};
     for (const ComparisonRow& row : f.comparison.rows) {
         std::vector<std::string> errors;
         for (const double e : row.max_error) errors.push_back(short_number(e));

@@ -14,7 +14,7 @@ namespace {
 std::string identifier(const std::string& text) {
     std::string result;
     for (const char c : text)
-        result += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : (c == '\'' ? 'p' : '-');
+        result += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : (c == '\'' ? 'p' : '_');
     return result;
 }
 
@@ -61,7 +61,7 @@ std::vector<std::string> Figures::drift_outputs(const ErrorCurves& curves) const
 }
 
 Figure Figures::path(const Motion& motion, const std::string& x, const std::string& y) const {
-    Plot plot{fmt::format("path-{}", identifier(fmt::format("{:g}", motion.full.eps))),
+    Plot plot{fmt::format("path_{}", identifier(fmt::format("{:g}", motion.full.eps))),
               label(x),
               label(y),
               false,
@@ -87,7 +87,7 @@ Gallery Figures::motion(const std::vector<Motion>& motions) const {
         for (const Motion& motion : motions) {
             const std::string& name = motion.full.outputs[k];
             const Plot plot{
-                fmt::format("motion-{}-{}", identifier(name),
+                fmt::format("motion_{}_{}", identifier(name),
                             identifier(fmt::format("{:g}", motion.full.eps))),
                 "t",
                 label(name),
@@ -106,7 +106,7 @@ Gallery Figures::errors(const std::vector<Motion>& motions) const {
         for (const Motion& motion : motions) {
             const std::string& name = motion.full.outputs[k];
             const Plot plot{
-                fmt::format("error-{}-{}", identifier(name),
+                fmt::format("error_{}_{}", identifier(name),
                             identifier(fmt::format("{:g}", motion.full.eps))),
                 "t",
                 "Δ" + label(name),
@@ -131,7 +131,7 @@ Figure Figures::ladder(const OutputVerdict& output) const {
         floor.y.push_back(rung.reference_error);
     }
     Plot plot{
-        "ladder-" + identifier(output.name), "ε", "max |Δ" + pretty(output.name) + "|", true, true, {errors}};
+        "ladder_" + identifier(output.name), "ε", "max |Δ" + pretty(output.name) + "|", true, true, {errors}};
     if (output.constant > 0) {
         plot.curves.push_back(power_law(fmt::format("slope {}", output.found_order), colour::blue, errors.x,
                                         output.constant, output.found_order));
@@ -171,7 +171,7 @@ Figure Figures::work_of(const Comparison& comparison, Task task) const {
         curve->x.push_back(row.seconds + row.construction_seconds);
         curve->y.push_back(worst(row));
     }
-    const Plot plot{fmt::format("work-{}", to_string(task)),
+    const Plot plot{fmt::format("work_{}", to_string(task)),
                     "seconds, construction included",
                     "max error, worst output",
                     true,

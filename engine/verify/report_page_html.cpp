@@ -20,7 +20,7 @@ h2 { font-size: 1.3rem; margin: 2.6rem 0 .8rem; padding-top: .4rem; border-top: 
 p { max-width: 46rem; }
 pre { background: #f6f7f9; border: 1px solid var(--line); border-radius: 6px; padding: .9rem 1rem;
       overflow-x: auto; font: 13px/1.5 ui-monospace, "DejaVu Sans Mono", monospace; }
-.gallery { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(22rem, 100%), 1fr)); gap: 1.5rem; }
+.gallery { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(28rem, 100%), 1fr)); gap: 1.5rem; }
 figure { margin: 0; }
 figure svg { display: block; width: 100%; height: auto; }
 figcaption { color: var(--soft); font-size: .9rem; padding: .2rem .2rem 0; }
@@ -32,6 +32,7 @@ th:first-child, td:first-child { text-align: left; }
 th { color: var(--soft); font-weight: 600; }
 .pass, .fail, .undecided { font-weight: 700; }
 .pass { color: #2e7d4f; } .fail { color: #c0392b; } .undecided { color: #b06f00; }
+summary { font-weight: 600; font-size: .92rem; cursor: pointer; color: var(--blue); }
 @media print { nav { display: none; } }
 )";
 
@@ -61,8 +62,10 @@ struct Writer {
     }
 
     void operator()(const Table& table) {
+        if (table.folded) html += fmt::format("<details><summary>{}</summary>\n", escaped(table.caption));
         html += "<div class=\"scroll\"><table>\n";
-        if (!table.caption.empty()) html += fmt::format("<caption>{}</caption>\n", escaped(table.caption));
+        if (!table.folded && !table.caption.empty())
+            html += fmt::format("<caption>{}</caption>\n", escaped(table.caption));
         html += "<thead><tr>";
         for (const std::string& cell : table.header) html += fmt::format("<th>{}</th>", escaped(cell));
         html += "</tr></thead>\n<tbody>\n";
@@ -75,6 +78,7 @@ struct Writer {
             html += "</tr>\n";
         }
         html += "</tbody></table></div>\n";
+        if (table.folded) html += "</details>\n";
     }
 
     void operator()(const Gallery& gallery) {

@@ -45,9 +45,12 @@ TEST(IncludeDirection, PointsDownwardsOnly) {
     for (const SourceFile& file : files) {
         const std::string from = file.path.substr(7, file.path.find('/', 7) - 7);
         ASSERT_TRUE(level(from)) << file.path << " stands in no room";
-        for (const std::string& line : file.lines)
-            if (const auto to = included_room(line))
+        for (const std::string& line : file.lines) {
+            const auto to = included_room(line);
+            if (to) {
                 EXPECT_EQ(complaint(from, *to), "") << file.path << ": " << line;
+            }
+        }
     }
 }
 
