@@ -93,10 +93,18 @@ std::string CppFrame::prepare() const {
     return text + "        return status;\n    }\n\n";
 }
 
+// "if (const Status built = <call>; built != Status::ok) return built;" on two lines
+std::string built_or_return(const std::string& call) {
+    return fmt::format(
+        "        if (const Status built = {};\n            built != Status::ok)\n            return built;\n",
+        call);
+}
+
 std::string CppFrame::construct() const {
-    std::string text = "    Status construct(const Real& eps, const Parameters& parameters, const Start& "
-                       "start, const Real& end) {\n"
-                       "        if (!Interval::accepts(eps, end)) return Status::bad_argument;\n";
+    std::string text =
+        "    Status construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
+        "                     const Real& end) {\n"
+        "        if (!Interval::accepts(eps, end)) return Status::bad_argument;\n";
     for (const ProgramInput& input : program_.parameters)
         text += fmt::format("        if (!finite(parameters.{})) return Status::bad_argument;\n", input.name);
     for (const ProgramInput& input : program_.start)
@@ -106,23 +114,25 @@ std::string CppFrame::construct() const {
     for (const StraightLine::Value condition : plan_.constant_conditions)
         text += fmt::format("        if (!(c_.{} > Real(0))) return Status::outside_domain;\n",
                             plan_.members.at(condition));
-    if (!plan_.levels.empty() || !program_.phases.empty()) text += "        Status built = Status::ok;\n";
-    for (std::size_t level = 0; level < plan_.levels.size(); ++level)
-        text += fmt::format("        built = tables_{0}_.build([this](const Real& T) {{ return "
-                            "integrands_{0}(c_, T{1}); }}, end);\n"
-                            "        if (built != Status::ok) return built;\n",
-                            level, level == 0 ? "" : fmt::format(", look_up_{}(T)", level));
-    if (program_.phases.empty()) return text + "        return Status::ok;\n    }\n\n";
-    text += "        Constants<Wide> wide;\n        compute_constants(eps, parameters, start, wide);\n";
+    for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
+        const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);
+        text += built_or_return(fmt::format(
+            "tables_{0}_.build([this](const Real& T) {{ return integrands_{0}(c_, T{1}); }}, end)", level,
+            tables));
+    }
+    if (!program_.phases.empty())
+        text += "        Constants<Wide> wide;\n        compute_constants(eps, parameters, start, wide);\n";
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
-        const std::string tables =
-            plan_.phase_uses_tables[k]
-                ? fmt::format(", widened(look_up_{}(static_cast<Real>(T)))", plan_.levels.size())
-                : "";
-        text += fmt::format("        built = {0}_.build([&](const Wide& T) {{ return std::array<Wide, "
-                            "1>{{{0}_rate(wide, T{1})}}; }}, "
-                            "wide.{2}, eps, end);\n        if (built != Status::ok) return built;\n",
-                            plan_.phase_names[k], tables, plan_.members.at(plan_.phase_starts[k]));
+        const std::string& name = plan_.phase_names[k];
+        std::string rate = fmt::format("{}_rate(wide, T)", name);
+        if (plan_.phase_uses_tables[k])
+            rate = fmt::format("{}_rate(wide, T, widened(look_up_{}(static_cast<Real>(T))))", name,
+                               plan_.levels.size());
+        text += fmt::format(
+            "        const auto {}_rates = [&](const Wide& T) {{ return std::array<Wide, 1>{{{}}}; }};\n",
+            name, rate);
+        text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, end)", name,
+                                            plan_.members.at(plan_.phase_starts[k])));
     }
     return text + "        return Status::ok;\n    }\n\n";
 }

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace resonform {
 
@@ -38,11 +39,33 @@ std::string function_name(Graph::Op op) {
     }
 }
 
-std::string joined(const std::vector<std::pair<std::string, std::string>>& parameters, bool with_types) {
-    std::vector<std::string> parts;
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+// Does a C++ text use an identifier?
+bool mentions(const std::string& text, const std::string& name) {
+    const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        const bool starts = at == 0 || (!in_word(text[at - 1]) && text[at - 1] != '.');
+        if (starts && (end == text.size() || !in_word(text[end]))) return true;
+    }
+    return false;
+}
+
+// One function of a class: its head, on two lines if need be, and its body.
+std::string function_text(const std::string& head, const Parameters& parameters, const std::string& body) {
+    std::vector<std::string> list;
     for (const auto& [type, name] : parameters)
-        parts.push_back(with_types ? fmt::format("[[maybe_unused]] {} {}", type, name) : name);
-    return fmt::format("{}", fmt::join(parts, ", "));
+        list.push_back(fmt::format("{}{} {}", mentions(body, name) ? "" : "[[maybe_unused]] ", type, name));
+    std::string text = fmt::format("    {}({}) {{\n", head, fmt::join(list, ", "));
+    if (text.size() > 110) text = fmt::format("    {}(\n            {}) {{\n", head, fmt::join(list, ", "));
+    return text + body + "    }\n";
+}
+
+std::string names_of(const Parameters& parameters) {
+    std::vector<std::string> names;
+    for (const auto& parameter : parameters) names.push_back(parameter.second);
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 } // namespace
@@ -167,19 +190,21 @@ std::string CppFunction::print(const Frame& frame) const {
     if (in_pieces_) {
         const bool is_template = frame.head.find("template") != std::string::npos;
         const std::string work = frame.name + "_quantities" + (is_template ? "<Number>" : "");
+        Parameters parameters = frame.parameters;
+        parameters.emplace_back(work + "&", "w");
         before = quantities(frame.name + "_quantities", is_template);
         body = fmt::format("        {} w;\n", work);
         std::size_t piece = 0;
         for (std::size_t k = 0; k < statements_.size(); k += longest_piece) {
             const std::string name = fmt::format("{}_{}", frame.name, ++piece);
-            before += fmt::format("    {} void {}({}, {}& w) {{\n{}{}    }}\n\n", frame.head, name,
-                                  joined(frame.parameters, true), work, lines(frame.first),
-                                  statement_lines(k, std::min(k + longest_piece, statements_.size())));
-            body += fmt::format("        {}({}, w);\n", name, joined(frame.parameters, false));
+            const std::string part = statement_lines(k, std::min(k + longest_piece, statements_.size()));
+            before +=
+                function_text(frame.head + " void " + name, parameters, lines(frame.first) + part) + "\n";
+            body += fmt::format("        {}({});\n", name, names_of(parameters));
         }
     }
-    return fmt::format("{}    {} {} {}({}) {{\n{}{}{}    }}\n", before, frame.head, frame.result, frame.name,
-                       joined(frame.parameters, true), lines(frame.first), body, lines(frame.last));
+    return before + function_text(fmt::format("{} {} {}", frame.head, frame.result, frame.name),
+                                  frame.parameters, lines(frame.first) + body + lines(frame.last));
 }
 
 // The struct of what the pieces of a long function hand on.

@@ -86,11 +86,13 @@ void CppPlan::find_members() {
     for (const std::vector<ProgramInput>* list : {&program->parameters, &program->start})
         for (const ProgramInput& input : *list) inputs[input.symbol] = input.name;
 
+    std::set<Value> kept(phase_starts.begin(), phase_starts.end()); // whatever they are
+    kept.insert(constant_conditions.begin(), constant_conditions.end());
     CppNames names;
     for (const Value v : code.behind(roots, false)) {
         const StraightLine::Instruction& i = code.at(v);
         const bool literal = i.op == StraightLine::Op::number && cln::denominator(i.number) == 1 &&
-                             cln::abs(i.number) < (Integer(1) << 31);
+                             cln::abs(i.number) < (Integer(1) << 31) && kept.count(v) == 0;
         if (i.varying || literal) continue;
         const std::string wish = i.op == StraightLine::Op::symbol ? inputs.at(i.symbol) : i.label;
         members[v] = wish.empty() ? names.numbered("c") : names.unique(wish);

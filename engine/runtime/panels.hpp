@@ -29,6 +29,15 @@ template <class Number, std::size_t Count> struct Panel {
     std::array<std::array<Number, size>, Count> coefficient{};
 };
 
+// The polynomial sum_j c[j] x^j by powers of x - centre (Horner's scheme, repeated); c[j] = 0 for
+// j >= used.
+template <class Coefficients, class Number>
+Coefficients recentred(Coefficients c, const Number& centre, std::size_t used) {
+    for (std::size_t from = 0; from + 1 < used; ++from)
+        for (std::size_t j = used - 1; j > from; --j) c[j - 1] = c[j - 1] + centre * c[j];
+    return c;
+}
+
 template <class Number, std::size_t Count> struct Panels {
     Status status = Status::ok;
     std::vector<Panel<Number, Count>> panels; // ascending, without gaps

@@ -134,13 +134,10 @@ private:
         while (result.scale * narrow(panel.half) < Real(parts)) result.scale = result.scale * Real(2);
         const Wide centre = (Wide(result.middle) - panel.middle) / panel.half;
         const Wide unit = Wide(1) / (Wide(result.scale) * panel.half);
-        result.coefficient = c;
         const Real negligible = math::epsilon<Real>() / Real(4096);
         std::size_t used = terms;
         while (used > 1 && math::magnitude(narrow(c[used - 1])) < negligible) --used;
-        for (std::size_t from = 0; from + 1 < used; ++from)
-            for (std::size_t j = used - 1; j > from; --j)
-                result.coefficient[j - 1] = result.coefficient[j - 1] + centre * result.coefficient[j];
+        result.coefficient = recentred(c, centre, used);
         Wide power(1);
         Real largest = Real(0);
         for (Wide& coefficient : result.coefficient) {

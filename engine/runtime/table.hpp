@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Quadratures as functions of slow time, tabulated once: value_k(T) = int_0^T f_k(T') dT', 0 <= T <= end,
-// to a few ulp of the largest |value_k| in any real type. All f_k share panels and look-up.
+// to a few ulp of the largest |value_k| in any real type, and of |value_k| itself near T = 0. All f_k share
+// panels and look-up.
 #pragma once
 
 #include "runtime/panels.hpp"
@@ -15,11 +16,14 @@ public:
         std::vector<Real> lefts;
         panels_.clear();
         for (const Panel<Real, Count>& panel : fitted.panels) {
+            const bool first = panels_.empty();
             lefts.push_back(panel.middle - panel.half);
-            panels_.push_back({panel.middle, Real(1) / panel.half, {}});
-            for (std::size_t k = 0; k < Count; ++k)
-                for (std::size_t j = 0; j < terms; ++j)
-                    panels_.back().coefficient[j][k] = panel.coefficient[k][j];
+            panels_.push_back({first ? Real(0) : panel.middle, Real(1) / panel.half, {}});
+            for (std::size_t k = 0; k < Count; ++k) {
+                auto c = panel.coefficient[k];
+                if (first) c = from_zero(c);
+                for (std::size_t j = 0; j < terms; ++j) panels_.back().coefficient[j][k] = c[j];
+            }
         }
         if (fitted.status == Status::ok) index_ = PanelIndex<Real>(std::move(lefts), end);
         return fitted.status;
@@ -43,6 +47,14 @@ private:
         Real middle{}, per_half{};
         std::array<std::array<Real, Count>, terms> coefficient{};
     };
+    // In the first panel about T = 0, without a constant term: there the integral is small, and so must
+    // its error be.
+    static std::array<Real, terms> from_zero(const std::array<Real, terms>& c) {
+        std::array<Real, terms> result = recentred(c, Real(-1), terms);
+        result[0] = Real(0);
+        return result;
+    }
+
     std::vector<Row> panels_;
     PanelIndex<Real> index_;
 };

@@ -56,6 +56,20 @@ TYPED_TEST(Table, PolynomialsNeedOnePanel) {
     EXPECT_LT(math::magnitude(Real(table(Real(2))[0] - Real(8))), Real(32) * math::epsilon<Real>());
 }
 
+// Near T = 0 the error is small against the integral itself.
+TYPED_TEST(Table, StartsFromZeroWithRelativePrecision) {
+    using Real = TypeParam;
+    PrimitiveTable<Real, 1> table;
+    const auto falling = [](const Real& T) {
+        using math::exp;
+        return std::array<Real, 1>{Real(exp(Real(-T)))};
+    };
+    ASSERT_EQ(table.build(falling, Real(5)), Status::ok);
+    EXPECT_EQ(table(Real(0))[0], Real(0));
+    const Real tiny = math::epsilon<Real>(); // 1 - exp(-T) = T to all digits
+    EXPECT_LT(math::magnitude(Real(table(tiny)[0] - tiny)), Real(16) * math::epsilon<Real>() * tiny);
+}
+
 // A peak 10^-4 wide in the middle: panels gather there, and the integral is exact all the same.
 TEST(TableOfPeaks, NarrowPeaksAreResolved) {
     const double width = 1e-4;
