@@ -35,8 +35,7 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
 
 Home find_home() {
     std::error_code error;
-    const fs::path here = fs::current_path(error);
-    if (!error && fs::is_directory(here / "systems", error)) return {here};
+    if (fs::is_directory("systems", error)) return {"."};
     return {fs::path(RESONFORM_SOURCE_DIR)};
 }
 
@@ -84,8 +83,7 @@ void write_file(const fs::path& file, const std::string& content) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder))
-        cannot_write(folder, error ? error.message() : "a file is in the way");
+    if (error) cannot_write(folder, error.message());
     if (access(folder.c_str(), W_OK | X_OK) != 0) cannot_write(folder, "the folder is not writable");
 }
 

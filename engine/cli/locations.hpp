@@ -9,11 +9,13 @@
 namespace resonform {
 
 struct Home {
-    std::filesystem::path folder; // the current one if it has systems/, else the source tree
+    std::filesystem::path folder; // ".", the current one, if it has systems/; else the source tree
 
-    [[nodiscard]] std::filesystem::path systems() const { return folder / "systems"; }
-    [[nodiscard]] std::filesystem::path generated() const { return folder / "generated"; }
-    [[nodiscard]] std::filesystem::path cache() const { return folder / "build" / "cache"; }
+    [[nodiscard]] std::filesystem::path systems() const { return (folder / "systems").lexically_normal(); }
+    [[nodiscard]] std::filesystem::path generated() const {
+        return (folder / "generated").lexically_normal();
+    }
+    [[nodiscard]] std::filesystem::path cache() const { return (folder / "build/cache").lexically_normal(); }
 };
 Home find_home();
 

@@ -35,8 +35,8 @@ std::vector<Step> steps_of(const SourceFile& document) {
             inside = line == "```console";
         } else if (inside && line.compare(0, 2, "$ ") == 0) {
             steps.push_back({line.substr(2), {}, i + 1});
-        } else if (inside && steps.back().expected.empty() && line.compare(0, 2, "> ") == 0) {
-            steps.back().command += "\n" + line.substr(2);
+        } else if (inside && steps.back().expected.empty() && line.compare(0, 1, ">") == 0) {
+            steps.back().command += "\n" + (line.size() > 2 ? line.substr(2) : "");
         } else if (inside) {
             steps.back().expected.push_back(line);
         }
@@ -96,7 +96,7 @@ std::vector<SourceFile> documents() {
 
 } // namespace
 
-TEST(SlowDocuments, ShowWhatTheProgramPrints) {
+TEST(Documents, ShowWhatTheProgramPrints) {
     std::size_t commands = 0;
     for (const SourceFile& document : documents()) {
         const Scratch scratch;

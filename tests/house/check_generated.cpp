@@ -4,7 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace resonform::test {
+
+namespace {
+
+bool says(const std::string& text, const std::string& pattern) {
+    return std::regex_search(text, std::regex(pattern));
+}
+
+} // namespace
 
 TEST(Generated, IsUpToDate) {
     const Outcome outcome = run("resonform regenerate --check", RESONFORM_SOURCE_DIR);
@@ -21,9 +31,9 @@ TEST(Generated, StaleMissingAndOrphanedFilesAreSeen) {
 
     const Outcome check = run("resonform regenerate --check", scratch.path());
     EXPECT_EQ(check.code, 1);
-    EXPECT_NE(check.out.find("third_order.hpp         out of date"), std::string::npos) << check.out;
-    EXPECT_NE(check.out.find("xy_only.hpp             missing"), std::string::npos) << check.out;
-    EXPECT_NE(check.out.find("forgotten.hpp           without a scene"), std::string::npos) << check.out;
+    EXPECT_TRUE(says(check.out, "third_order.hpp +out of date")) << check.out;
+    EXPECT_TRUE(says(check.out, "xy_only.hpp +missing")) << check.out;
+    EXPECT_TRUE(says(check.out, "forgotten.hpp +without a scene")) << check.out;
 
     std::filesystem::remove(folder / "forgotten.hpp");
     EXPECT_EQ(run("resonform regenerate", scratch.path()).code, 0);
