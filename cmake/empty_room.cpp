@@ -1,1 +1,0 @@
-// removed when every room has a source
