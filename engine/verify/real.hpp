@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace resonform {
 
@@ -44,6 +45,12 @@ Parts to_parts(const Rational& value);
 template <class Real> Real from_parts(const Parts& p) { return Real(p[2]) + Real(p[1]) + Real(p[0]); }
 
 template <class To, class From> To convert(const From& x) { return from_parts<To>(to_parts(x)); }
+template <class To, class From> std::vector<To> convert_all(const std::vector<From>& values) {
+    std::vector<To> out;
+    out.reserve(values.size());
+    for (const From& value : values) out.push_back(convert<To>(value));
+    return out;
+}
 template <class Real> Real from_rational(const Rational& value) { return from_parts<Real>(to_parts(value)); }
 template <class Real> double to_double_value(const Real& x) { return to_parts(x)[0]; }
 

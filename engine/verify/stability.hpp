@@ -31,7 +31,7 @@ struct Stability {
 };
 
 struct StabilityOptions : VerifyOptions {
-    std::size_t random_points = 120; // each at six times
+    std::size_t random_points = 80; // each at six times
     std::uint64_t seed = 2;
 };
 

@@ -45,6 +45,7 @@ public:
 
     Tape build(const std::vector<GiNaC::ex>& expressions) {
         std::vector<Value> outputs;
+        outputs.reserve(expressions.size());
         for (const GiNaC::ex& e : expressions) outputs.push_back(lower(e));
         finish(outputs);
         return std::move(tape_);
@@ -55,7 +56,10 @@ private:
     struct Value {
         bool varying = false;
         int index = 0;
-        friend auto operator<=>(const Value&, const Value&) = default;
+        friend bool operator<(const Value& a, const Value& b) {
+            return std::tie(a.varying, a.index) < std::tie(b.varying, b.index);
+        }
+        friend bool operator==(const Value&, const Value&) = default;
     };
     struct LooseStep {
         Op op;

@@ -30,12 +30,6 @@ std::vector<double> even_times(double interval, std::size_t points) {
     return times;
 }
 
-template <class To> std::vector<To> convert_all(const std::vector<Float128>& values) {
-    std::vector<To> out;
-    for (const Float128& v : values) out.push_back(convert<To>(v));
-    return out;
-}
-
 std::vector<Rational> parameter_values(const System& system, const Scene& scene) {
     std::vector<Rational> values;
     for (const Parameter& p : system.parameters) {
@@ -50,11 +44,9 @@ std::vector<Rational> parameter_values(const System& system, const Scene& scene)
     return values;
 }
 
-// What the scene gives for a state directly: its own start value, or 0 for a slow variable without one.
-const StartValue* given_start(const Scene& scene, const State& state) { return scene.start_of(state.name); }
-
+// The state does not come from the formula: the scene gives it, or it is slow (0 if not given).
 bool is_given(const System& system, const Scene& scene, const State& state) {
-    return system.variables[state.variable].role == Role::slow || given_start(scene, state) != nullptr;
+    return system.variables[state.variable].role == Role::slow || scene.start_of(state.name) != nullptr;
 }
 
 std::string pack(const Reference& reference) {
@@ -95,7 +87,7 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
     for (std::size_t i = 0; i < system_->states.size(); ++i) {
         const State& state = system_->states[i];
         if (!is_given(*system_->system, scene, state)) continue;
-        const StartValue* start = given_start(scene, state);
+        const StartValue* start = scene.start_of(state.name);
         given_.push_back(i);
         expressions.push_back(start == nullptr ? GiNaC::ex(0) : start->value);
     }

@@ -39,12 +39,6 @@ template <class Work> double least_seconds(Work&& work) {
     return least;
 }
 
-std::vector<double> in_double(const std::vector<Float128>& values) {
-    std::vector<double> out;
-    for (const Float128& v : values) out.push_back(to_double_value(v));
-    return out;
-}
-
 // The emitted evaluator of one order as users get it: without the states that verification keeps.
 class Emitted {
 public:
@@ -112,8 +106,9 @@ public:
         ComparisonRow row = start(to_string(method), fmt::format("tolerance {:.0e}", tolerance), work);
         IntegrationResult run;
         row.seconds = least_seconds([&] {
-            run = integrate(method, trial_.tape(), in_double(at_.parameters), to_double_value(at_.eps_value),
-                            in_double(at_.start), work.times, tolerance);
+            run = integrate(method, trial_.tape(), convert_all<double>(at_.parameters),
+                            to_double_value(at_.eps_value), convert_all<double>(at_.start), work.times,
+                            tolerance);
         });
         row.failure = run.failure;
         Values values;

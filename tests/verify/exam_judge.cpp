@@ -14,7 +14,9 @@ namespace {
 
 using Error = std::function<double(double)>;
 
-Rational rung(int digit, int decade) { return Rational(digit) / cln::expt_pos(cln::cl_I(10), decade); }
+Rational rung(int digit, int decade) {
+    return Rational(digit) / cln::expt_pos(cln::cl_I(10), cln::cl_I(decade));
+}
 
 // 0.2, 0.1, 0.05, 0.02, ... down to 10^-lowest, errors as given, floor for each rung.
 OutputVerdict ladder(const Error& error, int claim, double floor = 0, int lowest = 4) {
