@@ -17,12 +17,12 @@ constexpr double sample_margin = 4; // the worst of all points may be this much 
 
 using Errors = std::vector<std::vector<double>>;
 
-// error[k][i] for points first, first + step, ... below last.
+// error[k][i] for the points first ... last - 1.
 template <class Real>
 void fill(const Evaluator<Real>& evaluator, const Reference& reference, Errors& error, std::size_t first,
-          std::size_t last, std::size_t step) {
+          std::size_t last) {
     std::vector<Real> values(reference.values.size());
-    for (std::size_t i = first; i < last; i += step) {
+    for (std::size_t i = first; i < last; ++i) {
         const bool ok = evaluator.call(static_cast<Real>(reference.times[i]), values.data()) == Status::ok;
         for (std::size_t k = 0; k < values.size(); ++k) {
             const Float128 direct = convert<Float128>(reference.values[k][i]);
@@ -40,7 +40,7 @@ template <class Real> Errors errors_in(const Trial& trial, const TrialPoint& at,
     std::vector<std::future<void>> work;
     for (std::size_t j = 0; j < threads; ++j)
         work.push_back(std::async(std::launch::async, [&, j] {
-            fill(evaluator, reference, error, points * j / threads, points * (j + 1) / threads, 1);
+            fill(evaluator, reference, error, points * j / threads, points * (j + 1) / threads);
         }));
     for (auto& w : work) w.get();
     return error;
