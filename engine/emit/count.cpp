@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/count.hpp"
 
+#include "emit/prune.hpp"
+
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <set>
 #include <vector>
 
 namespace resonform {
@@ -53,6 +54,10 @@ int clamped(long long n) { return static_cast<int>(std::min<long long>(n, std::n
 } // namespace
 
 OperationCount count_written_out(const Program& program) {
+    const std::vector<bool> varies = depending(program.graph, varying_symbols(program));
+    std::vector<bool> given(program.graph.size(), false); // constants with a name: amplitude, phase, ...
+    for (const ProgramOutput& named : program.names)
+        given[static_cast<std::size_t>(named.value)] = !varies[static_cast<std::size_t>(named.value)];
     std::vector<Count> counts;
     for (std::size_t n = 0; n < program.graph.size(); ++n) {
         const Graph::Entry& e = program.graph.at(static_cast<Graph::Node>(n));
@@ -61,7 +66,7 @@ OperationCount count_written_out(const Program& program) {
             for (std::size_t k = 0; k < count.size(); ++k)
                 count[k] = std::min(count[k] + counts[static_cast<std::size_t>(operand)][k], 1LL << 40);
         count_own(e, count);
-        counts.push_back(count);
+        counts.push_back(given[n] ? Count{} : count);
     }
     Count sum{};
     for (const ProgramOutput& output : program.outputs)

@@ -6,8 +6,8 @@
 
 namespace resonform {
 
-// The operations that change from call to call and what they need of constants, for all outputs; every
-// occurrence of a table, a cosine or a sine counts as one look-up or one sincos.
+// For all outputs, every occurrence computed anew, but for the constants of the solution; a table, a cosine
+// or a sine counts as one look-up or one sincos each time.
 OperationCount count_written_out(const Program& program);
 
 } // namespace resonform

@@ -131,8 +131,9 @@ std::string CppFrame::construct() const {
         text += fmt::format(
             "        const auto {}_rates = [&](const Wide& T) {{ return std::array<Wide, 1>{{{}}}; }};\n",
             name, rate);
-        text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, end)", name,
-                                            plan_.members.at(plan_.phase_starts[k])));
+        text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, end{2})", name,
+                                            plan_.members.at(plan_.phase_starts[k]),
+                                            plan_.phase_uses_tables[k] ? ", true" : ""));
     }
     return text + "        return Status::ok;\n    }\n\n";
 }

@@ -126,13 +126,20 @@ private:
     Number sum_ = Number(0), carry_ = Number(0);
 };
 
+// The last coefficient that a panel may have: relative to the size of the integrand, or absolute, whichever
+// is larger. What is cut off is about 1/16 of it.
+template <class Number> struct FitTolerance {
+    Number relative = Number(16) * math::epsilon<Number>();
+    Number absolute = Number(0);
+};
+
 template <class Number, std::size_t Count, class Integrand> class PanelFitter {
 public:
     static constexpr std::size_t most_panels = 2048;
     static constexpr std::size_t most_halvings = 100;
 
-    PanelFitter(const Integrand& integrand, const Number& end, const Number& tolerated)
-        : integrand_(integrand), end_(end), tolerated_(tolerated) {}
+    PanelFitter(const Integrand& integrand, const Number& end, const FitTolerance<Number>& tolerance)
+        : integrand_(integrand), end_(end), tolerance_(tolerance) {}
 
     Panels<Number, Count> fit() {
         if (Status status = sample(Number(0), end_); status != Status::ok) return {status, {}};
@@ -162,7 +169,7 @@ private:
     }
 
     // The last coefficient of each integrand, or 1/8 of the one before where parity makes it vanish, in
-    // units of the tolerance; at most 1 is converged. What is cut off is about 1/16 of it.
+    // units of the tolerance; at most 1 is converged.
     [[nodiscard]] Number remainder(const std::array<typename Chebyshev<Number>::Values, Count>& c) const {
         Number worst = Number(0);
         for (std::size_t k = 0; k < Count; ++k) {
@@ -170,7 +177,7 @@ private:
             for (const Number& x : c[k]) scale = std::max(scale, Number(math::magnitude(x)));
             const Number last = math::magnitude(c[k].back());
             const Number before = math::magnitude(c[k][c[k].size() - 2]) / Number(8);
-            const Number tolerance = std::max(Number(tolerance_ * scale), tolerated_);
+            const Number tolerance = std::max(Number(tolerance_.relative * scale), tolerance_.absolute);
             if (Number(0) < tolerance) worst = std::max(worst, Number(std::max(last, before) / tolerance));
         }
         return worst;
@@ -220,8 +227,8 @@ private:
     }
 
     const Integrand& integrand_;
-    Number end_, tolerated_;
-    Number tolerance_ = Number(16) * math::epsilon<Number>();
+    Number end_;
+    FitTolerance<Number> tolerance_;
     Chebyshev<Number> chebyshev_;
     std::array<typename Chebyshev<Number>::Values, Count> values_{};
     std::array<Number, Count> mean_{};
@@ -230,13 +237,13 @@ private:
 };
 
 // Integrals over [0, end], end > 0, of the functions integrand(T) -> std::array<Number, Count>, to full
-// precision or to an error of about `tolerated`/16 in the integrands, whichever is larger.
+// precision unless the tolerance says otherwise.
 // Status: overflow, outside_domain: an integrand is infinite, or not a number; outside_domain too when
 // 2048 panels, or the spacing of numbers, do not resolve it (a singularity within or next to the interval).
 template <class Number, std::size_t Count, class Integrand>
 Panels<Number, Count> fit_panels(const Integrand& integrand, const Number& end,
-                                 const Number& tolerated = Number(0)) {
-    return PanelFitter<Number, Count, Integrand>(integrand, end, tolerated).fit();
+                                 const FitTolerance<Number>& tolerance = {}) {
+    return PanelFitter<Number, Count, Integrand>(integrand, end, tolerance).fit();
 }
 
 // Finds the panel of T in constant time: a grid of buckets, then a step or two to the right.

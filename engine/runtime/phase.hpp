@@ -23,12 +23,16 @@ template <class Real> class Phase {
 public:
     using Wide = typename PhaseNumber<Real>::type;
 
-    // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. Status as fit_panels.
+    // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
+    // Real only (it contains tables). Status as fit_panels.
     template <class Rate>
-    Status build(const Rate& rate, const Wide& start, const Real& eps, const Real& end) {
+    Status build(const Rate& rate, const Wide& start, const Real& eps, const Real& end,
+                 bool rounded = false) {
         eps_ = eps;
-        const Panels<Wide, 1> fitted =
-            fit_panels<Wide, 1>(rate, Wide(end), Wide(math::epsilon<Real>() / end));
+        FitTolerance<Wide> tolerance;
+        tolerance.absolute = Wide(math::epsilon<Real>() / end);
+        if (rounded) tolerance.relative = Wide(Real(64) * math::epsilon<Real>());
+        const Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end), tolerance);
         if (fitted.status != Status::ok) return fitted.status;
         rows_.clear();
         std::vector<Real> lefts;

@@ -113,10 +113,17 @@ template <class Real> struct Interpreter<Real>::Impl {
                     walk.compute(plan.varying);
                     return std::array<Wide, 1>{walk[phase.rate]};
                 },
-                walk[phase.start], eps, end);
+                walk[phase.start], eps, end, uses_tables(phase.rate));
             if (fitted != Status::ok) return fitted;
         }
         return Status::ok;
+    }
+
+    [[nodiscard]] bool uses_tables(Graph::Node n) const {
+        const std::vector<bool> used = reachable(program->graph, {n});
+        return std::any_of(program->tables.begin(), program->tables.end(), [&](const ProgramTable& table) {
+            return used[static_cast<std::size_t>(table.value)];
+        });
     }
 
     // Slow time and the tables built so far.
