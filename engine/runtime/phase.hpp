@@ -31,7 +31,11 @@ public:
         eps_ = eps;
         FitTolerance<Wide> tolerance;
         tolerance.absolute = Wide(math::epsilon<Real>() / end);
-        if (rounded) tolerance.relative = Wide(Real(64) * math::epsilon<Real>());
+        resolution_ = narrow(math::epsilon<Wide>());
+        if (rounded) {
+            tolerance.relative = Wide(Real(64) * math::epsilon<Real>());
+            resolution_ = math::epsilon<Real>();
+        }
         const Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end), tolerance);
         if (fitted.status != Status::ok) return fitted.status;
         rows_.clear();
@@ -130,7 +134,7 @@ private:
     }
 
     // The part of a panel around x, the panel's own variable, re-expanded (Horner's scheme, repeated).
-    static Row row(const Panel<Wide, 1>& panel, const Coefficients& c, const Wide& x, int parts) {
+    Row row(const Panel<Wide, 1>& panel, const Coefficients& c, const Wide& x, int parts) const {
         Row result;
         result.middle = narrow(panel.middle + panel.half * x);
         result.scale = Real(1);
@@ -149,7 +153,7 @@ private:
             power = power * unit;
             largest = largest + math::magnitude(narrow(coefficient));
         }
-        result.precise = largest * narrow(math::epsilon<Wide>()) * Real(50000) < Real(1);
+        result.precise = largest * resolution_ * Real(50000) < Real(1);
         using math::floor;
         result.coefficient[0] = result.coefficient[0] - Wide(floor(narrow(result.coefficient[0])));
         for (std::size_t j = 0; j < terms; ++j) result.low[j] = narrow(result.coefficient[j]);
@@ -173,7 +177,7 @@ private:
 
     static constexpr int least_parts = 8, most_parts = 32;
     Wide turn_ = Wide(2) * math::pi<Wide>();
-    Real eps_{};
+    Real eps_{}, resolution_{}; // resolution_: relative error of the rate
     std::size_t length_ = 1, wide_length_ = 1;
     std::vector<Row> rows_;
     PanelIndex<Real> index_;
