@@ -147,6 +147,9 @@ public:
     // Roots: radicand given over the generators added so far, parameters, slow variables and roots.
     // Refuses more than 32 generators; a name that is taken or empty is refused.
     GeneratorId add(Generator g);
+    // The id that the next add() gives: for a derivative that contains its own generator, as that of an
+    // exponential does.
+    [[nodiscard]] GeneratorId next() const { return static_cast<GeneratorId>(generators_.size()); }
     [[nodiscard]] GeneratorId id(const std::string& name) const; // -1 if absent
     // While building, polynomials over the present generators may be formed (to give radicands and
     // derivatives): exponents are re-packed when the ring is frozen. No relation is applied.

@@ -35,6 +35,17 @@ void check_uncoupled(const FirstOrderSystem& system, const State& velocity,
     }
 }
 
+void check_frequency(const ex& omega_squared, const Variable& fast, const System& system,
+                     const Place& place) {
+    if (provably_positive(omega_squared, system)) return;
+    const std::string value = fmt::format("omega^2 = {} for {}", spell(omega_squared), fast.name);
+    if (provably_positive(-omega_squared, system))
+        bad_input({"the linear part of a fast variable pulls back to the origin", value,
+                   "mend the sign, or shift the variable to a stable equilibrium", place});
+    refuse({"the square of a frequency is proved to be positive", value,
+            "declare what is positive: " + how_to_declare_positive(omega_squared), place});
+}
+
 } // namespace
 
 Oscillator find_oscillator(const FirstOrderSystem& system, std::size_t variable,
@@ -57,13 +68,7 @@ Oscillator find_oscillator(const FirstOrderSystem& system, std::size_t variable,
                    "give the variable another role, or write its restoring force", place});
     check_uncoupled(system, velocity, coefficients, place);
     const ex omega_squared = (-slope).normal();
-    if (!provably_positive(omega_squared, *system.system))
-        refuse({"the square of a frequency is proved to be positive",
-                fmt::format("omega^2 = {} for {}", spell(omega_squared), fast.name),
-                fmt::format(
-                    "declare what is positive: positive = true for a name, or [domain] positive = [\"{}\"]",
-                    spell(omega_squared)),
-                place});
+    check_frequency(omega_squared, fast, *system.system, place);
     return {variable, omega_squared};
 }
 

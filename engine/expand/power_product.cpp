@@ -144,8 +144,7 @@ private:
 
     [[noreturn]] void not_positive(const ex& base) const {
         refuse({"a root is taken only of what is proved to be positive", spell(base),
-                "declare it: positive = true for a name, or [domain] positive = [\"" + spell(base) + "\"]",
-                place_});
+                "declare what is positive: " + how_to_declare_positive(base), place_});
     }
 
     const System& system_;
@@ -165,6 +164,12 @@ Rational to_rational(const ex& number) {
 }
 
 ex to_ginac(const Rational& number) { return GiNaC::numeric(number); }
+
+std::string how_to_declare_positive(const ex& e) {
+    if (is_a<GiNaC::symbol>(e)) return spell(e) + " = { positive = true, ... }";
+    if (!is_a<GiNaC::add>(e)) return "every factor by itself, with positive = true for a name";
+    return "positive = true for a name in it, or [domain] positive = [\"" + spell(e) + "\"]";
+}
 
 std::string spell(const ex& e) {
     // GiNaC's own order of terms depends on addresses: sort the printed terms of sums and products.

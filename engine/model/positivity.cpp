@@ -16,16 +16,23 @@ enum class Sign { unknown, nonnegative, positive };
 // Comparing with declared expressions divides polynomials; no honest one is larger than this.
 constexpr std::size_t largest_compared = 60;
 constexpr int deepest_comparison = 4;
+// Each comparison may lead to one with every declaration again: many are compared less deeply.
+constexpr std::size_t few_declarations = 6;
+constexpr int deepest_among_many = 2;
 
 class Prover {
 public:
     explicit Prover(const System& system) : system_(system) {}
 
-    Sign sign(const ex& e, int comparisons = deepest_comparison) const;
+    Sign sign(const ex& e) const {
+        return sign(e, system_.positive.size() <= few_declarations ? deepest_comparison : deepest_among_many);
+    }
     bool nonzero(const ex& e) const;
     bool real(const ex& e) const;
 
 private:
+    Sign sign(const ex& e, int comparisons) const;
+    bool declared_positive(const ex& e) const;
     Sign of_symbol(const ex& e) const;
     Sign of_power(const ex& e, int comparisons) const;
     Sign of_function(const ex& e) const;
@@ -54,7 +61,7 @@ bool Prover::declared_nonzero(const ex& symbol) const {
     for (const Variable& v : system_.variables) {
         if (v.nonzero && symbol.is_equal(v.jet.front())) return true;
     }
-    return of_symbol(symbol) == Sign::positive;
+    return of_symbol(symbol) == Sign::positive || declared_positive(symbol);
 }
 
 // A real expression: no root of what may be negative, no logarithm of what may not be positive.
@@ -139,7 +146,13 @@ Sign Prover::by_declaration(const ex& e, int comparisons) const {
     return Sign::unknown;
 }
 
+bool Prover::declared_positive(const ex& e) const {
+    return std::any_of(system_.positive.begin(), system_.positive.end(),
+                       [&](const ex& declared) { return e.is_equal(declared); });
+}
+
 Sign Prover::sign(const ex& e, int comparisons) const {
+    if (declared_positive(e)) return Sign::positive;
     const Sign s = by_structure(e, comparisons);
     return s == Sign::unknown ? by_declaration(e, comparisons) : s;
 }

@@ -165,7 +165,7 @@ GeneratorId Draft::extend(Generator g, bool exponential) {
     RingBuilder builder;
     RingCopy(*before, builder).copy_all();
     g.name = fresh_name(builder, std::move(g.name));
-    const Polynomial self = builder.gen(before->size());
+    const Polynomial self = builder.gen(builder.next());
     for (auto& [variable, derivative] : g.derivatives) {
         derivative = builder.import(*before, derivative);
         if (exponential) derivative = builder.multiply(derivative, self);

@@ -13,15 +13,14 @@ RingCopy::RingCopy(const Ring& from, RingBuilder& to)
 
 GeneratorId RingCopy::add(Generator g, GeneratorId id, int factor) {
     g.radicand = (*this)(g.radicand);
-    if (g.kind == GeneratorKind::root) g.derivatives.clear(); // follow from the radicand
+    images_[static_cast<std::size_t>(id)] = {to_.next(), factor}; // an exponential's derivative contains it
+    if (g.kind == GeneratorKind::root) g.derivatives.clear();     // follow from the radicand
     for (auto& [variable, derivative] : g.derivatives) {
         variable = images_[static_cast<std::size_t>(variable)].id;
         derivative = (*this)(derivative);
     }
     if (g.conjugate >= 0) g.conjugate = images_[static_cast<std::size_t>(g.conjugate)].id;
-    const GeneratorId copied = to_.add(std::move(g));
-    images_[static_cast<std::size_t>(id)] = {copied, factor};
-    return copied;
+    return to_.add(std::move(g));
 }
 
 GeneratorId RingCopy::copy(GeneratorId id) { return add(from_.generator(id), id, 1); }

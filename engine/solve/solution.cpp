@@ -43,8 +43,9 @@ void check_explicit_law(const GradedField& field, const SlowVariable& slow) {
     if (slow.rate.empty())
         refuse({"a slow variable moves", name + "' = 0", "declare " + name + " as a parameter", place});
     if (!rate || !is_constant(ring, *rate))
-        refuse({"the solution by quadratures needs a slow variable of explicit law xi' = eps*c, c a constant",
-                "the rate of " + name + " depends on eps or on slow variables",
+        refuse({fmt::format("the solution by quadratures needs the explicit law {}' = eps*c, c a constant",
+                            name),
+                "the rate depends on eps or on slow variables",
                 "use a variable that grows linearly in time, e.g. the slow time itself", place});
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/truncation.hpp"
 
+#include "solve/solution.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,6 +31,10 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
         refuse({"on a time scale beyond 1/eps the slow variables stay in a compact set",
                 fmt::format("time_scale = {}, {}' = O(eps) of constant sign", p, field.slow.front().name),
                 "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
+    if (p >= 2 && !field.drift.empty())
+        refuse({"on a time scale beyond 1/eps every variable stays in a compact set",
+                fmt::format("time_scale = {}, {} drifts", p, field.drift.front().name),
+                "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
     const bool twist = !field.modes.empty();
     const int truncation = twist ? std::max(order + p, order + 2 * p - 2) : order + p;
     if (truncation > largest_truncation)
@@ -41,6 +47,20 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
             fmt::format("order {} on t = O({}): rates neglected at weight {} act over {}, so M = {} = {}",
                         order, span, truncation + 1, span, twist ? "max(N + p, N + 2p - 2)" : "N + p",
                         truncation)};
+}
+
+void check_time_scale(const Solution& solution, const Scene& scene) {
+    const int p = scene.time_scale.value_or(1);
+    if (scene.truncation || p < 2) return;
+    for (const ModeSolution& mode : solution.modes) {
+        bool constant = mode.envelope == solution.ring->one();
+        for (int n = 1; n <= mode.factor.through(); ++n) constant = constant && mode.factor.part(n).empty();
+        if (constant) continue;
+        const std::string& name = solution.system().variables[mode.variable].name;
+        refuse({"on a time scale beyond 1/eps amplitudes are constant",
+                fmt::format("time_scale = {}, the amplitude of {} changes with eps*t", p, name),
+                "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
+    }
 }
 
 } // namespace resonform

@@ -9,6 +9,8 @@
 
 namespace resonform {
 
+struct Solution;
+
 // M, and the count that led to it as one sentence for the user.
 struct TruncationCount {
     int truncation;
@@ -22,8 +24,12 @@ struct TruncationCount {
 //                                delta^2 of the frequency once more on the phase;
 //   M = N + p                    without one.
 //
-// Errors: refused for p >= 2 with a slow variable xi' = eps c: it leaves every compact set, so the
-// count does not hold; refused for M > 99.
+// Errors: refused for p >= 2 with a slow variable xi' = eps c, or a drift, which leave every compact
+// set, so that the count does not hold; refused for M > 99.
 TruncationCount count_truncation(const GradedField& field, const Scene& scene);
+
+// The part of the count that only the solution shows: for p >= 2 the amplitudes must be constant, since
+// their corrections are powers of T = eps t, which reaches eps^(1-p). Error: refused.
+void check_time_scale(const Solution& solution, const Scene& scene);
 
 } // namespace resonform

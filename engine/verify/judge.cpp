@@ -17,6 +17,7 @@ constexpr double above_floor = 100;       // a rung this far above its floor is 
 constexpr double near_integer = 0.3;      // a slope this close to an integer names it
 constexpr double one_slope = 0.02;        // local slopes this close are one straight line
 constexpr double settled_distance = 0.02; // of the last slopes from their integer and from each other
+constexpr double free_bend = 0.05;        // a smaller step between local slopes may be noise
 
 struct Point {
     double eps, error;
@@ -80,6 +81,13 @@ double extrapolated_slope(const std::vector<Point>& points, const std::vector<do
     return slopes[last] - (slopes[last - 1] - slopes[last]) * m1 / (m2 - m1);
 }
 
+// The slopes bend away instead of settling: the last step is larger than the one before it.
+bool bends_away(const std::vector<double>& slopes) {
+    const std::size_t n = slopes.size();
+    const double last = std::abs(slopes[n - 1] - slopes[n - 2]);
+    return last > free_bend && (n < 3 || last >= std::abs(slopes[n - 2] - slopes[n - 3]));
+}
+
 // The limit of error/eps^order: the straight line in eps through the points from `first` on, at 0.
 double limiting_constant(const std::vector<Point>& points, std::size_t first, int order) {
     const double n = static_cast<double>(points.size() - first);
@@ -140,10 +148,14 @@ void judge(OutputVerdict& output) {
     output.found_order = static_cast<int>(std::lround(output.slope));
     output.constant = limiting_constant(points, straight ? first : points.size() - 2, output.found_order);
 
-    if (std::abs(output.slope - slopes.back()) > near_integer)
+    if (std::abs(output.slope - slopes.back()) > near_integer || (!straight && bends_away(slopes))) {
+        output.slope = slopes.back(); // what is seen; no limit can be told from it
+        output.found_order = static_cast<int>(std::lround(output.slope));
+        output.constant = none;
         return undecided(
             output, fmt::format("the slope still bends ({:.2f}, then {:.2f}) at eps = {:g}: add smaller eps",
                                 slopes[slopes.size() - 2], slopes.back(), points.back().eps));
+    }
     if (std::abs(output.slope - output.found_order) > near_integer)
         return undecided(output, fmt::format("the slope {:.2f} is not near an integer", output.slope));
     const bool holds = output.found_order >= output.claimed_order;

@@ -54,9 +54,15 @@ TEST(ExpandErrors, ForceAtTheOrigin) {
 
 TEST(ExpandErrors, FrequencyNotProvedPositive) {
     EXPECT_TRUE(has(message(system_with("x'' + (1 + tau)*x = 0"), Kind::refused), "omega^2 = 1 + tau for x"));
-    EXPECT_TRUE(has(message(system_with("x'' - g*x = 0"), Kind::refused), "omega^2 = -g for x"));
+    EXPECT_TRUE(
+        has(message(system_with("x'' + tau*x = 0"), Kind::refused), "tau = { positive = true, ... }"));
+    EXPECT_TRUE(has(message(system_with("x'' - g*x = 0"), Kind::bad_input), "omega^2 = -g for x"));
     EXPECT_NO_THROW(expand(test::first_order_from(
         system_with("x'' + (1 + tau)*x = 0", "[domain]\npositive = [\"1 + tau\"]\n"))));
+    for (const std::string declared : {"tau", "1 + tau + a"})
+        EXPECT_NO_THROW(expand(test::first_order_from(
+            system_with("x'' + (" + declared + ")*x = 0", "[domain]\npositive = [\"" + declared + "\"]\n"))))
+            << declared;
 }
 
 TEST(ExpandErrors, DivisionByZero) {

@@ -36,7 +36,7 @@ tau = { role = "slow" }
 x = "x'' + (2 + tau^2)*x = 0"
 tau = "tau' = eps*tau"
 )";
-    expect_error(curved, 2, 2, Kind::refused, "the rate of tau depends on eps or on slow variables",
+    expect_error(curved, 2, 2, Kind::refused, "the rate depends on eps or on slow variables",
                  "use a variable that grows linearly in time, e.g. the slow time itself");
 }
 

@@ -37,7 +37,7 @@ TEST(Truncation, TakesThePlainOneOnRequest) {
 }
 
 TEST(Truncation, CountsTheTwistOnLongerTimes) {
-    const auto field = field_of(read_system_text(duffing, "test.toml"));
+    const auto field = field_of(read_system_text(conservative, "test.toml"));
     EXPECT_EQ(count_truncation(*field, scene(3, 2)).truncation, 5);
     EXPECT_EQ(count_truncation(*field, scene(3, 3)).truncation, 7);
 }
@@ -51,6 +51,29 @@ TEST(Truncation, RefusesLongerTimesForASlowVariableThatRunsAway) {
         EXPECT_EQ(e.diagnostic().value, "time_scale = 2, xi' = O(eps) of constant sign");
         EXPECT_EQ(e.diagnostic().mend, "use time_scale = 1, or give the truncation yourself");
         EXPECT_EQ(e.diagnostic().place.file, "scene.toml");
+    }
+}
+
+TEST(Truncation, RefusesLongerTimesForADrift) {
+    const auto field = field_of(read_system_text(duffing, "test.toml"));
+    try {
+        count_truncation(*field, scene(3, 2));
+        FAIL() << "not refused";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.diagnostic().value, "time_scale = 2, X drifts");
+    }
+}
+
+TEST(Truncation, RefusesLongerTimesForAnAmplitudeThatChanges) {
+    EXPECT_NO_THROW(check_time_scale(solution_of_text(conservative, 2, 4), scene(2, 2)));
+    EXPECT_NO_THROW(check_time_scale(solution_of_text(damped, 2, 3), scene(2, 1)));
+    try {
+        check_time_scale(solution_of_text(damped, 2, 4), scene(2, 2));
+        FAIL() << "not refused";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.diagnostic().value, "time_scale = 2, the amplitude of x changes with eps*t");
     }
 }
 

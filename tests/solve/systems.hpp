@@ -26,6 +26,15 @@ x = "x'' + x + x^3 = 0"
 X = "X' = eps*x^2 + eps"
 )";
 
+inline const char* const conservative = R"(
+[system]
+name = "conservative"
+[variables]
+x = { role = "fast" }
+[equations]
+x = "x'' + x + x^3 = 0"
+)";
+
 inline const char* const damped = R"(
 [system]
 name = "damped"

@@ -153,5 +153,26 @@ TEST(Judge, APlantedErrorFails) {
     }
 }
 
+// Measured at eps = 0.1 ... 0.002 where the true order is 5: slopes near 6 that leave it faster and
+// faster name no order.
+TEST(Judge, SlopesThatBendAwayAreUndecided) {
+    OutputVerdict output;
+    output.claimed_order = 6;
+    const std::vector<Rational> eps{rung(1, 1), rung(5, 2), rung(2, 2), rung(1, 2), rung(5, 3), rung(2, 3)};
+    const std::vector<double> slopes{6.03, 6.02, 6.017, 6.002, 5.889};
+    double error = 1e-3;
+    for (std::size_t i = 0; i < eps.size(); ++i) {
+        if (i > 0) error *= std::pow(to_double(eps[i]) / to_double(eps[i - 1]), slopes[i - 1]);
+        LadderRung r;
+        r.eps = eps[i];
+        r.max_error = error;
+        output.ladder.push_back(r);
+    }
+    judge(output);
+    EXPECT_EQ(output.verdict, Verdict::undecided);
+    EXPECT_TRUE(std::isnan(output.constant));
+    EXPECT_EQ(output.reason, "the slope still bends (6.00, then 5.89) at eps = 0.002: add smaller eps");
+}
+
 } // namespace
 } // namespace resonform
