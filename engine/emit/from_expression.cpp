@@ -30,6 +30,8 @@ public:
         if (GiNaC::is_a<GiNaC::add>(e)) return graph_.add(operands(e));
         if (GiNaC::is_a<GiNaC::mul>(e)) return graph_.multiply(operands(e));
         if (GiNaC::is_a<GiNaC::power>(e)) return power(e);
+        if (e.is_equal(GiNaC::Pi)) // every real type has its own digits of it
+            return graph_.function(Graph::Op::atan2, {graph_.rational(0), graph_.rational(-1)});
         return function(e);
     }
 
@@ -66,6 +68,7 @@ private:
         std::sort(sorted.begin(), sorted.end(),
                   [](const auto& a, const auto& b) { return a.first < b.first; });
         std::vector<Graph::Node> nodes;
+        nodes.reserve(sorted.size());
         for (const auto& operand : sorted) nodes.push_back((*this)(operand.second));
         return nodes;
     }
@@ -95,7 +98,7 @@ private:
     }
 
     [[noreturn]] static void refuse_function(const GiNaC::ex& e) {
-        refuse({"a value in emitted code uses sin, cos, tan, exp, log, sqrt, asinh and rational powers",
+        refuse({"a value in emitted code uses pi, sin, cos, tan, exp, log, sqrt and rational powers",
                 to_text(e),
                 "write it with these, or as a number",
                 {}});

@@ -140,7 +140,7 @@ Graph::Node Graph::product(const Factors& factors, const Rational& coefficient) 
     return intern(std::move(e));
 }
 
-Graph::Node Graph::multiply(std::vector<Node> operands) {
+Graph::Node Graph::multiply(const std::vector<Node>& operands) {
     Factors factors;
     Rational coefficient = 1;
     for (const Node n : operands) collect(n, 1, factors, coefficient);

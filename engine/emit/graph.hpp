@@ -50,8 +50,9 @@ public:
 
     Node rational(const Rational& value);
     Node symbol(const std::string& name);
-    Node add(std::vector<Node> operands);      // flattens, folds rationals, collects equal terms
-    Node multiply(std::vector<Node> operands); // flattens, folds rationals, collects equal bases; 0 absorbs
+    Node add(std::vector<Node> operands); // flattens, folds rationals, collects equal terms
+    Node
+    multiply(const std::vector<Node>& operands); // flattens, folds rationals, collects equal bases; 0 absorbs
     Node negate(Node n) { return multiply({rational(-1), n}); }
     // Errors: refused: zero to a negative power.
     Node power(Node base, int exponent);

@@ -53,6 +53,7 @@ Graph::Node Lowering::polynomial(const Polynomial& p) {
             sum = sum + coefficient;
         }
     std::vector<Graph::Node> sum;
+    sum.reserve(groups.size());
     for (auto& [powers, terms] : groups) sum.push_back(horner(std::move(terms), true));
     return graph_->add(std::move(sum));
 }
@@ -80,7 +81,7 @@ Graph::Node Lowering::common_factor(Terms& terms, bool varying) {
         rest.emplace(std::move(exponents), term.second);
     }
     terms = std::move(rest);
-    return graph_->multiply(std::move(factors));
+    return graph_->multiply(factors);
 }
 
 // The generator of the kind asked for that most terms have in common, the first of equals; -1: none.

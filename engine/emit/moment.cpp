@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace resonform {
 
@@ -37,9 +38,9 @@ void name_roots(Program& program, Graph::Node n, int& radicands) {
 
 Moment::Moment(Program& program, const Solution& solution, RingPtr ring, const Surroundings& surroundings,
                const MomentPlan& plan)
-    : lowering(program.graph, ring), harmonics(program.graph, ring, lowering), ring_(ring) {
-    for (GeneratorId id = 0; id < ring->size(); ++id)
-        if (const auto known = surroundings.symbols.find(ring->generator(id).name);
+    : lowering(program.graph, ring), harmonics(program.graph, ring, lowering), ring_(std::move(ring)) {
+    for (GeneratorId id = 0; id < ring_->size(); ++id)
+        if (const auto known = surroundings.symbols.find(ring_->generator(id).name);
             known != surroundings.symbols.end())
             define(program, id, known->second);
     for (const auto& [id, node] : plan.slow_variables) define(program, own(id, solution), node);

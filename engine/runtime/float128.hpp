@@ -9,7 +9,7 @@
 #define RESONFORM_FLOAT128 1
 
 namespace resonform {
-__extension__ typedef __float128 Float128;
+__extension__ using Float128 = __float128;
 }
 
 extern "C" {

@@ -47,6 +47,10 @@ template <class Real> Real epsilon() { return power(Real(Real(1) / Real(2)), dig
 // False for NaN and infinities. (Meaningless under -ffast-math, as is every status then.)
 template <class Real> bool finite(const Real& x) { return x - x == Real(0); }
 
+template <class Real> bool is_not_a_number(const Real& x) {
+    return !(x < Real(0)) && !(x == Real(0)) && !(x > Real(0));
+}
+
 template <class Real> Real not_a_number() { return Real(std::numeric_limits<double>::quiet_NaN()); }
 
 template <class Real> Real magnitude(const Real& x) { return x < Real(0) ? Real(-x) : x; }

@@ -160,7 +160,7 @@ private:
         for (std::size_t j = 0; j < Chebyshev<Number>::n; ++j) {
             const std::array<Number, Count> value = integrand_(Number(middle + half * chebyshev_.node(j)));
             for (std::size_t k = 0; k < Count; ++k) {
-                if (!(value[k] == value[k])) return Status::outside_domain;
+                if (math::is_not_a_number(value[k])) return Status::outside_domain;
                 if (!math::finite(value[k])) return Status::overflow;
                 values_[k][j] = value[k];
             }

@@ -161,6 +161,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         const Status walked = walk_to(t, values_of(wanted), walk);
         if (walked != Status::ok && walked != Status::low_precision) return walked;
         std::vector<Real> computed;
+        computed.reserve(wanted.size());
         for (const ProgramOutput& output : wanted) computed.push_back(walk[output.value]);
         if (!all_finite(computed)) return Status::overflow;
         values = std::move(computed);
