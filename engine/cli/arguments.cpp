@@ -37,15 +37,15 @@ int read_order(const std::string& option, const std::string& text) {
     int order = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), order);
     if (error != std::errc() || end != text.data() + text.size() || order < lowest || order > highest)
-        bad_argument(option, fmt::format("{} is an integer from {} to {}", option, lowest, highest), text,
-                     fmt::format("give for example {} 3", option));
+        bad_argument(option, fmt::format("{} must be an integer from {} to {}", option, lowest, highest),
+                     text, fmt::format("give for example {} 3", option));
     return order;
 }
 
 double read_eps(const std::string& text) {
     const auto eps = read_double(text);
     if (!eps || !std::isfinite(*eps) || *eps <= 0)
-        bad_argument("--eps", "eps is a finite decimal number > 0", text, "give for example --eps 0.01");
+        bad_argument("--eps", "eps must be a finite decimal number > 0", text, "give for example --eps 0.01");
     return *eps;
 }
 
@@ -56,8 +56,8 @@ std::vector<double> read_times(const std::string& text) {
         const std::string item = text.substr(begin, end - begin);
         const auto t = read_double(item);
         if (!t)
-            bad_argument("--t", "times are decimal numbers separated by commas", item.empty() ? text : item,
-                         "give for example --t 0,0.5,10");
+            bad_argument("--t", "times must be decimal numbers separated by commas",
+                         item.empty() ? text : item, "give for example --t 0,0.5,10");
         times.push_back(*t);
         begin = end + 1;
     }
@@ -69,7 +69,7 @@ std::string read_choice(const std::string& option, const std::string& text,
     for (const std::string& choice : known)
         if (choice == text) return choice;
     const std::string near = nearest(text, known);
-    bad_argument(option, fmt::format("{} is one of {}", option, fmt::join(known, ", ")), text,
+    bad_argument(option, fmt::format("{} must be one of {}", option, fmt::join(known, ", ")), text,
                  near.empty() ? fmt::format("give {}", known.front())
                               : fmt::format("did you mean {}?", near));
 }

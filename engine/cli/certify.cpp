@@ -2,6 +2,7 @@
 // resonform certify SYSTEM --order N: is the normal form right, by the second route?
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 
 #include <fmt/format.h>
@@ -29,18 +30,18 @@ Json to_json(const std::string& system, const Certificate& certificate) {
 }
 
 void print_text(const std::string& system, const Certificate& certificate) {
-    fmt::print("{}: normal form and map through weight {}\n", system, certificate.through_weight);
-    fmt::print("  map and normal form put into the original equations   {}\n",
-               certificate.residual_zero ? "residual zero" : "RESIDUAL NOT ZERO");
-    fmt::print("  every term resonant, no kernel term in the map        {}\n",
-               certificate.normal_form_scan ? "yes" : "NO");
-    fmt::print("  route: {}, {} points, primes {}\n", certificate.route, certificate.points,
-               fmt::join(certificate.primes, ", "));
+    put("{}: normal form and map through weight {}\n", system, certificate.through_weight);
+    put("  map and normal form put into the original equations   {}\n",
+        certificate.residual_zero ? "residual zero" : "RESIDUAL NOT ZERO");
+    put("  every term resonant, no kernel term in the map        {}\n",
+        certificate.normal_form_scan ? "yes" : "NO");
+    put("  route: {}, {} points, primes {}\n", certificate.route, certificate.points,
+        fmt::join(certificate.primes, ", "));
     if (certificate.holds)
-        fmt::print("The certificate holds; a wrong result would pass with probability below {:.0e}.\n",
-                   certificate.error_probability);
+        put("The certificate holds; a wrong result would pass with probability below {:.0e}.\n",
+            certificate.error_probability);
     else
-        fmt::print("The certificate does NOT hold: {}\n", certificate.complaint);
+        put("The certificate does NOT hold: {}\n", certificate.complaint);
 }
 
 int run_certify(const std::string& argument, const std::string& order, const std::string& format) {
@@ -49,7 +50,7 @@ int run_certify(const std::string& argument, const std::string& order, const std
         normalize_with_certificate(expand_system(find_system(argument, find_home().systems())), through);
     const std::string& system = normalization->normal_form.field->system().name;
     if (format == "json")
-        fmt::print("{}\n", to_json(system, normalization->certificate).dump(2));
+        put("{}\n", to_json(system, normalization->certificate).dump(2));
     else
         print_text(system, normalization->certificate);
     return normalization->certificate.holds ? done : check_failed;
@@ -59,8 +60,8 @@ int run_certify(const std::string& argument, const std::string& order, const std
 
 void add_certify(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("certify", "prove the normal form by a second route");
-    const Text system = add_required(*command, "SYSTEM", "the system");
-    const Text order = add_required(*command, "--order", "weight of normal form and map, 1 ... 99");
+    const Text system = add_required(*command, "SYSTEM", "", system_help);
+    const Text order = add_required(*command, "--order", order_values, "weight of normal form and map");
     const FormatOption format(*command, {"text", "json"});
     command->callback([&action, system, order, format] {
         action = [system, order, format] { return run_certify(*system, *order, format.value()); };

@@ -8,23 +8,36 @@
 
 namespace resonform {
 
-Text add_text(CLI::App& command, const std::string& name, const std::string& help,
+Text add_text(CLI::App& command, const std::string& name, const std::string& values, const std::string& help,
               const std::string& default_text) {
     auto text = std::make_shared<std::string>(default_text);
-    CLI::Option* option = command.add_option(name, *text, help);
+    CLI::Option* option = command.add_option(name, *text, help)->type_name(values);
     if (!default_text.empty()) option->capture_default_str();
     return text;
 }
 
-Text add_required(CLI::App& command, const std::string& name, const std::string& help) {
+Text add_required(CLI::App& command, const std::string& name, const std::string& values,
+                  const std::string& help) {
     auto text = std::make_shared<std::string>();
-    command.add_option(name, *text, help)->required();
+    command.add_option(name, *text, help)->type_name(values)->required();
     return text;
 }
 
+Text add_output(CLI::App& command, const std::string& name, const std::string& values,
+                const std::string& help) {
+    auto path = std::make_shared<std::string>();
+    const auto keep = [path, name](const std::string& given) {
+        if (given.empty())
+            bad_argument(name, "the path must not be empty", "", "give a path, or leave it out");
+        *path = given;
+    };
+    command.add_option_function<std::string>(name, keep, help)->type_name(values);
+    return path;
+}
+
 FormatOption::FormatOption(CLI::App& command, std::vector<std::string> known)
-    : known_(std::move(known)),
-      text_(add_text(command, "--format", fmt::format("{}", fmt::join(known_, " | ")), known_.front())) {}
+    : known_(std::move(known)), text_(add_text(command, "--format", fmt::format("{}", fmt::join(known_, "|")),
+                                               "how to print", known_.front())) {}
 
 std::string FormatOption::value() const { return read_choice("--format", *text_, known_); }
 

@@ -21,11 +21,16 @@ enum ExitCode : int {
 // What the chosen subcommand will do; it returns the exit code.
 using Action = std::function<int()>;
 
-// An option as the user typed it, alive as long as the action that uses it.
+// An option as the user typed it, alive as long as the action that uses it. `values` is what the help
+// shows behind its name: "NUMBER".
 using Text = std::shared_ptr<std::string>;
-Text add_text(CLI::App& command, const std::string& name, const std::string& help,
+Text add_text(CLI::App& command, const std::string& name, const std::string& values, const std::string& help,
               const std::string& default_text = {});
-Text add_required(CLI::App& command, const std::string& name, const std::string& help);
+Text add_required(CLI::App& command, const std::string& name, const std::string& values,
+                  const std::string& help);
+// A file or folder to be written; empty: not asked for. Errors (bad_input): given, but empty.
+Text add_output(CLI::App& command, const std::string& name, const std::string& values,
+                const std::string& help);
 
 // --format, the first of `known` by default; value() checks it.
 class FormatOption {
@@ -37,6 +42,10 @@ private:
     std::vector<std::string> known_;
     Text text_;
 };
+
+constexpr const char* system_help = "a folder with system.toml, that file, or a name in systems/";
+constexpr const char* scene_help = "the path of a scene file";
+constexpr const char* order_values = "1..99";
 
 void add_derive(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform compare SCENE: error against run time, beside direct integrators.
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "cli/progress.hpp"
 #include "verify/json.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ int run_compare(const std::string& scene, const std::string& format) {
     options.cache = home.cache();
     options.progress = show_progress;
     const Comparison comparison = compare(line.expanded.first_order, line.scene, line.solution, options);
-    fmt::print("{}", format == "json" ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
+    put("{}", format == "json" ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
     return done;
 }
 
@@ -26,7 +26,7 @@ int run_compare(const std::string& scene, const std::string& format) {
 
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("compare", "error against run time, beside direct integrators");
-    const Text scene = add_required(*command, "SCENE", "the scene file");
+    const Text scene = add_required(*command, "SCENE", "", scene_help);
     const FormatOption format(*command, {"text", "json"});
     command->callback([&action, scene, format] {
         action = [scene, format] { return run_compare(*scene, format.value()); };

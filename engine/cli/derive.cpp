@@ -2,6 +2,7 @@
 // resonform derive SYSTEM: one stage of the line, printed.
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/document.hpp"
 
@@ -73,7 +74,7 @@ int run_derive(const Request& request) {
     const Format format = parse_format(request.format);
     require_printable(stage, format);
     const auto file = find_system(request.system, find_home().systems());
-    fmt::print("{}", document(expand_system(file), order, stage, request.truncation, format));
+    put("{}", document(expand_system(file), order, stage, request.truncation, format));
     return done;
 }
 
@@ -82,15 +83,15 @@ int run_derive(const Request& request) {
 void add_derive(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("derive", "the normal form of a system, or a stage before or after it");
-    const Text system = add_required(*command, "SYSTEM", "the system");
-    const Text order = add_text(*command, "--order", "weight of normal form and map, 1 ... 99", "3");
-    const Text stage =
-        add_text(*command, "--stage", "equations | expand | normal_form | solution", "normal_form");
-    const Text truncation = add_text(*command, "--truncation",
+    const Text system = add_required(*command, "SYSTEM", "", system_help);
+    const Text order = add_text(*command, "--order", order_values, "weight of normal form and map", "3");
+    const Text stage = add_text(*command, "--stage", "equations|expand|normal_form|solution", "what to print",
+                                "normal_form");
+    const Text truncation = add_text(*command, "--truncation", order_values,
                                      "for the solution: weight through which normal form and map are used, "
-                                     "order ... 99; default: what the order needs on t = 1/eps");
-    const Text format = add_text(*command, "--format",
-                                 "text | latex | json; for the normal form also sympy | maxima", "text");
+                                     "not below the order; default: what the order needs on t = 1/eps");
+    const Text format = add_text(*command, "--format", "text|latex|json|sympy|maxima",
+                                 "how to print; sympy and maxima for the normal form only", "text");
     command->callback([&action, system, order, stage, truncation, format] {
         action = [system, order, stage, truncation, format] {
             return run_derive({*system, *order, *stage, *truncation, *format});

@@ -2,6 +2,7 @@
 // resonform evaluate SCENE --eps E --t T1,T2,...: numbers without writing a program.
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "verify/interpreter.hpp"
 
@@ -24,6 +25,18 @@ struct Values {
     std::vector<std::vector<double>> points; // [point][output]
     std::vector<Status> status;
 };
+
+void require_values(const Program& program, const Scene& scene) {
+    if (program.parameters.empty()) return; // those that [fix] gives are folded in
+    std::vector<std::string> missing;
+    for (const ProgramInput& parameter : program.parameters) missing.push_back(parameter.name);
+    Place place;
+    place.file = scene.file.string();
+    place.key = "fix";
+    bad_input({"evaluation needs a value for every parameter that the outputs depend on",
+               fmt::format("no value of {}", fmt::join(missing, ", ")),
+               fmt::format("add {} = ... under [fix]", missing.front()), place});
+}
 
 Values evaluate_program(const std::shared_ptr<const Program>& program, double eps, std::vector<double> t) {
     // A time such as 1/eps may round to just beyond the interval that the scene asks for.
@@ -56,18 +69,18 @@ void print_json(const Program& program, const Values& values) {
                         {"t", values.t},
                         {"outputs", outputs},
                         {"status", status}};
-    fmt::print("{}\n", document.dump(2));
+    put("{}\n", document.dump(2));
 }
 
 void print_csv(const Program& program, const Values& values) {
-    fmt::print("t");
-    for (const ProgramOutput& output : program.outputs) fmt::print(",{}", output.name);
-    fmt::print(",status\n");
+    put("t");
+    for (const ProgramOutput& output : program.outputs) put(",{}", output.name);
+    put(",status\n");
     for (std::size_t i = 0; i < values.t.size(); ++i) {
-        fmt::print("{:.17g}", values.t[i]);
+        put("{:.17g}", values.t[i]);
         for (const double value : values.points[i])
-            fmt::print(",{}", has_numbers(values.status[i]) ? fmt::format("{:.17g}", value) : "");
-        fmt::print(",{}\n", to_string(values.status[i]));
+            put(",{}", has_numbers(values.status[i]) ? fmt::format("{:.17g}", value) : "");
+        put(",{}\n", to_string(values.status[i]));
     }
 }
 
@@ -77,6 +90,7 @@ int run_evaluate(const std::string& scene, const std::string& eps_text, const st
     std::vector<double> t = read_times(times);
     const SceneLine line = solve_scene(scene, find_home());
     const auto program = std::make_shared<const Program>(build_program(line.solution, line.scene));
+    require_values(*program, line.scene);
     const Values values = evaluate_program(program, eps, std::move(t));
     if (format == "json")
         print_json(*program, values);
@@ -89,9 +103,9 @@ int run_evaluate(const std::string& scene, const std::string& eps_text, const st
 
 void add_evaluate(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("evaluate", "the outputs of a scene at given times");
-    const Text scene = add_required(*command, "SCENE", "the scene file");
-    const Text eps = add_required(*command, "--eps", "the small parameter, > 0");
-    const Text times = add_required(*command, "--t", "times, separated by commas");
+    const Text scene = add_required(*command, "SCENE", "", scene_help);
+    const Text eps = add_required(*command, "--eps", "NUMBER", "the small parameter, > 0");
+    const Text times = add_required(*command, "--t", "T1,T2,...", "times, separated by commas");
     const FormatOption format(*command, {"csv", "json"});
     command->callback([&action, scene, eps, times, format] {
         action = [scene, eps, times, format] { return run_evaluate(*scene, *eps, *times, format.value()); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform generate SCENE [-o FILE]: the C++ header of a scene, and what pruning saved.
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/cpp.hpp"
 
@@ -33,6 +34,7 @@ int run_generate(const Request& request) {
     const SceneLine line = solve_scene(request.scene, find_home());
     const Program program = build_program(line.solution, line.scene);
     const std::string header = emit_cpp(program, {request.inline_runtime});
+    require_other_file(request.output, {line.scene.file, line.scene.system->file});
     if (!request.output.empty()) write_file(request.output, header);
     if (request.format == "json") {
         Json document{{"schema", "resonform.generation/1"},
@@ -46,14 +48,14 @@ int run_generate(const Request& request) {
             document["header"] = header;
         else
             document["file"] = request.output;
-        fmt::print("{}\n", document.dump(2));
+        put("{}\n", document.dump(2));
         return done;
     }
-    if (request.output.empty()) fmt::print("{}", header);
-    fmt::print(stderr, "{}/{}: order {}, truncation {} ({})\n", program.system, program.scene, program.order,
-               program.truncation, line.count.reason);
-    fmt::print(stderr, "operations per call before pruning: {}\n", to_text(program.before));
-    fmt::print(stderr, "operations per call after pruning:  {}\n", to_text(program.after));
+    if (request.output.empty()) put("{}", header);
+    say(fmt::format("{}/{}: order {}, truncation {} ({})", program.system, program.scene, program.order,
+                    program.truncation, line.count.reason));
+    say(fmt::format("operations per call before pruning: {}", to_text(program.before)));
+    say(fmt::format("operations per call after pruning:  {}", to_text(program.after)));
     return done;
 }
 
@@ -61,9 +63,9 @@ int run_generate(const Request& request) {
 
 void add_generate(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("generate", "the C++ header that evaluates a scene");
-    const Text scene = add_required(*command, "SCENE", "the scene file");
+    const Text scene = add_required(*command, "SCENE", "", scene_help);
     const Text output =
-        add_text(*command, "-o,--output", "write the header here instead of to standard output");
+        add_output(*command, "-o,--output", "FILE", "write the header here instead of to standard output");
     const auto inline_runtime = std::make_shared<bool>(false);
     command->add_flag("--inline-runtime", *inline_runtime,
                       "copy the runtime into the header: it includes nothing of ours");

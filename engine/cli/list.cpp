@@ -3,6 +3,7 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/locations.hpp"
+#include "cli/output.hpp"
 #include "model/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -14,31 +15,63 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json describe(const SystemFiles& files, const Home& home) {
-    const System system = read_system(files.system);
+// What there is, and whether all of it could be read.
+struct Listing {
+    Json systems = Json::array();
+    bool complete = true;
+
+    // One broken file hides none of the others.
+    void complain(const Error& error) {
+        say(fmt::format("resonform: {}", error.what()));
+        complete = false;
+    }
+};
+
+Json list_scenes(const SystemFiles& files, const Home& home, Listing& listing) {
     Json scenes = Json::array();
     for (const auto& file : files.scenes) {
-        const Scene scene = read_scene(file, home.systems());
-        scenes.push_back({{"name", scene.name}, {"title", scene.title}, {"file", file.string()}});
+        try {
+            const Scene scene = read_scene(file, home.systems());
+            scenes.push_back({{"name", scene.name}, {"title", scene.title}, {"file", file.string()}});
+        } catch (const Error& error) {
+            listing.complain(error);
+        }
     }
-    return {
-        {"name", system.name}, {"title", system.title}, {"file", files.system.string()}, {"scenes", scenes}};
+    return scenes;
+}
+
+Listing list_all(const Home& home) {
+    Listing listing;
+    for (const SystemFiles& files : list_systems(home)) {
+        try {
+            const System system = read_system(files.system);
+            require_name_of_folder(system);
+            listing.systems.push_back({{"name", system.name},
+                                       {"title", system.title},
+                                       {"file", files.system.string()},
+                                       {"scenes", list_scenes(files, home, listing)}});
+        } catch (const Error& error) {
+            listing.complain(error);
+        }
+    }
+    return listing;
+}
+
+void print_text(const Json& systems) {
+    for (const Json& system : systems) {
+        put("{:<32}{}\n", system["name"].get<std::string>(), system["title"].get<std::string>());
+        for (const Json& scene : system["scenes"])
+            put("  {:<30}{}\n", scene["name"].get<std::string>(), scene["title"].get<std::string>());
+    }
 }
 
 int list(const std::string& format) {
-    const Home home = find_home();
-    Json systems = Json::array();
-    for (const SystemFiles& files : list_systems(home)) systems.push_back(describe(files, home));
-    if (format == "json") {
-        fmt::print("{}\n", Json{{"schema", "resonform.list/1"}, {"systems", systems}}.dump(2));
-        return done;
-    }
-    for (const Json& system : systems) {
-        fmt::print("{:<32}{}\n", system["name"].get<std::string>(), system["title"].get<std::string>());
-        for (const Json& scene : system["scenes"])
-            fmt::print("  {:<30}{}\n", scene["name"].get<std::string>(), scene["title"].get<std::string>());
-    }
-    return done;
+    const Listing listing = list_all(find_home());
+    if (format == "json")
+        put("{}\n", Json{{"schema", "resonform.list/1"}, {"systems", listing.systems}}.dump(2));
+    else
+        print_text(listing.systems);
+    return listing.complete ? done : bad_input_code;
 }
 
 } // namespace

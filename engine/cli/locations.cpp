@@ -2,11 +2,14 @@
 #include "cli/locations.hpp"
 
 #include "algebra/error.hpp"
+#include "cli/output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -23,23 +26,41 @@ namespace {
                "make the folder, or give another path", place});
 }
 
+[[noreturn]] void cannot_read(const fs::path& folder, const std::string& reason) {
+    Place place;
+    place.file = folder.string();
+    bad_input({"the folder must be readable", reason, "check the folder and its permissions", place});
+}
+
+// A folder that is not there has no entries.
 std::vector<fs::path> sorted_entries(const fs::path& folder) {
     std::error_code error;
     std::vector<fs::path> entries;
-    for (const auto& entry : fs::directory_iterator(folder, error)) entries.push_back(entry.path());
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        entries.push_back(entry->path());
+    if (error && error != std::errc::no_such_file_or_directory) cannot_read(folder, error.message());
     std::sort(entries.begin(), entries.end());
     return entries;
 }
 
-} // namespace
+// Holds back the signals that would end the program between two steps that belong together.
+class Uninterrupted {
+public:
+    Uninterrupted() {
+        sigset_t held;
+        sigemptyset(&held);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+        pthread_sigmask(SIG_BLOCK, &held, &before_);
+    }
+    ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    Uninterrupted(const Uninterrupted&) = delete;
+    Uninterrupted& operator=(const Uninterrupted&) = delete;
 
-Home find_home() {
-    std::error_code error;
-    if (fs::is_directory("systems", error)) return {"."};
-    return {fs::path(RESONFORM_SOURCE_DIR)};
-}
+private:
+    sigset_t before_{};
+};
 
-std::vector<SystemFiles> list_systems(const Home& home) {
+std::vector<SystemFiles> systems_of(const Home& home) {
     std::vector<SystemFiles> systems;
     for (const fs::path& folder : sorted_entries(home.systems())) {
         if (!fs::exists(folder / "system.toml")) continue;
@@ -51,6 +72,68 @@ std::vector<SystemFiles> list_systems(const Home& home) {
     return systems;
 }
 
+// The scenes that a wrong path may mean: those of its name, else those whose name is nearest.
+std::vector<std::string> scenes_like(const std::string& argument, const Home& home) {
+    std::vector<std::string> paths, names;
+    for (const SystemFiles& files : systems_of(home))
+        for (const fs::path& scene : files.scenes) {
+            paths.push_back(scene.string());
+            names.push_back(scene.stem().string());
+        }
+    const std::string near_path = nearest(argument, paths);
+    if (!near_path.empty()) return {near_path};
+    const std::string near_name = nearest(fs::path(argument).stem().string(), names);
+    std::vector<std::string> found;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (!near_name.empty() && names[i] == near_name) found.push_back(paths[i]);
+    return found;
+}
+
+} // namespace
+
+Home find_home() {
+    std::error_code ignored;
+    const fs::path source_tree = RESONFORM_SOURCE_DIR;
+    if (fs::is_directory("systems", ignored) || !fs::is_directory(source_tree / "systems", ignored))
+        return {};
+    say(fmt::format("resonform: there is no systems/ here; the one used is {}",
+                    (source_tree / "systems").string()));
+    return {source_tree, true};
+}
+
+std::vector<SystemFiles> list_systems(const Home& home) {
+    std::vector<SystemFiles> systems = systems_of(home);
+    if (systems.empty()) {
+        Place place;
+        place.file = home.systems().string();
+        bad_input({"there must be a system: a folder with system.toml", "none",
+                   "add one, or go to a folder whose systems/ has one", place});
+    }
+    return systems;
+}
+
+void require_name_of_folder(const System& system) {
+    const std::string folder = fs::absolute(system.file).parent_path().filename().string();
+    if (folder == system.name) return;
+    Place place;
+    place.file = system.file.string();
+    place.key = "system.name";
+    bad_input({fmt::format("a system in systems/ must have the name of its folder, '{}'", folder),
+               system.name,
+               fmt::format("write name = \"{}\", or rename the folder to {}", folder, system.name), place});
+}
+
+fs::path find_scene(const std::string& argument, const Home& home) {
+    std::error_code ignored;
+    if (fs::is_regular_file(argument, ignored)) return argument;
+    const auto like = scenes_like(argument, home);
+    bad_input({"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
+               excerpt(argument),
+               (like.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(like, " or "))) +
+                   "All scenes: resonform list",
+               {}});
+}
+
 std::string read_file(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream content;
@@ -59,6 +142,7 @@ std::string read_file(const fs::path& file) {
 }
 
 void write_file(const fs::path& file, const std::string& content) {
+    const Uninterrupted until_done;
     std::error_code error;
     const fs::path target = fs::weakly_canonical(file, error); // a link is followed, not replaced
     if (error) cannot_write(file, error.message());
@@ -78,6 +162,13 @@ void write_file(const fs::path& file, const std::string& content) {
         fs::remove(temporary, error);
         cannot_write(file, reason);
     }
+}
+
+void require_other_file(const fs::path& output, const std::vector<fs::path>& were_read) {
+    std::error_code ignored; // no such file yet: not the same
+    for (const fs::path& file : were_read)
+        if (fs::equivalent(output, file, ignored))
+            cannot_write(output, fmt::format("it is {}, which was read", file.string()));
 }
 
 void make_folder(const fs::path& folder) {

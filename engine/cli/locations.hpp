@@ -2,6 +2,8 @@
 // Where systems/, generated/ and the cache of verifications stand, and how files are written there.
 #pragma once
 
+#include "model/system_file.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,7 +11,8 @@
 namespace resonform {
 
 struct Home {
-    std::filesystem::path folder; // ".", the current one, if it has systems/; else the source tree
+    std::filesystem::path folder = "."; // the current one
+    bool of_source_tree = false;        // the current one has no systems/: to be read, not to be written
 
     [[nodiscard]] std::filesystem::path systems() const { return (folder / "systems").lexically_normal(); }
     [[nodiscard]] std::filesystem::path generated() const {
@@ -17,6 +20,7 @@ struct Home {
     }
     [[nodiscard]] std::filesystem::path cache() const { return (folder / "build/cache").lexically_normal(); }
 };
+// The current folder if it has systems/; else the source tree if that is still there, which is said.
 Home find_home();
 
 // systems/*/system.toml and systems/*/scenes/*.toml, sorted by name.
@@ -24,13 +28,26 @@ struct SystemFiles {
     std::filesystem::path system;
     std::vector<std::filesystem::path> scenes;
 };
+// Errors (bad_input): a folder cannot be read; there is no system.
 std::vector<SystemFiles> list_systems(const Home& home);
+
+// A system in systems/ has the name of its folder: generated/ is laid out by names, and two of one name
+// would overwrite each other. Errors (bad_input): it has not.
+void require_name_of_folder(const System& system);
+
+// SCENE of the command line, a path. Errors (bad_input): no file; scenes of a similar name are suggested.
+std::filesystem::path find_scene(const std::string& argument, const Home& home);
 
 std::string read_file(const std::filesystem::path& file);
 
 // Writes the whole file or nothing: a temporary file beside it is renamed. Folders are not made.
 // Errors (bad_input): the folder is absent or not writable, the target is no regular file.
+// An interruption (Ctrl-C) waits until it is done.
 void write_file(const std::filesystem::path& file, const std::string& content);
+
+// What was read is never overwritten, whatever the name by which it is called. Errors (bad_input).
+void require_other_file(const std::filesystem::path& output,
+                        const std::vector<std::filesystem::path>& were_read);
 
 // Makes a folder and its parents. Errors (bad_input): it cannot be made or written, a file is in its way.
 void make_folder(const std::filesystem::path& folder);

@@ -30,7 +30,7 @@ struct Expanded {
 Expanded expand_system(const std::filesystem::path& file);
 
 // Normal form and map through a weight with their certificate, which may fail to hold: `certify`
-// shows it, everybody else calls normalize_certified.
+// shows it, everybody else calls normalize_certified. What takes half a second or more is told on stderr.
 std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through);
 std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through);
 
@@ -40,6 +40,7 @@ struct SceneLine {
     TruncationCount count;
     Solution solution;
 };
-SceneLine solve_scene(const std::filesystem::path& file, const Home& home);
+// SCENE of the command line; errors: those of find_scene, and of every room on the way.
+SceneLine solve_scene(const std::string& argument, const Home& home);
 
 } // namespace resonform

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform regenerate [--check]: generated/<system>/<scene>.hpp of every scene, byte for byte.
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/cpp.hpp"
 
@@ -26,7 +27,7 @@ std::string compare(const fs::path& file, const std::string& header) {
     return read_file(file) == header ? "up to date" : "out of date";
 }
 
-Entry regenerate_scene(const fs::path& scene_file, const Home& home, bool check) {
+Entry regenerate_scene(const std::string& scene_file, const Home& home, bool check) {
     const SceneLine line = solve_scene(scene_file, home);
     const std::string header = emit_cpp(build_program(line.solution, line.scene));
     const fs::path file = home.generated() / line.scene.system->name / (line.scene.name + ".hpp");
@@ -53,11 +54,18 @@ std::vector<Entry> orphans(const Home& home, const std::set<fs::path>& known) {
 
 int run_regenerate(bool check, const std::string& format) {
     const Home home = find_home();
+    if (!check && home.of_source_tree)
+        bad_input({"regenerate must be run in a folder with systems/",
+                   fs::current_path().string(),
+                   "go to that folder; --check alone may be run anywhere",
+                   {}});
     std::vector<Entry> entries;
     std::set<fs::path> known;
-    for (const SystemFiles& files : list_systems(home))
+    const std::vector<SystemFiles> systems = list_systems(home);
+    for (const SystemFiles& files : systems) require_name_of_folder(read_system(files.system));
+    for (const SystemFiles& files : systems)
         for (const fs::path& scene : files.scenes) {
-            entries.push_back(regenerate_scene(scene, home, check));
+            entries.push_back(regenerate_scene(scene.string(), home, check));
             known.insert(entries.back().file);
         }
     for (Entry& orphan : orphans(home, known)) entries.push_back(std::move(orphan));
@@ -67,13 +75,11 @@ int run_regenerate(bool check, const std::string& format) {
     for (const Entry& entry : entries) {
         good = good && (entry.state == "up to date" || entry.state == "written");
         files.push_back({{"file", entry.file.string()}, {"state", entry.state}});
-        if (format == "text") fmt::print("{:<64}{}\n", entry.file.string(), entry.state);
+        if (format == "text") put("{:<64}{}\n", entry.file.string(), entry.state);
     }
     if (format == "json")
-        fmt::print("{}\n",
-                   Json{{"schema", "resonform.regeneration/1"}, {"good", good}, {"files", files}}.dump(2));
-    if (!good)
-        fmt::print(stderr, "resonform: run `resonform regenerate`, and delete headers without a scene\n");
+        put("{}\n", Json{{"schema", "resonform.regeneration/1"}, {"good", good}, {"files", files}}.dump(2));
+    if (!good) say("resonform: run `resonform regenerate`, and delete headers without a scene");
     return good ? done : check_failed;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform stability SCENE: the emitted evaluator against 50 digits over many decades of its inputs.
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "cli/progress.hpp"
 #include "verify/json.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ int run_stability(const std::string& scene, const std::string& format) {
     options.cache = home.cache();
     options.progress = show_progress;
     const Stability sweep = stability(line.scene, line.solution, options);
-    fmt::print("{}", format == "json" ? to_json(sweep).dump(2) + "\n" : to_text(sweep));
+    put("{}", format == "json" ? to_json(sweep).dump(2) + "\n" : to_text(sweep));
     return done;
 }
 
@@ -27,7 +27,7 @@ int run_stability(const std::string& scene, const std::string& format) {
 void add_stability(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("stability", "rounding of the emitted evaluator over many decades");
-    const Text scene = add_required(*command, "SCENE", "the scene file");
+    const Text scene = add_required(*command, "SCENE", "", scene_help);
     const FormatOption format(*command, {"text", "json"});
     command->callback([&action, scene, format] {
         action = [scene, format] { return run_stability(*scene, format.value()); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform verify SCENE [--report DIR]: the eps-ladder of every output, and a report to look at.
 #include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "cli/progress.hpp"
 #include "verify/json.hpp"
 #include "verify/report.hpp"
 
@@ -39,8 +39,8 @@ int run_verify(const std::string& scene, const std::string& folder, const std::s
     const auto& system = line.expanded.first_order;
     const auto options = with_progress<VerifyOptions>(home);
     const Verification verification = verify(system, line.scene, line.solution, options);
-    fmt::print("{}", format == "json" ? to_json(verification).dump(2) + "\n" : to_text(verification));
-    std::fflush(stdout); // the verdicts are there while the report is still being made
+    put("{}", format == "json" ? to_json(verification).dump(2) + "\n" : to_text(verification));
+    finish_results(); // the verdicts are there while the report is still being made
     if (!folder.empty())
         write_report(folder,
                      report::make_report(
@@ -56,9 +56,10 @@ int run_verify(const std::string& scene, const std::string& folder, const std::s
 void add_verify(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("verify", "the order of accuracy of a scene, against direct integration");
-    const Text scene = add_required(*command, "SCENE", "the scene file");
-    const Text folder = add_text(
-        *command, "--report", "write report.html and report.md here; adds run times and the stability sweep");
+    const Text scene = add_required(*command, "SCENE", "", scene_help);
+    const Text folder =
+        add_output(*command, "--report", "DIR",
+                   "write report.html and report.md here; adds run times and the stability sweep");
     const FormatOption format(*command, {"text", "json"});
     command->callback([&action, scene, folder, format] {
         action = [scene, folder, format] { return run_verify(*scene, *folder, format.value()); };

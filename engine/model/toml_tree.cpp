@@ -176,10 +176,10 @@ std::string read_text(const std::filesystem::path& file) {
     const Place place = whole_file(file);
     const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     if (!std::filesystem::exists(status)) {
-        bad_input({"the file exists", excerpt(file.string()), "check the path", place});
+        bad_input({"the file must exist", excerpt(file.string()), "check the path", place});
     }
     if (!std::filesystem::is_regular_file(status)) {
-        bad_input({"a regular file is given", excerpt(file.string()), "give the path of a file", place});
+        bad_input({"the path must be that of a regular file", excerpt(file.string()), "give the path of a file", place});
     }
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
     if (size > largest_file) {
@@ -190,7 +190,7 @@ std::string read_text(const std::filesystem::path& file) {
     std::ostringstream text;
     if (size > 0) text << stream.rdbuf();
     if (!stream || (size > 0 && !text)) {
-        bad_input({"the file can be read", excerpt(file.string()), "check its permissions", place});
+        bad_input({"the file must be readable", excerpt(file.string()), "check its permissions", place});
     }
     return text.str();
 }

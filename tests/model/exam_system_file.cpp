@@ -90,9 +90,9 @@ TEST(SystemFile, MissingFilesAndFolders) {
         }
         return "";
     };
-    EXPECT_EQ(rule("no/such/file.toml"), "the file exists");
-    EXPECT_EQ(rule(source_dir()), "a regular file is given");
-    EXPECT_EQ(rule("/dev/zero"), "a regular file is given");
+    EXPECT_EQ(rule("no/such/file.toml"), "the file must exist");
+    EXPECT_EQ(rule(source_dir()), "the path must be that of a regular file");
+    EXPECT_EQ(rule("/dev/zero"), "the path must be that of a regular file");
 }
 
 // A number, a comment and an escape do not shift the marked place.

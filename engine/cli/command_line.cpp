@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_line.hpp"
+
+#include "algebra/error.hpp"
+#include "model/nearest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sstream>
+
+namespace resonform {
+
+namespace {
+
+// The subcommand that was chosen, else the app itself.
+const CLI::App& chosen_in(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    return chosen.empty() ? app : *chosen.front();
+}
+
+std::string full_name(const CLI::App& app, const CLI::App& chosen) {
+    return &app == &chosen ? app.get_name() : app.get_name() + " " + chosen.get_name();
+}
+
+std::string see_help(const CLI::App& app) {
+    return fmt::format("see {} --help", full_name(app, chosen_in(app)));
+}
+
+// CLI11 leaves an unknown word in `remaining`: say which it was and what is nearest.
+[[noreturn]] void unexpected_word(const CLI::App& app) {
+    const CLI::App& chosen = chosen_in(app);
+    const auto remaining = app.remaining(true);
+    const std::string word = remaining.empty() ? "" : remaining.front();
+    std::vector<std::string> known;
+    std::string rule;
+    if (&chosen == &app) {
+        for (const CLI::App* command : app.get_subcommands(nullptr)) known.push_back(command->get_name());
+        rule = fmt::format("the command must be one of {}", fmt::join(known, ", "));
+    } else {
+        for (const CLI::Option* option : chosen.get_options())
+            if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+        rule = fmt::format("{} takes no such argument", chosen.get_name());
+    }
+    const std::string near = nearest(word, known);
+    bad_input({rule, word, near.empty() ? see_help(app) : fmt::format("did you mean {}?", near), {}});
+}
+
+[[noreturn]] void missing_argument(const CLI::App& app) {
+    const CLI::App& chosen = chosen_in(app);
+    for (const CLI::Option* option : chosen.get_options())
+        if (option->get_required() && option->count() == 0)
+            bad_input({fmt::format("{} needs {}: {}", chosen.get_name(), option->get_name(),
+                                   option->get_description()),
+                       "",
+                       see_help(app),
+                       {}});
+    bad_input({"a command must be given", "", see_help(app), {}});
+}
+
+[[noreturn]] void wrong_count(const CLI::App& app, const std::string& explanation) {
+    for (const CLI::Option* option : chosen_in(app).get_options())
+        if (option->count() > 1)
+            bad_input({fmt::format("{} must be given at most once", option->get_name()),
+                       fmt::format("{}", fmt::join(option->results(), ", ")),
+                       "leave out all but one",
+                       {}});
+    // "--order: 1 required INT missing"
+    bad_input({fmt::format("{} must be followed by its value", explanation.substr(0, explanation.find(':'))),
+               "",
+               see_help(app),
+               {}});
+}
+
+} // namespace
+
+std::string read_command_line(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+        return "";
+    } catch (const CLI::Success& asked) { // --help, --version
+        std::ostringstream text;
+        app.exit(asked, text, text);
+        return text.str();
+    } catch (const CLI::ExtrasError&) {
+        unexpected_word(app);
+    } catch (const CLI::RequiredError&) {
+        missing_argument(app);
+    } catch (const CLI::ArgumentMismatch& mismatch) {
+        wrong_count(app, mismatch.what());
+    } catch (const CLI::ParseError&) {
+        bad_input({"the arguments must be those of the help",
+                   fmt::format("{}", fmt::join(argv + 1, argv + argc, " ")),
+                   see_help(app),
+                   {}});
+    }
+}
+
+} // namespace resonform

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// argv read by CLI11, its complaints said in our words.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace resonform {
+
+// Runs the callback of the chosen subcommand. Returns what --help or --version prints, else "".
+// Errors (bad_input): an unknown word, an option without its value or given twice, a missing argument.
+std::string read_command_line(CLI::App& app, int argc, char** argv);
+
+} // namespace resonform
