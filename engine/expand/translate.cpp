@@ -25,7 +25,7 @@ Node Translator::translate(const ex& e, const Place& place) {
     if (is_a<GiNaC::add>(e)) {
         std::vector<std::pair<Rational, Node>> addends;
         for (const ex& term : e) addends.emplace_back(1, (*this)(term, place));
-        return program_.sum(std::move(addends));
+        return program_.sum(addends);
     }
     if (is_a<GiNaC::mul>(e)) return product(e, place);
     if (is_a<GiNaC::power>(e)) return power(e, place);

@@ -136,7 +136,7 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
             if (resonance.resonant(exponents, item.mode) != item.is_map) return nullptr;
             return item.is_map ? "is resonant" : "is not resonant";
         };
-        const std::string complaint = first_complaint(*normal_form.field->ring, item, wrong);
+        std::string complaint = first_complaint(*normal_form.field->ring, item, wrong);
         if (!complaint.empty()) return complaint;
     }
     return "";
