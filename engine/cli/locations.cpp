@@ -167,8 +167,12 @@ void write_file(const fs::path& file, const std::string& content) {
 void require_other_file(const fs::path& output, const std::vector<fs::path>& were_read) {
     std::error_code ignored; // no such file yet: not the same
     for (const fs::path& file : were_read)
-        if (fs::equivalent(output, file, ignored))
-            cannot_write(output, fmt::format("it is {}, which was read", file.string()));
+        if (fs::equivalent(output, file, ignored)) {
+            Place place;
+            place.file = output.string();
+            bad_input(
+                {"the output must not be a file that was read", file.string(), "give another path", place});
+        }
 }
 
 void make_folder(const fs::path& folder) {

@@ -32,14 +32,23 @@ bool says(const std::string& text, const std::vector<std::string>& parts) {
 #define EXPECT_SAYS(text, ...) EXPECT_TRUE(says(text, __VA_ARGS__)) << (text)
 
 TEST(BadInput, CommandLine) {
-    EXPECT_SAYS(complaint("resonform"), {"a command is needed", "resonform --help"});
+    EXPECT_SAYS(complaint("resonform"), {"a command must be given", "resonform --help"});
     EXPECT_SAYS(complaint("resonform derve x"), {"derve", "did you mean derive?"});
-    EXPECT_SAYS(complaint("resonform derive"), {"SYSTEM", "required"});
+    EXPECT_EQ(complaint("resonform derive"),
+              "resonform: derive needs SYSTEM: a folder with system.toml, that file, or a name in systems/\n"
+              "  mend:  see resonform derive --help\n");
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --ordr 3"),
                 {"--ordr", "did you mean --order?"});
-    EXPECT_SAYS(complaint("resonform derive a b"), {"b"});
-    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --order 3 --order 4"), {"--order"});
-    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --order"), {"--order"});
+    EXPECT_EQ(complaint("resonform derive a b"), "resonform: derive takes no such argument\n"
+                                                 "  found: b\n"
+                                                 "  mend:  see resonform derive --help\n");
+    EXPECT_EQ(complaint("resonform derive almost_holonomic_pendulum --order 3 --order 4"),
+              "resonform: --order must be given at most once\n"
+              "  found: 3, 4\n"
+              "  mend:  leave out all but one\n");
+    EXPECT_EQ(complaint("resonform derive almost_holonomic_pendulum --order"),
+              "resonform: --order must be followed by its value\n"
+              "  mend:  see resonform derive --help\n");
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --format txt"), {"txt", "text"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --stage normal"),
                 {"normal", "normal_form"});
@@ -71,8 +80,12 @@ TEST(BadInput, EpsAndTimes) {
 TEST(BadInput, MissingFiles) {
     EXPECT_SAYS(complaint("resonform derive no_such_system"), {"no_such_system"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulun"), {"almost_holonomic_pendulum"});
-    EXPECT_SAYS(complaint("resonform verify systems/no/scenes/such.toml"), {"systems/no/scenes/such.toml"});
-    EXPECT_SAYS(complaint("resonform verify systems"), {"systems"});
+    EXPECT_SAYS(complaint("resonform verify systems/no/scenes/such.toml"),
+                {"SCENE must be the path of a scene file", "systems/no/scenes/such.toml"});
+    EXPECT_SAYS(
+        complaint("resonform evaluate --eps 0.1 --t 1 xy_onli"),
+        {"did you mean systems/almost_holonomic_pendulum/scenes/xy_only.toml? All scenes: resonform list"});
+    EXPECT_SAYS(complaint("resonform verify systems"), {"SCENE must be the path of a scene file"});
     EXPECT_SAYS(complaint("resonform derive README.md"), {"README.md"});
 }
 
@@ -92,11 +105,35 @@ TEST(BadInput, OutputsThatCannotBeWritten) {
     EXPECT_EQ(std::distance(begin(entries), end(entries)), 1) << "a half-written file was left";
 }
 
-TEST(BadInput, ResultsThatCannotBePrinted) {
-    const Outcome outcome =
-        run("resonform derive almost_holonomic_pendulum > /dev/full", RESONFORM_SOURCE_DIR);
+TEST(BadInput, WhatWasReadIsNotOverwritten) {
+    const Scratch scratch;
+    scratch.copy_systems();
+    const auto folder = scratch.path() / "systems/almost_holonomic_pendulum";
+    std::filesystem::create_hard_link(folder / "system.toml", scratch.path() / "linked.hpp");
+    const std::string before = read(scratch.path() / scene), system = read(folder / "system.toml");
+    for (const std::string& output : {scene, std::string("linked.hpp")}) {
+        const Outcome outcome = run("resonform generate " + scene + " -o " + output, scratch.path());
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
+        EXPECT_SAYS(outcome.err, {output, "must not be a file that was read"});
+    }
+    EXPECT_EQ(read(scratch.path() / scene), before);
+    EXPECT_EQ(read(folder / "system.toml"), system);
+}
+
+TEST(BadInput, EmptyPaths) {
+    EXPECT_SAYS(complaint("resonform generate " + scene + " -o ''"), {"-o,--output", "must not be empty"});
+    EXPECT_SAYS(complaint("resonform verify " + scene + " --report ''"), {"--report", "must not be empty"});
+}
+
+TEST(BadInput, EvaluationNeedsEveryParameter) {
+    const Scratch scratch;
+    scratch.copy_systems();
+    ASSERT_EQ(run("sed -i '/^g *=/d' " + scene, scratch.path()).code, 0);
+    const Outcome outcome = run("resonform evaluate " + scene + " --eps 0.1 --t 1", scratch.path());
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_SAYS(outcome.err, {"standard output"});
+    EXPECT_EQ(outcome.err, "resonform: " + scene +
+                               ": fix: evaluation needs a value for every parameter that the outputs depend "
+                               "on\n  found: no value of g\n  mend:  add g = ... under [fix]\n");
 }
 
 } // namespace resonform::test

@@ -26,6 +26,7 @@ Json json_of(const std::string& command) { return Json::parse(output_of(command 
 } // namespace
 
 TEST(Commands, HelpAndVersion) {
+    EXPECT_NE(output_of("resonform derive --help").find("--order 1..99=3"), std::string::npos);
     EXPECT_NE(output_of("resonform --help").find("Exit codes: 0 done"), std::string::npos);
     EXPECT_EQ(output_of("resonform --version"), "resonform 0.1.0\n");
     for (const char* command : {"derive", "generate", "verify", "certify", "compare", "stability",
