@@ -179,7 +179,8 @@ std::string read_text(const std::filesystem::path& file) {
         bad_input({"the file must exist", excerpt(file.string()), "check the path", place});
     }
     if (!std::filesystem::is_regular_file(status)) {
-        bad_input({"the path must be that of a regular file", excerpt(file.string()), "give the path of a file", place});
+        bad_input({"the path must be that of a regular file", excerpt(file.string()),
+                   "give the path of a file", place});
     }
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
     if (size > largest_file) {
