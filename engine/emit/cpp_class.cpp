@@ -105,10 +105,10 @@ std::string CppFrame::construct() const {
         "    Status construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
         "                     const Real& end) {\n"
         "        if (!Interval::accepts(eps, end)) return Status::bad_argument;\n";
-    for (const ProgramInput& input : program_.parameters)
-        text += fmt::format("        if (!finite(parameters.{})) return Status::bad_argument;\n", input.name);
-    for (const ProgramInput& input : program_.start)
-        text += fmt::format("        if (!finite(start.{})) return Status::bad_argument;\n", input.name);
+    for (const std::string& name : plan_.parameters)
+        text += fmt::format("        if (!finite(parameters.{})) return Status::bad_argument;\n", name);
+    for (const std::string& name : plan_.start)
+        text += fmt::format("        if (!finite(start.{})) return Status::bad_argument;\n", name);
     text +=
         "        interval_ = Interval(eps, end);\n        compute_constants(eps, parameters, start, c_);\n";
     for (const StraightLine::Value condition : plan_.constant_conditions)

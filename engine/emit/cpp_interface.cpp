@@ -42,7 +42,8 @@ private:
 
 std::string CppInterface::parameters() {
     std::string text = "    // Parameters that are not fixed.\n    struct Parameters {\n";
-    for (const ProgramInput& input : program_.parameters) {
+    for (std::size_t k = 0; k < program_.parameters.size(); ++k) {
+        const ProgramInput& input = program_.parameters[k];
         std::string value = "resonform::math::not_a_number<Real>()"; // to be given
         if (input.default_value >= 0) {
             CppFunction function(plan_.code, "Real", "q");
@@ -50,15 +51,15 @@ std::string CppInterface::parameters() {
             function.compute({v}, true);
             value = function.text(v);
         }
-        text += fmt::format("        Real {} = {};\n", input.name, value);
+        text += fmt::format("        Real {} = {};\n", plan_.parameters[k], value);
     }
     return text + "    };\n\n";
 }
 
 std::string CppInterface::start() const {
     std::string text = "    // Start values and constants of the solution.\n    struct Start {\n";
-    for (const ProgramInput& input : program_.start)
-        text += fmt::format("        Real {}{{}}; // {}\n", input.name, input.meaning);
+    for (std::size_t k = 0; k < program_.start.size(); ++k)
+        text += fmt::format("        Real {}{{}}; // {}\n", plan_.start[k], program_.start[k].meaning);
     return text + "    };\n\n";
 }
 
@@ -88,8 +89,8 @@ std::string CppInterface::constructors() {
 
 void CppInterface::know_inputs(CppFunction& function) {
     function.know(plan_.code.lower(program_.eps), "eps");
-    for (const ProgramInput& input : program_.parameters)
-        function.know(plan_.code.lower(input.symbol), "parameters." + input.name);
+    for (std::size_t k = 0; k < program_.parameters.size(); ++k)
+        function.know(plan_.code.lower(program_.parameters[k].symbol), "parameters." + plan_.parameters[k]);
 }
 
 // The values of the scene.
@@ -103,7 +104,7 @@ std::string CppInterface::default_start() {
     for (const ProgramInput& input : program_.start) roots.push_back(plan_.code.lower(input.default_value));
     function.compute(roots, true);
     for (std::size_t k = 0; k < roots.size(); ++k)
-        frame.last.push_back(fmt::format("start.{} = {};", program_.start[k].name, function.text(roots[k])));
+        frame.last.push_back(fmt::format("start.{} = {};", plan_.start[k], function.text(roots[k])));
     frame.last.emplace_back("return start;");
     return function.print(frame) + "\n";
 }

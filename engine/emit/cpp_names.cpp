@@ -5,9 +5,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace resonform {
 
 namespace {
+
+bool is_letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
 
 const char* const words[] = {
     "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
@@ -20,11 +27,40 @@ const char* const words[] = {
     "static_assert", "static_cast", "struct", "switch", "template", "this", "thread_local", "throw", "true",
     "try", "typedef", "typeid", "typename", "union", "unsigned", "using", "virtual", "void", "volatile",
     "wchar_t", "while", "xor", "xor_eq",
-    // the frame of emitted code, and what macros of the C library may call themselves
-    "Real", "Number", "Wide", "Status", "Values", "State", "Start", "Parameters", "Constants", "Evaluator",
-    "c", "w", "t", "T", "a", "parameters", "start", "given_eps", "tables", "values", "status", "count",
-    "math", "std", "resonform", "sqrt", "sin", "cos", "log", "exp", "asinh", "atan2", "hypot", "pow", "NAN",
-    "INFINITY", "I", "EOF", "NULL", "errno", "assert", "unix", "linux"};
+    // the frame of emitted code
+    "Real", "Number", "Wide", "Status", "Values", "State", "Start", "Parameters", "Constants", "Arguments",
+    "Interval", "Evaluator", "c", "w", "t", "T", "a", "i", "parameters", "start", "given_eps", "tables",
+    "values", "status", "count", "prepared", "none", "generated", "resonform", "std", "math", "sqrt", "sin",
+    "cos", "log", "exp", "asinh", "atan2", "hypot", "pow", "floor", "root", "power", "finite", "not_a_number",
+    "magnitude", "epsilon", "digits", "pi",
+    // macros of compilers and of the C library
+    "linux", "unix", "i386", "sun", "mips", "sparc", "hpux", "arm", "near", "far", "min", "max", "small",
+    "major", "minor", "assert", "errno", "stdin", "stdout", "stderr", "alloca", "offsetof", "setjmp",
+    "issubnormal", "math_errhandling", "I", "EOF", "NULL", "NAN", "INFINITY", "MAXFLOAT", "BIG_ENDIAN",
+    "LITTLE_ENDIAN", "PDP_ENDIAN", "BYTE_ORDER", "EXIT_FAILURE", "EXIT_SUCCESS", "NFDBITS", "RAND_MAX",
+    "MB_CUR_MAX", "BUFSIZ", "DOMAIN", "SING", "OVERFLOW", "UNDERFLOW", "PLOSS", "TLOSS", "X_TLOSS"};
+
+// Families of macros: M_PI, FP_NAN, HUGE_VAL, SNANF, FD_SET, WNOHANG, be16toh, ...
+const char* const prefixes[] = {"M_",    "FP_",   "HUGE", "SNAN",  "FD_",   "MATH_",    "WIF",  "WEXIT",
+                                "WSTOP", "WTERM", "WNO",  "WCONT", "WUNT",  "be16",     "be32", "be64",
+                                "le16",  "le32",  "le64", "htobe", "htole", "RESONFORM"};
+
+bool is_macro_family(const std::string& name) {
+    return std::any_of(std::begin(prefixes), std::end(prefixes),
+                       [&](const char* prefix) { return name.rfind(prefix, 0) == 0; });
+}
+
+// Letters, digits and underscores; a hyphen is an underscore and any other byte _x and its two digits.
+std::string ascii(const std::string& name) {
+    std::string result;
+    for (const char c : name) {
+        if (c == '-' || c == '_' || is_letter_or_digit(c))
+            result += c == '-' ? '_' : c;
+        else
+            result += fmt::format("_x{:02x}_", static_cast<unsigned char>(c));
+    }
+    return result;
+}
 
 } // namespace
 
@@ -35,6 +71,7 @@ std::string CppNames::unique(const std::string& wish) {
     // names with two underscores, or with one before a capital, belong to the compiler
     for (std::size_t at = name.find("__"); at != std::string::npos; at = name.find("__")) name.erase(at, 1);
     if (name.front() == '_') name.insert(0, "q");
+    if (is_macro_family(name)) name.insert(0, "q_");
     while (!taken_.insert(name).second) name += name.back() == '_' ? "2" : "_";
     return name;
 }
@@ -44,6 +81,11 @@ std::string CppNames::numbered(const std::string& prefix) {
     do name = fmt::format("{}_{}", prefix, ++last_);
     while (!taken_.insert(name).second);
     return name;
+}
+
+std::string cpp_namespace(const std::string& system, const std::string& scene) {
+    return fmt::format("resonform::generated::{}::{}", CppNames().unique(ascii(system)),
+                       CppNames().unique(ascii(scene)));
 }
 
 } // namespace resonform

@@ -9,9 +9,10 @@ namespace resonform {
 
 class CppNames {
 public:
-    // Starts with the words of C++ and of the emitted frame taken.
+    // Starts with the words of C++, its macros and the words of the emitted frame taken.
     CppNames();
-    // wish as an identifier, with an underscore behind it if it is taken.
+    // wish as an identifier, with an underscore behind it if it is taken ("double" -> "double_"); never a
+    // macro or one that belongs to the compiler (two underscores, one before a capital).
     std::string unique(const std::string& wish);
     // The next of prefix_1, prefix_2, ...
     std::string numbered(const std::string& prefix);
@@ -20,5 +21,8 @@ private:
     std::set<std::string> taken_;
     int last_ = 0;
 };
+
+// resonform::generated::<system>::<scene>, where any name of a file is a legal name of a namespace.
+std::string cpp_namespace(const std::string& system, const std::string& scene);
 
 } // namespace resonform

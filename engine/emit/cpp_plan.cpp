@@ -12,9 +12,22 @@ namespace resonform {
 using Value = StraightLine::Value;
 
 CppPlan::CppPlan(const Program& p) : program(&p), code(p) {
+    name_inputs();
     assign_levels();
     lower_results();
     find_members();
+}
+
+void CppPlan::name_inputs() {
+    const auto unique = [](const std::vector<ProgramInput>& inputs) {
+        CppNames names;
+        std::vector<std::string> result;
+        result.reserve(inputs.size());
+        for (const ProgramInput& input : inputs) result.push_back(names.unique(input.name));
+        return result;
+    };
+    parameters = unique(program->parameters);
+    start = unique(program->start);
 }
 
 void CppPlan::assign_levels() {
@@ -49,11 +62,13 @@ void CppPlan::lower_results() {
     const auto results = [this](const std::vector<ProgramOutput>& list) {
         CppNames names;
         std::vector<CppResult> lowered;
+        lowered.reserve(list.size());
         for (const ProgramOutput& output : list)
             lowered.push_back({names.unique(output.name), code.lower(output.value)});
         return lowered;
     };
     CppNames names;
+    integrands.reserve(program->tables.size());
     for (const ProgramTable& table : program->tables) integrands.push_back(code.lower(table.integrand));
     for (const ProgramPhase& phase : program->phases) {
         phase_names.push_back(names.unique(phase.name));

@@ -26,6 +26,7 @@ struct CppPlan {
 
     const Program* program;
     StraightLine code;
+    std::vector<std::string> parameters, start; // members of Parameters and Start, as in the program
     std::vector<CppLevel> levels;
     std::vector<StraightLine::Value> integrands;                // of program.tables
     std::vector<StraightLine::Value> phase_starts, phase_rates; // of program.phases
@@ -40,6 +41,7 @@ struct CppPlan {
     [[nodiscard]] std::size_t tables_before(std::size_t level) const;
 
 private:
+    void name_inputs();
     void assign_levels();
     void lower_results();
     void find_members();

@@ -43,10 +43,12 @@ std::string CppStages::constants() {
     std::string text = "    // What is computed once.\n    template <class Number> struct Constants {\n";
     CppFunction function(plan_.code, "Number", "k");
     function.define(plan_.code.lower(program_.eps), "eps", "Number(given_eps)");
-    for (const ProgramInput& input : program_.parameters)
-        function.define(plan_.code.lower(input.symbol), input.name, "Number(parameters." + input.name + ")");
-    for (const ProgramInput& input : program_.start)
-        function.define(plan_.code.lower(input.symbol), input.name, "Number(start." + input.name + ")");
+    for (std::size_t k = 0; k < program_.parameters.size(); ++k)
+        function.define(plan_.code.lower(program_.parameters[k].symbol), program_.parameters[k].name,
+                        "Number(parameters." + plan_.parameters[k] + ")");
+    for (std::size_t k = 0; k < program_.start.size(); ++k)
+        function.define(plan_.code.lower(program_.start[k].symbol), program_.start[k].name,
+                        "Number(start." + plan_.start[k] + ")");
     std::vector<Value> roots;
     for (const auto& [value, name] : plan_.members) {
         text += fmt::format("        Number {}{{}};\n", name);
