@@ -46,7 +46,8 @@ public:
         return Status::ok;
     }
 
-    // low_precision: the rounding of theta exceeds 1/1000 of a radian; the numbers are set all the same.
+    // low_precision: theta may exceed 10^14 or be wrong by more than 10^-9 radians, as estimated from
+    // |theta| and the precision of its rate; the numbers are set all the same.
     // Precondition: build() answered ok.
     Status operator()(const Real& t, Real& cosine, Real& sine) const noexcept {
         using math::cos;
@@ -153,7 +154,8 @@ private:
             power = power * unit;
             largest = largest + math::magnitude(narrow(coefficient));
         }
-        result.precise = largest * resolution_ * Real(50000) < Real(1);
+        const Real radians = largest * narrow(turn_);
+        result.precise = radians <= Real(1e14) && radians * resolution_ <= Real(1e-9);
         using math::floor;
         result.coefficient[0] = result.coefficient[0] - Wide(floor(narrow(result.coefficient[0])));
         for (std::size_t j = 0; j < terms; ++j) result.low[j] = narrow(result.coefficient[j]);

@@ -9,7 +9,7 @@ enum class Status : unsigned char {
     outside_domain = 1,   // a root or logarithm of something that is not positive, a zero divisor
     outside_interval = 2, // t < 0 or eps t beyond the tabulated slow time
     bad_argument = 3,     // NaN or infinite t, eps <= 0, NaN parameter
-    low_precision = 4,    // the phase is so large that fewer than 3 digits of it are left
+    low_precision = 4,    // the phase exceeds 10^14 or is estimated to be off by more than 10^-9 radians
     overflow = 5,         // a result is not finite
 };
 

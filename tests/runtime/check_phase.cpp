@@ -50,10 +50,28 @@ TEST(Phase, LongDoubleToo) {
         EXPECT_LT(worst_error(eps), 1.2e-19) << static_cast<double>(eps);
 }
 
-TEST(Phase, SaysWhenItIsLost) {
-    const Phase<double> phase = phase_of(1e-30);
+// theta(1/eps) = 1 + 1/(2 eps): the digits of double-double would reach further, the promise does not.
+TEST(Phase, BeyondTenToThe14ItSaysSo) {
     double cosine = 0, sine = 0;
-    EXPECT_EQ(phase(0.9e30, cosine, sine), Status::low_precision);
+    EXPECT_EQ(phase_of(1e-14)(1e14, cosine, sine), Status::ok);
+    for (const double eps : {4e-15, 1e-15, 1e-20, 1e-25, 1e-30}) {
+        EXPECT_EQ(phase_of(eps)(1 / eps, cosine, sine), Status::low_precision) << eps;
+        EXPECT_NEAR(cosine * cosine + sine * sine, 1, 1e-6) << "the numbers are set";
+    }
+}
+
+// A rate known to double's precision only: theta is good to 10^-9 up to some 10^6 radians.
+TEST(Phase, OfARoundedRateLosesDigitsEarlier) {
+    const auto status = [](double eps) {
+        using Wide = Phase<double>::Wide;
+        Phase<double> phase;
+        const auto rate = [&](const Wide&) { return std::array<Wide, 1>{Wide(1) / Wide(eps)}; };
+        EXPECT_EQ(phase.build(rate, Wide(0), eps, 1.0, true), Status::ok);
+        double cosine = 0, sine = 0;
+        return phase(0.999 / eps, cosine, sine);
+    };
+    EXPECT_EQ(status(1e-6), Status::ok);
+    EXPECT_EQ(status(1e-7), Status::low_precision);
 }
 
 } // namespace resonform
