@@ -11,8 +11,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 namespace resonform {
 
@@ -53,18 +57,30 @@ std::string runtime_text() {
     return text;
 }
 
+// Runs a shell command; what it says on standard error, and its wait status. SIGINT ends both.
+std::pair<std::string, int> complaints_of(const std::string& command) {
+    FILE* pipe = popen((command + " 2>&1 >/dev/null").c_str(), "r"); // NOLINT(cert-env33-c): CXX is a command
+    if (pipe == nullptr) return {"", -1};
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        text.append(buffer.data(), n);
+    return {text, pclose(pipe)};
+}
+
+// The signal that ended a command of the shell, or 0.
+int signal_of(int status) {
+    if (WIFSIGNALED(status)) return WTERMSIG(status);
+    return WIFEXITED(status) && WEXITSTATUS(status) > 128 ? WEXITSTATUS(status) - 128 : 0;
+}
+
+// The compiler writes beside the object, and that file is renamed, so that nobody ever sees half a file.
 void compile(const fs::path& source, const fs::path& object) {
-    fs::path draft = object, log = object;
+    fs::path draft = object;
     draft += fmt::format(".{}.part", getpid());
-    log += fmt::format(".{}.log", getpid());
-    const std::string command =
-        fmt::format("{} {} -I{} {} -o {} 2> {}", compiler(), flags, quoted(engine_folder()), quoted(source),
-                    quoted(draft), quoted(log));
-    const int result =
-        std::system(command.c_str()); // NOLINT(cert-env33-c): CXX is a command line by convention
-    const std::string complaint = read_bytes(log).value_or("").substr(0, complaint_length);
+    const auto [complaint, result] = complaints_of(fmt::format(
+        "{} {} -I{} {} -o {}", compiler(), flags, quoted(engine_folder()), quoted(source), quoted(draft)));
     std::error_code failed;
-    fs::remove(log, failed);
     if (result == 0) {
         fs::rename(draft, object, failed);
         if (!failed) return;
@@ -75,7 +91,23 @@ void compile(const fs::path& source, const fs::path& object) {
                 compiler(),
                 "install g++ (Debian: apt install g++) or set CXX to a compiler",
                 {}});
-    refuse({"emitted code compiles", complaint, "check the compiler named by CXX, or report this text", {}});
+    if (const int signal = signal_of(result); signal != 0)
+        refuse({"the compiler of emitted code runs to its end",
+                fmt::format("{} was ended by signal {}", compiler(), signal),
+                "run the command again",
+                {}});
+    refuse({"emitted code compiles",
+            complaint.substr(0, complaint_length),
+            "check the compiler named by CXX, or report this text",
+            {}});
+}
+
+fs::path checksum_file(const fs::path& object) { return fs::path(object) += ".sum"; }
+
+// Loading a shared object that was cut or changed would be the end of the program.
+bool is_whole(const fs::path& object) {
+    const std::optional<std::string> bytes = read_bytes(object), sum = load_checked(checksum_file(object));
+    return bytes && sum && *sum == content_hash(*bytes);
 }
 
 template <class Real> constexpr char suffix = 'd';
@@ -97,12 +129,13 @@ EvaluatorLibrary::build(const Program& program, const fs::path& cache,
                    object = fs::absolute(cache) / (key + ".so");
     // libquadmath is not linked here: the engine has it loaded.
     const auto load = [&object] { return dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL); };
-    void* handle = load();
+    void* handle = is_whole(object) ? load() : nullptr;
     if (handle == nullptr) { // absent, or damaged
         if (progress)
             progress(fmt::format("compiling the emitted code of {}, order {}", program.scene, program.order));
         write_atomically(source, text);
         compile(source, object);
+        store_checked(checksum_file(object), content_hash(read_bytes(object).value_or("")));
         handle = load();
     }
     if (handle == nullptr) {
