@@ -18,7 +18,7 @@ namespace {
 
 // A default ladder that has not settled goes on with these, as long as a rung is affordable.
 constexpr std::array<int, 3> extensions{20'000, 50'000, 100'000}; // 1/eps
-constexpr double affordable_seconds = 15;
+constexpr double affordable_steps = 150'000;                      // seconds in double-double
 
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -37,13 +37,32 @@ std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Program& pro
     return outputs;
 }
 
-void add_rung(std::vector<OutputVerdict>& outputs, const Trial& trial, const Rational& eps) {
-    const TrialPoint at = trial.point(eps);
-    const Reference reference = trial.reference(at, trial.resolving_points(at));
-    const Deviation found = deviation(trial, at, reference);
+struct Rung {
+    TrialPoint at;
+    std::size_t steps; // of a run in double
+};
+
+Rung planned(const Trial& trial, const Rational& eps) {
+    TrialPoint at = trial.point(eps);
+    const std::size_t steps = trial.steps(at);
+    return {std::move(at), steps};
+}
+
+// All rungs before any is integrated at length, the smallest eps first: it refuses at once what would
+// take hours.
+std::vector<Rung> planned_ladder(const Trial& trial, const std::vector<Rational>& ladder) {
+    std::vector<Rung> rungs;
+    for (auto eps = ladder.rbegin(); eps != ladder.rend(); ++eps) rungs.push_back(planned(trial, *eps));
+    std::reverse(rungs.begin(), rungs.end());
+    return rungs;
+}
+
+void add_rung(std::vector<OutputVerdict>& outputs, const Trial& trial, const Rung& plan) {
+    const Reference reference = trial.reference(plan.at, Trial::resolving_points(plan.steps));
+    const Deviation found = deviation(trial, plan.at, reference);
     for (std::size_t k = 0; k < outputs.size(); ++k) {
         LadderRung rung;
-        rung.eps = eps;
+        rung.eps = plan.at.eps;
         rung.max_error = largest(found.error[k]);
         rung.rms_error = root_mean_square(found.error[k]);
         rung.digits = found.digits;
@@ -57,17 +76,17 @@ void judge_all(std::vector<OutputVerdict>& outputs) {
     for (OutputVerdict& output : outputs) judge(output);
 }
 
-void extend(std::vector<OutputVerdict>& outputs, const Trial& trial, double seconds_of_last) {
+void extend(std::vector<OutputVerdict>& outputs, const Trial& trial, std::size_t steps_of_last) {
     for (const int inverse : extensions) {
         if (std::all_of(outputs.begin(), outputs.end(), settled)) return;
         const Rational eps = Rational(1) / Rational(inverse);
         const double ratio = to_double(outputs.front().ladder.back().eps) / to_double(eps);
         if (ratio <= 1) continue;
-        if (seconds_of_last * ratio > affordable_seconds) return;
-        const auto begin = Clock::now();
-        add_rung(outputs, trial, eps);
+        if (static_cast<double>(steps_of_last) * ratio > affordable_steps) return;
+        const Rung rung = planned(trial, eps);
+        add_rung(outputs, trial, rung);
         judge_all(outputs);
-        seconds_of_last = since(begin);
+        steps_of_last = rung.steps;
     }
 }
 
@@ -115,22 +134,21 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     result.system = trial.program()->system;
     result.scene = scene.name;
     result.outputs = blank_verdicts(scene, *trial.program());
-    double seconds_of_last = 0;
-    for (const Rational& eps : scene.verify.eps) {
-        const auto rung = Clock::now();
-        add_rung(result.outputs, trial, eps);
+    std::size_t steps_of_last = 0;
+    for (const Rung& rung : planned_ladder(trial, scene.verify.eps)) {
+        add_rung(result.outputs, trial, rung);
         result.emitted_against_symbolic =
-            std::max(result.emitted_against_symbolic, emitted_against_symbolic(trial, trial.point(eps)));
-        seconds_of_last = since(rung);
+            std::max(result.emitted_against_symbolic, emitted_against_symbolic(trial, rung.at));
+        steps_of_last = rung.steps;
     }
     judge_all(result.outputs);
-    if (!scene.verify.eps_given) extend(result.outputs, trial, seconds_of_last);
+    if (!scene.verify.eps_given) extend(result.outputs, trial, steps_of_last);
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())
         for (OutputVerdict& output : result.outputs) {
             output.verdict = Verdict::undecided;
             output.reason = complaint;
         }
-    result.seconds = since(begin);
+    if (options.progress) options.progress(fmt::format("verified in {:.1f} s", since(begin)));
     return result;
 }
 

@@ -19,7 +19,6 @@ struct Verification {
     std::string system, scene;
     std::vector<OutputVerdict> outputs;
     double emitted_against_symbolic = 0;    // worst |emitted - interpreted| in ulp of the scale
-    double seconds = 0;                     // of the whole verification
     [[nodiscard]] bool as_expected() const; // every verdict equals the expected one
 };
 

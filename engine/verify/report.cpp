@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace resonform::report {
 
 namespace {
@@ -62,7 +64,7 @@ Table ladder_table(const OutputVerdict& output) {
                 {}};
     for (std::size_t i = 0; i < output.ladder.size(); ++i) {
         const LadderRung& rung = output.ladder[i];
-        const bool has_slope = i > 0 && i - 1 < output.local_slopes.size();
+        const bool has_slope = i > 0 && std::isfinite(output.local_slopes[i - 1]);
         table.rows.push_back({short_number(to_double(rung.eps)), short_number(rung.max_error),
                               short_number(rung.rms_error),
                               has_slope ? fmt::format("{:.3f}", output.local_slopes[i - 1]) : "",
@@ -79,7 +81,7 @@ Table verdict_table(const Verification& verification) {
     for (const OutputVerdict& o : verification.outputs)
         table.rows.push_back(
             {pretty(o.name), fmt::format("O(ε^{})", o.claimed_order), fmt::format("O(ε^{})", o.found_order),
-             fmt::format("{:.3f}", o.slope),
+             std::isfinite(o.slope) ? fmt::format("{:.3f}", o.slope) : "",
              fmt::format("{} … {}", short_number(o.slope_low_eps), short_number(o.slope_high_eps)),
              short_number(o.constant), to_string(o.verdict), to_string(o.expected)});
     return table;

@@ -13,7 +13,10 @@ namespace resonform {
 
 namespace {
 
-constexpr std::size_t max_steps = 20'000'000;
+// A run of so many steps (about a million periods) takes minutes in double-double. Whether it gets there
+// is estimated every pilot_steps; the estimate may be off by the factor `doubt` where motions slow down.
+constexpr std::size_t max_steps = 5'000'000, pilot_steps = 10'000;
+constexpr double doubt = 4;
 
 int best_order(double tolerance) {
     return std::clamp(static_cast<int>(std::ceil(1 - 0.5 * std::log(tolerance))), 6, 60);
@@ -78,6 +81,13 @@ private:
     double tolerance_;
 };
 
+// How many steps the whole way takes if the rest is like the way so far.
+bool is_too_far(std::size_t steps, double t, double end) {
+    if (steps >= max_steps) return true;
+    return steps % pilot_steps == 0 &&
+           static_cast<double>(steps) * (end / t) > doubt * static_cast<double>(max_steps);
+}
+
 template <class Real>
 void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, Integration<Real>& result) {
     Real t(0);
@@ -91,8 +101,13 @@ void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, Integrat
         // Steps end at numbers whose difference is exact, or the clock itself would drift.
         const double h = std::min(stepper.step(), 2 * to_double_value(Real(times.back() - t)) + 1);
         const Real end = t + Real(h);
-        if (!(end > t) || ++result.steps > max_steps) {
+        if (!(end > t)) {
             result.failure = fmt::format("the steps shrink to {:.1e} near t = {:.6g}", h, to_double_value(t));
+            return;
+        }
+        if (is_too_far(++result.steps, to_double_value(end), to_double_value(times.back()))) {
+            result.failure = fmt::format("{} steps lead to t = {:.3g} of {:.3g} only", result.steps,
+                                         to_double_value(end), to_double_value(times.back()));
             return;
         }
         for (; next < times.size() && times[next] <= end; ++next)

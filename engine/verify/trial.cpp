@@ -21,6 +21,7 @@ constexpr int check_order = 30;
 constexpr std::size_t check_points = 1000;
 constexpr double scout_tolerance = 1e-15; // steps of a double run: about six in a period
 constexpr std::size_t points_per_step = 8;
+constexpr double longest_interval = 1e200; // its square and more are still numbers
 constexpr std::size_t least_points = 2000, most_points = 200'000;
 
 std::vector<double> even_times(double interval, std::size_t points) {
@@ -75,6 +76,14 @@ bool unpack(const std::string& bytes, std::size_t outputs, std::size_t points, R
     return true;
 }
 
+[[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure) {
+    refuse({"direct integration reaches the end of the interval",
+            fmt::format("interval = {:g} at eps = {}{}{}", at.interval, to_string(at.eps),
+                        failure.empty() ? "" : ": ", failure),
+            fmt::format("shorten verify.interval or leave eps = {} out of the ladder", to_string(at.eps)),
+            {}});
+}
+
 } // namespace
 
 Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene, const Solution& solution,
@@ -117,10 +126,13 @@ TrialPoint Trial::point(const Rational& eps) const {
     const std::vector<Float128> given = evaluate_constants(start_tape_, at.parameters, at.eps_value);
     at.interval = to_double_value(given[0]);
     at.slow_time_end = at.eps_value * Float128(at.interval) * Float128(1 + 0x1p-40);
+    if (!(at.interval > 0 && at.interval <= longest_interval)) refuse_interval(at, "");
     at.start.assign(system_->states.size(), Float128(0));
 
     std::vector<Float128> state(program_->state.size());
-    const Status status = evaluator<Float128>(at).state(Float128(0), state.data());
+    TrialPoint beginning = at; // tables of the whole interval may be costly, and t = 0 needs none
+    beginning.slow_time_end = std::min(at.slow_time_end, at.eps_value);
+    const Status status = evaluator<Float128>(beginning).state(Float128(0), state.data());
     if (status != Status::ok)
         refuse({"the formula answers at t = 0",
                 to_string(status),
@@ -133,11 +145,16 @@ TrialPoint Trial::point(const Rational& eps) const {
     return at;
 }
 
-std::size_t Trial::resolving_points(const TrialPoint& at) const {
+std::size_t Trial::steps(const TrialPoint& at) const {
     const auto run =
         integrate_taylor<double>(tape_, convert_all<double>(at.parameters), to_double_value(at.eps_value),
                                  convert_all<double>(at.start), {at.interval}, scout_tolerance);
-    return std::clamp(points_per_step * run.steps + 1, least_points, most_points);
+    if (!run.failure.empty()) refuse_interval(at, run.failure);
+    return run.steps;
+}
+
+std::size_t Trial::resolving_points(std::size_t steps) {
+    return std::clamp(points_per_step * steps + 1, least_points, most_points);
 }
 
 std::string Trial::cache_key(const TrialPoint& at, std::size_t points) const {
@@ -172,11 +189,7 @@ Reference Trial::reference(const TrialPoint& at, std::size_t points) const {
     };
     auto coarse = std::async(std::launch::async, [&] { return run(check_tolerance, check_order, stride); });
     const Integration<DoubleDouble> fine = run(reference_tolerance, 0, 1), check = coarse.get();
-    if (!fine.failure.empty())
-        refuse({"direct integration reaches the end of the interval",
-                fine.failure,
-                fmt::format("shorten verify.interval or leave eps = {} out of the ladder", to_string(at.eps)),
-                {}});
+    if (!fine.failure.empty()) refuse_interval(at, fine.failure);
     for (const std::size_t s : output_states_) {
         double error = 0;
         for (std::size_t i = 0; i < points; i += stride)

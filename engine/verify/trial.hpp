@@ -41,11 +41,16 @@ public:
     [[nodiscard]] const std::vector<std::size_t>& output_states() const { return output_states_; }
 
     // The start is the formula itself at t = 0, all weights of the map kept; where the scene gives
-    // physical start values, it is those. Errors: refused, the evaluator answers no start.
+    // physical start values, it is those. Errors: refused, the evaluator answers no start, or no
+    // interval that can be integrated.
     [[nodiscard]] TrialPoint point(const Rational& eps) const;
 
-    // How many times resolve the fastest motion (40 or more in each period), at most 200,000.
-    [[nodiscard]] std::size_t resolving_points(const TrialPoint& at) const;
+    // How many steps a run in double takes, about six in each period of the fastest motion. Errors: refused,
+    // the solution leaves the domain or takes more steps than integrate_taylor does.
+    [[nodiscard]] std::size_t steps(const TrialPoint& at) const;
+
+    // How many times resolve what takes so many steps (40 or more in each period), at most 200,000.
+    static std::size_t resolving_points(std::size_t steps);
 
     // Cached. points >= 2, both ends included. Errors: refused, the solution leaves the domain.
     [[nodiscard]] Reference reference(const TrialPoint& at, std::size_t points) const;

@@ -88,6 +88,46 @@ TEST(Ladder, RefusesAParameterWithoutValue) {
     }
 }
 
+TEST(Ladder, RefusesIntervalsThatTakeHours) {
+    const auto refusal = [](const GiNaC::ex& interval) {
+        test::SceneLine line = test::pendulum("xy_only");
+        test::shorten_ladder(line.scene);
+        line.scene.verify.interval = interval;
+        try {
+            verified(line);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), Kind::refused);
+            return error.diagnostic();
+        }
+        return Diagnostic{};
+    };
+    for (const auto& [interval, value] : std::vector<std::pair<GiNaC::ex, std::string>>{
+             {GiNaC::pow(GiNaC::numeric(10), 300), "interval = 1e+300 at eps = 1/1000"},
+             {GiNaC::pow(GiNaC::numeric(10), 30),
+              "interval = 1e+30 at eps = 1/1000: 10000 steps lead to t = "},
+             {GiNaC::pow(GiNaC::numeric(10), 9),
+              "interval = 1e+09 at eps = 1/1000: 10000 steps lead to t = "}}) {
+        const Diagnostic found = refusal(interval);
+        EXPECT_EQ(found.rule, "direct integration reaches the end of the interval");
+        EXPECT_EQ(found.value.substr(0, value.size()), value);
+        EXPECT_EQ(found.mend, "shorten verify.interval or leave eps = 1/1000 out of the ladder");
+    }
+}
+
+TEST(Ladder, TextShowsNoSlopeOfNothing) {
+    Verification v{"system", "scene", {}, 0};
+    v.outputs.emplace_back();
+    v.outputs.front().name = "x";
+    for (const int inverse : {10, 20, 50}) {
+        LadderRung rung;
+        rung.eps = Rational(1) / Rational(inverse);
+        v.outputs.front().ladder.push_back(rung);
+    }
+    judge(v.outputs.front());
+    EXPECT_EQ(to_text(v).find("nan"), std::string::npos) << to_text(v);
+    EXPECT_EQ(to_json(v).dump().find("nan"), std::string::npos);
+}
+
 TEST(Ladder, JsonHasTheAgreedKeys) {
     test::SceneLine line = test::pendulum("xy_only");
     test::shorten_ladder(line.scene);
