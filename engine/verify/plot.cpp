@@ -118,9 +118,10 @@ std::string to_svg(const Plot& plot, const fs::path& scratch) {
     fs::remove(file, error);
     svg.erase(0, svg.find("<svg")); // the prolog has no place inside a page
     // Marks are shared by id: without a prefix the plots of one page would share each other's.
-    replace_all(svg, "id=\"gnuplot_canvas\"", "id=\"" + plot.name + "-canvas\"");
-    replace_all(svg, "id='gp", "id='" + plot.name + "-gp");
+    replace_all(svg, " id=\"", " id=\"" + plot.name + "-");
+    replace_all(svg, " id='", " id='" + plot.name + "-");
     replace_all(svg, "'#gp", "'#" + plot.name + "-gp");
+    replace_all(svg, "url(#", "url(#" + plot.name + "-");
     return svg;
 }
 
