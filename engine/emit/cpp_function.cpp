@@ -85,10 +85,10 @@ void CppFunction::compute(const std::vector<Value>& roots, bool through_constant
 void CppFunction::compute_one(Value v, int uses) {
     const StraightLine::Instruction& i = code_->at(v);
     const auto given = given_.find(v);
-    const Text text = given == given_.end() ? expression(v) : Text{given->second.second, atom};
+    const Text text = given == given_.end() ? expression(v) : Text{given->second.second, Level::atom};
     if (const auto target = targets_.find(v); target != targets_.end()) {
         statements_.push_back({target->second, text.text, false});
-        texts_[v] = {target->second, atom};
+        texts_[v] = {target->second, Level::atom};
         return;
     }
     const bool short_enough = text.text.size() <= longest_inline;
@@ -101,7 +101,7 @@ void CppFunction::compute_one(Value v, int uses) {
     std::string name = wish.empty() ? names_.numbered(prefix_) : names_.unique(wish);
     if (in_pieces_) name = "w." + name;
     statements_.push_back({name, text.text, !in_pieces_});
-    texts_[v] = {name, atom};
+    texts_[v] = {name, Level::atom};
 }
 
 std::string CppFunction::operand(Value v, Level least) const {
@@ -114,8 +114,8 @@ CppFunction::Text CppFunction::number(const Rational& value) const {
     const Integer numerator = cln::abs(cln::numerator(value)), denominator = cln::denominator(value);
     std::string text = integer_text(type_, numerator);
     if (negative) text = "-" + text;
-    if (denominator == 1) return {text, negative ? product : atom};
-    return {fmt::format("{} / {}", text, integer_text(type_, denominator)), product};
+    if (denominator == 1) return {text, negative ? Level::product : Level::atom};
+    return {fmt::format("{} / {}", text, integer_text(type_, denominator)), Level::product};
 }
 
 CppFunction::Text CppFunction::sum_of(const StraightLine::Instruction& i) const {
@@ -127,9 +127,9 @@ CppFunction::Text CppFunction::sum_of(const StraightLine::Instruction& i) const 
             text = minus ? "-" : "";
         else
             text += minus ? " - " : " + ";
-        text += operand(i.operands[k], product);
+        text += operand(i.operands[k], Level::product);
     }
-    return {text, sum};
+    return {text, Level::sum};
 }
 
 CppFunction::Text CppFunction::product_of(const StraightLine::Instruction& i) const {
@@ -139,23 +139,23 @@ CppFunction::Text CppFunction::product_of(const StraightLine::Instruction& i) co
         if (k == 0 && factor.op == StraightLine::Op::number && factor.number == -1)
             text = "-";
         else
-            text +=
-                (text.empty() || text == "-" ? "" : " * ") + operand(i.operands[k], k == 0 ? product : atom);
+            text += (text.empty() || text == "-" ? "" : " * ") +
+                    operand(i.operands[k], k == 0 ? Level::product : Level::atom);
     }
-    return {text, product};
+    return {text, Level::product};
 }
 
 CppFunction::Text CppFunction::function_of(const StraightLine::Instruction& i) const {
     std::vector<std::string> arguments;
     for (const Value v : i.operands) {
         const Text& argument = texts_.at(v);
-        arguments.push_back(argument.level == atom ? argument.text
-                                                   : fmt::format("{}({})", type_, argument.text));
+        arguments.push_back(argument.level == Level::atom ? argument.text
+                                                          : fmt::format("{}({})", type_, argument.text));
     }
     if (i.op == StraightLine::Op::root && i.index != 2)
-        return {fmt::format("resonform::math::root({}, {})", arguments.front(), i.index), atom};
+        return {fmt::format("resonform::math::root({}, {})", arguments.front(), i.index), Level::atom};
     const std::string name = i.op == StraightLine::Op::root ? "sqrt" : function_name(i.function);
-    return {fmt::format("{}({})", name, fmt::join(arguments, ", ")), atom};
+    return {fmt::format("{}({})", name, fmt::join(arguments, ", ")), Level::atom};
 }
 
 CppFunction::Text CppFunction::expression(Value v) const {
@@ -165,7 +165,7 @@ CppFunction::Text CppFunction::expression(Value v) const {
     case StraightLine::Op::add: return sum_of(i);
     case StraightLine::Op::multiply: return product_of(i);
     case StraightLine::Op::reciprocal:
-        return {fmt::format("{}(1) / {}", type_, operand(i.operands.front(), atom)), product};
+        return {fmt::format("{}(1) / {}", type_, operand(i.operands.front(), Level::atom)), Level::product};
     default: return function_of(i);
     }
 }

@@ -20,7 +20,7 @@ public:
         : code_(&code), type_(std::move(type)), prefix_(std::move(prefix)) {}
 
     // A value that need not be computed: `text` stands for it.
-    void know(StraightLine::Value v, const std::string& text) { texts_[v] = {text, atom}; }
+    void know(StraightLine::Value v, const std::string& text) { texts_[v] = {text, Level::atom}; }
     // A value computed by `expression`, as a statement of the name `wish`, if something uses it.
     void define(StraightLine::Value v, const std::string& wish, const std::string& expression) {
         given_[v] = {wish, expression};
@@ -44,10 +44,10 @@ public:
     [[nodiscard]] std::string print(const Frame& frame) const;
 
 private:
-    enum Level { sum, product, atom };
+    enum class Level { sum, product, atom };
     struct Text {
         std::string text;
-        Level level = atom;
+        Level level = Level::atom;
     };
     struct Statement {
         std::string target, expression;
