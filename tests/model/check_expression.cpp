@@ -85,8 +85,7 @@ private:
             a.binding < 4 || a.text.find('^') != std::string::npos || a.text.find("**") != std::string::npos
                 ? "(" + a.text + ")"
                 : a.text;
-        const Rational value =
-            n >= 0 ? (n == 0 ? Rational(1) : cln::expt_pos(a.value, n)) : 1 / cln::expt_pos(a.value, -n);
+        const Rational value = n == 0 ? Rational(1) : cln::expt(a.value, n);
         return {base + (pick(2) == 0 ? "^" : "**") + std::to_string(n), value, 4};
     }
 
