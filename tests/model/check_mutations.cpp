@@ -20,7 +20,7 @@ std::string damaged(std::string text, std::mt19937& random) {
         case 1: text.erase(at, length); break;
         case 2: text.insert(at, piece); break;
         case 3: text.insert(below(text.size()), piece); break;
-        default: text[at] = "0123456789+-*/^'\"=()[]{}.,# \n\\eE"[below(34)]; break;
+        default: text[at] = "0123456789+-*/^'\"=()[]{}.,# \n\\eE"[below(32)]; break;
         }
     }
     return text;
