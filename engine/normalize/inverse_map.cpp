@@ -49,7 +49,7 @@ private:
             product = program_.product(program_.constant(coefficient), product);
             addends.emplace_back(1, product);
         }
-        return program_.sum(std::move(addends));
+        return program_.sum(addends);
     }
 
     // By one factor after the other: all lower powers occur anyway, and equal nodes are shared.

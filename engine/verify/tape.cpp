@@ -88,7 +88,8 @@ template <class Real>
 std::vector<Real> evaluate_constants(const Tape& tape, const std::vector<Real>& parameters, Real eps) {
     BoundTape<Real> bound(tape, parameters, eps);
     std::vector<Real> values(tape.outputs().size(), Real(0));
-    bound.evaluate(nullptr, values.data());
+    const std::vector<Real> no_state(static_cast<std::size_t>(tape.state_count()), Real(0));
+    bound.evaluate(no_state.data(), values.data());
     return values;
 }
 
