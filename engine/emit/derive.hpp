@@ -27,6 +27,8 @@ std::string normal_form_maxima(const Normalization& normalization, int order);
 
 // (21) to (23). Schema resonform.solution/1.
 Page solution_page(const Solution& solution);
+// Puts T = eps*t in front if a formula of the page has T in it.
+void define_slow_time(Page& page, const Solution& solution);
 Json solution_json(const Solution& solution);
 
 } // namespace resonform

@@ -31,6 +31,13 @@ Polynomial polar_rate(const GradedField& field, const Polynomial& rate, bool pha
     return Polynomial::from_terms(std::move(terms));
 }
 
+// T = eps*t
+Formula slow_time_formula(const std::string& name) {
+    DisplaySum value = factor_sum(symbol_factor("eps"));
+    value.terms.front().factors.push_back(symbol_factor("t"));
+    return {side(symbol_sum(name)), side(std::move(value))};
+}
+
 class SolutionPage {
 public:
     explicit SolutionPage(const Solution& solution)
@@ -179,6 +186,19 @@ Page solution_page(const Solution& solution) {
     for (Section section : {parts.slow(), parts.amplitude_and_phase(), parts.drift(), parts.outputs()})
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));
     return page;
+}
+
+void define_slow_time(Page& page, const Solution& solution) {
+    const std::string name = slow_time_name(solution);
+    bool used = false;
+    for (const Section& section : page.sections)
+        for (const Formula& formula : section.formulas)
+            for (const DisplaySum& group : formula.right.groups) used = used || mentions(group, name);
+    if (!used) return;
+    if (page.sections.front().heading.empty())
+        page.sections.front().formulas.push_back(slow_time_formula(name));
+    else
+        page.sections.insert(page.sections.begin(), Section{"", {slow_time_formula(name)}});
 }
 
 } // namespace resonform

@@ -28,6 +28,7 @@ struct DisplayFactor {
         sum,      // (r^2 + xi^2): arguments[0]
         function, // name(arguments...)
         integral, // of arguments[0] by arguments[1] from arguments[2] to arguments[3]
+        power,    // arguments[0] ^ arguments[1], one base; its own exponent is 1
     };
     Kind kind = Kind::symbol;
     std::string name;
@@ -56,6 +57,8 @@ DisplayFactor function_factor(const std::string& name, DisplaySum argument);
 DisplaySum factor_sum(DisplayFactor factor); // a sum of this one factor
 DisplaySum symbol_sum(const std::string& name);
 DisplaySum number_sum(const Rational& value);
+bool same_base(const DisplayFactor& a, const DisplayFactor& b); // equal but for the exponent
+bool same_but_coefficient(const DisplayTerm& a, const DisplayTerm& b);
 DisplaySum operator+(DisplaySum a, const DisplaySum& b);
 DisplaySum operator-(DisplaySum a);
 

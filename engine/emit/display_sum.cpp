@@ -11,12 +11,6 @@ namespace {
 
 bool same_sum(const DisplaySum& a, const DisplaySum& b);
 
-bool same_base(const DisplayFactor& a, const DisplayFactor& b) {
-    return a.kind == b.kind && a.name == b.name && a.primes == b.primes && a.number == b.number &&
-           std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
-                      same_sum);
-}
-
 bool same_factor(const DisplayFactor& a, const DisplayFactor& b) {
     return same_base(a, b) && a.exponent == b.exponent;
 }
@@ -28,8 +22,7 @@ bool same_factors(const std::vector<DisplayFactor>& a, const std::vector<Display
 bool same_sum(const DisplaySum& a, const DisplaySum& b) {
     return std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(),
                       [](const DisplayTerm& s, const DisplayTerm& t) {
-                          return s.coefficient == t.coefficient && s.imaginary == t.imaginary &&
-                                 same_factors(s.factors, t.factors) && same_factors(s.tail, t.tail);
+                          return s.coefficient == t.coefficient && same_but_coefficient(s, t);
                       });
 }
 
@@ -87,6 +80,16 @@ void take_coefficient(DisplaySum& sum, DisplayTerm& content) {
 }
 
 } // namespace
+
+bool same_base(const DisplayFactor& a, const DisplayFactor& b) {
+    return a.kind == b.kind && a.name == b.name && a.primes == b.primes && a.number == b.number &&
+           std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
+                      same_sum);
+}
+
+bool same_but_coefficient(const DisplayTerm& a, const DisplayTerm& b) {
+    return a.imaginary == b.imaginary && same_factors(a.factors, b.factors) && same_factors(a.tail, b.tail);
+}
 
 DisplayFactor symbol_factor(const std::string& name, const Rational& exponent) {
     DisplayFactor factor;

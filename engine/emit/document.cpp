@@ -40,6 +40,12 @@ std::string render(const Page& page, Format format) {
     return format == Format::latex ? page_latex(page) : page_text(page);
 }
 
+Page defined(const Solution& solution) {
+    Page page = solution_page(solution);
+    define_slow_time(page, solution);
+    return page;
+}
+
 } // namespace
 
 const char* to_string(Format format) {
@@ -105,7 +111,7 @@ std::string print_normal_form(const Normalization& normalization, int order, For
 std::string print_solution(const Solution& solution, Format format) {
     require_printable(Stage::solution, format);
     return format == Format::json ? json_document(solution_json(solution))
-                                  : render(solution_page(solution), format);
+                                  : render(defined(solution), format);
 }
 
 } // namespace resonform

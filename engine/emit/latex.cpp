@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/latex.hpp"
 
+#include "emit/display_powers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -93,6 +95,9 @@ std::string inner(const DisplayFactor& factor) {
     case Kind::sum: return latex(factor.arguments.front());
     case Kind::function: return function(factor);
     case Kind::integral: return integral(factor);
+    case Kind::power:
+        return latex(factor.arguments[0].terms.front().factors.front()) + "^{" + latex(factor.arguments[1]) +
+               "}";
     }
     return {};
 }
@@ -164,7 +169,8 @@ std::string unsigned_term(const DisplayTerm& term) {
 std::string latex(const DisplaySum& sum) {
     if (sum.terms.empty()) return "0";
     std::string text;
-    for (const DisplayTerm& term : sum.terms) {
+    for (const DisplayTerm& given : sum.terms) {
+        const DisplayTerm term = with_powers(given);
         const bool negative = cln::minusp(term.coefficient);
         if (text.empty())
             text = negative ? "-" : "";

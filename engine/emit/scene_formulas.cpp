@@ -36,6 +36,7 @@ std::vector<std::string> scene_formulas(const Solution& solution, const Scene& s
         section.heading.clear();
         page.sections.push_back(std::move(section));
     }
+    define_slow_time(page, solution);
     std::istringstream text(page_text(page));
     std::vector<std::string> lines;
     for (std::string line; std::getline(text, line);)

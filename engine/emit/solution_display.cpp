@@ -3,6 +3,7 @@
 
 #include "emit/drift_frame.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -79,6 +80,18 @@ Substitutes solution_substitutes(const Solution& solution) {
 std::string slow_time_name(const Solution& solution) {
     return solution.slow_time ? solution.ring->generator(*solution.slow_time).name
                               : free_name(solution.system(), "T");
+}
+
+bool mentions(const DisplaySum& sum, const std::string& name) {
+    const auto in_factor = [&](const DisplayFactor& factor) {
+        return (factor.kind == DisplayFactor::Kind::symbol && factor.name == name) ||
+               std::any_of(factor.arguments.begin(), factor.arguments.end(),
+                           [&](const DisplaySum& argument) { return mentions(argument, name); });
+    };
+    return std::any_of(sum.terms.begin(), sum.terms.end(), [&](const DisplayTerm& term) {
+        return std::any_of(term.factors.begin(), term.factors.end(), in_factor) ||
+               std::any_of(term.tail.begin(), term.tail.end(), in_factor);
+    });
 }
 
 std::string phase_name(const Solution& solution) { return free_name(solution.system(), "theta"); }

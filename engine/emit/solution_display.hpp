@@ -17,6 +17,9 @@ Substitutes solution_substitutes(const Solution& solution);
 // The name of T = eps*t.
 std::string slow_time_name(const Solution& solution);
 
+// Does a name occur anywhere in it?
+bool mentions(const DisplaySum& sum, const std::string& name);
+
 // The name of the phase in print: theta, or another when the system uses it.
 std::string phase_name(const Solution& solution);
 

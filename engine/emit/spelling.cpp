@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/spelling.hpp"
 
+#include "emit/display_powers.hpp"
+
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fmt/format.h>
 #include <iterator>
 #include <vector>
@@ -73,6 +76,13 @@ std::string rational(const Rational& value, const Spelling& spelling) {
                        to_string(Rational(cln::denominator(value))));
 }
 
+// a, or (-a/2)
+std::string symbolic_exponent(const DisplaySum& exponent, const Spelling& spelling) {
+    const std::string text = spell(exponent, spelling);
+    const bool name = std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c); });
+    return name ? text : "(" + text + ")";
+}
+
 // The base without parentheses around it.
 std::string inner(const DisplayFactor& factor, const Spelling& spelling) {
     switch (factor.kind) {
@@ -83,6 +93,9 @@ std::string inner(const DisplayFactor& factor, const Spelling& spelling) {
     case Kind::integral:
         return spelling.integral(spell(factor.arguments[0], spelling), spell(factor.arguments[1], spelling),
                                  spell(factor.arguments[2], spelling), spell(factor.arguments[3], spelling));
+    case Kind::power:
+        return spell(factor.arguments[0].terms.front().factors.front(), spelling) + spelling.power +
+               symbolic_exponent(factor.arguments[1], spelling);
     }
     return {};
 }
@@ -158,7 +171,8 @@ const Spelling& maxima_spelling() {
 std::string spell(const DisplaySum& sum, const Spelling& spelling) {
     if (sum.terms.empty()) return "0";
     std::string text;
-    for (const DisplayTerm& term : sum.terms) {
+    for (const DisplayTerm& given : sum.terms) {
+        const DisplayTerm term = with_powers(given);
         const bool negative = cln::minusp(term.coefficient);
         if (text.empty())
             text = negative ? "-" : "";

@@ -74,6 +74,45 @@ TEST_F(DisplayExam, CommonFactorsOfALogarithm) {
     EXPECT_EQ(latex(logarithm), "\\ln \\left(\\frac{\\xi + \\sqrt{r^{2} + \\xi^{2}}}{r}\\right)");
 }
 
+// exp(c*T)^n, exp(-a*log(tau)/2) and their products as a reader writes them.
+TEST_F(DisplayExam, ExponentialsAreMerged) {
+    const auto half = [](const char* name, int numerator) {
+        DisplaySum sum = symbol_sum(name);
+        sum.terms.front().coefficient = Rational(numerator) / 2;
+        return sum;
+    };
+    const auto product = [](std::vector<DisplayFactor> factors) {
+        DisplaySum sum = factor_sum(factors.front());
+        sum.terms.front().factors = std::move(factors);
+        return sum;
+    };
+    DisplayFactor cubed = function_factor("exp", half("T", 1));
+    cubed.exponent = 3;
+    EXPECT_EQ(spell(factor_sum(cubed), text_spelling()), "exp(3*T/2)");
+    EXPECT_EQ(latex(factor_sum(cubed)), "\\exp \\left(\\frac{3 T}{2}\\right)");
+    const DisplayFactor decaying = function_factor("exp", half("T", -2));
+    EXPECT_EQ(spell(product({cubed, symbol_factor("C"), decaying}), text_spelling()), "exp(T/2)*C");
+    EXPECT_EQ(spell(product({symbol_factor("C"), cubed, decaying, function_factor("exp", half("T", -1))}),
+                    text_spelling()),
+              "C");
+
+    DisplaySum exponent = half("a", -1);
+    exponent.terms.front().factors.push_back(function_factor("log", symbol_sum("tau")));
+    const DisplayFactor power = function_factor("exp", exponent);
+    EXPECT_EQ(spell(factor_sum(power), text_spelling()), "tau^(-a/2)");
+    EXPECT_EQ(spell(factor_sum(power), json_spelling()), "tau**(-a/2)");
+    EXPECT_EQ(latex(factor_sum(power)), "\\tau^{-\\frac{a}{2}}");
+    DisplayFactor squared = power;
+    squared.exponent = -2;
+    EXPECT_EQ(spell(factor_sum(squared), text_spelling()), "tau^a");
+
+    DisplaySum root = factor_sum(function_factor("log", symbol_sum("tau") + number_sum(1)));
+    root.terms.front().coefficient = Rational(-1) / 2;
+    EXPECT_EQ(spell(factor_sum(function_factor("exp", root)), text_spelling()), "1/sqrt(tau + 1)");
+    EXPECT_EQ(spell(factor_sum(function_factor("exp", root + symbol_sum("T"))), text_spelling()),
+              "exp(T)/sqrt(tau + 1)");
+}
+
 TEST_F(DisplayExam, MonomialsStandBehindTheirCoefficients) {
     const Polynomial p =
         s.ring->multiply(s.ring->imaginary(),
