@@ -14,8 +14,9 @@ namespace {
 int run_compare(const std::string& scene, const std::string& format) {
     const Home home = find_home();
     const SceneLine line = solve_scene(scene, home);
+    const CacheFolder cache(home);
     CompareOptions options;
-    options.cache = home.cache();
+    options.cache = cache.path();
     options.progress = show_progress;
     const Comparison comparison = compare(line.expanded.first_order, line.scene, line.solution, options);
     put("{}", format == "json" ? to_json(comparison).dump(2) + "\n" : to_text(comparison));

@@ -9,7 +9,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -24,6 +26,12 @@ namespace {
     place.file = file.string();
     bad_input({"the output must be a file in a folder that exists and can be written", reason,
                "make the folder, or give another path", place});
+}
+
+[[noreturn]] void cannot_write_into(const fs::path& folder, const std::string& reason) {
+    Place place;
+    place.file = folder.string();
+    bad_input({"the folder must be one that can be made and written", reason, "give another path", place});
 }
 
 [[noreturn]] void cannot_read(const fs::path& folder, const std::string& reason) {
@@ -178,8 +186,63 @@ void require_other_file(const fs::path& output, const std::vector<fs::path>& wer
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) cannot_write(folder, error.message());
-    if (access(folder.c_str(), W_OK | X_OK) != 0) cannot_write(folder, "the folder is not writable");
+    if (error) cannot_write_into(folder, error.message());
+}
+
+void require_writable_folder(const fs::path& folder) {
+    const Uninterrupted until_done;
+    std::error_code ignored;
+    std::vector<fs::path> made; // those that are missing, the deepest first
+    for (fs::path f = fs::absolute(folder).lexically_normal();
+         !fs::exists(f, ignored) && f.has_relative_path(); f = f.parent_path())
+        made.push_back(f);
+    const auto restore = [&] {
+        for (const fs::path& f : made) fs::remove(f, ignored); // nothing that is not empty
+    };
+    try {
+        make_folder(folder);
+        const fs::path probe = folder / fmt::format(".resonform.{}.tmp", getpid());
+        const bool written = static_cast<bool>(std::ofstream(probe) << "probe" << std::flush);
+        const int reason = errno;
+        fs::remove(probe, ignored);
+        if (!written) cannot_write_into(folder, std::generic_category().message(reason));
+    } catch (...) {
+        restore();
+        throw;
+    }
+    restore();
+}
+
+CacheFolder::CacheFolder(const Home& home) : path_(home.cache()) {
+    const char* chosen = std::getenv("RESONFORM_CACHE"); // NOLINT(concurrency-mt-unsafe): nobody sets it here
+    if (chosen != nullptr && *chosen != '\0') {
+        path_ = chosen;
+        try {
+            require_writable_folder(path_);
+        } catch (const Error& error) {
+            Diagnostic d = error.diagnostic();
+            d.rule = "the cache must be a folder that can be written";
+            d.mend = "set RESONFORM_CACHE to another folder, or unset it";
+            bad_input(d);
+        }
+        return;
+    }
+    try {
+        require_writable_folder(path_);
+    } catch (const Error& error) {
+        std::string folder = (fs::temp_directory_path() / "resonform-XXXXXX").string();
+        if (mkdtemp(folder.data()) == nullptr) throw;
+        say(fmt::format("resonform: nothing is kept for the next run, {} cannot be written ({}); "
+                        "RESONFORM_CACHE names another folder",
+                        path_.string(), error.diagnostic().value));
+        path_ = folder;
+        temporary_ = true;
+    }
+}
+
+CacheFolder::~CacheFolder() {
+    std::error_code ignored;
+    if (temporary_) fs::remove_all(path_, ignored);
 }
 
 } // namespace resonform

@@ -49,7 +49,28 @@ void write_file(const std::filesystem::path& file, const std::string& content);
 void require_other_file(const std::filesystem::path& output,
                         const std::vector<std::filesystem::path>& were_read);
 
-// Makes a folder and its parents. Errors (bad_input): it cannot be made or written, a file is in its way.
+// Makes a folder and its parents. Errors (bad_input): it cannot be made, a file is in its way.
 void make_folder(const std::filesystem::path& folder);
+
+// Tries, and leaves everything as it was: makes the folder if it is not there, and a file in it. For what
+// will be written after a long computation. Errors (bad_input): as make_folder; no file can be made.
+void require_writable_folder(const std::filesystem::path& folder);
+
+// Where integrations and compiled evaluators are kept: the folder of $RESONFORM_CACHE, else that of `home`.
+// If the latter cannot be written, a line on standard error says so, and a temporary folder serves for as
+// long as the object lives. Errors (bad_input): $RESONFORM_CACHE cannot be written.
+class CacheFolder {
+public:
+    explicit CacheFolder(const Home& home);
+    ~CacheFolder();
+    CacheFolder(const CacheFolder&) = delete;
+    CacheFolder& operator=(const CacheFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+    bool temporary_ = false;
+};
 
 } // namespace resonform

@@ -14,8 +14,9 @@ namespace {
 int run_stability(const std::string& scene, const std::string& format) {
     const Home home = find_home();
     const SceneLine line = solve_scene(scene, home);
+    const CacheFolder cache(home);
     StabilityOptions options;
-    options.cache = home.cache();
+    options.cache = cache.path();
     options.progress = show_progress;
     const Stability sweep = stability(line.scene, line.solution, options);
     put("{}", format == "json" ? to_json(sweep).dump(2) + "\n" : to_text(sweep));

@@ -14,6 +14,7 @@ namespace {
 
 // report.html; report.md with figures/*.svg.
 void write_report(const std::filesystem::path& folder, const report::Page& page) {
+    make_folder(folder);
     write_file(folder / "report.html", report::to_html(page));
     write_file(folder / "report.md", report::to_markdown(page));
     make_folder(folder / "figures");
@@ -25,19 +26,26 @@ void write_report(const std::filesystem::path& folder, const report::Page& page)
     show_progress(fmt::format("report: {}", (folder / "report.html").string()));
 }
 
-template <class Options> Options with_progress(const Home& home) {
+// Before hours of integration: what write_report will do can be done.
+void require_place_for_report(const std::filesystem::path& folder) {
+    require_writable_folder(folder);
+    require_writable_folder(folder / "figures");
+}
+
+template <class Options> Options with_progress(const CacheFolder& cache) {
     Options options;
-    options.cache = home.cache();
+    options.cache = cache.path();
     options.progress = show_progress;
     return options;
 }
 
 int run_verify(const std::string& scene, const std::string& folder, const std::string& format) {
     const Home home = find_home();
-    if (!folder.empty()) make_folder(folder);
+    if (!folder.empty()) require_place_for_report(folder);
     const SceneLine line = solve_scene(scene, home);
+    const CacheFolder cache(home);
     const auto& system = line.expanded.first_order;
-    const auto options = with_progress<VerifyOptions>(home);
+    const auto options = with_progress<VerifyOptions>(cache);
     const Verification verification = verify(system, line.scene, line.solution, options);
     put("{}", format == "json" ? to_json(verification).dump(2) + "\n" : to_text(verification));
     finish_results(); // the verdicts are there while the report is still being made
@@ -45,8 +53,8 @@ int run_verify(const std::string& scene, const std::string& folder, const std::s
         write_report(folder,
                      report::make_report(
                          {system, &line.scene, &line.solution, verification,
-                          compare(system, line.scene, line.solution, with_progress<CompareOptions>(home)),
-                          stability(line.scene, line.solution, with_progress<StabilityOptions>(home))},
+                          compare(system, line.scene, line.solution, with_progress<CompareOptions>(cache)),
+                          stability(line.scene, line.solution, with_progress<StabilityOptions>(cache))},
                          options));
     return verification.as_expected() ? done : check_failed;
 }

@@ -25,7 +25,7 @@ std::string header(std::string_view payload) {
 [[noreturn]] void not_writable(const std::filesystem::path& file) {
     bad_input({"the folder of cached results can be written",
                file.parent_path().string(),
-               "make it writable, free space, or choose another folder",
+               "make it writable, free space, or set RESONFORM_CACHE to another folder",
                {}});
 }
 
