@@ -1,5 +1,6 @@
 # Writes the source of emit/runtime_text.hpp: the headers of runtime/ as strings, in the order of their
-# includes (each header's own includes come before it).
+# includes (each header's own includes come before it). Each keeps its include guard, so that a file with
+# these texts and one that includes the headers go together in one program, in any order.
 function(add_runtime_text target)
     set(literals "")
     foreach(header status float128 math twice panels table interval phase)
@@ -7,7 +8,6 @@ function(add_runtime_text target)
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
         file(READ ${file} text)
         string(REGEX REPLACE "// SPDX[^\n]*\n" "" text "${text}")
-        string(REPLACE "#pragma once\n" "" text "${text}")
         string(REGEX REPLACE "#include \"runtime/[^\n]*\n" "" text "${text}")
         string(APPEND literals "        R\"resonform_text(${text})resonform_text\",\n")
     endforeach()

@@ -2,6 +2,7 @@
 #include "cli/arguments.hpp"
 
 #include "model/expression.hpp"
+#include "model/scene_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,6 +47,9 @@ double read_eps(const std::string& text) {
     const auto eps = read_double(text);
     if (!eps || !std::isfinite(*eps) || *eps <= 0)
         bad_argument("--eps", "eps must be a finite decimal number > 0", text, "give for example --eps 0.01");
+    if (*eps < smallest_eps || *eps > largest_eps)
+        bad_argument("--eps", std::string(eps_rule) + ", where the expansion in eps has a meaning", text,
+                     "give for example --eps 0.01");
     return *eps;
 }
 

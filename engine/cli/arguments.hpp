@@ -15,7 +15,7 @@ namespace resonform {
 
 // 1 ... 99.
 int read_order(const std::string& option, const std::string& text);
-// A finite decimal number > 0.
+// A finite decimal number within smallest_eps ... largest_eps.
 double read_eps(const std::string& text);
 // "0,1.5,2e3": decimal numbers, `nan` and `inf` included: those get a status, not a message.
 std::vector<double> read_times(const std::string& text);

@@ -104,7 +104,7 @@ int run_evaluate(const std::string& scene, const std::string& eps_text, const st
 void add_evaluate(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("evaluate", "the outputs of a scene at given times");
     const Text scene = add_required(*command, "SCENE", "", scene_help);
-    const Text eps = add_required(*command, "--eps", "NUMBER", "the small parameter, > 0");
+    const Text eps = add_required(*command, "--eps", "NUMBER", "the small parameter, 1e-12 ... 0.5");
     const Text times = add_required(*command, "--t", "T1,T2,...", "times, separated by commas");
     const FormatOption format(*command, {"csv", "json"});
     command->callback([&action, scene, eps, times, format] {

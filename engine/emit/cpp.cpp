@@ -46,14 +46,13 @@ std::string banner(const Program& program) {
 std::string runtime(const Program& program, bool inlined) {
     std::string text;
     if (!inlined) {
-        text = "#include \"runtime/interval.hpp\"\n";
+        text += "#include \"runtime/interval.hpp\"\n";
         if (!program.phases.empty()) text += "#include \"runtime/phase.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
         return text + "\n";
     }
-    text = "#ifndef RESONFORM_RUNTIME_INLINED\n#define RESONFORM_RUNTIME_INLINED\n";
-    for (const std::string_view part : runtime_texts()) text += part;
-    return text + "#endif\n\n";
+    for (const std::string_view part : runtime_texts()) text.append(part) += '\n';
+    return text;
 }
 
 // Includes, namespace and class.

@@ -93,11 +93,14 @@ std::string CppFrame::prepare() const {
     return text + "        return status;\n    }\n\n";
 }
 
-// "if (const Status built = <call>; built != Status::ok) return built;" on two lines
+// Builds a table as far as it goes; what goes nowhere is the answer of the construction.
 std::string built_or_return(const std::string& call) {
-    return fmt::format(
-        "        if (const Status built = {};\n            built != Status::ok)\n            return built;\n",
-        call);
+    return fmt::format(R"(        if (const Status built = interval_.shorten(
+                {}, reach);
+            built != Status::ok)
+            return built;
+)",
+                       call);
 }
 
 std::string CppFrame::construct() const {
@@ -114,10 +117,12 @@ std::string CppFrame::construct() const {
     for (const StraightLine::Value condition : plan_.constant_conditions)
         text += fmt::format("        if (!(c_.{} > Real(0))) return Status::outside_domain;\n",
                             plan_.members.at(condition));
+    if (!plan_.levels.empty() || !program_.phases.empty())
+        text += "        Real reach = end; // less where the domain ends before\n";
     for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
         const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);
         text += built_or_return(fmt::format(
-            "tables_{0}_.build([this](const Real& T) {{ return integrands_{0}(c_, T{1}); }}, end)", level,
+            "tables_{0}_.build([this](const Real& T) {{ return integrands_{0}(c_, T{1}); }}, reach)", level,
             tables));
     }
     if (!program_.phases.empty())
@@ -131,7 +136,7 @@ std::string CppFrame::construct() const {
         text += fmt::format(
             "        const auto {}_rates = [&](const Wide& T) {{ return std::array<Wide, 1>{{{}}}; }};\n",
             name, rate);
-        text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, end{2})", name,
+        text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, reach{2})", name,
                                             plan_.members.at(plan_.phase_starts[k]),
                                             plan_.phase_uses_tables[k] ? ", true" : ""));
     }

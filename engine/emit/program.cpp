@@ -125,6 +125,9 @@ void ProgramBuilder::define_slow_variables() {
         quadratures_.set_clock_rate(rate);
         program_.slow.push_back({variable.name, value});
         program_.names.push_back({variable.name, value});
+        // What must not vanish keeps the sign that it starts with.
+        if (variable.nonzero && !variable.positive)
+            program_.positive.push_back(graph.multiply({begin, value}));
         if (!variable.positive) continue;
         program_.positive.push_back(value);
         surroundings_.positive.insert({begin, value});
@@ -212,8 +215,8 @@ double ProgramBuilder::number_of(const GiNaC::ex& e) const {
 }
 
 void ProgramBuilder::declare_domain() {
-    for (const GiNaC::ex& condition : solution_.system().positive)
-        program_.positive.push_back(from_expression(program_.graph, condition, names_));
+    for (const Declaration& condition : solution_.system().positive)
+        program_.positive.push_back(from_expression(program_.graph, condition.value, names_));
     const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
     program_.interval_slow_time = number_of(slow_time);
     program_.slow_time_end = from_expression(program_.graph, slow_time, names_);

@@ -129,8 +129,8 @@ Sign Prover::by_declaration(const ex& e, int comparisons) const {
     if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e)) return Sign::unknown;
     const ex expanded = e.expand();
     if (expanded.nops() > largest_compared) return Sign::unknown;
-    for (const ex& declared : system_.positive) {
-        const ex d = declared.expand();
+    for (const Declaration& declared : system_.positive) {
+        const ex d = declared.value.expand();
         const ex rest = (expanded - d).expand();
         if (rest.is_zero()) return Sign::positive;
         const bool simpler = !GiNaC::is_a<GiNaC::add>(rest) || rest.nops() <= expanded.nops();
@@ -148,7 +148,7 @@ Sign Prover::by_declaration(const ex& e, int comparisons) const {
 
 bool Prover::declared_positive(const ex& e) const {
     return std::any_of(system_.positive.begin(), system_.positive.end(),
-                       [&](const ex& declared) { return e.is_equal(declared); });
+                       [&](const Declaration& declared) { return e.is_equal(declared.value); });
 }
 
 Sign Prover::sign(const ex& e, int comparisons) const {

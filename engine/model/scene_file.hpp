@@ -23,12 +23,17 @@ struct StartValue {
     SourceText source;
 };
 
+// Below the smallest, nothing is left in double of what eps does; above the largest, eps is not small.
+constexpr double smallest_eps = 1e-12, largest_eps = 0.5;
+constexpr const char* eps_rule = "eps lies in 1e-12 <= eps <= 0.5";
+
 struct VerifyPlan {
     GiNaC::ex interval; // in eps and parameters; default 1/eps^time_scale
     std::string interval_text = "1/eps";
-    std::vector<Rational> eps; // descending; default 0.2 0.1 0.05 0.02 0.01 ... 1e-4
-    bool eps_given = false;    // false: the judge may extend the ladder downwards
-    std::map<std::string, int> claim;
+    std::optional<SourceText> interval_source; // absent: by default
+    std::vector<Rational> eps;                 // descending; default 0.2 0.1 0.05 0.02 0.01 ... 1e-4
+    bool eps_given = false;                    // false: the judge may extend the ladder downwards
+    std::map<std::string, int> claim;          // those given
     std::map<std::string, Verdict> expect;
 };
 

@@ -2,6 +2,7 @@
 #include "model/scene_reader.hpp"
 
 #include "model/names.hpp"
+#include "model/start_domain.hpp"
 #include "model/start_reader.hpp"
 #include "model/toml_values.hpp"
 #include "model/verify_reader.hpp"
@@ -39,6 +40,7 @@ Scene SceneReader::read() {
     read_outputs();
     read_fix();
     scene_.start = read_start(root_.find("start"), scene_);
+    check_start_domain(scene_, root_.find("fix"));
     scene_.verify = read_verify(root_.find("verify"), scene_);
     return std::move(scene_);
 }

@@ -44,6 +44,12 @@ struct Notation { // [notation] name = "amplitude.psi" | "phase.psi" | "constant
     std::string variable;
 };
 
+struct Declaration { // [domain] positive = ["1 + tau"]
+    GiNaC::ex value;
+    std::string text;
+    SourceText source;
+};
+
 struct System {
     std::string name, title, source;
     std::filesystem::path file; // system.toml; its folder holds scenes/
@@ -51,7 +57,7 @@ struct System {
     std::vector<Variable> variables;
     std::vector<Equation> equations; // one per variable, in the order of variables
     std::vector<Notation> notation;
-    std::vector<GiNaC::ex> positive; // [domain] positive = ["1 + tau"]: declared positive
+    std::vector<Declaration> positive; // declared positive
     GiNaC::symbol eps{"eps"};
 
     // nullptr if there is none of that name.

@@ -258,7 +258,7 @@ void SystemReader::read_domain() {
         if (vanishes(value) == Zero::yes || provably_positive(-value, system_)) {
             bad_value(item, "an expression declared positive can be positive", "correct or remove it");
         }
-        system_.positive.push_back(value);
+        system_.positive.push_back({value, item.text, item.source});
     }
 }
 

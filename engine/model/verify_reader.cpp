@@ -26,9 +26,8 @@ std::vector<Rational> default_ladder() {
 
 Rational ladder_value(const TomlNode& node) {
     const Rational eps = number_of(node);
-    const Rational smallest = Rational(1) / cln::expt_pos(cln::cl_I(10), 12);
-    if (eps < smallest || eps > Rational(1) / 2) {
-        bad_value(node, "eps of a ladder lies in 1e-12 <= eps <= 0.5", "give a small positive number");
+    if (to_double(eps) < smallest_eps || to_double(eps) > largest_eps) {
+        bad_value(node, eps_rule, "give a small positive number");
     }
     return eps;
 }
@@ -59,6 +58,7 @@ void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
     }
     plan.interval = expression_of(*node, scene.system->constants());
     plan.interval_text = node->text;
+    plan.interval_source = node->source;
     const Estimate estimate = scene.estimate(plan.interval);
     if (estimate != Estimate::positive && estimate != Estimate::unknown) {
         bad_value(*node, "the interval of verification is positive and finite",
@@ -94,7 +94,6 @@ VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
     plan.eps_given = ladder != nullptr;
     plan.eps = ladder == nullptr ? default_ladder() : read_ladder(*ladder);
     for (const std::string& output : scene.outputs) {
-        plan.claim[output] = scene.order + 1;
         plan.expect[output] = Verdict::pass;
     }
     const auto each = [&](const char* key, auto&& read) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The elementary functions of __float128 (libquadmath), declared here because clang does not find
 // g++'s <quadmath.h>. A program that uses them links with -lquadmath; others need not.
-#pragma once
+#ifndef RESONFORM_RUNTIME_FLOAT128
+#define RESONFORM_RUNTIME_FLOAT128
 
 #include <cstddef> // defines __GLIBCXX__
 
@@ -39,4 +40,6 @@ inline Float128 hypot(Float128 x, Float128 y) noexcept { return hypotq(x, y); }
 inline Float128 floor(Float128 x) noexcept { return floorq(x); }
 
 } // namespace resonform::math
+#endif
+
 #endif

@@ -3,7 +3,8 @@
 // Boost.Multiprecision, Twice<...>. Generic code says
 //
 //   using math::sqrt;  sqrt(x)      overloads of std and __float128; others are found by their own namespace
-#pragma once
+#ifndef RESONFORM_RUNTIME_MATH
+#define RESONFORM_RUNTIME_MATH
 
 #include "runtime/float128.hpp"
 
@@ -72,3 +73,5 @@ template <class Real> Real root(const Real& x, int k) {
 }
 
 } // namespace resonform::math
+
+#endif

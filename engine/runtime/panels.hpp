@@ -7,7 +7,8 @@
 //
 // With n coefficients for n/5 digits a panel ends where the coefficients fall by about 1/32 each, so
 // that the powers (growth 1 + sqrt(2) each) lose nothing against the Chebyshev form.
-#pragma once
+#ifndef RESONFORM_RUNTIME_PANELS
+#define RESONFORM_RUNTIME_PANELS
 
 #include "runtime/math.hpp"
 #include "runtime/status.hpp"
@@ -40,6 +41,7 @@ Coefficients recentred(Coefficients c, const Number& centre, std::size_t used) {
 
 template <class Number, std::size_t Count> struct Panels {
     Status status = Status::ok;
+    Number end = Number(0);                   // of the last panel: what was asked for if the status is ok
     std::vector<Panel<Number, Count>> panels; // ascending, without gaps
 };
 
@@ -142,18 +144,25 @@ public:
         : integrand_(integrand), end_(end), tolerance_(tolerance) {}
 
     Panels<Number, Count> fit() {
-        if (Status status = sample(Number(0), end_); status != Status::ok) return {status, {}};
-        for (std::size_t k = 0; k < Count; ++k)
-            for (const Number& value : values_[k])
-                mean_[k] = mean_[k] + math::magnitude(value) / Number(static_cast<int>(Chebyshev<Number>::n));
+        find_mean();
         Number no_parent = Number(-1);
-        Status status = divide(Number(0), end_, no_parent, 0);
-        if (status != Status::ok) result_.panels.clear();
-        result_.status = status;
+        result_.status = divide(Number(0), end_, no_parent, 0);
         return std::move(result_);
     }
 
 private:
+    // Of the sizes at the nodes of the whole interval, where they are finite.
+    void find_mean() {
+        for (std::size_t j = 0; j < Chebyshev<Number>::n; ++j) {
+            const Number half = end_ / Number(2);
+            const std::array<Number, Count> value = integrand_(Number(half + half * chebyshev_.node(j)));
+            for (std::size_t k = 0; k < Count; ++k)
+                if (math::finite(value[k]))
+                    mean_[k] =
+                        mean_[k] + math::magnitude(value[k]) / Number(static_cast<int>(Chebyshev<Number>::n));
+        }
+    }
+
     // Values of the integrands at the nodes of [left, right].
     Status sample(const Number& left, const Number& right) {
         const Number middle = (left + right) / Number(2), half = (right - left) / Number(2);
@@ -191,18 +200,21 @@ private:
     }
 
     Status divide(const Number& left, const Number& right, const Number& parent, std::size_t depth) {
-        if (Status status = sample(left, right); status != Status::ok) return status;
-        std::array<typename Chebyshev<Number>::Values, Count> c;
-        for (std::size_t k = 0; k < Count; ++k) c[k] = chebyshev_.coefficients(values_[k]);
-        const Number rest = remainder(c);
-        if (converged(rest, parent)) {
-            append(left, right, c);
-            return Status::ok;
+        const Status sampled = sample(left, right);
+        Number rest = Number(-1); // nothing to compare the halves with
+        if (sampled == Status::ok) {
+            std::array<typename Chebyshev<Number>::Values, Count> c;
+            for (std::size_t k = 0; k < Count; ++k) c[k] = chebyshev_.coefficients(values_[k]);
+            rest = remainder(c);
+            if (converged(rest, parent)) {
+                append(left, right, c);
+                return Status::ok;
+            }
         }
         const Number middle = (left + right) / Number(2);
         const bool narrow = right - left < Number(1024) * math::epsilon<Number>() * right;
         if (narrow || depth == most_halvings || result_.panels.size() >= most_panels)
-            return Status::outside_domain;
+            return sampled == Status::ok ? Status::outside_domain : sampled;
         if (Status status = divide(left, middle, rest, depth + 1); status != Status::ok) return status;
         return divide(middle, right, rest, depth + 1);
     }
@@ -224,6 +236,7 @@ private:
             sums_[k].add(whole);
         }
         result_.panels.push_back(panel);
+        result_.end = right;
     }
 
     const Integrand& integrand_;
@@ -240,6 +253,7 @@ private:
 // precision unless the tolerance says otherwise.
 // Status: overflow, outside_domain: an integrand is infinite, or not a number; outside_domain too when
 // 2048 panels, or the spacing of numbers, do not resolve it (a singularity within or next to the interval).
+// The panels then end before that place.
 template <class Number, std::size_t Count, class Integrand>
 Panels<Number, Count> fit_panels(const Integrand& integrand, const Number& end,
                                  const FitTolerance<Number>& tolerance = {}) {
@@ -281,3 +295,5 @@ private:
 };
 
 } // namespace resonform
+
+#endif

@@ -2,7 +2,8 @@
 // cos theta and sin theta of theta(t) = theta_0 + int_0^{eps t} rate(T) dT, where rate is large (of
 // order 1/eps): the integral is tabulated in twice the precision of Real and reduced to one turn before
 // it is rounded, so that a phase of 10^14 costs no digits.
-#pragma once
+#ifndef RESONFORM_RUNTIME_PHASE
+#define RESONFORM_RUNTIME_PHASE
 
 #include "runtime/panels.hpp"
 #include "runtime/twice.hpp"
@@ -24,10 +25,10 @@ public:
     using Wide = typename PhaseNumber<Real>::type;
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
-    // Real only (it contains tables). Status as fit_panels.
+    // Real only (it contains tables). Status as fit_panels; if that is not ok, `end` is drawn back to where
+    // the rate is defined, 0 if nowhere.
     template <class Rate>
-    Status build(const Rate& rate, const Wide& start, const Real& eps, const Real& end,
-                 bool rounded = false) {
+    Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
         eps_ = eps;
         FitTolerance<Wide> tolerance;
         tolerance.absolute = Wide(math::epsilon<Real>() / end);
@@ -37,18 +38,19 @@ public:
             resolution_ = math::epsilon<Real>();
         }
         const Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end), tolerance);
-        if (fitted.status != Status::ok) return fitted.status;
+        end = narrow(fitted.end);
         rows_.clear();
+        if (fitted.panels.empty()) return fitted.status;
         std::vector<Real> lefts;
         for (const Panel<Wide, 1>& panel : fitted.panels) divide(panel, start, lefts);
         choose_lengths();
         index_ = PanelIndex<Real>(std::move(lefts), end);
-        return Status::ok;
+        return fitted.status;
     }
 
     // low_precision: theta may exceed 10^14 or be wrong by more than 10^-9 radians, as estimated from
     // |theta| and the precision of its rate; the numbers are set all the same.
-    // Precondition: build() answered ok.
+    // Precondition: build() left an end > 0.
     Status operator()(const Real& t, Real& cosine, Real& sine) const noexcept {
         using math::cos;
         using math::floor;
@@ -186,3 +188,5 @@ private:
 };
 
 } // namespace resonform
+
+#endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an evaluator answers beside its numbers.
-#pragma once
+#ifndef RESONFORM_RUNTIME_STATUS
+#define RESONFORM_RUNTIME_STATUS
 
 namespace resonform {
 
@@ -26,3 +27,5 @@ constexpr const char* to_string(Status s) {
 }
 
 } // namespace resonform
+
+#endif

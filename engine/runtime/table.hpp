@@ -2,7 +2,8 @@
 // Quadratures as functions of slow time, tabulated once: value_k(T) = int_0^T f_k(T') dT', 0 <= T <= end,
 // to a few ulp of the largest |value_k| in any real type, and of |value_k| itself near T = 0. All f_k share
 // panels and look-up.
-#pragma once
+#ifndef RESONFORM_RUNTIME_TABLE
+#define RESONFORM_RUNTIME_TABLE
 
 #include "runtime/panels.hpp"
 
@@ -10,8 +11,9 @@ namespace resonform {
 
 template <class Real, std::size_t Count> class PrimitiveTable {
 public:
-    // Tabulates integrand(T) -> std::array<Real, Count>. Status as fit_panels.
-    template <class Integrand> Status build(const Integrand& integrand, const Real& end) {
+    // Tabulates integrand(T) -> std::array<Real, Count>. Status as fit_panels; if that is not ok, `end` is
+    // drawn back to where the integrands are defined, 0 if nowhere.
+    template <class Integrand> Status build(const Integrand& integrand, Real& end) {
         Panels<Real, Count> fitted = fit_panels<Real, Count>(integrand, end);
         std::vector<Real> lefts;
         panels_.clear();
@@ -25,11 +27,12 @@ public:
                 for (std::size_t j = 0; j < terms; ++j) panels_.back().coefficient[j][k] = c[j];
             }
         }
-        if (fitted.status == Status::ok) index_ = PanelIndex<Real>(std::move(lefts), end);
+        end = fitted.end;
+        if (!lefts.empty()) index_ = PanelIndex<Real>(std::move(lefts), end);
         return fitted.status;
     }
 
-    // Precondition: build() answered ok.
+    // Precondition: build() left an end > 0.
     [[nodiscard]] std::array<Real, Count> operator()(const Real& T) const noexcept {
         const Row& row = panels_[index_.find(T)];
         const Real x = (T - row.middle) * row.per_half;
@@ -60,3 +63,5 @@ private:
 };
 
 } // namespace resonform
+
+#endif

@@ -4,7 +4,8 @@
 // binary types that round to nearest; not under -ffast-math.
 //
 // It serves where doubling is cheap and single precision is not enough: phases of many turns.
-#pragma once
+#ifndef RESONFORM_RUNTIME_TWICE
+#define RESONFORM_RUNTIME_TWICE
 
 #include "runtime/math.hpp"
 
@@ -171,3 +172,5 @@ template <class Real> Twice<Real> atan2(const Twice<Real>& y, const Twice<Real>&
 }
 
 } // namespace resonform
+
+#endif

@@ -62,6 +62,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         if (!Interval<Real>::accepts(eps, end)) return Status::bad_argument;
         if (!all_finite(parameters) || !all_finite(start)) return Status::bad_argument;
         interval = Interval<Real>(eps, end);
+        reach = end;
         set_constants(constants);
         const std::vector<bool> changes = depending(program->graph, varying_symbols(*program));
         for (const Graph::Node condition : program->positive)
@@ -94,8 +95,8 @@ template <class Real> struct Interpreter<Real>::Impl {
                     walk.compute(plan.varying);
                     return std::array<Real, 1>{walk[table.integrand]};
                 },
-                end);
-            if (fitted != Status::ok) return fitted;
+                reach);
+            if (const Status kept = interval.shorten(fitted, reach); kept != Status::ok) return kept;
             tables.push_back(std::move(built));
         }
         return Status::ok;
@@ -113,8 +114,8 @@ template <class Real> struct Interpreter<Real>::Impl {
                     walk.compute(plan.varying);
                     return std::array<Wide, 1>{walk[phase.rate]};
                 },
-                walk[phase.start], eps, end, uses_tables(phase.rate));
-            if (fitted != Status::ok) return fitted;
+                walk[phase.start], eps, reach, uses_tables(phase.rate));
+            if (const Status kept = interval.shorten(fitted, reach); kept != Status::ok) return kept;
         }
         return Status::ok;
     }
@@ -199,7 +200,7 @@ template <class Real> struct Interpreter<Real>::Impl {
     GraphWalk<Real> constants;
     Real eps;
     std::vector<Real> parameters, start;
-    Real end;
+    Real end, reach{}; // of slow time; as far as everything is defined
     Interval<Real> interval;
     std::vector<PrimitiveTable<Real, 1>> tables;
     std::vector<Phase<Real>> phases;

@@ -30,7 +30,7 @@ Json of(const OutputVerdict& o) {
     for (const LadderRung& r : o.ladder) ladder.push_back(of(r));
     Json out{{"name", o.name},
              {"claimed_order", o.claimed_order},
-             {"found_order", o.found_order},
+             {"found_order", o.found_order ? Json(*o.found_order) : Json(nullptr)},
              {"verdict", to_string(o.verdict)},
              {"expected", to_string(o.expected)},
              {"slope", number(o.slope)},

@@ -127,7 +127,7 @@ void judge_few(OutputVerdict& output, const std::vector<Point>& points) {
 void judge(OutputVerdict& output) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     output.slope = output.slope_low_eps = output.slope_high_eps = output.constant = none;
-    output.found_order = 0;
+    output.found_order.reset();
     output.reason.clear();
     output.local_slopes.clear();
     for (std::size_t i = 1; i < output.ladder.size(); ++i) {
@@ -145,25 +145,23 @@ void judge(OutputVerdict& output) {
     output.slope = straight ? least_squares_slope(points, first) : extrapolated_slope(points, slopes);
     output.slope_low_eps = points.back().eps;
     output.slope_high_eps = points[first].eps;
-    output.found_order = static_cast<int>(std::lround(output.slope));
-    output.constant = limiting_constant(points, straight ? first : points.size() - 2, output.found_order);
+    const int order = static_cast<int>(std::lround(output.slope));
 
     if (std::abs(output.slope - slopes.back()) > near_integer || (!straight && bends_away(slopes))) {
         output.slope = slopes.back(); // what is seen; no limit can be told from it
-        output.found_order = static_cast<int>(std::lround(output.slope));
-        output.constant = none;
         return undecided(
             output, fmt::format("the slope still bends ({:.2f}, then {:.2f}) at eps = {:g}: add smaller eps",
                                 slopes[slopes.size() - 2], slopes.back(), points.back().eps));
     }
-    if (std::abs(output.slope - output.found_order) > near_integer)
+    if (std::abs(output.slope - order) > near_integer)
         return undecided(output, fmt::format("the slope {:.2f} is not near an integer", output.slope));
-    const bool holds = output.found_order >= output.claimed_order;
+    output.found_order = order;
+    output.constant = limiting_constant(points, straight ? first : points.size() - 2, order);
+    const bool holds = order >= output.claimed_order;
     output.verdict = holds ? Verdict::pass : Verdict::fail;
     if (!holds)
-        output.reason =
-            fmt::format("claimed eps^{}, found eps^{}: max|error| -> {:.3g} eps^{}", output.claimed_order,
-                        output.found_order, output.constant, output.found_order);
+        output.reason = fmt::format("claimed eps^{}, found eps^{}: max|error| -> {:.3g} eps^{}",
+                                    output.claimed_order, order, output.constant, order);
 }
 
 bool settled(const OutputVerdict& output) {

@@ -4,6 +4,7 @@
 
 #include "model/scene_file.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct LadderRung {
 
 struct OutputVerdict {
     std::string name;
-    int claimed_order = 0, found_order = 0;
+    int claimed_order = 0;
+    std::optional<int> found_order; // none while undecided
     Verdict verdict = Verdict::undecided, expected = Verdict::pass;
     double slope = 0, slope_low_eps = 0, slope_high_eps = 0; // asymptotic slope and its window
     double constant = 0;                                     // lim max|error| / eps^found_order

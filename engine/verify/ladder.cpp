@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace resonform {
 
@@ -23,14 +24,32 @@ constexpr double affordable_steps = 150'000;                      // seconds in 
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Program& program) {
+// Of a scene that does not claim another. What is accurate through order N has an error O(eps^{N+1}); a
+// mean motion leaves out the oscillation, and differs from the motion by its first term.
+int default_claim(const Scene& scene, const Solution& solution, const std::string& name) {
+    const int claim = scene.order + 1;
+    if (scene.oscillating || solution.modes.empty()) return claim;
+    const auto output = std::find_if(solution.outputs.begin(), solution.outputs.end(),
+                                     [&](const SolutionOutput& o) { return o.name == name; });
+    if (output == solution.outputs.end()) return claim; // slow variables do not oscillate
+    for (int n = 0; n <= output->value.through(); ++n)
+        for (const auto& [monomial, rest] :
+             solution.ring->collect(output->value.part(n), {solution.modes.front().phase}))
+            if (solution.ring->exponent(monomial, solution.modes.front().phase) != 0)
+                return std::min(n, claim);
+    return claim;
+}
+
+std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Solution& solution,
+                                          const Program& program) {
     std::vector<OutputVerdict> outputs;
     for (const ProgramOutput& output : program.outputs) {
         OutputVerdict verdict;
         verdict.name = output.name;
         const auto claim = scene.verify.claim.find(output.name);
         const auto expect = scene.verify.expect.find(output.name);
-        verdict.claimed_order = claim == scene.verify.claim.end() ? scene.order + 1 : claim->second;
+        verdict.claimed_order =
+            claim == scene.verify.claim.end() ? default_claim(scene, solution, output.name) : claim->second;
         verdict.expected = expect == scene.verify.expect.end() ? Verdict::pass : expect->second;
         outputs.push_back(std::move(verdict));
     }
@@ -133,7 +152,7 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     Verification result;
     result.system = trial.program()->system;
     result.scene = scene.name;
-    result.outputs = blank_verdicts(scene, *trial.program());
+    result.outputs = blank_verdicts(scene, solution, *trial.program());
     std::size_t steps_of_last = 0;
     for (const Rung& rung : planned_ladder(trial, scene.verify.eps)) {
         add_rung(result.outputs, trial, rung);
@@ -146,6 +165,8 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())
         for (OutputVerdict& output : result.outputs) {
             output.verdict = Verdict::undecided;
+            output.found_order.reset();
+            output.constant = std::numeric_limits<double>::quiet_NaN();
             output.reason = complaint;
         }
     if (options.progress) options.progress(fmt::format("verified in {:.1f} s", since(begin)));

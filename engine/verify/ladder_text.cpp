@@ -12,10 +12,13 @@ namespace {
 std::string verdict_line(const OutputVerdict& o) {
     std::string line =
         fmt::format("  {:<8} {:<10} claimed eps^{}", o.name, to_string(o.verdict), o.claimed_order);
-    if (std::isfinite(o.slope))
-        line +=
-            fmt::format(", found eps^{}: slope {:.3f} over eps = {:g} ... {:g}, max|error| -> {:.3e} eps^{}",
-                        o.found_order, o.slope, o.slope_high_eps, o.slope_low_eps, o.constant, o.found_order);
+    if (o.found_order && std::isfinite(o.slope))
+        line += fmt::format(
+            ", found eps^{}: slope {:.3f} over eps = {:g} ... {:g}, max|error| -> {:.3e} eps^{}",
+            *o.found_order, o.slope, o.slope_high_eps, o.slope_low_eps, o.constant, *o.found_order);
+    else if (std::isfinite(o.slope))
+        line += fmt::format(", slope {:.3f} over eps = {:g} ... {:g}", o.slope, o.slope_high_eps,
+                            o.slope_low_eps);
     if (o.verdict != o.expected)
         line += fmt::format("  EXPECTED {}", to_string(o.expected));
     else if (o.expected != Verdict::pass)

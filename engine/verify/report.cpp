@@ -80,7 +80,8 @@ Table verdict_table(const Verification& verification) {
                 {}};
     for (const OutputVerdict& o : verification.outputs)
         table.rows.push_back(
-            {pretty(o.name), fmt::format("O(ε^{})", o.claimed_order), fmt::format("O(ε^{})", o.found_order),
+            {pretty(o.name), fmt::format("O(ε^{})", o.claimed_order),
+             o.found_order ? fmt::format("O(ε^{})", *o.found_order) : "",
              std::isfinite(o.slope) ? fmt::format("{:.3f}", o.slope) : "",
              fmt::format("{} … {}", short_number(o.slope_low_eps), short_number(o.slope_high_eps)),
              short_number(o.constant), to_string(o.verdict), to_string(o.expected)});

@@ -132,11 +132,11 @@ Figure Figures::ladder(const OutputVerdict& output) const {
     }
     Plot plot{
         "ladder_" + identifier(output.name), "ε", "max |Δ" + pretty(output.name) + "|", true, true, {errors}};
-    if (output.constant > 0) {
-        plot.curves.push_back(power_law(fmt::format("slope {}", output.found_order), colour::blue, errors.x,
-                                        output.constant, output.found_order));
+    if (output.found_order && output.constant > 0) {
+        plot.curves.push_back(power_law(fmt::format("slope {}", *output.found_order), colour::blue, errors.x,
+                                        output.constant, *output.found_order));
         if (output.claimed_order !=
-            output.found_order) // through the largest eps, so that the two part downwards
+            *output.found_order) // through the largest eps, so that the two part downwards
             plot.curves.push_back(power_law(
                 fmt::format("slope {} (claimed)", output.claimed_order), colour::grey, errors.x,
                 errors.y.front() / std::pow(errors.x.front(), output.claimed_order), output.claimed_order));

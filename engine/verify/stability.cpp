@@ -123,7 +123,10 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
          sweep_points(*program, solution.system(), options.random_points, options.seed))
         sweep.try_point(point);
     sweep.finish();
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (options.progress)
+        options.progress(
+            fmt::format("swept in {:.1f} s",
+                        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return result;
 }
 
@@ -139,7 +142,7 @@ std::string to_text(const Stability& s) {
         for (const auto& [name, value] : w.at) text += fmt::format(" {} = {:.6g}", name, value);
         text += "\n";
     }
-    return text + fmt::format("  {:.1f} s\n", s.seconds);
+    return text;
 }
 
 } // namespace resonform

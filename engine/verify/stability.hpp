@@ -27,7 +27,6 @@ struct Stability {
     std::size_t beyond_reference = 0;              // 50 digits are not enough or the answer is not finite
     std::vector<WorstPoint> worst;                 // the five worst points of each output
     std::vector<std::pair<std::string, double>> median; // per output, in ulp
-    double seconds = 0;
 };
 
 struct StabilityOptions : VerifyOptions {

@@ -22,7 +22,7 @@ struct Range {
 
 Range range(InputKind kind) {
     switch (kind) {
-    case InputKind::eps: return {1e-12, 0.5, false};
+    case InputKind::eps: return {smallest_eps, largest_eps, false};
     case InputKind::positive: return {1e-12, 1e12, false};
     case InputKind::real: return {1e-12, 1e12, true};
     case InputKind::amplitude: return {1e-12, 1e3, true};

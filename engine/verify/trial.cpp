@@ -91,7 +91,8 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
     : system_(std::move(system)), options_(options),
       program_(std::make_shared<const Program>(build_program(solution, scene, {true, true}))),
       tape_(Tape::rates(*system_)), start_tape_(Tape::constants(*system_->system, {scene.verify.interval})),
-      parameters_(parameter_values(*system_->system, scene)) {
+      parameters_(parameter_values(*system_->system, scene)), domain_(*system_, scene) {
+    for (const Rational& eps : scene.verify.eps) domain_.require(eps);
     std::vector<GiNaC::ex> expressions{scene.verify.interval};
     for (std::size_t i = 0; i < system_->states.size(); ++i) {
         const State& state = system_->states[i];
@@ -119,6 +120,7 @@ template Evaluator<long double> Trial::evaluator(const TrialPoint&) const;
 template Evaluator<Float128> Trial::evaluator(const TrialPoint&) const;
 
 TrialPoint Trial::point(const Rational& eps) const {
+    domain_.require(eps);
     TrialPoint at;
     at.eps = eps;
     at.eps_value = from_rational<Float128>(eps);
@@ -198,7 +200,12 @@ Reference Trial::reference(const TrialPoint& at, std::size_t points) const {
         result.error.push_back(error);
         result.values.push_back(fine.values[s]);
     }
-    store_checked(file, pack(result));
+    try {
+        store_checked(file, pack(result));
+    } catch (const Error& error) { // a full disk is no reason to throw the integration away
+        if (options_.progress)
+            options_.progress(fmt::format("the integration is not kept: {}", error.diagnostic().value));
+    }
     return result;
 }
 

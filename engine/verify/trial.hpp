@@ -3,6 +3,7 @@
 // code compiled, and for each eps the start of the integration and the integration itself.
 #pragma once
 
+#include "verify/domain.hpp"
 #include "verify/evaluator.hpp"
 #include "verify/integrate.hpp"
 #include "verify/ladder.hpp"
@@ -32,7 +33,8 @@ struct Reference {
 
 class Trial {
 public:
-    // Errors: bad_input, a parameter without a value; those of Tape and EvaluatorLibrary.
+    // Errors: bad_input, a parameter without a value, a motion that leaves the declared domain; those of
+    // Tape and EvaluatorLibrary.
     Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene, const Solution& solution,
           const VerifyOptions& options);
 
@@ -66,6 +68,7 @@ private:
     std::shared_ptr<const EvaluatorLibrary> library_;
     Tape tape_, start_tape_; // start_tape_: the interval, then the given start values
     std::vector<Rational> parameters_;
+    Domain domain_;
     std::vector<std::size_t> given_; // states with a given start value
     std::vector<std::size_t> output_states_;
 };

@@ -182,7 +182,9 @@ private:
         if (!finite(start.C_Y)) return Status::bad_argument;
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
-        if (const Status built = tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, end);
+        Real reach = end; // less where the domain ends before
+        if (const Status built = interval_.shorten(
+                tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), reach);
             built != Status::ok)
             return built;
         return Status::ok;

@@ -237,13 +237,16 @@ private:
         if (!finite(start.C_Y)) return Status::bad_argument;
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
-        if (const Status built = tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, end);
+        Real reach = end; // less where the domain ends before
+        if (const Status built = interval_.shorten(
+                tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), reach);
             built != Status::ok)
             return built;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = theta_.build(theta_rates, wide.theta_0, eps, end);
+        if (const Status built = interval_.shorten(
+                theta_.build(theta_rates, wide.theta_0, eps, reach), reach);
             built != Status::ok)
             return built;
         return Status::ok;

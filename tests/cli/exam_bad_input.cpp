@@ -3,6 +3,7 @@
 #include "support/shell.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -72,6 +73,12 @@ TEST(BadInput, EpsAndTimes) {
     for (const char* eps : {"0", "-0.1", "nan", "inf", "''", "0.1x", "1e999"})
         EXPECT_SAYS(complaint("resonform evaluate " + scene + " --t 1 --eps " + eps),
                     {"--eps", "finite decimal number > 0"});
+    for (const char* eps : {"5", "0.51", "1e-13"})
+        EXPECT_EQ(
+            complaint("resonform evaluate " + scene + " --t 1 --eps " + eps),
+            "resonform: --eps: eps lies in 1e-12 <= eps <= 0.5, where the expansion in eps has a meaning\n"
+            "  found: " +
+                std::string(eps) + "\n  mend:  give for example --eps 0.01\n");
     for (const char* times : {"''", "1,,2", "1,two", "'1;2'", ","})
         EXPECT_SAYS(complaint("resonform evaluate " + scene + " --eps 0.1 --t " + times),
                     {"--t", "separated by commas"});
@@ -103,6 +110,29 @@ TEST(BadInput, OutputsThatCannotBeWritten) {
     EXPECT_EQ(read(file), "in the way");
     const auto entries = std::filesystem::directory_iterator(scratch.path());
     EXPECT_EQ(std::distance(begin(entries), end(entries)), 1) << "a half-written file was left";
+}
+
+// Said at once, not after the integrations; what was made to find out is gone.
+TEST(BadInput, APlaceForTheReportIsTriedFirst) {
+    const Scratch scratch;
+    write(scratch.path() / "report/figures", "in the way");
+    EXPECT_SAYS(complaint("resonform verify " + scene + " --report " + (scratch.path() / "report").string()),
+                {"report/figures", "Not a directory"});
+    if (std::filesystem::exists("/proc/self")) {
+        EXPECT_SAYS(complaint("resonform verify " + scene + " --report /proc"), {"/proc", "made and written"});
+        EXPECT_SAYS(complaint("resonform verify " + scene + " --report /proc/a/b"),
+                    {"/proc/a/b", "made and written"});
+    }
+    const auto bad = scratch.path() / "bad.toml";
+    write(bad, "order = 0");
+    complaint("resonform verify " + bad.string() + " --report " + (scratch.path() / "new/folder").string());
+    EXPECT_FALSE(std::filesystem::exists(scratch.path() / "new"));
+    if (geteuid() == 0) return; // who may write everywhere
+    write(scratch.path() / "locked/file", "");
+    std::filesystem::permissions(scratch.path() / "locked", std::filesystem::perms(0555));
+    EXPECT_SAYS(complaint("resonform verify " + scene + " --report " + (scratch.path() / "locked").string()),
+                {"locked", "Permission denied"});
+    std::filesystem::permissions(scratch.path() / "locked", std::filesystem::perms(0755));
 }
 
 TEST(BadInput, WhatWasReadIsNotOverwritten) {

@@ -93,6 +93,34 @@ TEST(EmittedHeader, CancellingLogarithmsAreRewritten) {
     EXPECT_EQ(words.count("log"), 0U);
 }
 
+// A file that brings the runtime along and one that includes it, of two scenes, in one program.
+TEST(EmittedHeader, InlinedAndIncludedRuntimeGoTogether) {
+    const test::Scratch scratch;
+    test::write(scratch.path() / "inlined.hpp",
+                emit_cpp(*test::program_of(test::pendulum_scene("xy_only")), {true}));
+    test::write(scratch.path() / "also_inlined.hpp",
+                emit_cpp(*test::program_of(test::pendulum_scene("as_published")), {true}));
+    test::write(scratch.path() / "included.hpp",
+                emit_cpp(*test::program_of(test::pendulum_scene("mean_motion"))));
+    const std::string inlined = "#include \"inlined.hpp\"\n#include \"also_inlined.hpp\"\n",
+                      included = "#include \"included.hpp\"\n";
+    for (const std::string& both : {inlined + included, included + inlined}) {
+        test::write(scratch.path() / "main.cpp", both + R"(
+namespace scenes = resonform::generated::almost_holonomic_pendulum;
+int main() {
+    const scenes::xy_only::Evaluator<> path(0.1);
+    const scenes::mean_motion::Evaluator<> mean(0.1);
+    const scenes::as_published::Evaluator<> published(0.1);
+    return path.construction_status() == mean.construction_status() ? 0 : 1;
+}
+)");
+        const test::Outcome outcome = test::run(std::string(RESONFORM_CXX_COMPILER) + " -std=c++20 -I'" +
+                                                    RESONFORM_SOURCE_DIR + "/engine' -fsyntax-only main.cpp",
+                                                scratch.path());
+        EXPECT_EQ(outcome.code, 0) << outcome.err.substr(0, 2000);
+    }
+}
+
 // Compilers: the one that builds the engine, and clang if there is one.
 TEST(SlowEmittedHeader, CompilesWithoutWarnings) {
     const auto program = test::program_of(test::pendulum_scene("third_order"), {false, true});

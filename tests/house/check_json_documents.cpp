@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/file_formats.md names every key that the commands print as JSON, in the section of its schema.
+// (`compare` and `stability`, which take longer: tests/verify.)
+#include "support/documented.hpp"
 #include "support/shell.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include <regex>
-#include <set>
 
 namespace resonform::test {
 
@@ -14,55 +12,47 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The keys of a document and of the objects in its arrays; deeper keys are names of variables.
-std::set<std::string> keys_of(const Json& document) {
-    std::set<std::string> keys;
-    for (const auto& [key, value] : document.items()) {
-        keys.insert(key);
-        if (!value.is_array()) continue;
-        for (const Json& element : value)
-            if (element.is_object())
-                for (const auto& entry : element.items()) keys.insert(entry.key());
-    }
-    return keys;
-}
-
-// What stands between the name of the schema and that of the next.
-std::string section_of(const std::string& schema, const std::string& text) {
-    const std::size_t begin = text.find("`" + schema + "`");
-    if (begin == std::string::npos) return "";
-    return text.substr(begin, text.find("`resonform.", begin + 1) - begin);
-}
-
-// A term is explained once for all sections.
-const std::set<std::string> of_a_term = {"schema", "variable", "exponents", "weight", "coefficient"};
-
-std::set<std::string> undocumented(const Json& document, const std::string& text) {
-    const std::string section = section_of(document["schema"], text);
-    std::set<std::string> missing;
-    for (const std::string& key : keys_of(document))
-        if (of_a_term.count(key) == 0 && !std::regex_search(section, std::regex("[`{ ]" + key + "[`,}]")))
-            missing.insert(key);
-    return missing;
-}
-
 const std::string scene = "systems/almost_holonomic_pendulum/scenes/third_order.toml";
 
 } // namespace
 
 TEST(JsonDocuments, EveryKeyIsDocumented) {
-    const std::string text = read(std::filesystem::path(RESONFORM_SOURCE_DIR) / "docs/file_formats.md");
     for (const std::string& command :
          {std::string("derive almost_holonomic_pendulum --stage equations"),
           std::string("derive almost_holonomic_pendulum --stage expand"),
           std::string("derive almost_holonomic_pendulum"),
           std::string("derive almost_holonomic_pendulum --stage solution"),
           std::string("certify almost_holonomic_pendulum --order 2"), "generate " + scene,
-          "evaluate " + scene + " --eps 0.1 --t 1", std::string("list")}) {
+          "evaluate " + scene + " --eps 0.1 --t 1", std::string("list"), std::string("regenerate --check")}) {
         const Outcome outcome = run("resonform " + command + " --format json", RESONFORM_SOURCE_DIR);
         ASSERT_EQ(outcome.code, 0) << outcome.err;
-        EXPECT_EQ(undocumented(Json::parse(outcome.out), text), std::set<std::string>()) << command;
+        EXPECT_EQ(undocumented(Json::parse(outcome.out), file_formats()), std::set<std::string>()) << command;
     }
+}
+
+// A verdict that passes, and one without an order.
+TEST(JsonDocuments, EveryKeyOfVerifyIsDocumented) {
+    const Scratch scratch;
+    write(scratch.path() / "systems/spring/system.toml",
+          "[system]\nname = \"spring\"\n[variables]\nx = { role = \"fast\" }\n"
+          "[equations]\nx = \"x'' + x + x^3 = 0\"\n");
+    const auto verified = [&](const std::string& ladder) {
+        write(scratch.path() / "systems/spring/scenes/s.toml",
+              "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\neps = " + ladder);
+        const Outcome outcome =
+            run("resonform verify systems/spring/scenes/s.toml --format json", scratch.path());
+        const Json document = Json::parse(outcome.out);
+        EXPECT_EQ(undocumented(document, file_formats()), std::set<std::string>());
+        EXPECT_EQ(document["schema"], "resonform.verification/1");
+        return document["outputs"][0];
+    };
+    const Json decided = verified("[0.1, 0.05, 0.02]\n"), undecided = verified("[0.1, 0.05]\n");
+    EXPECT_EQ(decided["found_order"], 3);
+    EXPECT_TRUE(decided["constant"].is_number());
+    EXPECT_EQ(undecided["verdict"], "undecided");
+    EXPECT_TRUE(undecided["found_order"].is_null());
+    EXPECT_TRUE(undecided["constant"].is_null());
+    EXPECT_NE(undecided["reason"], "");
 }
 
 TEST(JsonDocuments, AMissingKeyWouldBeSeen) {

@@ -233,13 +233,13 @@ const BadInput cases[] = {
      "  found: xi\n"
      "  mend:  known are: eps, g, r, v"},
     {"EpsZero", "interval = \"1/eps\"", "eps = [0.1, 0]",
-     "2 scene.toml:20:13: verify.eps[1]: eps of a ladder lies in 1e-12 <= eps <= 0.5\n"
+     "2 scene.toml:20:13: verify.eps[1]: eps lies in 1e-12 <= eps <= 0.5\n"
      "    eps = [0.1, 0]\n"
      "                ^\n"
      "  found: 0\n"
      "  mend:  give a small positive number"},
     {"EpsNegative", "interval = \"1/eps\"", "eps = [-0.1]",
-     "2 scene.toml:20:8: verify.eps[0]: eps of a ladder lies in 1e-12 <= eps <= 0.5\n"
+     "2 scene.toml:20:8: verify.eps[0]: eps lies in 1e-12 <= eps <= 0.5\n"
      "    eps = [-0.1]\n"
      "           ^\n"
      "  found: -0.1\n"
@@ -251,7 +251,7 @@ const BadInput cases[] = {
      "  found: nan\n"
      "  mend:  write a number such as 0.25"},
     {"EpsLarge", "interval = \"1/eps\"", "eps = [0.6]",
-     "2 scene.toml:20:8: verify.eps[0]: eps of a ladder lies in 1e-12 <= eps <= 0.5\n"
+     "2 scene.toml:20:8: verify.eps[0]: eps lies in 1e-12 <= eps <= 0.5\n"
      "    eps = [0.6]\n"
      "           ^\n"
      "  found: 0.6\n"

@@ -63,7 +63,7 @@ TEST(SystemFile, DeclaredExpressionsAreKept) {
     const System system = read_system_text(
         edited(pendulum_system(), "[equations]", "[domain]\npositive = [\"1 + xi/r\"]\n[equations]"), "s");
     ASSERT_EQ(system.positive.size(), 1U);
-    EXPECT_EQ(system.positive[0], 1 + system.variable("xi")->jet[0] / system.parameter("r")->symbol);
+    EXPECT_EQ(system.positive[0].value, 1 + system.variable("xi")->jet[0] / system.parameter("r")->symbol);
 }
 
 TEST(SystemFile, IsFoundByFolderFileOrName) {

@@ -14,12 +14,13 @@ using Hundred = boost::multiprecision::cpp_bin_float_100;
 template <class Real> Phase<Real> phase_of(const Real& eps) {
     using Wide = typename Phase<Real>::Wide;
     Phase<Real> phase;
+    Real end(1);
     const Status status = phase.build(
         [&](const Wide& T) {
             const Wide w = T + Wide(1);
             return std::array<Wide, 1>{Wide(1) / (w * w) / Wide(eps)};
         },
-        Wide(1), eps, Real(1));
+        Wide(1), eps, end);
     EXPECT_EQ(status, Status::ok);
     return phase;
 }
@@ -66,7 +67,8 @@ TEST(Phase, OfARoundedRateLosesDigitsEarlier) {
         using Wide = Phase<double>::Wide;
         Phase<double> phase;
         const auto rate = [&](const Wide&) { return std::array<Wide, 1>{Wide(1) / Wide(eps)}; };
-        EXPECT_EQ(phase.build(rate, Wide(0), eps, 1.0, true), Status::ok);
+        double end = 1;
+        EXPECT_EQ(phase.build(rate, Wide(0), eps, end, true), Status::ok);
         double cosine = 0, sine = 0;
         return phase(0.999 / eps, cosine, sine);
     };

@@ -35,13 +35,14 @@ TYPED_TEST_SUITE(Table, Reals);
 TYPED_TEST(Table, IntegralsOfSmoothFunctionsHaveFullPrecision) {
     using Real = TypeParam;
     PrimitiveTable<Real, 2> table;
+    Real end(3);
     const Status status = table.build(
         [](const Real& T) {
             using math::cos;
             using math::sqrt;
             return std::array<Real, 2>{Real(Real(1) / sqrt(Real(Real(1) + T * T))), Real(cos(T))};
         },
-        Real(3));
+        end);
     ASSERT_EQ(status, Status::ok);
     EXPECT_LT(worst_error(table, Real(3)), Real(10) * math::epsilon<Real>());
     EXPECT_LT(table.panels(), 60U);
@@ -50,7 +51,8 @@ TYPED_TEST(Table, IntegralsOfSmoothFunctionsHaveFullPrecision) {
 TYPED_TEST(Table, PolynomialsNeedOnePanel) {
     using Real = TypeParam;
     PrimitiveTable<Real, 1> table;
-    ASSERT_EQ(table.build([](const Real& T) { return std::array<Real, 1>{Real(3) * T * T}; }, Real(2)),
+    Real end(2);
+    ASSERT_EQ(table.build([](const Real& T) { return std::array<Real, 1>{Real(3) * T * T}; }, end),
               Status::ok);
     EXPECT_EQ(table.panels(), 1U);
     EXPECT_LT(math::magnitude(Real(table(Real(2))[0] - Real(8))), Real(32) * math::epsilon<Real>());
@@ -64,7 +66,8 @@ TYPED_TEST(Table, StartsFromZeroWithRelativePrecision) {
         using math::exp;
         return std::array<Real, 1>{Real(exp(Real(-T)))};
     };
-    ASSERT_EQ(table.build(falling, Real(5)), Status::ok);
+    Real end(5);
+    ASSERT_EQ(table.build(falling, end), Status::ok);
     EXPECT_EQ(table(Real(0))[0], Real(0));
     const Real tiny = math::epsilon<Real>(); // 1 - exp(-T) = T to all digits
     EXPECT_LT(math::magnitude(Real(table(tiny)[0] - tiny)), Real(16) * math::epsilon<Real>() * tiny);
@@ -75,7 +78,8 @@ TEST(TableOfPeaks, NarrowPeaksAreResolved) {
     const double width = 1e-4;
     PrimitiveTable<double, 1> table;
     const auto peak = [&](double T) { return std::array{width / ((T - 0.3) * (T - 0.3) + width * width)}; };
-    ASSERT_EQ(table.build(peak, 1.0), Status::ok);
+    double end = 1;
+    ASSERT_EQ(table.build(peak, end), Status::ok);
     for (const double T : {0.1, 0.29, 0.3, 0.30005, 0.7, 1.0})
         EXPECT_NEAR(table(T)[0], std::atan((T - 0.3) / width) + std::atan(0.3 / width), 1e-14) << T;
 }
@@ -84,18 +88,35 @@ TEST(TableOfPeaks, NarrowPeaksAreResolved) {
 TEST(TableOfPeaks, NoiseOfTheIntegrandIsTolerated) {
     PrimitiveTable<double, 1> table;
     const auto noisy = [](double T) { return std::array{(std::cos(T) + 100.0) - 100.0}; };
-    ASSERT_EQ(table.build(noisy, 1.0), Status::ok);
+    double end = 1;
+    ASSERT_EQ(table.build(noisy, end), Status::ok);
     EXPECT_NEAR(table(1.0)[0], std::sin(1.0), 1e-13);
 }
 
 TEST(TableStatus, SaysWhatIsWrongWithTheIntegrand) {
     const auto status_of = [](auto integrand) {
         PrimitiveTable<double, 1> table;
-        return table.build([&](double T) { return std::array<double, 1>{integrand(T)}; }, 1.0);
+        double end = 1;
+        return table.build([&](double T) { return std::array<double, 1>{integrand(T)}; }, end);
     };
     EXPECT_EQ(status_of([](double T) { return std::sqrt(T - 0.5); }), Status::outside_domain);
     EXPECT_EQ(status_of([](double T) { return T < 0.5 ? 0.0 : 1e308 * 10; }), Status::overflow);
     EXPECT_EQ(status_of([](double T) { return 1 / std::abs(T - 0.3); }), Status::outside_domain);
+}
+
+// What is defined on a part of the interval only is tabulated there.
+TEST(TableStatus, TheEndIsDrawnBackToWhereTheIntegrandIsDefined) {
+    PrimitiveTable<double, 1> table;
+    double end = 1;
+    const auto root = [](double T) { return std::array{std::sqrt(0.3 - T)}; };
+    ASSERT_EQ(table.build(root, end), Status::outside_domain);
+    EXPECT_NEAR(end, 0.3, 1e-9);
+    EXPECT_NEAR(table(0.2)[0], 2.0 / 3 * (std::pow(0.3, 1.5) - std::pow(0.1, 1.5)), 1e-15);
+
+    end = 1;
+    ASSERT_EQ(table.build([](double T) { return std::array{std::sqrt(-1 - T)}; }, end),
+              Status::outside_domain);
+    EXPECT_EQ(end, 0);
 }
 
 } // namespace resonform

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The comparison of run times and the stability sweep: what must hold on any machine.
 #include "scene_line.hpp"
+#include "support/documented.hpp"
 #include "verify/json.hpp"
 #include "verify/stability_points.hpp"
 
@@ -65,7 +66,13 @@ TEST_F(Compare, RowsBreakEvenAndJson) {
     for (const char* key :
          {"method", "setting", "task", "points", "max_error", "seconds", "construction_seconds"})
         EXPECT_TRUE(json["rows"][0].contains(key)) << key;
-    EXPECT_TRUE(json["break_even"]["dense"].contains("winner"));
+    EXPECT_EQ(test::undocumented(json, test::file_formats()), std::set<std::string>());
+    for (const auto& [task, even] : json["break_even"].items()) {
+        EXPECT_EQ(test::keys_of(even), (std::set<std::string>{"emitted_seconds", "rivals", "winner", "method",
+                                                              "seconds", "ratio"}))
+            << task;
+    }
+    EXPECT_EQ(json["break_even"].size(), 2U);
 }
 
 TEST_F(Compare, ErrorsOfAMethodFallWithItsTolerance) {
@@ -101,8 +108,10 @@ TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
     }
     const auto json = to_json(s);
     EXPECT_EQ(json["schema"], "resonform.stability/1");
+    EXPECT_EQ(test::undocumented(json, test::file_formats()), std::set<std::string>());
     for (const char* key : {"cases", "refused", "worst"}) EXPECT_TRUE(json.contains(key)) << key;
     for (const char* key : {"output", "ulp", "at"}) EXPECT_TRUE(json["worst"][0].contains(key)) << key;
+    EXPECT_EQ(to_text(swept(10)), to_text(s)) << "no times, nothing that varies";
 }
 
 TEST(Stability, KindsFollowFromTheSystemNotFromNames) {

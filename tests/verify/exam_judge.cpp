@@ -127,14 +127,18 @@ TEST(Judge, ExactOutputsPass) {
 TEST(Judge, UndecidedSaysWhy) {
     const OutputVerdict few = ladder([](double e) { return std::pow(e, 12); }, 12, 1e-17);
     EXPECT_EQ(few.verdict, Verdict::undecided);
+    EXPECT_FALSE(few.found_order);
     EXPECT_EQ(few.reason, "2 of 11 rungs lie clear of the arithmetic's floor, 3 are needed");
 
     const OutputVerdict half = ladder([](double e) { return std::pow(e, 3.5); }, 3);
     EXPECT_EQ(half.verdict, Verdict::undecided);
+    EXPECT_FALSE(half.found_order);
+    EXPECT_TRUE(std::isnan(half.constant));
     EXPECT_EQ(half.reason, "the slope 3.50 is not near an integer");
 
     const OutputVerdict bending = ladder([](double e) { return std::pow(e, 2) * std::exp(3000 * e); }, 2);
     EXPECT_EQ(bending.verdict, Verdict::undecided);
+    EXPECT_FALSE(bending.found_order);
     EXPECT_EQ(bending.reason.substr(0, 21), "the slope still bends");
 
     const OutputVerdict refused = ladder([](double) { return std::numeric_limits<double>::infinity(); }, 4);

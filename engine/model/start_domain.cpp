@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/start_domain.hpp"
+
+namespace resonform {
+
+namespace {
+
+class StartDomain {
+public:
+    StartDomain(const Scene& scene, const TomlNode* fix) : scene_(scene), fix_(fix) {
+        for (const Variable& v : scene.system->variables)
+            if (v.role == Role::slow)
+                if (const StartValue* start = scene.start_of(v.name)) values_[v.jet.front()] = start->value;
+    }
+
+    void check(const Declaration& declared) const {
+        Estimate estimate = Estimate::unbounded;
+        try {
+            estimate = scene_.estimate(declared.value.subs(values_));
+        } catch (const std::exception&) { // a denominator became zero
+        }
+        if (estimate != Estimate::unknown && estimate != Estimate::positive) complain(declared);
+    }
+
+private:
+    [[noreturn]] void complain(const Declaration& declared) const {
+        const std::string where = declared.source.file + ":" + std::to_string(declared.source.line);
+        Diagnostic d{"a motion starts in the declared domain, where " + excerpt(declared.text) + " > 0", "",
+                     "give a value inside, or correct [domain] in " + where, whole_file(scene_.file)};
+        const auto add = [&](const std::string& name, const std::string& text, const SourceText& source) {
+            if (d.value.empty()) d.place = place_of(source);
+            d.value += (d.value.empty() ? "" : ", ") + name + " = " + excerpt(text);
+        };
+        for (const Variable& v : scene_.system->variables)
+            if (v.role == Role::slow && declared.value.has(v.jet.front()))
+                if (const StartValue* start = scene_.start_of(v.name))
+                    add(start->name, start->text, start->source);
+        for (const Parameter& p : scene_.system->parameters)
+            if (const TomlNode* fixed = fix_ == nullptr ? nullptr : fix_->find(p.name);
+                fixed != nullptr && declared.value.has(p.symbol))
+                add(p.name, fixed->text, fixed->source);
+        bad_input(d);
+    }
+
+    const Scene& scene_;
+    const TomlNode* fix_;
+    GiNaC::exmap values_;
+};
+
+} // namespace
+
+void check_start_domain(const Scene& scene, const TomlNode* fix) {
+    const StartDomain start(scene, fix);
+    for (const Declaration& declared : scene.system->positive) start.check(declared);
+}
+
+} // namespace resonform

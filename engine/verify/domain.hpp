@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Does the motion that is to be verified stay where the system is declared to be defined?
+#pragma once
+
+#include "model/first_order_system.hpp"
+#include "model/scene_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+class Domain {
+public:
+    // Precondition: every parameter is fixed, the slow variables have constant rates.
+    Domain(const FirstOrderSystem& system, const Scene& scene);
+
+    // Errors (bad_input): the slow variables leave the domain within the interval of the scene. The place is
+    // the interval; the condition, its place, the values, and how long the motion may last are told.
+    void require(const Rational& eps) const;
+
+private:
+    struct Condition {
+        GiNaC::ex value;               // in eps and `time_`: positive within the domain
+        std::string text;              // "2 - tau > 0"
+        std::string where;             // file:line of the declaration
+        std::vector<std::size_t> slow; // which variables it is about
+    };
+    struct Motion {
+        std::string name;
+        GiNaC::ex value;
+    };
+    [[nodiscard]] double number(const GiNaC::ex& value, const Rational& eps, double t) const;
+    [[noreturn]] void complain(const Condition& condition, const Rational& eps, double t) const;
+
+    const System& system_;
+    GiNaC::symbol time_{"t"};
+    GiNaC::ex interval_;
+    std::string interval_text_;
+    Place place_; // of the interval
+    std::vector<Motion> motions_;
+    std::vector<Condition> conditions_;
+};
+
+} // namespace resonform

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A system that is defined for 0 < tau < 2 only, and scenes that leave it.
+#include "support/shell.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform::test {
+
+namespace {
+
+const std::string system_file = "[system]\n"
+                                "name = \"bounded\"\n"
+                                "[parameters]\n"
+                                "k = {}\n"
+                                "[variables]\n"
+                                "x = { role = \"fast\" }\n"
+                                "tau = { role = \"slow\" }\n"
+                                "[domain]\n"
+                                "positive = [\"tau\", \"2 - tau\", \"k - 1\"]\n"
+                                "[equations]\n"
+                                "x = \"x'' + (2 - tau)*x + k*x^3 = 0\"\n"
+                                "tau = \"tau' = eps\"\n";
+
+std::string scene(const std::string& tau, const std::string& interval, const std::string& k = "2") {
+    return "order = 2\n[fix]\nk = " + k + "\n[start]\ntau = " + tau +
+           "\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = \"" + interval + "\"\n";
+}
+
+class DomainOfASystem : public testing::Test {
+protected:
+    DomainOfASystem() { write(scratch_.path() / "systems/bounded/system.toml", system_file); }
+
+    Outcome said(const std::string& command, const std::string& scene_text, const std::string& options = "") {
+        write(scratch_.path() / "systems/bounded/scenes/s.toml", scene_text);
+        return run("resonform " + command + " systems/bounded/scenes/s.toml " + options, scratch_.path());
+    }
+    Scratch scratch_;
+};
+
+} // namespace
+
+TEST_F(DomainOfASystem, EvaluateAnswersPointByPoint) {
+    const Outcome outcome = said("evaluate", scene("1", "3/eps"), "--eps 0.1 --t 0,5,9.9,10.1,25,31");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    std::string statuses;
+    for (std::size_t at = 0, end; (end = outcome.out.find('\n', at)) != std::string::npos; at = end + 1)
+        statuses += outcome.out.substr(0, end).substr(outcome.out.rfind(',', end) + 1) + " ";
+    EXPECT_EQ(statuses, "status ok ok ok outside_domain outside_domain outside_interval ") << outcome.out;
+    EXPECT_NE(outcome.out.find("\n25,,outside_domain\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(DomainOfASystem, VerifySaysWhereTheMotionLeaves) {
+    for (const char* command : {"verify", "compare"}) {
+        const Outcome outcome = said(command, scene("0.5", "3/eps"));
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(
+            outcome.err,
+            "resonform: systems/bounded/scenes/s.toml:9:13: verify.interval: the motion stays in the "
+            "declared domain over the whole interval of verification\n"
+            "    interval = \"3/eps\"\n"
+            "                ^\n"
+            "  found: interval = 3/eps, but at t = 7.5 (eps = 1/5) tau = 2 leaves 2 - tau > 0, declared in "
+            "systems/bounded/system.toml:9\n"
+            "  mend:  end the interval before eps*t = 1.5, or start elsewhere\n")
+            << command;
+    }
+}
+
+TEST_F(DomainOfASystem, AMotionStartsWithin) {
+    const auto expect = [&](const std::string& text, const std::string& place, const std::string& condition,
+                            const std::string& found) {
+        const Outcome outcome = said("evaluate", text, "--eps 0.1 --t 0");
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(
+            outcome.err.compare(0, 61 + place.size(),
+                                "resonform: systems/bounded/scenes/s.toml:" + place + ": a motion starts in"),
+            0)
+            << outcome.err;
+        EXPECT_NE(outcome.err.find("the declared domain, where " + condition + " > 0\n"), std::string::npos)
+            << outcome.err;
+        EXPECT_NE(outcome.err.find("\n  found: " + found +
+                                   "\n  mend:  give a value inside, or correct [domain] in "
+                                   "systems/bounded/system.toml:9\n"),
+                  std::string::npos)
+            << outcome.err;
+    };
+    expect(scene("2.5", "0.1/eps"), "5:7: start.tau", "2 - tau", "tau = 2.5");
+    expect(scene("0", "0.1/eps"), "5:7: start.tau", "tau", "tau = 0");
+    expect(scene("1", "0.1/eps", "1"), "3:5: fix.k", "k - 1", "k = 1");
+}
+
+} // namespace resonform::test
