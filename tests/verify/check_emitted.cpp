@@ -10,6 +10,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <random>
 
 namespace resonform {
@@ -104,6 +105,34 @@ TEST_F(ThirdOrder, OutsideItsDomainItAnswersWithAStatus) {
     EXPECT_EQ(both(0.1, {nan, 1, 1}, 1), Status::bad_argument);
     EXPECT_EQ(both(0.1, {-1, 1, 1}, 1), Status::outside_domain); // g is declared positive
     EXPECT_EQ(both(0.1, {1, 0, 1}, 1), Status::outside_domain);  // so is r
+}
+
+// The motion leaves 2 - tau > 0 at T = 1, and the interval ends at T = 3: the table of the phase ends
+// between.
+TEST(DomainLeft, AnswersUpToThePlaceAndAStatusBeyond) {
+    const std::filesystem::path system = std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache/bounded";
+    std::filesystem::create_directories(system / "scenes");
+    std::ofstream(system / "system.toml")
+        << "[system]\nname = \"bounded\"\n[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
+           "[domain]\npositive = [\"2 - tau\"]\n"
+           "[equations]\nx = \"x'' + (2 - tau)*x + x^3 = 0\"\ntau = \"tau' = eps\"\n";
+    std::ofstream(system / "scenes/s.toml")
+        << "order = 2\n[start]\ntau = 1\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = \"3/eps\"\n";
+    const auto program = test::program_of(read_scene(system / "scenes/s.toml", system.parent_path()));
+    const auto library = EvaluatorLibrary::build(*program, system.parent_path(), {});
+    const double eps = 0.1;
+    const Interpreter<double> interpreter(program, eps, {}, {}, 3);
+    const Evaluator<double> emitted(library, eps, {}, default_start<double>(*program, eps, {}), 3);
+    for (const auto& [t, status] :
+         {std::pair(0.0, Status::ok), std::pair(9.99, Status::ok), std::pair(10.01, Status::outside_domain),
+          std::pair(29.0, Status::outside_domain), std::pair(30.1, Status::outside_interval)}) {
+        std::vector<double> expected, found(1);
+        EXPECT_EQ(interpreter.call(t, expected), status) << t;
+        EXPECT_EQ(emitted.call(t, found.data()), status) << t;
+        if (status == Status::ok) {
+            EXPECT_NEAR(found[0], expected[0], 1e-13 * std::abs(expected[0])) << t;
+        }
+    }
 }
 
 TEST_F(ThirdOrder, BatchesEqualCalls) {

@@ -128,6 +128,21 @@ TEST(Ladder, TextShowsNoSlopeOfNothing) {
     EXPECT_EQ(to_json(v).dump().find("nan"), std::string::npos);
 }
 
+// What leaves out the oscillation claims the order of its first term, unless the scene says otherwise.
+TEST(Ladder, AMeanMotionClaimsWhatItLeavesOut) {
+    test::SceneLine line = test::pendulum("mean_motion");
+    test::shorten_ladder(line.scene);
+    line.scene.verify.claim.clear();
+    const Verification v = verified(line);
+    EXPECT_TRUE(v.as_expected()) << to_text(v);
+    for (const OutputVerdict& o : v.outputs) EXPECT_EQ(o.claimed_order, 2) << o.name;
+    line.scene.verify.claim["x"] = 4;
+    const Verification claimed = verified(line);
+    EXPECT_EQ(claimed.outputs[0].claimed_order, 4);
+    EXPECT_EQ(claimed.outputs[0].verdict, Verdict::fail);
+    EXPECT_EQ(claimed.outputs[0].found_order, 2);
+}
+
 TEST(Ladder, JsonHasTheAgreedKeys) {
     test::SceneLine line = test::pendulum("xy_only");
     test::shorten_ladder(line.scene);
