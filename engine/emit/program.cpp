@@ -215,8 +215,12 @@ double ProgramBuilder::number_of(const GiNaC::ex& e) const {
 }
 
 void ProgramBuilder::declare_domain() {
-    for (const Declaration& condition : solution_.system().positive)
-        program_.positive.push_back(from_expression(program_.graph, condition.value, names_));
+    for (const Declaration& condition : solution_.system().positive) {
+        const Graph::Node node = from_expression(program_.graph, condition.value, names_);
+        const bool known =
+            std::find(program_.positive.begin(), program_.positive.end(), node) != program_.positive.end();
+        if (!known) program_.positive.push_back(node);
+    }
     const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
     program_.interval_slow_time = number_of(slow_time);
     program_.slow_time_end = from_expression(program_.graph, slow_time, names_);

@@ -4,6 +4,7 @@
 #include "model/positivity.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace resonform {
@@ -87,10 +88,35 @@ private:
     }
 
     void split_product(const ex& base, const Rational& exponent) {
-        if (!is_integer(exponent))
+        if (!is_integer(exponent)) {
+            if (const auto factors = positive_factors(base)) {
+                for (const ex& factor : *factors) split(factor, exponent);
+                return;
+            }
             for (const ex& factor : base)
                 if (!provably_positive(factor, system_)) not_positive(factor);
+        }
         for (const ex& factor : base) split(factor, exponent);
+    }
+
+    // The factors, those that are negative turned: -(-2 + tau)*tau is (2 - tau)*tau. Nothing if there is one
+    // of neither sign, or the product is negative.
+    [[nodiscard]] std::optional<std::vector<ex>> positive_factors(const ex& product) const {
+        std::vector<ex> factors;
+        bool negative = false;
+        for (ex factor : product) {
+            const bool power = is_a<GiNaC::power>(factor);
+            const ex base = power ? factor.op(0) : factor, exponent = power ? factor.op(1) : ex(1);
+            if (!provably_positive(base, system_)) {
+                const ex turned = (-base).expand();
+                if (!exponent.info(GiNaC::info_flags::integer) || !provably_positive(turned, system_))
+                    return std::nullopt;
+                negative = negative != exponent.info(GiNaC::info_flags::odd);
+                factor = GiNaC::pow(turned, exponent);
+            }
+            factors.push_back(factor);
+        }
+        return negative ? std::nullopt : std::optional(factors);
     }
 
     void split_sum(const ex& base, const Rational& exponent) {
@@ -113,9 +139,13 @@ private:
     [[nodiscard]] bool separable(const ex& factored, const Rational& exponent) const {
         if (is_integer(exponent)) return true;
         if (is_a<GiNaC::power>(factored)) return provably_positive(factored.op(0), system_);
-        return std::all_of(factored.begin(), factored.end(), [&](const ex& f) {
-            return provably_positive(is_a<GiNaC::power>(f) ? f.op(0) : f, system_);
-        });
+        // A number times one sum is that sum.
+        const auto numbers = std::count_if(factored.begin(), factored.end(),
+                                           [](const ex& f) { return is_a<GiNaC::numeric>(f); });
+        const bool one_sum =
+            static_cast<std::size_t>(numbers) + 1 == factored.nops() &&
+            std::any_of(factored.begin(), factored.end(), [](const ex& f) { return is_a<GiNaC::add>(f); });
+        return !one_sum && positive_factors(factored).has_value();
     }
 
     void append_sum(const ex& base, const Rational& exponent) {

@@ -36,6 +36,7 @@ private:
     Sign of_symbol(const ex& e) const;
     Sign of_power(const ex& e, int comparisons) const;
     Sign of_function(const ex& e) const;
+    Sign of_product(const ex& e, int comparisons) const;
     Sign by_structure(const ex& e, int comparisons) const;
     Sign by_declaration(const ex& e, int comparisons) const;
     bool declared_nonzero(const ex& symbol) const;
@@ -103,6 +104,22 @@ Sign Prover::of_function(const ex& e) const {
     return Sign::unknown;
 }
 
+// (2 - tau)*tau is held as -(-2 + tau)*tau: a number and a sum may be the negative of something positive.
+Sign Prover::of_product(const ex& e, int comparisons) const {
+    Sign weakest = Sign::positive;
+    bool negative = false;
+    for (const ex& part : e) {
+        Sign s = sign(part, comparisons);
+        if (s == Sign::unknown && (GiNaC::is_a<numeric>(part) || GiNaC::is_a<GiNaC::add>(part))) {
+            s = sign((-part).expand(), comparisons);
+            negative = !negative;
+        }
+        if (s == Sign::unknown) return Sign::unknown;
+        weakest = std::min(weakest, s);
+    }
+    return negative ? Sign::unknown : weakest;
+}
+
 Sign Prover::by_structure(const ex& e, int comparisons) const {
     if (GiNaC::is_a<numeric>(e)) {
         const numeric n = GiNaC::ex_to<numeric>(e);
@@ -113,15 +130,15 @@ Sign Prover::by_structure(const ex& e, int comparisons) const {
     if (GiNaC::is_a<GiNaC::symbol>(e)) return of_symbol(e);
     if (GiNaC::is_a<GiNaC::power>(e)) return of_power(e, comparisons);
     if (GiNaC::is_a<GiNaC::function>(e)) return of_function(e);
-    if (!GiNaC::is_a<GiNaC::add>(e) && !GiNaC::is_a<GiNaC::mul>(e)) return Sign::unknown;
-    Sign weakest = Sign::positive, strongest = Sign::unknown;
+    if (GiNaC::is_a<GiNaC::mul>(e)) return of_product(e, comparisons);
+    if (!GiNaC::is_a<GiNaC::add>(e)) return Sign::unknown;
+    Sign strongest = Sign::unknown;
     for (const ex& part : e) {
         const Sign s = sign(part, comparisons);
         if (s == Sign::unknown) return Sign::unknown;
-        weakest = std::min(weakest, s);
         strongest = std::max(strongest, s);
     }
-    return GiNaC::is_a<GiNaC::add>(e) ? strongest : weakest;
+    return strongest;
 }
 
 // With d > 0 declared: e = q d has the sign of q; e = d + rest is positive if the rest is >= 0.

@@ -259,6 +259,11 @@ void SystemReader::read_domain() {
             bad_value(item, "an expression declared positive can be positive", "correct or remove it");
         }
         system_.positive.push_back({value, item.text, item.source});
+        // A name by itself is the same as positive = true.
+        for (Parameter& p : system_.parameters)
+            if (value.is_equal(p.symbol)) p.positive = p.nonzero = true;
+        for (Variable& v : system_.variables)
+            if (value.is_equal(v.jet.front())) v.positive = v.nonzero = true;
     }
 }
 

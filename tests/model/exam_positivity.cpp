@@ -13,13 +13,14 @@ namespace {
 class Positivity : public testing::Test {
 protected:
     Positivity()
-        : system(read_system_text("[system]\nname = \"s\"\n"
-                                  "[parameters]\nr = { positive = true }\nc = { nonzero = true }\nk = {}\n"
-                                  "[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
-                                  "p = { role = \"slow\", positive = true }\n"
-                                  "[equations]\nx = \"x'' = -x\"\ntau = \"tau' = eps\"\np = \"p' = eps\"\n"
-                                  "[domain]\npositive = [\"1 + tau\", \"k - tau\"]\n",
-                                  "system.toml")) {}
+        : system(read_system_text(
+              "[system]\nname = \"s\"\n"
+              "[parameters]\nr = { positive = true }\nc = { nonzero = true }\nk = {}\nq = {}\n"
+              "[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
+              "p = { role = \"slow\", positive = true }\n"
+              "[equations]\nx = \"x'' = -x\"\ntau = \"tau' = eps\"\np = \"p' = eps\"\n"
+              "[domain]\npositive = [\"1 + tau\", \"k - tau\", \"q\", \"3 - q\"]\n",
+              "system.toml")) {}
 
     GiNaC::ex read(const std::string& text) const {
         Scope scope = system.constants();
@@ -60,6 +61,10 @@ TEST_F(Positivity, Proves) {
                              "1 + 2*tau + tau^2",
                              "1 + k",
                              "atan(r)",
+                             "q",
+                             "q*(3 - q)",
+                             "-(1 + tau)*(-1 - tau)",
+                             "(tau - k)*(tau - k)*r",
                              "(1 + tau)*(tau^2 + r)"}) {
         EXPECT_TRUE(positive(text)) << text;
     }
@@ -85,6 +90,8 @@ TEST_F(Positivity, DoesNotClaim) {
                              "log(r)",
                              "r*tau",
                              "tau - k",
+                             "(1 + tau)*(tau - k)",
+                             "r*(q - 3)",
                              "1 + tau - tau^2",
                              "-(1 + tau)",
                              "tan(tau)^2 + 1",
