@@ -3,6 +3,7 @@
 # installs them.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(cln REQUIRED IMPORTED_TARGET cln)
+pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmpxx)
 pkg_check_modules(ginac REQUIRED IMPORTED_TARGET ginac)
 find_package(fmt REQUIRED)
 find_package(tomlplusplus REQUIRED)

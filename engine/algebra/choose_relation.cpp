@@ -138,7 +138,7 @@ Relation solved_for(const Ring& ring, GeneratorId x, const Leading& top, const P
     Relation relation;
     relation.lead = x;
     relation.degree = top.degree;
-    relation.value = Polynomial::from_terms(collect_products(ring.packing(), {{&difference, &reciprocal}}));
+    relation.value = plain_product(ring.packing(), difference, reciprocal);
     return relation;
 }
 

@@ -18,7 +18,7 @@ struct Factored {
 };
 
 Polynomial product(const Ring& ring, const Polynomial& a, const Polynomial& b) {
-    return Polynomial::from_terms(collect_products(ring.packing(), {{&a, &b}}));
+    return plain_product(ring.packing(), a, b);
 }
 
 int lowest_exponent(const Ring& ring, const Polynomial& p, GeneratorId id) {

@@ -3,6 +3,8 @@
 
 #include <cln/integer.h>
 
+#include <bit>
+
 namespace resonform {
 
 namespace {
@@ -58,11 +60,29 @@ std::uint64_t random_prime(std::mt19937_64& random) {
     }
 }
 
-Residue PrimeField::multiply(Residue a, Residue b) const { return multiply_modulo(a, b, prime_); }
+PrimeField::PrimeField(std::uint64_t prime)
+    : prime_(prime), bits_(static_cast<int>(std::bit_width(prime))),
+      reciprocal_((Wide{1} << (2 * bits_)) / prime) {}
+
+Residue PrimeField::from_limbs(const std::uint64_t* limbs, std::size_t count) const {
+    Residue value = 0;
+    const Residue base = static_cast<Residue>((Wide{1} << 64) % prime_);
+    for (std::size_t k = count; k-- > 0;) value = add(multiply(value, base), limbs[k] % prime_);
+    return value;
+}
 
 Residue PrimeField::power(Residue a, std::int64_t exponent) const {
-    if (exponent < 0) return power_modulo(inverse(a), static_cast<std::uint64_t>(-exponent), prime_);
-    return power_modulo(a, static_cast<std::uint64_t>(exponent), prime_);
+    if (exponent < 0) return power(inverse(a), -exponent);
+    return raise(a, static_cast<std::uint64_t>(exponent));
+}
+
+Residue PrimeField::raise(Residue a, std::uint64_t exponent) const {
+    Residue result = 1;
+    for (; exponent != 0; exponent >>= 1) {
+        if ((exponent & 1) != 0) result = multiply(result, a);
+        a = multiply(a, a);
+    }
+    return result;
 }
 
 Residue PrimeField::inverse(Residue a) const {
@@ -121,26 +141,26 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
     std::uint64_t v = 0;
     while ((1 + static_cast<Wide>(cofactor) * v) % q != 0) ++v;
     const auto u = static_cast<std::uint64_t>((1 + static_cast<Wide>(cofactor) * v) / q);
-    const Residue first = power_modulo(a, u, prime_);
+    const Residue first = raise(a, u);
     // What `first` must be multiplied with has q-th power `rest`, an element of the subgroup.
-    const Residue rest = inverse(power_modulo(power_modulo(a, cofactor, prime_), v, prime_));
+    const Residue rest = inverse(raise(raise(a, cofactor), v));
     if (order == 1) return first;
 
     const Residue generator = sylow_generator(factor, cofactor);
-    const Residue of_order_factor = power_modulo(generator, order / factor, prime_);
+    const Residue of_order_factor = raise(generator, order / factor);
     std::uint64_t logarithm = 0;
     for (std::uint64_t digit = 1; digit < order; digit *= factor) {
-        const Residue remaining = multiply(rest, inverse(power_modulo(generator, logarithm, prime_)));
-        const Residue target = power_modulo(remaining, order / digit / factor, prime_);
+        const Residue remaining = multiply(rest, inverse(raise(generator, logarithm)));
+        const Residue target = raise(remaining, order / digit / factor);
         for (Residue x = 1; x != target; x = multiply(x, of_order_factor)) logarithm += digit;
     }
     if (logarithm % (q < order ? q : order) != 0) return std::nullopt;
-    return multiply(first, power_modulo(generator, logarithm / q, prime_));
+    return multiply(first, raise(generator, logarithm / q));
 }
 
 Residue PrimeField::sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const {
     for (Residue x = 2;; ++x)
-        if (power_modulo(x, (prime_ - 1) / factor, prime_) != 1) return power_modulo(x, cofactor, prime_);
+        if (raise(x, (prime_ - 1) / factor) != 1) return raise(x, cofactor);
 }
 
 Residue PrimeField::random_unit(std::mt19937_64& random) const {

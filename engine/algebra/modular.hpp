@@ -6,6 +6,7 @@
 
 #include "algebra/number.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -26,7 +27,7 @@ inline constexpr double primes_to_choose_from = 1.3e16; // (pi(2^61) - pi(2^60))
 // The field of residues modulo a prime below 2^62. Residues that are handed in must be reduced.
 class PrimeField {
 public:
-    explicit PrimeField(std::uint64_t prime) : prime_(prime) {}
+    explicit PrimeField(std::uint64_t prime);
 
     [[nodiscard]] std::uint64_t prime() const { return prime_; }
     [[nodiscard]] Residue add(Residue a, Residue b) const {
@@ -35,7 +36,9 @@ public:
     }
     [[nodiscard]] Residue subtract(Residue a, Residue b) const { return a >= b ? a - b : a + prime_ - b; }
     [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : prime_ - a; }
-    [[nodiscard]] Residue multiply(Residue a, Residue b) const;
+    [[nodiscard]] Residue multiply(Residue a, Residue b) const { return reduce(Wide{a} * b); }
+    // sum of limbs[k] 2^(64 k)
+    [[nodiscard]] Residue from_limbs(const std::uint64_t* limbs, std::size_t count) const;
     [[nodiscard]] Residue power(Residue a, std::int64_t exponent) const; // exponent < 0: a != 0
     [[nodiscard]] Residue inverse(Residue a) const;                      // a != 0
     [[nodiscard]] Residue from(std::int64_t n) const;
@@ -48,11 +51,25 @@ public:
     [[nodiscard]] Residue random_unit(std::mt19937_64& random) const;
 
 private:
+    __extension__ using Wide = unsigned __int128;
+
+    // x mod p for x < p^2, by Barrett's method: with n the bits of p and m = floor(2^2n / p), the estimate
+    // floor(floor(x / 2^(n-1)) m / 2^(n+1)) of x / p is too small by 2 at most.
+    [[nodiscard]] Residue reduce(Wide x) const {
+        const auto quotient = static_cast<std::uint64_t>(((x >> (bits_ - 1)) * reciprocal_) >> (bits_ + 1));
+        std::uint64_t rest = static_cast<std::uint64_t>(x) - quotient * prime_;
+        while (rest >= prime_) rest -= prime_;
+        return rest;
+    }
+
+    [[nodiscard]] Residue raise(Residue a, std::uint64_t exponent) const;
     [[nodiscard]] std::optional<Residue> prime_power_root(Residue a, std::uint64_t factor, int times) const;
     // The generator of the subgroup of order factor^times, with p - 1 = factor^times * cofactor.
     [[nodiscard]] Residue sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const;
 
     std::uint64_t prime_;
+    int bits_;        // 2^(bits - 1) < prime < 2^bits <= 2^62
+    Wide reciprocal_; // below 2^(bits + 1)
 };
 
 } // namespace resonform

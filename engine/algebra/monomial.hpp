@@ -24,18 +24,4 @@ struct Monomial {
     friend bool operator<(const Monomial& a, const Monomial& b) { return a.word < b.word; }
 };
 
-// Both halves of a 128-bit product are folded together, so that fields at the top of a word reach the
-// low bits, which choose the slot of a hash table.
-struct MonomialHash {
-    std::size_t operator()(const Monomial& m) const noexcept {
-        __extension__ using Wide = unsigned __int128;
-        std::uint64_t h = 0x9E3779B97F4A7C15ULL;
-        for (std::uint64_t w : m.word) {
-            const Wide product = static_cast<Wide>(h ^ w) * 0xBF58476D1CE4E5B9ULL;
-            h = static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
-        }
-        return static_cast<std::size_t>(h);
-    }
-};
-
 } // namespace resonform

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/polynomial.hpp"
 
+#include "algebra/products.hpp"
+
 #include <algorithm>
 #include <cstddef>
+#include <mutex>
 #include <utility>
 
 namespace resonform {
@@ -10,37 +13,8 @@ namespace {
 
 bool by_monomial(const Term& a, const Term& b) { return a.monomial < b.monomial; }
 
-// a + sign b, for sign = 1 or -1.
-Polynomial merge(const Polynomial& a, const Polynomial& b, bool subtract) {
-    const std::vector<Term>&left = a.terms(), &right = b.terms();
-    std::vector<Term> out;
-    out.reserve(left.size() + right.size());
-    std::size_t i = 0, j = 0;
-    while (i < left.size() || j < right.size()) {
-        if (j == right.size() || (i < left.size() && left[i].monomial < right[j].monomial)) {
-            out.push_back(left[i++]);
-        } else if (i == left.size() || right[j].monomial < left[i].monomial) {
-            out.push_back({right[j].monomial, subtract ? -right[j].coefficient : right[j].coefficient});
-            ++j;
-        } else {
-            const Rational c = subtract ? left[i].coefficient - right[j].coefficient
-                                        : left[i].coefficient + right[j].coefficient;
-            if (!cln::zerop(c)) out.push_back({left[i].monomial, c});
-            ++i, ++j;
-        }
-    }
-    return Polynomial::from_terms(std::move(out));
-}
-
-} // namespace
-
-Polynomial::Polynomial(const Rational& constant) : Polynomial(Monomial{}, constant) {}
-
-Polynomial::Polynomial(const Monomial& monomial, const Rational& coefficient) {
-    if (!cln::zerop(coefficient)) terms_.push_back({monomial, coefficient});
-}
-
-Polynomial Polynomial::from_terms(std::vector<Term> terms) {
+// Sorted, equal monomials added, zeros dropped.
+void collect(std::vector<Term>& terms) {
     if (!std::is_sorted(terms.begin(), terms.end(), by_monomial)) {
         std::sort(terms.begin(), terms.end(), by_monomial);
     }
@@ -56,35 +30,101 @@ Polynomial Polynomial::from_terms(std::vector<Term> terms) {
     }
     if (kept > 0 && cln::zerop(terms[kept - 1].coefficient)) --kept;
     terms.resize(kept);
+}
+
+} // namespace
+
+// Whichever form it was made with is there from the start.
+struct Polynomial::Body {
+    explicit Body(std::vector<Term> t) : made_with_terms(true), terms(std::move(t)) {}
+    explicit Body(Fractions f) : made_with_terms(false), fractions(std::move(f)) {}
+
+    bool made_with_terms;
+    mutable std::once_flag other_form;
+    mutable std::vector<Term> terms;
+    mutable Fractions fractions;
+};
+
+Polynomial::Polynomial(const Rational& constant) : Polynomial(Monomial{}, constant) {}
+
+Polynomial::Polynomial(const Monomial& monomial, const Rational& coefficient) {
+    if (!cln::zerop(coefficient))
+        body_ = std::make_shared<const Body>(std::vector<Term>{{monomial, coefficient}});
+}
+
+Polynomial Polynomial::from_terms(std::vector<Term> terms) {
+    collect(terms);
     Polynomial p;
-    p.terms_ = std::move(terms);
+    if (!terms.empty()) p.body_ = std::make_shared<const Body>(std::move(terms));
     return p;
+}
+
+Polynomial Polynomial::from_fractions(Fractions fractions) {
+    Polynomial p;
+    if (fractions.size() == 0) return p;
+    make_canonical(fractions);
+    p.body_ = std::make_shared<const Body>(std::move(fractions));
+    return p;
+}
+
+const std::vector<Term>& Polynomial::terms() const& {
+    static const std::vector<Term> none;
+    if (!body_) return none;
+    if (!body_->made_with_terms)
+        std::call_once(body_->other_form, [&] { body_->terms = to_terms(body_->fractions); });
+    return body_->terms;
+}
+
+const Fractions& Polynomial::fractions() const {
+    static const Fractions none;
+    if (!body_) return none;
+    if (body_->made_with_terms)
+        std::call_once(body_->other_form, [&] { body_->fractions = to_fractions(body_->terms); });
+    return body_->fractions;
+}
+
+std::size_t Polynomial::size() const {
+    if (!body_) return 0;
+    return body_->made_with_terms ? body_->terms.size() : body_->fractions.size();
+}
+
+bool operator==(const Polynomial& a, const Polynomial& b) {
+    return a.body_ == b.body_ || a.terms() == b.terms();
+}
+
+Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>& addends) {
+    std::vector<const std::pair<Rational, const Polynomial*>*> present;
+    for (const auto& addend : addends)
+        if (!addend.second->empty() && !cln::zerop(addend.first)) present.push_back(&addend);
+    if (present.empty()) return {};
+    if (present.size() == 1 && present.front()->first == 1) return *present.front()->second;
+    const Fractions one = constant_fraction(1);
+    std::vector<FractionProduct> products;
+    for (const auto* addend : present) {
+        const auto& [factor, p] = *addend;
+        products.push_back(
+            {&p->fractions(), &one, to_mpz(cln::numerator(factor)), to_mpz(cln::denominator(factor))});
+    }
+    return Polynomial::from_fractions(sum_of_products(products));
 }
 
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
     if (a.empty()) return b;
-    if (b.empty()) return a;
-    return merge(a, b, false);
+    return b.empty() ? a : combination({{1, &a}, {1, &b}});
 }
 
 Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-    if (b.empty()) return a;
-    return merge(a, b, true);
+    return b.empty() ? a : combination({{1, &a}, {-1, &b}});
 }
 
-Polynomial operator-(const Polynomial& a) { return Rational(-1) * a; }
+Polynomial operator-(const Polynomial& a) { return combination({{-1, &a}}); }
 
-Polynomial operator*(const Rational& c, const Polynomial& p) {
-    if (cln::zerop(c)) return {};
-    std::vector<Term> terms = p.terms();
-    for (Term& t : terms) t.coefficient = c * t.coefficient;
-    return Polynomial::from_terms(std::move(terms));
-}
+Polynomial operator*(const Rational& c, const Polynomial& p) { return combination({{c, &p}}); }
 
 Polynomial sum(const std::vector<Polynomial>& summands) {
-    std::vector<Term> terms;
-    for (const Polynomial& p : summands) terms.insert(terms.end(), p.terms().begin(), p.terms().end());
-    return Polynomial::from_terms(std::move(terms));
+    std::vector<std::pair<Rational, const Polynomial*>> addends;
+    for (const Polynomial& p : summands) addends.emplace_back(1, &p);
+    return combination(addends);
 }
 
 } // namespace resonform

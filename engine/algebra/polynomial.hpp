@@ -7,10 +7,14 @@
 #include "algebra/monomial.hpp"
 #include "algebra/number.hpp"
 
+#include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace resonform {
+
+struct Fractions;
 
 struct Term {
     Monomial monomial;
@@ -21,7 +25,9 @@ struct Term {
     }
 };
 
-// Invariant: terms strictly ascending by monomial key, no zero coefficient.
+// Invariant: terms strictly ascending by monomial key, no zero coefficient. Copies share what they hold.
+// It is held as terms, or as fractions over a common denominator, or both: each is made from the other
+// when it is first asked for, which several threads may do at once.
 class Polynomial {
 public:
     Polynomial() = default;
@@ -30,16 +36,20 @@ public:
 
     // Takes terms in any order, adds equal monomials, drops zeros. No relation is applied.
     static Polynomial from_terms(std::vector<Term> terms);
+    // Takes different monomials in any order, no zero numerator.
+    static Polynomial from_fractions(Fractions fractions);
 
-    [[nodiscard]] const std::vector<Term>& terms() const& { return terms_; }
-    [[nodiscard]] std::vector<Term> terms() && { return std::move(terms_); } // safe in a range-for
-    [[nodiscard]] bool empty() const { return terms_.empty(); }
-    [[nodiscard]] std::size_t size() const { return terms_.size(); }
+    [[nodiscard]] const std::vector<Term>& terms() const&;
+    [[nodiscard]] std::vector<Term> terms() && { return std::as_const(*this).terms(); } // safe in a range-for
+    [[nodiscard]] const Fractions& fractions() const;                                   // canonical
+    [[nodiscard]] bool empty() const { return body_ == nullptr; }
+    [[nodiscard]] std::size_t size() const;
 
-    friend bool operator==(const Polynomial&, const Polynomial&) = default;
+    friend bool operator==(const Polynomial& a, const Polynomial& b);
 
 private:
-    std::vector<Term> terms_;
+    struct Body;
+    std::shared_ptr<const Body> body_; // null: zero
 };
 
 Polynomial operator+(const Polynomial& a, const Polynomial& b);
@@ -49,5 +59,7 @@ Polynomial operator*(const Rational& c, const Polynomial& p);
 
 // The sum of many polynomials, collected once.
 Polynomial sum(const std::vector<Polynomial>& summands);
+// sum_k c_k p_k
+Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>& addends);
 
 } // namespace resonform

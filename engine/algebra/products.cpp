@@ -1,67 +1,226 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/products.hpp"
 
-#include "algebra/accumulator.hpp"
+#include "algebra/monomial_table.hpp"
 
-#include <cstddef>
+#include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace resonform {
 namespace {
 
-// Below this number of products, rationals are multiplied as they are.
-constexpr std::size_t few_products = 8;
+__extension__ using Wide = __int128;
+__extension__ using UnsignedWide = unsigned __int128;
 
-Integer common_denominator(const Polynomial& p) {
-    Integer common = 1;
-    for (const Term& t : p.terms()) common = cln::lcm(common, cln::denominator(t.coefficient));
+// The products over the common denominator D of all of them: left and right are whole numbers, and
+// their product is numerator over D.
+struct WholeProduct {
+    const Fractions* left;
+    const Fractions* right;
+    Fractions scaled_left; // used if the left factor had to be multiplied; its denominator is not looked at
+};
+
+Fractions times(const Fractions& f, const mpz_class& factor) {
+    Fractions result;
+    result.monomials = f.monomials;
+    result.negative = f.negative;
+    if (sgn(factor) < 0)
+        for (std::uint8_t& sign : result.negative) sign ^= 1;
+    const mpz_srcptr by = factor.get_mpz_t();
+    result.limbs = (f.bits() + mpz_sizeinbase(by, 2) + 63) / 64;
+    result.magnitudes.assign(f.size() * result.limbs, 0);
+    std::vector<mp_limb_t> product(f.limbs + mpz_size(by));
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        const auto left = static_cast<mp_size_t>(f.limbs), right = static_cast<mp_size_t>(mpz_size(by));
+        if (left >= right) {
+            mpn_mul(product.data(), f.magnitude(k), left, mpz_limbs_read(by), right);
+        } else {
+            mpn_mul(product.data(), mpz_limbs_read(by), right, f.magnitude(k), left);
+        }
+        std::copy_n(product.begin(), std::min(product.size(), result.limbs),
+                    result.magnitudes.begin() + static_cast<std::ptrdiff_t>(k * result.limbs));
+    }
+    return result;
+}
+
+// Fills `whole`, returns D.
+mpz_class over_common_denominator(const std::vector<FractionProduct>& products,
+                                  std::vector<WholeProduct>& whole) {
+    mpz_class common = 1;
+    std::vector<mpz_class> own;
+    for (const FractionProduct& p : products) {
+        own.push_back(p.left->denominator * p.right->denominator * p.denominator);
+        if (own.back() != common) common = lcm(common, own.back());
+    }
+    for (std::size_t k = 0; k < products.size(); ++k) {
+        const FractionProduct& p = products[k];
+        if (p.left->size() == 0 || p.right->size() == 0 || sgn(p.numerator) == 0) continue;
+        const bool swap = p.right->size() < p.left->size();
+        WholeProduct w{swap ? p.right : p.left, swap ? p.left : p.right, {}};
+        const mpz_class factor = p.numerator * (common / own[k]);
+        if (factor != 1) {
+            w.scaled_left = times(*w.left, factor);
+            w.left = nullptr;
+        }
+        whole.push_back(std::move(w));
+    }
+    for (WholeProduct& w : whole)
+        if (w.left == nullptr) w.left = &w.scaled_left;
     return common;
 }
 
-std::vector<Term> scaled(const Polynomial& p, const Integer& factor) {
-    std::vector<Term> terms = p.terms();
-    for (Term& t : terms) t.coefficient = t.coefficient * factor;
-    return terms;
+// Bits that hold every sum, with its sign.
+std::size_t bits_of_sums(const std::vector<WholeProduct>& products) {
+    std::size_t bits = 0, summands = 0;
+    for (const WholeProduct& p : products) {
+        bits = std::max(bits, p.left->bits() + p.right->bits());
+        summands += std::min(p.left->size(), p.right->size());
+    }
+    return bits + static_cast<std::size_t>(std::bit_width(summands)) + 1;
 }
 
-void multiply_into(Accumulator& sum, const std::vector<Term>& a, const std::vector<Term>& b) {
-    for (const Term& s : a) {
-        for (const Term& t : b) sum.add(s.monomial + t.monomial, s.coefficient * t.coefficient);
+template <class Sum> std::vector<Sum> signed_numerators(const Fractions& f) {
+    std::vector<Sum> result(f.size());
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        const Sum magnitude = static_cast<Sum>(f.magnitudes[k]);
+        result[k] = f.negative[k] != 0 ? -magnitude : magnitude;
     }
+    return result;
 }
 
-// sum_k (a_k D/B_k) (b_k B_k) / D with B_k the common denominator of b_k and D that of all products:
-// the inner loop multiplies and adds integers, and fractions are cancelled once for each result.
-std::vector<Term> over_common_denominator(const Pairs& pairs) {
-    std::vector<Integer> right;
-    Integer common = 1;
-    for (const auto& pair : pairs) {
-        right.push_back(common_denominator(*pair.second));
-        common = cln::lcm(common, common_denominator(*pair.first) * right.back());
+template <class Sum> void store(Fractions& f, Sum value) {
+    const bool minus = value < 0;
+    const UnsignedWide magnitude =
+        minus ? -static_cast<UnsignedWide>(value) : static_cast<UnsignedWide>(value);
+    f.negative.push_back(minus ? 1 : 0);
+    f.magnitudes.push_back(static_cast<mp_limb_t>(magnitude));
+    if constexpr (sizeof(Sum) == sizeof(Wide))
+        f.magnitudes.push_back(static_cast<mp_limb_t>(magnitude >> 64));
+}
+
+// All numerators of the operands have one limb, all sums fit into Sum.
+template <class Sum> Fractions sum_in_words(const std::vector<WholeProduct>& products) {
+    MonomialTable table;
+    std::vector<Sum> sums;
+    for (const WholeProduct& p : products) {
+        const std::vector<Sum> left = signed_numerators<Sum>(*p.left),
+                               right = signed_numerators<Sum>(*p.right);
+        const std::vector<std::uint64_t> hashes = MonomialTable::hashes(p.right->monomials);
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const Monomial& m = p.left->monomials[i];
+            const std::uint64_t hash = MonomialTable::hash(m);
+            for (std::size_t j = 0; j < right.size(); ++j) {
+                const std::size_t k = table.index(m + p.right->monomials[j], hash + hashes[j]);
+                if (k == sums.size()) sums.push_back(0);
+                sums[k] += left[i] * right[j];
+            }
+        }
     }
-    Accumulator sum;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-        multiply_into(sum, scaled(*pairs[k].first, cln::exquo(common, right[k])),
-                      scaled(*pairs[k].second, right[k]));
+    Fractions result;
+    result.limbs = sizeof(Sum) / sizeof(mp_limb_t);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        if (sums[k] == 0) continue;
+        result.monomials.push_back(table.monomials()[k]);
+        store(result, sums[k]);
     }
-    std::vector<Term> terms = sum.take();
-    if (common == 1) return terms;
-    for (Term& t : terms) t.coefficient = t.coefficient / common;
-    return terms;
+    return result;
+}
+
+// Sums of `width` limbs in two's complement.
+class LimbSums {
+public:
+    explicit LimbSums(std::size_t width) : width_(width) {}
+
+    void grow() { limbs_.resize(limbs_.size() + width_, 0); }
+    [[nodiscard]] std::size_t size() const { return limbs_.size() / width_; }
+
+    // sums[k] += or -= the product of limbs a and b.
+    void add(std::size_t k, const mp_limb_t* a, std::size_t a_limbs, const mp_limb_t* b, std::size_t b_limbs,
+             bool subtract) {
+        product_.resize(a_limbs + b_limbs);
+        if (a_limbs >= b_limbs) {
+            mpn_mul(product_.data(), a, static_cast<mp_size_t>(a_limbs), b, static_cast<mp_size_t>(b_limbs));
+        } else {
+            mpn_mul(product_.data(), b, static_cast<mp_size_t>(b_limbs), a, static_cast<mp_size_t>(a_limbs));
+        }
+        const std::size_t low = std::min(product_.size(), width_);
+        mp_limb_t* sum = limbs_.data() + k * width_;
+        const auto size = static_cast<mp_size_t>(low), rest = static_cast<mp_size_t>(width_ - low);
+        if (subtract) {
+            const mp_limb_t borrow = mpn_sub_n(sum, sum, product_.data(), size);
+            if (borrow != 0 && rest > 0) mpn_sub_1(sum + low, sum + low, rest, 1);
+        } else {
+            const mp_limb_t carry = mpn_add_n(sum, sum, product_.data(), size);
+            if (carry != 0 && rest > 0) mpn_add_1(sum + low, sum + low, rest, 1);
+        }
+    }
+
+    // Appends sum k to f; returns false if it is zero.
+    bool store(std::size_t k, Fractions& f) {
+        mp_limb_t* sum = limbs_.data() + k * width_;
+        if (std::all_of(sum, sum + width_, [](mp_limb_t l) { return l == 0; })) return false;
+        const bool minus = sum[width_ - 1] >> 63 != 0;
+        if (minus) mpn_neg(sum, sum, static_cast<mp_size_t>(width_));
+        f.magnitudes.insert(f.magnitudes.end(), sum, sum + width_);
+        f.negative.push_back(minus ? 1 : 0);
+        return true;
+    }
+
+private:
+    std::size_t width_;
+    std::vector<mp_limb_t> limbs_, product_;
+};
+
+Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t width) {
+    MonomialTable table;
+    LimbSums sums(width);
+    for (const WholeProduct& p : products) {
+        const Fractions &left = *p.left, &right = *p.right;
+        const std::vector<std::uint64_t> hashes = MonomialTable::hashes(right.monomials);
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const std::uint64_t hash = MonomialTable::hash(left.monomials[i]);
+            for (std::size_t j = 0; j < right.size(); ++j) {
+                const std::size_t k = table.index(left.monomials[i] + right.monomials[j], hash + hashes[j]);
+                if (k == sums.size()) sums.grow();
+                sums.add(k, left.magnitude(i), left.limbs, right.magnitude(j), right.limbs,
+                         left.negative[i] != right.negative[j]);
+            }
+        }
+    }
+    Fractions result;
+    result.limbs = width;
+    for (std::size_t k = 0; k < sums.size(); ++k)
+        if (sums.store(k, result)) result.monomials.push_back(table.monomials()[k]);
+    return result;
 }
 
 } // namespace
 
-std::vector<Term> collect_products(const Packing& packing, const Pairs& pairs) {
-    std::size_t products = 0;
-    for (const auto& pair : pairs) {
-        for (const Term& t : pair.first->terms()) packing.require_safe(t.monomial);
-        for (const Term& t : pair.second->terms()) packing.require_safe(t.monomial);
-        products += pair.first->size() * pair.second->size();
-    }
-    if (products > few_products) return over_common_denominator(pairs);
-    Accumulator sum;
-    for (const auto& pair : pairs) multiply_into(sum, pair.first->terms(), pair.second->terms());
-    return sum.take();
+Fractions sum_of_products(const std::vector<FractionProduct>& products) {
+    std::vector<WholeProduct> whole;
+    const mpz_class denominator = over_common_denominator(products, whole);
+    const bool words = std::all_of(whole.begin(), whole.end(), [](const WholeProduct& p) {
+        return p.left->limbs == 1 && p.right->limbs == 1 && p.left->bits() < 64 && p.right->bits() < 64;
+    });
+    const std::size_t bits = bits_of_sums(whole);
+    Fractions result = words && bits <= 64    ? sum_in_words<std::int64_t>(whole)
+                       : words && bits <= 128 ? sum_in_words<Wide>(whole)
+                                              : sum_in_limbs(whole, (bits + 63) / 64);
+    result.denominator = denominator;
+    return result;
+}
+
+void require_safe(const Packing& packing, const std::vector<FractionProduct>& products) {
+    for (const FractionProduct& p : products)
+        for (const Fractions* f : {p.left, p.right})
+            for (const Monomial& m : f->monomials) packing.require_safe(m);
+}
+
+Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right) {
+    const std::vector<FractionProduct> products{{&left.fractions(), &right.fractions()}};
+    require_safe(packing, products);
+    return Polynomial::from_fractions(sum_of_products(products));
 }
 
 } // namespace resonform

@@ -2,17 +2,28 @@
 // Sums of products of polynomials: where the time of the engine goes.
 #pragma once
 
+#include "algebra/fractions.hpp"
 #include "algebra/packing.hpp"
-#include "algebra/polynomial.hpp"
 
-#include <utility>
 #include <vector>
 
 namespace resonform {
 
-using Pairs = std::vector<std::pair<const Polynomial*, const Polynomial*>>;
+// factor * left * right
+struct FractionProduct {
+    const Fractions* left;
+    const Fractions* right;
+    mpz_class numerator{1}, denominator{1}; // factor; denominator > 0
+};
 
-// sum_k a_k b_k, collected, in any order, no relation applied. Exponents that overflow are refused.
-std::vector<Term> collect_products(const Packing& packing, const Pairs& pairs);
+// sum_k c_k a_k b_k: different monomials in the order of their first arrival, no zero, not reduced. No
+// relation is applied.
+Fractions sum_of_products(const std::vector<FractionProduct>& products);
+
+// Exponents that could overflow in one product are refused.
+void require_safe(const Packing& packing, const std::vector<FractionProduct>& products);
+
+// left * right, checked; no relation is applied.
+Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right);
 
 } // namespace resonform

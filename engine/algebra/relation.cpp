@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/relation.hpp"
 
-#include "algebra/accumulator.hpp"
 #include "algebra/error.hpp"
+#include "algebra/products.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <deque>
 #include <map>
 #include <utility>
 
@@ -18,67 +18,65 @@ constexpr int most_rounds = 1000;
 
 int floor_quotient(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-// lead^e = lead^(e mod degree) value^(e div degree), for a value of one term.
-void apply_monomial(const Packing& packing, const Relation& relation, std::vector<Term>& terms) {
-    const Term& value = relation.value.terms().front();
-    for (Term& t : terms) {
-        if (!relation.applies(packing, t.monomial)) continue;
-        const int q = floor_quotient(packing.exponent(t.monomial, relation.lead), relation.degree);
-        t.monomial = t.monomial - packing.power(relation.lead, static_cast<long>(q) * relation.degree) +
-                     packing.scaled(value.monomial, q);
-        packing.require_safe(t.monomial);
-        t.coefficient = t.coefficient * cln::expt(value.coefficient, Integer(q));
-    }
+bool applies_anywhere(const Packing& packing, const Relation& relation, const Fractions& f) {
+    return std::any_of(f.monomials.begin(), f.monomials.end(),
+                       [&](const Monomial& m) { return relation.applies(packing, m); });
 }
 
-// From the highest power of lead downwards: lead^e -> lead^(e - degree) value, equal terms collected
-// before they are rewritten, so that each power is expanded once.
-void apply_polynomial(const Packing& packing, const Relation& relation, std::vector<Term>& terms) {
-    std::map<int, Accumulator> high; // exponent of lead -> terms
-    Accumulator low;
-    const auto place = [&](const Monomial& m, const Rational& c) {
-        packing.require_safe(m);
-        const int e = packing.exponent(m, relation.lead);
-        (e < relation.degree ? low : high[e]).add(m, c);
-    };
-    for (const Term& t : terms) place(t.monomial, t.coefficient);
-    const Monomial removed = packing.power(relation.lead, relation.degree);
-    while (!high.empty()) {
-        const auto top = std::prev(high.end());
-        const std::vector<Term> rewritten = top->second.take();
-        high.erase(top);
-        for (const Term& t : rewritten) {
-            if (cln::zerop(t.coefficient)) continue;
-            for (const Term& v : relation.value.terms()) {
-                place(t.monomial - removed + v.monomial, t.coefficient * v.coefficient);
-            }
-        }
+// value^q; q < 0 only for a value of one term.
+Fractions power_of_value(const Packing& packing, const Polynomial& value, int q) {
+    if (q < 0) {
+        const Term& t = value.terms().front();
+        return to_fractions({{packing.scaled(t.monomial, q), cln::expt(t.coefficient, Integer(q))}});
     }
-    terms = low.take();
+    Fractions result = constant_fraction(1);
+    for (int k = 0; k < q; ++k) {
+        const std::vector<FractionProduct> product{{&result, &value.fractions()}};
+        require_safe(packing, product);
+        result = sum_of_products(product);
+    }
+    return result;
 }
 
-// Whether the relation applied to any term.
-bool apply(const Packing& packing, const Relation& relation, std::vector<Term>& terms) {
-    const bool needed = std::any_of(terms.begin(), terms.end(),
-                                    [&](const Term& t) { return relation.applies(packing, t.monomial); });
-    if (!needed) return false;
-    if (relation.total) {
-        apply_monomial(packing, relation, terms);
-    } else {
-        apply_polynomial(packing, relation, terms);
+// f = sum_q lead^(degree q) f_q  ->  sum_q value^q f_q
+Fractions apply(const Packing& packing, const Relation& relation, const Fractions& f) {
+    std::map<int, Fractions> groups; // f_q by q
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        const Monomial& m = f.monomials[k];
+        const int q = relation.applies(packing, m)
+                          ? floor_quotient(packing.exponent(m, relation.lead), relation.degree)
+                          : 0;
+        groups[q].append(
+            q == 0 ? m : m - packing.power(relation.lead, static_cast<long>(q) * relation.degree), f, k);
     }
-    return true;
+    std::deque<Fractions> powers; // a deque leaves them in their places
+    std::vector<FractionProduct> products;
+    for (const auto& [q, group] : groups) {
+        powers.push_back(power_of_value(packing, relation.value, q));
+        products.push_back({&group, &powers.back()});
+    }
+    require_safe(packing, products);
+    return sum_of_products(products);
 }
 
 } // namespace
 
-std::vector<Term> rewrite(const Packing& packing, const std::vector<Relation>& relations,
-                          std::vector<Term> terms) {
-    for (const Term& t : terms) packing.require_safe(t.monomial);
+bool is_reduced(const Packing& packing, const std::vector<Relation>& relations, const Fractions& f) {
+    return std::none_of(relations.begin(), relations.end(),
+                        [&](const Relation& r) { return applies_anywhere(packing, r, f); });
+}
+
+Fractions rewrite(const Packing& packing, const std::vector<Relation>& relations, Fractions f) {
+    for (const Monomial& m : f.monomials) packing.require_safe(m);
     for (int round = 0; round < most_rounds; ++round) {
         bool changed = false;
-        for (const Relation& relation : relations) changed = apply(packing, relation, terms) || changed;
-        if (!changed) return terms;
+        for (const Relation& relation : relations) {
+            if (!applies_anywhere(packing, relation, f)) continue;
+            f = apply(packing, relation, f);
+            for (const Monomial& m : f.monomials) packing.require_safe(m);
+            changed = true;
+        }
+        if (!changed) return f;
     }
     refuse({.rule = "the relations between the roots lead to a unique form",
             .value = "rewriting does not end",

@@ -6,8 +6,8 @@
 //   xi^2 -> sigma^4 - r^2          only exponents >= degree are rewritten
 #pragma once
 
+#include "algebra/fractions.hpp"
 #include "algebra/packing.hpp"
-#include "algebra/polynomial.hpp"
 
 #include <vector>
 
@@ -25,8 +25,9 @@ struct Relation {
     }
 };
 
-// Rewrites until no relation applies to any term. Exponents that overflow are refused.
-std::vector<Term> rewrite(const Packing& packing, const std::vector<Relation>& relations,
-                          std::vector<Term> terms);
+// Whether no relation applies to any term.
+bool is_reduced(const Packing& packing, const std::vector<Relation>& relations, const Fractions& f);
+// Rewrites until no relation applies. The result is not canonical; exponents that overflow are refused.
+Fractions rewrite(const Packing& packing, const std::vector<Relation>& relations, Fractions f);
 
 } // namespace resonform

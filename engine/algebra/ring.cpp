@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <map>
 
 namespace resonform {
@@ -43,13 +44,32 @@ Polynomial Ring::gen(GeneratorId id, int exponent) const {
 }
 
 Polynomial Ring::reduce(Polynomial p) const {
-    return Polynomial::from_terms(rewrite(packing_, relations_, std::move(p).terms()));
+    if (is_reduced(packing_, relations_, p.fractions())) return p;
+    return Polynomial::from_fractions(rewrite(packing_, relations_, p.fractions()));
 }
 
 Polynomial Ring::multiply(const Polynomial& a, const Polynomial& b) const { return dot({{&a, &b}}); }
 
 Polynomial Ring::dot(const std::vector<std::pair<const Polynomial*, const Polynomial*>>& pairs) const {
-    return Polynomial::from_terms(rewrite(packing_, relations_, collect_products(packing_, pairs)));
+    std::vector<Product> products;
+    products.reserve(pairs.size());
+    for (const auto& [a, b] : pairs) products.push_back({1, a, b});
+    return dot(products);
+}
+
+Polynomial Ring::dot(const std::vector<Product>& products) const {
+    std::vector<FractionProduct> fractions;
+    fractions.reserve(products.size());
+    for (const Product& p : products)
+        if (!p.left->empty() && !p.right->empty() && !cln::zerop(p.factor))
+            fractions.push_back({&p.left->fractions(), &p.right->fractions(),
+                                 to_mpz(cln::numerator(p.factor)), to_mpz(cln::denominator(p.factor))});
+    return collected(fractions);
+}
+
+Polynomial Ring::collected(const std::vector<FractionProduct>& products) const {
+    require_safe(packing_, products);
+    return Polynomial::from_fractions(rewrite(packing_, relations_, sum_of_products(products)));
 }
 
 Polynomial Ring::power(const Polynomial& p, int exponent) const {
@@ -71,18 +91,23 @@ Polynomial Ring::power(const Polynomial& p, int exponent) const {
     return result;
 }
 
+bool Ring::may_depend(GeneratorId generator_id, GeneratorId id) const {
+    const Generator& g = generator(generator_id);
+    if (g.kind == GeneratorKind::primitive && generator(id).kind == GeneratorKind::parameter) return true;
+    return std::any_of(g.derivatives.begin(), g.derivatives.end(),
+                       [&](const auto& entry) { return entry.first == id; });
+}
+
+// Precondition: may_depend.
 const Polynomial* Ring::derivative_of(GeneratorId generator_id, GeneratorId id) const {
     const Generator& g = generator(generator_id);
     for (const auto& entry : g.derivatives) {
         if (entry.first == id) return &entry.second;
     }
-    if (g.kind == GeneratorKind::primitive && generator(id).kind == GeneratorKind::parameter) {
-        refuse({.rule = "a primitive is differentiated with respect to slow variables only",
-                .value = "d " + g.name + " / d " + generator(id).name,
-                .mend = "list this derivative with the primitive",
-                .place = {}});
-    }
-    return nullptr;
+    refuse({.rule = "a primitive is differentiated with respect to slow variables only",
+            .value = "d " + g.name + " / d " + generator(id).name,
+            .mend = "list this derivative with the primitive",
+            .place = {}});
 }
 
 Polynomial Ring::derivative(const Polynomial& p, GeneratorId id) const {
@@ -93,79 +118,93 @@ Polynomial Ring::derivative(const Polynomial& p, GeneratorId id) const {
                 .mend = "differentiate with respect to a variable or a parameter",
                 .place = {}});
     }
-    // sum over the generators v of p: (dp/dv) (dv/d id)
-    std::vector<Polynomial> partial, inner;
+    // sum over the generators v of p: (dp/dv) (dv/d id), dp/dv split by the exponents of v
+    const Polynomial unit = one();
+    std::deque<Fractions> partial; // a deque leaves them in their places
+    std::vector<FractionProduct> products;
     for (GeneratorId v = 0; v < size(); ++v) {
-        std::vector<Term> terms;
-        for (const Term& t : p.terms()) {
-            const int e = exponent(t.monomial, v);
-            if (e != 0) terms.push_back({t.monomial - monomial(v), Rational(e) * t.coefficient});
+        if (v != id && !may_depend(v, id)) continue;
+        const std::map<int, Fractions> groups = by_exponent(p.fractions(), v);
+        if (groups.empty()) continue;
+        const Polynomial* inner = v == id ? &unit : derivative_of(v, id);
+        for (const auto& [e, group] : groups) {
+            partial.push_back(group);
+            for (Monomial& m : partial.back().monomials) m = m - monomial(v);
+            products.push_back({&partial.back(), &inner->fractions(), e});
         }
-        if (terms.empty()) continue;
-        const Polynomial* dv = v == id ? nullptr : derivative_of(v, id);
-        if (v != id && dv == nullptr) continue;
-        partial.push_back(Polynomial::from_terms(std::move(terms)));
-        inner.push_back(v == id ? one() : *dv);
     }
-    std::vector<std::pair<const Polynomial*, const Polynomial*>> pairs;
-    for (std::size_t k = 0; k < partial.size(); ++k) pairs.emplace_back(&partial[k], &inner[k]);
-    return dot(pairs);
+    return collected(products);
+}
+
+// The terms that hold a generator, by its exponent.
+std::map<int, Fractions> Ring::by_exponent(const Fractions& f, GeneratorId id) const {
+    std::map<int, Fractions> groups;
+    for (std::size_t k = 0; k < f.size(); ++k)
+        if (const int e = exponent(f.monomials[k], id); e != 0) groups[e].append(f.monomials[k], f, k);
+    return groups;
 }
 
 Polynomial Ring::conjugate(const Polynomial& p) const {
-    std::vector<Term> terms = p.terms();
+    Fractions f = p.fractions();
     for (GeneratorId id = 0; id < size(); ++id) {
         const Generator& g = generator(id);
         const bool swap = g.kind == GeneratorKind::fast && g.conjugate > id;
         if (!swap && g.kind != GeneratorKind::phase && g.kind != GeneratorKind::imaginary) continue;
-        for (Term& t : terms) {
-            const int e = exponent(t.monomial, id);
+        for (std::size_t k = 0; k < f.size(); ++k) {
+            Monomial& m = f.monomials[k];
+            const int e = exponent(m, id);
             if (swap) {
-                const int shift = exponent(t.monomial, g.conjugate) - e;
-                t.monomial = t.monomial + monomial(id, shift) - monomial(g.conjugate, shift);
+                const int shift = exponent(m, g.conjugate) - e;
+                m = m + monomial(id, shift) - monomial(g.conjugate, shift);
             } else if (g.kind == GeneratorKind::phase) {
-                t.monomial = t.monomial - monomial(id, 2 * e);
+                m = m - monomial(id, 2 * e);
             } else if (e % 2 != 0) {
-                t.coefficient = -t.coefficient;
+                f.negative[k] ^= 1;
             }
         }
     }
-    return reduce(Polynomial::from_terms(std::move(terms)));
+    return reduce(Polynomial::from_fractions(std::move(f)));
 }
 
 std::vector<Polynomial> Ring::by_weight(const Polynomial& p, int through) const {
-    std::vector<std::vector<Term>> parts(static_cast<std::size_t>(through + 1));
+    std::vector<Fractions> parts(static_cast<std::size_t>(through + 1));
     const Polynomial reduced = reduce(p);
-    for (const Term& t : reduced.terms()) {
-        const int w = weight(t.monomial);
+    const Fractions& f = reduced.fractions();
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        const int w = weight(f.monomials[k]);
         if (w < 0) {
             refuse({.rule = "no term of a graded series has a negative weight",
                     .value = "a term of weight " + std::to_string(w),
                     .mend = "scale the variables so that eps does not stand in a denominator",
                     .place = {}});
         }
-        if (w <= through) parts[static_cast<std::size_t>(w)].push_back(t);
+        if (w <= through) parts[static_cast<std::size_t>(w)].append(f.monomials[k], f, k);
     }
     std::vector<Polynomial> result;
     result.reserve(parts.size());
-    for (std::vector<Term>& terms : parts) result.push_back(Polynomial::from_terms(std::move(terms)));
+    for (Fractions& part : parts) result.push_back(Polynomial::from_fractions(std::move(part)));
     return result;
 }
 
 std::vector<std::pair<Monomial, Polynomial>> Ring::collect(const Polynomial& p,
                                                            const std::vector<GeneratorId>& outer) const {
-    std::map<Monomial, std::vector<Term>> groups;
-    for (const Term& t : p.terms()) {
-        Monomial key;
-        for (GeneratorId id : outer) key = key + monomial(id, exponent(t.monomial, id));
-        groups[key].push_back({t.monomial - key, t.coefficient});
+    const Fractions& f = p.fractions();
+    std::map<Monomial, Fractions> groups;
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        const Monomial key = restricted(f.monomials[k], outer);
+        groups[key].append(f.monomials[k] - key, f, k);
     }
     std::vector<std::pair<Monomial, Polynomial>> result;
     result.reserve(groups.size());
-    for (auto& group : groups) {
-        result.emplace_back(group.first, Polynomial::from_terms(std::move(group.second)));
-    }
+    for (auto& group : groups)
+        result.emplace_back(group.first, Polynomial::from_fractions(std::move(group.second)));
     return result;
+}
+
+Monomial Ring::restricted(const Monomial& m, const std::vector<GeneratorId>& generators) const {
+    Monomial key;
+    for (GeneratorId id : generators) key = key + monomial(id, exponent(m, id));
+    return key;
 }
 
 } // namespace resonform

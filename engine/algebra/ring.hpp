@@ -13,6 +13,7 @@
 #include "algebra/polynomial.hpp"
 #include "algebra/relation.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,8 @@ enum class GeneratorKind {
     primitive, // a function of slow variables known by its derivatives (a logarithm, a quadrature)
 };
 
+struct FractionProduct;
+
 enum class Zero { yes, no, unknown };
 
 struct Generator {
@@ -49,6 +52,13 @@ struct Generator {
     // primitive: d/d(slow) = polynomial; slow variables not listed have derivative zero. It may contain
     // the primitive itself (an exponential). root: filled in by RingBuilder::freeze.
     std::vector<std::pair<GeneratorId, Polynomial>> derivatives;
+};
+
+// factor * left * right
+struct Product {
+    Rational factor;
+    const Polynomial* left;
+    const Polynomial* right;
 };
 
 class Ring;
@@ -86,6 +96,7 @@ public:
     // sum_k a_k b_k, collected and reduced once: the kernel of all series products.
     [[nodiscard]] Polynomial
     dot(const std::vector<std::pair<const Polynomial*, const Polynomial*>>& pairs) const;
+    [[nodiscard]] Polynomial dot(const std::vector<Product>& products) const; // with factors
     // exponent < 0: refused unless p is a unit (inverse below).
     [[nodiscard]] Polynomial power(const Polynomial& p, int exponent) const;
     // 1/p if p is a unit of the ring, that is one monomial in invertible generators (or i) times a
@@ -113,10 +124,15 @@ public:
     [[nodiscard]] Zero is_zero(const Polynomial& p) const;
     // is_zero(p) == Zero::yes, without the search for a proof of the opposite.
     [[nodiscard]] bool vanishes(const Polynomial& p) const { return cleared(p).empty(); }
+    // Whether every polynomial but the empty one is non-zero: no root is left that was not eliminated.
+    // (Numbers under roots and primitives are taken to be independent, as by vanishes.)
+    [[nodiscard]] bool is_canonical() const;
     // Splits each term into (part in generators selected by `outer`) x (coefficient):
     // outer monomial -> coefficient polynomial in the remaining generators. Sorted by outer key.
     [[nodiscard]] std::vector<std::pair<Monomial, Polynomial>>
     collect(const Polynomial& p, const std::vector<GeneratorId>& outer) const;
+    // The part of m in the selected generators.
+    [[nodiscard]] Monomial restricted(const Monomial& m, const std::vector<GeneratorId>& generators) const;
     // Undoes the elimination for display: p = sum of (factor) x (numerator), one element for each class
     // of terms whose exponents agree modulo the index of every root, sorted by the key of the factor.
     //   factor:    a monomial of roots and invertible generators, each with the lowest exponent that it
@@ -132,7 +148,10 @@ private:
     explicit Ring(int size) : packing_(size) {}
 
     [[nodiscard]] Polynomial cleared(const Polynomial& p) const; // reduced, times a unit
+    [[nodiscard]] bool may_depend(GeneratorId generator, GeneratorId id) const;
     [[nodiscard]] const Polynomial* derivative_of(GeneratorId generator, GeneratorId id) const;
+    [[nodiscard]] Polynomial collected(const std::vector<FractionProduct>& products) const;
+    [[nodiscard]] std::map<int, Fractions> by_exponent(const Fractions& f, GeneratorId id) const;
 
     Packing packing_;
     std::vector<Generator> generators_;

@@ -86,7 +86,7 @@ Polynomial RingBuilder::gen(GeneratorId id, int exponent) const {
 }
 
 Polynomial RingBuilder::multiply(const Polynomial& a, const Polynomial& b) const {
-    return Polynomial::from_terms(collect_products(packing_, {{&a, &b}}));
+    return plain_product(packing_, a, b);
 }
 
 Polynomial RingBuilder::import(const Ring& from, const Polynomial& p) const {

@@ -10,20 +10,10 @@ namespace {
 
 // [a^2]_n: each product of two different parts once, doubled.
 Polynomial square_part(const Ring& ring, const Series& a, int weight) {
-    std::vector<Polynomial> doubled;
-    doubled.reserve(static_cast<std::size_t>(weight) + 1); // pointers into it stay valid
-    std::vector<std::pair<const Polynomial*, const Polynomial*>> pairs;
-    for (int j = 0; 2 * j <= weight; ++j) {
-        const Polynomial &left = a.part(j), &right = a.part(weight - j);
-        if (left.empty() || right.empty()) continue;
-        if (2 * j == weight) {
-            pairs.emplace_back(&left, &right);
-        } else {
-            doubled.push_back(Rational(2) * left);
-            pairs.emplace_back(&doubled.back(), &right);
-        }
-    }
-    return ring.dot(pairs);
+    std::vector<Product> products;
+    for (int j = 0; 2 * j <= weight; ++j)
+        products.push_back({2 * j == weight ? 1 : 2, &a.part(j), &a.part(weight - j)});
+    return ring.dot(products);
 }
 
 } // namespace

@@ -20,15 +20,9 @@ std::size_t at(Node node) { return static_cast<std::size_t>(node); }
 template <class Factor>
 Polynomial weighted_product(const Ring& ring, const Series& u, const Series& v, int n, int last,
                             Factor factor) {
-    std::vector<Polynomial> scaled;
-    scaled.reserve(static_cast<std::size_t>(last)); // pointers into it stay valid
-    std::vector<std::pair<const Polynomial*, const Polynomial*>> pairs;
-    for (int j = 1; j <= last; ++j) {
-        if (u.part(j).empty() || v.part(n - j).empty()) continue;
-        scaled.push_back(factor(j) * u.part(j));
-        pairs.emplace_back(&scaled.back(), &v.part(n - j));
-    }
-    return ring.dot(pairs);
+    std::vector<Product> products;
+    for (int j = 1; j <= last; ++j) products.push_back({factor(j), &u.part(j), &v.part(n - j)});
+    return ring.dot(products);
 }
 
 // (1/n) sum_{j=1}^n j u_j v_{n-j}: part n of f with Df = v Du.
@@ -114,9 +108,9 @@ Polynomial SeriesRun::next_part(Node node, int weight) const {
     case Op::input: return value(node).part(n);
     case Op::constant: return at(n) < in.parts.size() ? in.parts[at(n)] : Polynomial();
     case Op::sum: {
-        std::vector<Polynomial> summands;
-        for (const auto& addend : in.addends) summands.push_back(addend.first * part(addend.second, n));
-        return resonform::sum(summands);
+        std::vector<std::pair<Rational, const Polynomial*>> addends;
+        for (const auto& [factor, addend] : in.addends) addends.emplace_back(factor, &part(addend, n));
+        return combination(addends);
     }
     case Op::product: return product_part(ring, value(in.left), value(in.right), n);
     case Op::sine:
@@ -160,9 +154,9 @@ Polynomial SeriesRun::change(Node node, const std::vector<Polynomial>& deltas) c
     case Op::constant:
     case Op::cosine: return {}; // d(cos u)_n = -s_0 du_n, s_0 = 0
     case Op::sum: {
-        std::vector<Polynomial> summands;
-        for (const auto& addend : in.addends) summands.push_back(addend.first * deltas[at(addend.second)]);
-        return resonform::sum(summands);
+        std::vector<std::pair<Rational, const Polynomial*>> addends;
+        for (const auto& [factor, addend] : in.addends) addends.emplace_back(factor, &deltas[at(addend)]);
+        return combination(addends);
     }
     case Op::product:
         return ring.dot(

@@ -100,6 +100,11 @@ Polynomial cleared_of(const Ring& ring, const Polynomial& p, GeneratorId lead) {
 
 } // namespace
 
+bool Ring::is_canonical() const {
+    return std::none_of(relations_.begin(), relations_.end(),
+                        [&](const Relation& r) { return !r.total && generator(r.lead).invertible; });
+}
+
 // Roots that were not eliminated: with sigma^-1 left, sigma^k and its radicand differ in form. Later
 // roots first, as their radicands may hold earlier ones.
 Polynomial Ring::cleared(const Polynomial& p) const {

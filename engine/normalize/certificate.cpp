@@ -16,8 +16,8 @@ namespace resonform {
 
 namespace {
 
-constexpr int fewest_points = 4;
-constexpr double wanted_error = 1e-20;
+constexpr int fewest_points = 2;
+constexpr double wanted_error = 1e-30;
 constexpr int unlucky_points_allowed = 64;
 
 using Matrix = std::vector<std::vector<Residue>>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/certificate_bound.hpp"
 
+#include "algebra/fractions.hpp"
+
 #include "algebra/modular.hpp"
 #include "normalize/certificate_flow.hpp"
 
@@ -69,11 +71,10 @@ public:
         const Polynomial total = sum(parts);
         Gradient<Size> result{polynomial(total), {}};
         std::vector<int> largest(static_cast<std::size_t>(ring_.size()), 0);
-        for (const Term& term : total.terms()) {
-            const std::vector<int> exponents = ring_.exponents(term.monomial);
-            for (std::size_t id = 0; id < exponents.size(); ++id)
-                largest[id] = std::max(largest[id], std::abs(exponents[id]));
-        }
+        for (const Monomial& m : total.fractions().monomials)
+            for (std::size_t id = 0; id < largest.size(); ++id)
+                largest[id] =
+                    std::max(largest[id], std::abs(ring_.exponent(m, static_cast<GeneratorId>(id))));
         for (GeneratorId id = 0; id < ring_.size(); ++id) {
             const int exponent = largest[static_cast<std::size_t>(id)];
             if (exponent == 0) continue;
@@ -109,26 +110,28 @@ private:
                 m * (u.bits + std::log2(m + 1)) + numbers + std::log2(m + 1)};
     }
 
+    // Over the common denominator of its numbers and the lowest power of each generator. Its norm is at
+    // most denominator + size * (largest numerator).
     [[nodiscard]] Size polynomial(const Polynomial& p) const {
+        const Fractions& f = p.fractions();
         std::vector<int> lowest(degrees_.size(), 0);
-        Integer denominator = 1;
-        for (const Term& term : p.terms()) {
-            const std::vector<int> exponents = ring_.exponents(term.monomial);
-            for (std::size_t id = 0; id < degrees_.size(); ++id)
-                lowest[id] = std::min(lowest[id], exponents[id]);
-            denominator = cln::lcm(denominator, cln::denominator(term.coefficient));
+        double highest = 0; // degree before denominators are cleared
+        for (const Monomial& m : f.monomials) {
+            double degree = 0;
+            for (std::size_t id = 0; id < degrees_.size(); ++id) {
+                const int e = ring_.exponent(m, static_cast<GeneratorId>(id));
+                lowest[id] = std::min(lowest[id], e);
+                degree += degrees_[id] * e;
+            }
+            highest = std::max(highest, degree);
         }
         Size size;
         for (std::size_t id = 0; id < degrees_.size(); ++id) size.denominator -= degrees_[id] * lowest[id];
-        Integer total = denominator;
-        for (const Term& term : p.terms()) {
-            const std::vector<int> exponents = ring_.exponents(term.monomial);
-            double degree = size.denominator;
-            for (std::size_t id = 0; id < degrees_.size(); ++id) degree += degrees_[id] * exponents[id];
-            size.degree = std::max(size.degree, degree);
-            total = total + cln::numerator(cln::abs(term.coefficient) * denominator);
-        }
-        size.bits = bits_of(total);
+        size.degree = size.denominator + highest;
+        const auto denominator_bits = static_cast<double>(mpz_sizeinbase(f.denominator.get_mpz_t(), 2));
+        const auto numerator_bits =
+            static_cast<double>(f.bits()) + std::log2(static_cast<double>(f.size() + 1));
+        size.bits = 1 + std::max(denominator_bits, numerator_bits);
         return size;
     }
 

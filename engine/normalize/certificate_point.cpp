@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/certificate_point.hpp"
 
-#include <map>
+#include "algebra/fractions.hpp"
+
+#include <cstdlib>
 #include <utility>
 
 namespace resonform {
@@ -129,44 +131,76 @@ Residue PointAlgebra::value_of(GeneratorId id, Side side) const {
     return side == Side::conjugate && id == Ring::imaginary_unit ? field().negate(value) : value;
 }
 
+namespace {
+
+// Powers of one value, negative ones included, each computed once.
+class Powers {
+public:
+    Powers(const PrimeField& field, Residue value) : field_(field), value_(value) {}
+
+    Residue operator()(int exponent) {
+        std::vector<Residue>& known = exponent < 0 ? negative_ : positive_;
+        const auto n = static_cast<std::size_t>(std::abs(exponent));
+        if (known.empty()) known.push_back(1);
+        if (known.size() <= n && exponent < 0 && known.size() == 1) inverse_ = field_.inverse(value_);
+        while (known.size() <= n)
+            known.push_back(field_.multiply(known.back(), exponent < 0 ? inverse_ : value_));
+        return known[n];
+    }
+
+private:
+    const PrimeField& field_;
+    Residue value_, inverse_ = 0;
+    std::vector<Residue> positive_, negative_;
+};
+
+} // namespace
+
 Gradient<PointAlgebra::Value> PointAlgebra::gradient(const Series& s, Side side) const {
     const PrimeField& f = field();
     const auto size = static_cast<std::size_t>(ring_.size());
-    std::vector<Residue> values(size);
-    std::vector<std::map<int, Residue>> powers(size);
-    for (GeneratorId id = 0; id < ring_.size(); ++id)
-        values[static_cast<std::size_t>(id)] = value_of(id, side);
-    const auto power_of = [&](std::size_t id, int e) {
-        const auto [entry, fresh] = powers[id].try_emplace(e, 0);
-        if (fresh) entry->second = f.power(values[id], e);
-        return entry->second;
-    };
-
+    std::vector<Powers> powers;
+    for (GeneratorId id = 0; id < ring_.size(); ++id) powers.emplace_back(f, value_of(id, side));
     Gradient<Value> result{constant(0), {}};
     std::vector<Value> slopes(size); // g ds/dg: by weight of the term
+    std::vector<std::pair<std::size_t, int>> present;
     for (int n = 0; n <= through_; ++n) {
-        for (const Term& term : s.part(n).terms()) {
-            const std::vector<int> exponents = ring_.exponents(term.monomial);
-            Residue value = residue(term.coefficient);
-            for (std::size_t id = 0; id < size; ++id)
-                if (exponents[id] != 0) value = f.multiply(value, power_of(id, exponents[id]));
+        const Fractions& part = s.part(n).fractions();
+        const Residue cofactor = inverse_of_denominator(part);
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            Residue value = f.multiply(cofactor, f.from_limbs(part.magnitude(k), part.limbs));
+            if (part.negative[k] != 0) value = f.negate(value);
+            present.clear();
+            for (std::size_t id = 0; id < size; ++id) {
+                const int e = ring_.exponent(part.monomials[k], static_cast<GeneratorId>(id));
+                if (e == 0) continue;
+                present.emplace_back(id, e);
+                value = f.multiply(value, powers[id](e));
+            }
             Residue& total = result.value[static_cast<std::size_t>(n)];
             total = f.add(total, value);
-            for (std::size_t id = 0; id < size; ++id) {
-                if (exponents[id] == 0) continue;
+            for (const auto& [id, e] : present) {
                 const int weight = n - ring_.generator(static_cast<GeneratorId>(id)).weight;
                 if (slopes[id].empty()) slopes[id] = constant(0);
                 Residue& slope = slopes[id][static_cast<std::size_t>(weight)];
-                slope = f.add(slope, f.multiply(value, f.from(exponents[id])));
+                slope = f.add(slope, f.multiply(value, e < 0 ? f.prime() - static_cast<Residue>(-e)
+                                                             : static_cast<Residue>(e)));
             }
         }
     }
     for (std::size_t id = 0; id < size; ++id) {
         if (slopes[id].empty()) continue;
         result.slopes.emplace_back(static_cast<GeneratorId>(id),
-                                   multiply(slopes[id], constant(f.inverse(values[id]))));
+                                   multiply(slopes[id], constant(powers[id](-1))));
     }
     return result;
+}
+
+Residue PointAlgebra::inverse_of_denominator(const Fractions& part) const {
+    const mpz_srcptr denominator = part.denominator.get_mpz_t();
+    const Residue residue = field().from_limbs(mpz_limbs_read(denominator), mpz_size(denominator));
+    if (residue == 0) throw UnluckyPoint();
+    return field().inverse(residue);
 }
 
 } // namespace resonform

@@ -76,6 +76,8 @@ public:
 private:
     [[nodiscard]] Residue residue(const Rational& value) const;
     [[nodiscard]] Value constant(Residue value) const;
+    // Throws UnluckyPoint where the prime divides it.
+    [[nodiscard]] Residue inverse_of_denominator(const Fractions& part) const;
     [[nodiscard]] Residue value_of(GeneratorId id, Side side) const;
     // sum_k coefficients[k] u^k with u_0 = 0, by Horner's rule.
     [[nodiscard]] Value taylor(const std::vector<Residue>& coefficients, const Value& u) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/homological.hpp"
 
+#include <algorithm>
+
 namespace resonform {
 
 HomologicalEquation::HomologicalEquation(const GradedField& field, int mode, std::string variable)
@@ -31,22 +33,53 @@ Polynomial HomologicalEquation::right_hand_side(int weight, const Polynomial& fi
 
 void HomologicalEquation::solve(int weight, const Polynomial& field_part, const Transport& transport) {
     const Ring& ring = *field_.ring;
-    std::vector<Polynomial> kept, removed;
-    for (const auto& [monomial, coefficient] :
-         ring.collect(right_hand_side(weight, field_part, transport), outer_)) {
-        if (ring.vanishes(coefficient)) continue;
-        const Divisor& divisor = divisors_.of(monomial);
-        records_.push_back({variable_, monomial, weight, divisor.value, divisor.verdict});
-        const Polynomial outer(monomial, 1);
-        if (divisor.verdict == DivisorVerdict::removed) {
-            removed.push_back(ring.multiply(outer, ring.multiply(coefficient, divisor.inverse)));
+    const Polynomial total = without_vanishing(right_hand_side(weight, field_part, transport));
+    Monomial last;
+    Shares shares;
+    Share* share = nullptr;
+    for (std::size_t k = 0; k < total.size(); ++k) {
+        const Monomial& m = total.fractions().monomials[k];
+        const Monomial outer = ring.restricted(m, outer_);
+        if (share == nullptr || outer != last) share = &share_of(outer, weight, shares);
+        last = outer;
+        share->part.append(m, total.fractions(), k);
+    }
+    std::deque<Polynomial> parts; // a deque leaves them in their places
+    std::vector<std::pair<const Polynomial*, const Polynomial*>> removed, kept;
+    const Polynomial one = ring.one();
+    for (Share& s : shares) {
+        parts.push_back(Polynomial::from_fractions(std::move(s.part)));
+        if (s.divisor->verdict == DivisorVerdict::removed) {
+            removed.emplace_back(&parts.back(), &s.divisor->inverse);
         } else {
-            kept.push_back(ring.multiply(outer, coefficient));
+            kept.emplace_back(&parts.back(), &one);
         }
     }
-    rate_.set(weight, sum(kept));
-    correction_.set(weight, sum(removed));
+    rate_.set(weight, ring.dot(kept));
+    correction_.set(weight, ring.dot(removed));
     remember_derivatives(weight);
+}
+
+// The terms that are divided by the divisor of this monomial; a monomial that is new gets its record.
+HomologicalEquation::Share& HomologicalEquation::share_of(const Monomial& outer, int weight, Shares& shares) {
+    const Divisor& divisor = divisors_.of(outer);
+    if (seen_.insert(outer).second)
+        records_.push_back({variable_, outer, weight, divisor.value, divisor.verdict});
+    const auto known =
+        std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.divisor == &divisor; });
+    if (known != shares.end()) return *known;
+    shares.push_back({&divisor, {}});
+    return shares.back();
+}
+
+// Drops coefficients that vanish though they are not empty, which a canonical ring does not have.
+Polynomial HomologicalEquation::without_vanishing(const Polynomial& p) const {
+    const Ring& ring = *field_.ring;
+    if (ring.is_canonical()) return p;
+    std::vector<Polynomial> rest;
+    for (const auto& [monomial, coefficient] : ring.collect(p, outer_))
+        if (!ring.vanishes(coefficient)) rest.push_back(ring.multiply(Polynomial(monomial, 1), coefficient));
+    return sum(rest);
 }
 
 // d_w lowers the weight by one, d_zeta keeps it.

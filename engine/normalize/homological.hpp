@@ -8,9 +8,12 @@
 // where the linear part N_1 = i omega w of the modes is in D, not in the sum.
 #pragma once
 
+#include "algebra/fractions.hpp"
 #include "normalize/divisor.hpp"
 #include "normalize/normal_form.hpp"
 
+#include <deque>
+#include <set>
 #include <vector>
 
 namespace resonform {
@@ -37,6 +40,14 @@ public:
 private:
     [[nodiscard]] Polynomial right_hand_side(int weight, const Polynomial& field_part,
                                              const Transport& transport) const;
+    // The terms of one weight that one divisor belongs to.
+    struct Share {
+        const Divisor* divisor;
+        Fractions part;
+    };
+    using Shares = std::deque<Share>;
+    Share& share_of(const Monomial& outer, int weight, Shares& shares);
+    [[nodiscard]] Polynomial without_vanishing(const Polynomial& p) const;
     void remember_derivatives(int weight);
 
     const GradedField& field_;
@@ -47,6 +58,7 @@ private:
     // derivatives of the correction, each computed once: by [mode or slow variable]
     std::vector<Series> by_mode_, by_conjugate_, by_slow_;
     std::vector<DivisorRecord> records_;
+    std::set<Monomial> seen_; // monomials that have a record
 };
 
 } // namespace resonform

@@ -37,10 +37,10 @@ TEST(Certificate, HoldsForDuffingByHand) {
     EXPECT_TRUE(c.normal_form_scan);
     EXPECT_EQ(c.through_weight, 3);
     EXPECT_EQ(c.complaint, "");
-    EXPECT_GE(c.points, 4);
+    EXPECT_GE(c.points, 2);
     EXPECT_EQ(c.primes.size(), static_cast<std::size_t>(c.points));
     EXPECT_GT(c.error_probability, 0);
-    EXPECT_LE(c.error_probability, 1e-20);
+    EXPECT_LE(c.error_probability, 1e-30);
 }
 
 TEST(Certificate, ComplaintsSayWhatIsWrong) {
@@ -86,7 +86,7 @@ TEST(Certificate, HoldsForThePendulumThroughEveryWeight) {
         const Certificate c = test::certificate_of(n);
         EXPECT_TRUE(c.holds) << through << ": " << c.complaint;
         EXPECT_EQ(c.through_weight, through);
-        EXPECT_LE(c.error_probability, 1e-20) << through;
+        EXPECT_LE(c.error_probability, 1e-30) << through;
     }
 }
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sums of products over a common denominator, in one word, in two and in many, against plain rationals.
+#include "algebra/fractions.hpp"
+#include "algebra/products.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <random>
+
+namespace resonform {
+namespace {
+
+class RandomTerms {
+public:
+    explicit RandomTerms(unsigned seed) : random_(seed) {}
+
+    // Up to `count` terms in two fields, numerators and denominators of up to `bits` bits.
+    Polynomial next(std::size_t count, int bits) {
+        const Packing packing(4);
+        std::vector<Term> terms;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::vector<int> exponents{small(), small(), 0, small()};
+            const Integer numerator = number(bits), denominator = number(bits / 2) + 1;
+            terms.push_back({packing.pack(exponents),
+                             Rational(random_() % 2 == 0 ? numerator : -numerator) / denominator});
+        }
+        return Polynomial::from_terms(std::move(terms));
+    }
+    Rational factor() { return Rational(static_cast<long>(random_() % 9) - 4) / (1 + random_() % 5); }
+
+private:
+    int small() { return static_cast<int>(random_() % 7) - 3; }
+    Integer number(int bits) {
+        Integer n = 0;
+        for (int done = 0; done < bits; done += 16)
+            n = cln::ash(n, 16) + Integer(static_cast<unsigned long>(random_() % 65536));
+        return n;
+    }
+
+    std::mt19937 random_;
+};
+
+struct Summand {
+    Rational factor;
+    Polynomial left, right;
+};
+
+Polynomial by_definition(const std::vector<Summand>& summands) {
+    std::map<Monomial, Rational> sum;
+    for (const Summand& s : summands)
+        for (const Term& a : s.left.terms())
+            for (const Term& b : s.right.terms()) {
+                Rational& c = sum[a.monomial + b.monomial];
+                c = c + s.factor * a.coefficient * b.coefficient;
+            }
+    std::vector<Term> terms;
+    for (const auto& [monomial, c] : sum) terms.push_back({monomial, c});
+    return Polynomial::from_terms(std::move(terms));
+}
+
+Polynomial by_kernel(const std::vector<Summand>& summands) {
+    std::vector<FractionProduct> products;
+    for (const Summand& s : summands)
+        products.push_back({&s.left.fractions(), &s.right.fractions(), to_mpz(cln::numerator(s.factor)),
+                            to_mpz(cln::denominator(s.factor))});
+    return Polynomial::from_fractions(sum_of_products(products));
+}
+
+TEST(Products, EqualTheirDefinitionAtEveryWidth) {
+    RandomTerms random(20);
+    for (const int bits : {4, 16, 32, 48, 64, 80, 128, 200, 640})
+        for (const std::size_t count : {1U, 2U, 7U, 40U}) {
+            std::vector<Summand> summands;
+            for (int k = 0; k < 4; ++k)
+                summands.push_back({random.factor(), random.next(count, bits), random.next(count, bits / 2)});
+            EXPECT_EQ(by_kernel(summands), by_definition(summands)) << bits << " bits, " << count;
+        }
+}
+
+// Sums at the very edge of a word, of two words, of three: carries and signs must not be lost.
+TEST(Products, KeepEveryBit) {
+    const Packing packing(1);
+    const Monomial x = packing.power(0, 1), one{};
+    for (const int bits : {31, 32, 62, 63, 64, 65, 95, 96, 127, 128, 191, 192}) {
+        const Integer top = cln::ash(Integer(1), bits);
+        for (const Integer& a : {Integer(top - 1), top, Integer(top + 1)}) {
+            for (const Integer& b : {Integer(top - 1), Integer(1 - top), Integer(-top)}) {
+                const Polynomial left = Polynomial::from_terms({{one, a}, {x, a}});
+                const Polynomial right = Polynomial::from_terms({{one, b}, {x, -b}});
+                const std::vector<Summand> summands{{1, left, right}, {1, left, left}, {-1, right, right}};
+                EXPECT_EQ(by_kernel(summands), by_definition(summands)) << bits;
+            }
+        }
+    }
+}
+
+TEST(Products, ThatCancelAreEmpty) {
+    RandomTerms random(3);
+    const Polynomial a = random.next(12, 100), b = random.next(12, 100);
+    EXPECT_TRUE(by_kernel({{Rational(2) / 3, a, b}, {Rational(-2) / 3, b, a}}).empty());
+    EXPECT_TRUE(by_kernel({{0, a, b}}).empty());
+    EXPECT_TRUE(by_kernel({}).empty());
+}
+
+TEST(Fractions, AndTermsAreOneThing) {
+    RandomTerms random(5);
+    for (const int bits : {8, 40, 64, 150}) {
+        const Polynomial p = random.next(20, bits);
+        EXPECT_EQ(Polynomial::from_fractions(p.fractions()), p);
+        EXPECT_EQ(to_terms(p.fractions()), p.terms());
+        EXPECT_EQ(p.size(), p.terms().size());
+    }
+}
+
+TEST(Fractions, AreCanonical) {
+    const Packing packing(1);
+    const Polynomial p = Polynomial::from_terms({{packing.power(0, 2), Rational(2) / 3}, {Monomial{}, -6}});
+    const Polynomial q = Rational(1) / 4 * (Rational(4) * p);
+    EXPECT_EQ(q, p);
+    EXPECT_EQ(q.fractions().denominator, 3);
+    EXPECT_EQ(q.fractions().limbs, 1U);
+    EXPECT_EQ(q.fractions().bits(), 5U); // 18
+    EXPECT_EQ(q.fractions().negative, (std::vector<std::uint8_t>{1, 0}));
+}
+
+} // namespace
+} // namespace resonform
