@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/settings.hpp"
+
+#include "model/positivity.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+[[noreturn]] void complain(const std::string& rule, const std::string& value, const std::string& mend,
+                           const std::string& option) {
+    Place place;
+    place.key = option;
+    bad_input({rule, value, mend, place});
+}
+
+ex read_value(const Setting& setting, const std::string& option) {
+    SourceText source;
+    source.key = option;
+    return read_expression(setting.value, Scope(), source);
+}
+
+std::string declared(const Parameter& parameter) {
+    return parameter.positive ? "positive" : parameter.nonzero ? "nonzero" : "real";
+}
+
+void check_value(const Setting& setting, const Parameter& parameter, const ex& value, const System& system,
+                 const std::string& option) {
+    const bool allowed = parameter.positive  ? provably_positive(value, system)
+                         : parameter.nonzero ? provably_nonzero(value, system)
+                                             : true;
+    if (!allowed)
+        complain("the file declares " + parameter.name + " " + declared(parameter),
+                 setting.parameter + "=" + setting.value, "set a value of this kind, or change the file",
+                 option);
+}
+
+std::string number_text(const ex& number) {
+    std::ostringstream text;
+    text << GiNaC::ex_to<GiNaC::numeric>(number).to_double();
+    return text.str();
+}
+
+// A declared expression that has become a number must be positive.
+void put_into_domain(System& system, const GiNaC::exmap& values, const std::string& option) {
+    std::vector<ex> rest;
+    for (const ex& e : system.positive) {
+        const ex put = e.subs(values, GiNaC::subs_options::no_pattern);
+        const ex number = put.evalf();
+        if (!GiNaC::is_a<GiNaC::numeric>(number)) {
+            rest.push_back(put);
+        } else if (!GiNaC::ex_to<GiNaC::numeric>(number).is_positive()) {
+            complain("[domain] of the file declares as positive what these values make a number below zero, "
+                     "or zero",
+                     number_text(number), "set values for which every declared expression is positive",
+                     option);
+        }
+    }
+    system.positive = std::move(rest);
+}
+
+} // namespace
+
+Setting read_setting(const std::string& text, const std::string& option) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        complain("a setting is NAME=VALUE", printable(text), "write for example g=1 or r=4/5", option);
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+System with_settings(System system, const std::vector<Setting>& settings, const std::string& option) {
+    GiNaC::exmap values;
+    for (const Setting& setting : settings) {
+        const Parameter* parameter = system.parameter(setting.parameter);
+        if (parameter == nullptr) {
+            std::vector<std::string> known;
+            for (const Parameter& p : system.parameters) known.push_back(p.name);
+            complain("a setting names a parameter of the system", in_quotes(setting.parameter),
+                     suggest(setting.parameter, known), option);
+        }
+        const ex value = read_value(setting, option);
+        check_value(setting, *parameter, value, system, option);
+        if (!values.emplace(parameter->symbol, value).second)
+            complain("a parameter is set once", in_quotes(setting.parameter), "leave out one of them",
+                     option);
+    }
+    for (Equation& equation : system.equations)
+        equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
+    put_into_domain(system, values, option);
+    const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
+    system.parameters.erase(std::remove_if(system.parameters.begin(), system.parameters.end(), is_set),
+                            system.parameters.end());
+    return system;
+}
+
+} // namespace resonform

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers in place of parameters.
+#include "model/settings.hpp"
+
+#include "messages.hpp"
+
+namespace resonform {
+namespace {
+
+System set(const std::vector<std::string>& texts, const std::string& file = pendulum_system()) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) settings.push_back(read_setting(text, "--set"));
+    return with_settings(read_system_text(file, "system.toml"), settings, "--set");
+}
+
+std::string complaint(const std::vector<std::string>& texts) {
+    try {
+        set(texts);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Kind::bad_input);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Settings, TakeTheParametersOut) {
+    const System whole = read_system_text(pendulum_system(), "system.toml");
+    const System system = with_settings(whole, {{"g", "1"}, {"r", "4/5"}}, "--set");
+    ASSERT_EQ(system.parameters.size(), 1U);
+    EXPECT_EQ(system.parameters.front().name, "v");
+    EXPECT_TRUE(whole.equations.front().residual.has(whole.parameter("g")->symbol));
+    for (std::size_t k = 0; k < system.equations.size(); ++k) {
+        EXPECT_FALSE(system.equations[k].residual.has(whole.parameter("g")->symbol));
+        EXPECT_EQ(system.equations[k].text, whole.equations[k].text);
+    }
+}
+
+TEST(Settings, AreExact) {
+    const std::string file = edited(pendulum_system(), "psi = \"(xi^2", "psi = \"v*psi'' + (xi^2");
+    const System a = set({"v=0.1"}, file), b = set({"v=1/10"}, file);
+    const GiNaC::ex of_a = a.equations.front().residual.coeff(a.variable("psi")->jet[2]);
+    const GiNaC::ex of_b = b.equations.front().residual.coeff(b.variable("psi")->jet[2]);
+    const auto at_zero = [](const System& system, const GiNaC::ex& e) {
+        return e.subs(GiNaC::lst{system.variable("xi")->jet[0] == 0, system.parameter("r")->symbol == 0});
+    };
+    EXPECT_TRUE(at_zero(a, of_a).is_equal(GiNaC::numeric(1, 10)));
+    EXPECT_TRUE(at_zero(b, of_b).is_equal(GiNaC::numeric(1, 10)));
+}
+
+TEST(Settings, ThatAreWrongAreNamed) {
+    EXPECT_NE(complaint({"g"}).find("--set: a setting is NAME=VALUE"), std::string::npos) << complaint({"g"});
+    EXPECT_NE(complaint({"=1"}).find("NAME=VALUE"), std::string::npos);
+    EXPECT_NE(complaint({"g="}).find("NAME=VALUE"), std::string::npos);
+    EXPECT_NE(complaint({"psi=1"}).find("names a parameter of the system"), std::string::npos);
+    EXPECT_NE(complaint({"gg=1"}).find("did you mean 'g'"), std::string::npos) << complaint({"gg=1"});
+    EXPECT_NE(complaint({"g=1", "g=2"}).find("set once"), std::string::npos);
+    EXPECT_NE(complaint({"g=-1"}).find("declares g positive"), std::string::npos);
+    EXPECT_NE(complaint({"g=0"}).find("declares g positive"), std::string::npos);
+    EXPECT_NE(complaint({"g=r"}).find("r"), std::string::npos); // numbers only
+    EXPECT_NE(complaint({"g=1/0"}).find("zero"), std::string::npos);
+    EXPECT_NE(complaint({"g=nan"}).find("nan"), std::string::npos);
+    EXPECT_EQ(complaint({"v=-3/2"}), "");
+}
+
+TEST(Settings, MustLieInTheDeclaredDomain) {
+    const std::string file =
+        edited(pendulum_system(), "[equations]", "[domain]\npositive = [\"g - r\"]\n\n[equations]");
+    EXPECT_NO_THROW(set({"g=2", "r=1"}, file));
+    EXPECT_EQ(set({"g=2", "r=1"}, file).positive.size(), 0U);
+    EXPECT_EQ(set({"g=2"}, file).positive.size(), 1U);
+    EXPECT_THROW(set({"g=1", "r=2"}, file), Error);
+}
+
+} // namespace
+} // namespace resonform
