@@ -4,7 +4,7 @@
 #include "model/positivity.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 #include <utility>
 
 namespace resonform {
@@ -41,25 +41,18 @@ void check_value(const Setting& setting, const Parameter& parameter, const ex& v
                  option);
 }
 
-std::string number_text(const ex& number) {
-    std::ostringstream text;
-    text << GiNaC::ex_to<GiNaC::numeric>(number).to_double();
-    return text.str();
-}
-
 // A declared expression that has become a number must be positive.
 void put_into_domain(System& system, const GiNaC::exmap& values, const std::string& option) {
-    std::vector<ex> rest;
-    for (const ex& e : system.positive) {
-        const ex put = e.subs(values, GiNaC::subs_options::no_pattern);
-        const ex number = put.evalf();
+    std::vector<Declaration> rest;
+    for (Declaration& declaration : system.positive) {
+        declaration.value = declaration.value.subs(values, GiNaC::subs_options::no_pattern);
+        const ex number = declaration.value.evalf();
         if (!GiNaC::is_a<GiNaC::numeric>(number)) {
-            rest.push_back(put);
+            rest.push_back(std::move(declaration));
         } else if (!GiNaC::ex_to<GiNaC::numeric>(number).is_positive()) {
-            complain("[domain] of the file declares as positive what these values make a number below zero, "
-                     "or zero",
-                     number_text(number), "set values for which every declared expression is positive",
-                     option);
+            complain("line " + std::to_string(declaration.source.line) +
+                         " of the file declares positive what these values make zero or negative",
+                     in_quotes(declaration.text), "set values for which it is positive", option);
         }
     }
     system.positive = std::move(rest);
