@@ -30,7 +30,8 @@ enum class GeneratorKind {
     small,     // eps, weight 1
     parameter, // weight 0
     slow,      // weight 0, with a derivation
-    root,      // sigma with sigma^index = radicand, weight 0, invertible, positive
+    root,      // sigma with sigma^index = radicand, weight 0, invertible; positive, but for an index 1:
+               // that is a divisor, which has an inverse because it does not vanish identically
     constant,  // a constant of the solution (C_delta, C_X, ...), weight 0
     phase,     // e^{i theta}: invertible, conjugate = inverse
     primitive, // a function of slow variables known by its derivatives (a logarithm, a quadrature)

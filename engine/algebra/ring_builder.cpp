@@ -27,7 +27,7 @@ Polynomial repack(const Packing& from, const Packing& to, const Polynomial& p) {
 
 // A radicand is a polynomial in parameters, slow variables and earlier roots.
 void check_radicand(const Packing& packing, const std::vector<Generator>& earlier, const Generator& root) {
-    if (root.index < 2) refuse_generator("the index of a root is at least 2", root.name);
+    if (root.index < 1) refuse_generator("the index of a root is at least 1", root.name);
     if (root.radicand.empty()) refuse_generator("a root is not taken of zero", root.name);
     for (const Term& t : root.radicand.terms()) {
         for (int id = 0; id < Packing::most_fields; ++id) {
@@ -67,7 +67,8 @@ GeneratorId RingBuilder::add(Generator g) {
     }
     if (g.kind == GeneratorKind::root) {
         check_radicand(packing_, generators_, g);
-        g.positive = true;
+        g.positive = g.positive || g.index > 1;
+        g.invertible = true;
     }
     if (g.kind == GeneratorKind::phase || g.positive) g.invertible = true;
     generators_.push_back(std::move(g));

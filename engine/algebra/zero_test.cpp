@@ -52,6 +52,11 @@ std::optional<std::vector<Interval>> Points::next(const Ring& ring, int bits) {
         const Generator& g = ring.generator(id);
         if (g.kind == GeneratorKind::root) {
             const Interval radicand = value(ring, g.radicand, point);
+            if (g.index == 1) { // a divisor, of either sign
+                if (!radicand.excludes_zero()) return std::nullopt;
+                point.push_back(radicand);
+                continue;
+            }
             if (!radicand.positive()) return std::nullopt;
             point.push_back(root(radicand, g.index, bits));
             if (!point.back().positive()) return std::nullopt;

@@ -108,13 +108,21 @@ const CoefficientRing::Base* CoefficientRing::find_base(const ex& e) const {
     return found == bases_.end() ? nullptr : &*found;
 }
 
-void CoefficientRing::freeze() {
+void CoefficientRing::freeze(const Divisors& divisors) {
     RingBuilder builder;
     add_symbols(builder);
     std::stable_sort(bases_.begin(), bases_.end(), [](const Base& a, const Base& b) {
         return std::tie(a.level, a.key) < std::tie(b.level, b.key);
     });
     add_roots(builder);
+    for (const Polynomial& divisor : divisors.values) {
+        Generator g;
+        g.kind = GeneratorKind::root;
+        g.name = fmt::format("divisor {}", builder.next()); // no name of a user has a space
+        g.index = 1;
+        g.radicand = builder.import(*divisors.ring, divisor);
+        builder.add(std::move(g));
+    }
     ring_ = builder.freeze();
 }
 
@@ -149,12 +157,13 @@ void CoefficientRing::add_symbols(RingBuilder& builder) {
 void CoefficientRing::add_roots(RingBuilder& builder) {
     int number = 0;
     for (Base& base : bases_) {
-        if (base.index == 1) base.index = 2; // only inverted: a root's index is at least 2
+        const bool positive = provably_positive(base.expression, *system_);
+        if (base.index == 1 && positive) base.index = 2; // only inverted: its root will do as well
         Generator g;
         g.kind = GeneratorKind::root;
         g.name = fmt::format("root_{}", ++number);
         g.invertible = true;
-        g.positive = provably_positive(base.expression, *system_);
+        g.positive = positive;
         g.index = base.index;
         g.radicand = radicand(base.expression, builder);
         base.id = builder.add(std::move(g));

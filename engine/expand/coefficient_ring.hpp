@@ -15,6 +15,13 @@
 
 namespace resonform {
 
+// What is divided by besides what stands in the equations: small divisors k.omega, polynomials of another
+// ring of the same system, with exponents >= 0 of every generator.
+struct Divisors {
+    RingPtr ring;
+    std::vector<Polynomial> values;
+};
+
 class CoefficientRing {
 public:
     // fast: the names of the fast generators; conjugates[k] is the index in `fast` of the k-th one's
@@ -31,7 +38,7 @@ public:
     // Notes the roots and inverses that a later convert of e, or of the weight-0 part of a power of
     // positive weight in e, will need.
     void collect(const GiNaC::ex& e, const Place& place);
-    void freeze();
+    void freeze(const Divisors& divisors = {});
 
     [[nodiscard]] const RingPtr& ring() const { return ring_; }
     [[nodiscard]] GeneratorId fast(std::size_t k) const;

@@ -21,8 +21,8 @@ Place place_of_equation(const System& system, std::size_t variable) {
 // Builds a GradedField in the order ring -> slow rates -> modes -> drift.
 class Expansion {
 public:
-    explicit Expansion(std::shared_ptr<const FirstOrderSystem> first_order)
-        : first_order_(std::move(first_order)), system_(*first_order_->system),
+    Expansion(std::shared_ptr<const FirstOrderSystem> first_order, const Divisors& divisors)
+        : divisors_(divisors), first_order_(std::move(first_order)), system_(*first_order_->system),
           coefficients_(first_order_->system, mode_names(), mode_conjugates()) {}
 
     GradedField build() {
@@ -81,7 +81,7 @@ private:
             // 1/omega is needed as well: every base of omega^2 becomes invertible
             coefficients_.collect(GiNaC::pow(o.omega_squared, -GiNaC::numeric(1, 2)), place);
         }
-        coefficients_.freeze();
+        coefficients_.freeze(divisors_);
     }
 
     void add_slow() {
@@ -174,6 +174,7 @@ private:
                                               mode.input)}});
     }
 
+    const Divisors& divisors_;
     std::shared_ptr<const FirstOrderSystem> first_order_;
     const System& system_;
     CoefficientRing coefficients_;
@@ -183,8 +184,8 @@ private:
 
 } // namespace
 
-GradedField expand(std::shared_ptr<const FirstOrderSystem> system) {
-    return Expansion(std::move(system)).build();
+GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors) {
+    return Expansion(std::move(system), divisors).build();
 }
 
 FieldSeries evaluate_field(const GradedField& field, int through) {

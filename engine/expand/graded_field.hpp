@@ -57,8 +57,13 @@ struct GradedField {
 // Errors: bad_input: a fast variable of other order than 2, linear part absent, damping at weight 0,
 // a force at the origin, division by an expression that is zero; refused: omega^2 not provably
 // positive, a slow rate of weight 0 or depending on fast variables, a coefficient function that the
-// ring cannot hold.
-GradedField expand(std::shared_ptr<const FirstOrderSystem> system);
+// ring cannot hold. The ring gets an inverse for each of the divisors.
+GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors = {});
+
+// The same field over a ring that divides by more; the divisors it has already are kept. New ones are
+// polynomials of field.ring that are proved not to vanish identically; units are divided out of them.
+// Errors (refused): more generators than a ring holds.
+GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors);
 
 // The field in modal coordinates through a weight: f of each mode, each drift rate.
 struct FieldSeries {

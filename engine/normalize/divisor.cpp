@@ -26,7 +26,7 @@ const Divisor& DivisorTable::of(const Monomial& monomial) {
     return known_.emplace(harmonics, make(harmonics)).first->second;
 }
 
-Divisor DivisorTable::make(const std::vector<int>& harmonics) const {
+Divisor DivisorTable::make(const std::vector<int>& harmonics) {
     const Ring& ring = *field_.ring;
     Polynomial frequency;
     std::string spelled;
@@ -39,9 +39,13 @@ Divisor DivisorTable::make(const std::vector<int>& harmonics) const {
     const Polynomial value = ring.multiply(ring.imaginary(), frequency);
     if (ring.vanishes(value)) return {{}, DivisorVerdict::kept_exact, {}};
     if (const auto inverse = ring.inverse(value)) return {value, DivisorVerdict::removed, *inverse};
+    if (ring.is_zero(value) == Zero::no) {
+        missing_.push_back(frequency);
+        return {value, DivisorVerdict::removed, {}};
+    }
     refuse({"a divisor is proved to be zero or to be non-zero before anything is divided by it",
             "i*(" + spelled + ")",
-            "systems with several independent frequencies are not supported yet",
+            "write the frequencies so that their relation is plain, or give parameters numeric values",
             {}});
 }
 

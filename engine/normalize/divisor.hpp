@@ -7,13 +7,14 @@
 #include "normalize/normal_form.hpp"
 
 #include <map>
+#include <vector>
 
 namespace resonform {
 
 struct Divisor {
     Polynomial value;
     DivisorVerdict verdict;
-    Polynomial inverse; // only where the verdict is removed
+    Polynomial inverse; // only where the verdict is removed; empty: the ring does not hold it yet
 };
 
 // The divisors of one equation. This is the only place where the normaliser divides: a divisor has an
@@ -24,15 +25,18 @@ public:
     DivisorTable(const GradedField& field, int mode);
 
     // The divisor of a monomial in modes and eps (other exponents zero). Looked up by its harmonics.
-    // Errors (refused): neither proved zero nor proved a unit.
+    // Errors (refused): proved neither to vanish nor not to vanish identically (ambiguous).
     const Divisor& of(const Monomial& monomial);
+    // The frequencies k.omega of the divisors that were asked for and have no inverse in the ring.
+    [[nodiscard]] const std::vector<Polynomial>& missing() const { return missing_; }
 
 private:
-    [[nodiscard]] Divisor make(const std::vector<int>& harmonics) const;
+    [[nodiscard]] Divisor make(const std::vector<int>& harmonics);
 
     const GradedField& field_;
     int mode_;
     std::map<std::vector<int>, Divisor> known_; // by alpha_m - alphabar_m
+    std::vector<Polynomial> missing_;
 };
 
 } // namespace resonform

@@ -30,6 +30,9 @@ public:
     // mode: index of the mode, or -1 for a drift variable.
     HomologicalEquation(const GradedField& field, int mode, std::string variable);
 
+    // The frequencies k.omega by which solve() has to divide and cannot: what it left is not the solution.
+    [[nodiscard]] const std::vector<Polynomial>& missing_divisors() const { return divisors_.missing(); }
+
     // Solves weight n, given [F]_n of the composed field; weights must come in order.
     void solve(int weight, const Polynomial& field_part, const Transport& transport);
 

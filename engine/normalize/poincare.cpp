@@ -43,6 +43,15 @@ public:
             drifts_[d].solve(weight, run_.part(field_->drift[d].rate, weight), transport_);
     }
 
+    // What the ring must learn to divide by before the last weight can be solved.
+    [[nodiscard]] std::vector<Polynomial> missing_divisors() const {
+        std::vector<Polynomial> missing;
+        for (const auto* equations : {&modes_, &drifts_})
+            for (const HomologicalEquation& e : *equations)
+                missing.insert(missing.end(), e.missing_divisors().begin(), e.missing_divisors().end());
+        return missing;
+    }
+
     [[nodiscard]] std::size_t terms() const {
         std::size_t count = 0;
         const auto add = [&](const HomologicalEquation& e) {
@@ -101,6 +110,17 @@ private:
     Transport transport_;
 };
 
+// Returns the divisors that are missing at the first weight that needs any.
+std::vector<Polynomial> advance_through(Normalizer& normalizer, int through,
+                                        const NormalizeOptions& options) {
+    for (int weight = 0; weight <= through; ++weight) {
+        normalizer.advance(weight);
+        if (std::vector<Polynomial> missing = normalizer.missing_divisors(); !missing.empty()) return missing;
+        if (options.progress) options.progress(weight, normalizer.terms());
+    }
+    return {};
+}
+
 } // namespace
 
 Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
@@ -110,12 +130,14 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
                    fmt::format("{}", through),
                    "choose an order in this range",
                    {}});
-    Normalizer normalizer(std::move(field), through);
-    for (int weight = 0; weight <= through; ++weight) {
-        normalizer.advance(weight);
-        if (options.progress) options.progress(weight, normalizer.terms());
+    // With several frequencies, divisors turn up as the weights go by: the ring is built anew with their
+    // inverses, and the few weights below are done again.
+    while (true) {
+        Normalizer normalizer(field, through);
+        const std::vector<Polynomial> missing = advance_through(normalizer, through, options);
+        if (missing.empty()) return normalizer.result();
+        field = std::make_shared<const GradedField>(with_divisors(*field, missing));
     }
-    return normalizer.result();
 }
 
 } // namespace resonform

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// More divisors for a field: its ring is built anew with an inverse for each.
+#include "algebra/fractions.hpp"
+#include "expand/graded_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+// p without its common factors: numbers, the sign of the first term, and what every term can be divided
+// by; exponents >= 0 are left.
+Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
+    Monomial common;
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        if (!ring.generator(id).invertible || id == Ring::imaginary_unit) continue;
+        int lowest = ring.exponent(p.terms().front().monomial, id);
+        for (const Term& t : p.terms()) lowest = std::min(lowest, ring.exponent(t.monomial, id));
+        common = common + ring.monomial(id, lowest);
+    }
+    Integer numerators = 0, denominators = 1;
+    for (const Term& t : p.terms()) {
+        numerators = cln::gcd(numerators, cln::numerator(t.coefficient));
+        denominators = cln::lcm(denominators, cln::denominator(t.coefficient));
+    }
+    const Rational factor = Rational(denominators) / numerators;
+    const bool minus = cln::minusp(p.terms().front().coefficient);
+    std::vector<Term> terms;
+    for (const Term& t : p.terms())
+        terms.push_back({t.monomial - common, (minus ? -factor : factor) * t.coefficient});
+    return Polynomial::from_terms(std::move(terms));
+}
+
+} // namespace
+
+GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors) {
+    Divisors all{field.ring, {}};
+    for (GeneratorId id = 0; id < field.ring->size(); ++id)
+        if (const Generator& g = field.ring->generator(id); g.name.rfind("divisor ", 0) == 0)
+            all.values.push_back(g.radicand);
+    const std::size_t held = all.values.size();
+    for (const Polynomial& divisor : divisors) {
+        const Polynomial primitive = primitive_part(*field.ring, divisor);
+        if (std::find(all.values.begin(), all.values.end(), primitive) == all.values.end())
+            all.values.push_back(primitive);
+    }
+    const std::size_t needed = static_cast<std::size_t>(field.ring->size()) - held + all.values.size();
+    if (needed > static_cast<std::size_t>(Packing::most_fields))
+        refuse({fmt::format("parameters, variables, roots and small divisors are at most {} together",
+                            Packing::most_fields),
+                fmt::format("{} small divisors", all.values.size()),
+                "give parameters numeric values with --set NAME=VALUE, or ask for a lower order",
+                {}});
+    return expand(field.first_order, all);
+}
+
+} // namespace resonform
