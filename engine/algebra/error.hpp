@@ -51,4 +51,16 @@ private:
 [[noreturn]] inline void bad_input(Diagnostic d) { throw Error(Kind::bad_input, std::move(d)); }
 [[noreturn]] inline void refuse(Diagnostic d) { throw Error(Kind::refused, std::move(d)); }
 
+// Runs `work`. A complaint of it that knows no place gets this one.
+template <class Work> decltype(auto) at_place(const Place& place, const Work& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        Diagnostic d = error.diagnostic();
+        if (!d.place.file.empty() || !d.place.key.empty()) throw;
+        d.place = place;
+        throw Error(error.kind(), std::move(d));
+    }
+}
+
 } // namespace resonform

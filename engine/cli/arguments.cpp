@@ -9,6 +9,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace resonform {
@@ -51,6 +52,15 @@ double read_eps(const std::string& text) {
         bad_argument("--eps", std::string(eps_rule) + ", where the expansion in eps has a meaning", text,
                      "give for example --eps 0.01");
     return *eps;
+}
+
+double read_limit(const std::string& option, const std::string& text) {
+    if (text == "none") return std::numeric_limits<double>::infinity();
+    const auto limit = read_double(text);
+    if (!limit || !std::isfinite(*limit) || *limit <= 0)
+        bad_argument(option, fmt::format("{} must be a decimal number > 0, or none", option), text,
+                     fmt::format("give for example {} 600", option));
+    return *limit;
 }
 
 std::vector<double> read_times(const std::string& text) {

@@ -17,6 +17,8 @@ namespace resonform {
 int read_order(const std::string& option, const std::string& text);
 // A finite decimal number within smallest_eps ... largest_eps.
 double read_eps(const std::string& text);
+// A decimal number > 0, or "none", which is infinite.
+double read_limit(const std::string& option, const std::string& text);
 // "0,1.5,2e3": decimal numbers, `nan` and `inf` included: those get a status, not a message.
 std::vector<double> read_times(const std::string& text);
 // One of `known`; the complaint lists them and names the nearest.

@@ -2,6 +2,7 @@
 // resonform certify SYSTEM --order N: is the normal form right, by the second route?
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 
@@ -44,10 +45,17 @@ void print_text(const std::string& system, const Certificate& certificate) {
         put("The certificate does NOT hold: {}\n", certificate.complaint);
 }
 
-int run_certify(const std::string& argument, const std::string& order, const std::string& format) {
-    const int through = read_order("--order", order);
-    const auto normalization =
-        normalize_with_certificate(expand_system(find_system(argument, find_home().systems())), through);
+std::shared_ptr<const Normalization> normalize(const std::string& argument, int through,
+                                               const DerivationLimits& limits) {
+    const auto file = find_system(argument, find_home().systems());
+    return watched(limits, [&](Watch& watch) {
+        return normalize_with_certificate(expand_system(file, watch), through, watch);
+    });
+}
+
+int run_certify(const std::string& argument, const std::string& order, const DerivationLimits& limits,
+                const std::string& format) {
+    const auto normalization = normalize(argument, read_order("--order", order), limits);
     const std::string& system = normalization->normal_form.field->system().name;
     if (format == "json")
         put("{}\n", to_json(system, normalization->certificate).dump(2));
@@ -63,8 +71,11 @@ void add_certify(CLI::App& app, Action& action) {
     const Text system = add_required(*command, "SYSTEM", "", system_help);
     const Text order = add_required(*command, "--order", order_values, "weight of normal form and map");
     const FormatOption format(*command, {"text", "json"});
-    command->callback([&action, system, order, format] {
-        action = [system, order, format] { return run_certify(*system, *order, format.value()); };
+    const LimitOptions limits(*command);
+    command->callback([&action, system, order, format, limits] {
+        action = [system, order, format, limits] {
+            return run_certify(*system, *order, limits.value(), format.value());
+        };
     });
 }
 

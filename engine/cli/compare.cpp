@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform compare SCENE: error against run time, beside direct integrators.
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "verify/json.hpp"
@@ -11,9 +12,9 @@ namespace resonform {
 
 namespace {
 
-int run_compare(const std::string& scene, const std::string& format) {
+int run_compare(const std::string& scene, const DerivationLimits& limits, const std::string& format) {
     const Home home = find_home();
-    const SceneLine line = solve_scene(scene, home);
+    const SceneLine line = solve_scene(scene, home, limits);
     const CacheFolder cache(home);
     CompareOptions options;
     options.cache = cache.path();
@@ -29,8 +30,9 @@ void add_compare(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("compare", "error against run time, beside direct integrators");
     const Text scene = add_required(*command, "SCENE", "", scene_help);
     const FormatOption format(*command, {"text", "json"});
-    command->callback([&action, scene, format] {
-        action = [scene, format] { return run_compare(*scene, format.value()); };
+    const LimitOptions limits(*command);
+    command->callback([&action, scene, format, limits] {
+        action = [scene, format, limits] { return run_compare(*scene, limits.value(), format.value()); };
     });
 }
 

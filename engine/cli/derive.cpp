@@ -2,6 +2,7 @@
 // resonform derive SYSTEM: one stage of the line, printed.
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/document.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 struct Request {
     std::string system, order, stage, truncation, format;
+    DerivationLimits limits;
 };
 
 // Through which weight the printed solution uses normal form and map: as asked, else what accuracy
@@ -51,13 +53,13 @@ std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalizatio
 }
 
 std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
-                     Format format) {
+                     Format format, Watch& watch) {
     if (stage == Stage::equations) return print_equations(*expanded.first_order->system, format);
     if (stage == Stage::solution) {
         const int through = truncation_of(*expanded.field, order, truncation);
-        return print_solution(solve(normalize_certified(expanded, through), {order, through}), format);
+        return print_solution(solve(normalize_certified(expanded, through, watch), {order, through}), format);
     }
-    const auto normalization = normalize_certified(expanded, order);
+    const auto normalization = normalize_certified(expanded, order, watch);
     const bool shortened = format == Format::text || format == Format::latex;
     const auto solution = shortened ? solution_if_any(normalization, order) : std::nullopt;
     const Solution* known = solution ? &*solution : nullptr;
@@ -74,7 +76,9 @@ int run_derive(const Request& request) {
     const Format format = parse_format(request.format);
     require_printable(stage, format);
     const auto file = find_system(request.system, find_home().systems());
-    put("{}", document(expand_system(file), order, stage, request.truncation, format));
+    put("{}", watched(request.limits, [&](Watch& watch) {
+            return document(expand_system(file, watch), order, stage, request.truncation, format, watch);
+        }));
     return done;
 }
 
@@ -92,9 +96,10 @@ void add_derive(CLI::App& app, Action& action) {
                                      "not below the order; default: what the order needs on t = 1/eps");
     const Text format = add_text(*command, "--format", "text|latex|json|sympy|maxima",
                                  "how to print; sympy and maxima for the normal form only", "text");
-    command->callback([&action, system, order, stage, truncation, format] {
-        action = [system, order, stage, truncation, format] {
-            return run_derive({*system, *order, *stage, *truncation, *format});
+    const LimitOptions limits(*command);
+    command->callback([&action, system, order, stage, truncation, format, limits] {
+        action = [system, order, stage, truncation, format, limits] {
+            return run_derive({*system, *order, *stage, *truncation, *format, limits.value()});
         };
     });
 }

@@ -2,6 +2,7 @@
 // resonform evaluate SCENE --eps E --t T1,T2,...: numbers without writing a program.
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "verify/interpreter.hpp"
@@ -85,12 +86,16 @@ void print_csv(const Program& program, const Values& values) {
 }
 
 int run_evaluate(const std::string& scene, const std::string& eps_text, const std::string& times,
-                 const std::string& format) {
+                 const DerivationLimits& limits, const std::string& format) {
     const double eps = read_eps(eps_text);
     std::vector<double> t = read_times(times);
-    const SceneLine line = solve_scene(scene, find_home());
-    const auto program = std::make_shared<const Program>(build_program(line.solution, line.scene));
-    require_values(*program, line.scene);
+    const Home home = find_home();
+    const auto program = watched(limits, [&](Watch& watch) {
+        const SceneLine line = solve_scene(scene, home, watch);
+        auto built = std::make_shared<const Program>(build_program(line.solution, line.scene));
+        require_values(*built, line.scene);
+        return built;
+    });
     const Values values = evaluate_program(program, eps, std::move(t));
     if (format == "json")
         print_json(*program, values);
@@ -107,8 +112,11 @@ void add_evaluate(CLI::App& app, Action& action) {
     const Text eps = add_required(*command, "--eps", "NUMBER", "the small parameter, 1e-12 ... 0.5");
     const Text times = add_required(*command, "--t", "T1,T2,...", "times, separated by commas");
     const FormatOption format(*command, {"csv", "json"});
-    command->callback([&action, scene, eps, times, format] {
-        action = [scene, eps, times, format] { return run_evaluate(*scene, *eps, *times, format.value()); };
+    const LimitOptions limits(*command);
+    command->callback([&action, scene, eps, times, format, limits] {
+        action = [scene, eps, times, format, limits] {
+            return run_evaluate(*scene, *eps, *times, limits.value(), format.value());
+        };
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform generate SCENE [-o FILE]: the C++ header of a scene, and what pruning saved.
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/cpp.hpp"
@@ -28,12 +29,27 @@ std::string to_text(const Program::Count& c) {
 struct Request {
     std::string scene, output, format;
     bool inline_runtime = false;
+    DerivationLimits limits;
 };
 
+struct Generated {
+    SceneLine line;
+    Program program;
+    std::string header;
+};
+
+Generated generate(const Request& request) {
+    const Home home = find_home();
+    return watched(request.limits, [&](Watch& watch) {
+        SceneLine line = solve_scene(request.scene, home, watch);
+        Program program = build_program(line.solution, line.scene);
+        std::string header = emit_cpp(program, {request.inline_runtime});
+        return Generated{std::move(line), std::move(program), std::move(header)};
+    });
+}
+
 int run_generate(const Request& request) {
-    const SceneLine line = solve_scene(request.scene, find_home());
-    const Program program = build_program(line.solution, line.scene);
-    const std::string header = emit_cpp(program, {request.inline_runtime});
+    const auto [line, program, header] = generate(request);
     require_other_file(request.output, {line.scene.file, line.scene.system->file});
     if (!request.output.empty()) write_file(request.output, header);
     if (request.format == "json") {
@@ -70,9 +86,10 @@ void add_generate(CLI::App& app, Action& action) {
     command->add_flag("--inline-runtime", *inline_runtime,
                       "copy the runtime into the header: it includes nothing of ours");
     const FormatOption format(*command, {"text", "json"});
-    command->callback([&action, scene, output, inline_runtime, format] {
-        action = [scene, output, inline_runtime, format] {
-            return run_generate({*scene, *output, format.value(), *inline_runtime});
+    const LimitOptions limits(*command);
+    command->callback([&action, scene, output, inline_runtime, format, limits] {
+        action = [scene, output, inline_runtime, format, limits] {
+            return run_generate({*scene, *output, format.value(), *inline_runtime, limits.value()});
         };
     });
 }

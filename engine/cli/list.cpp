@@ -9,21 +9,23 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace resonform {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What there is, and whether all of it could be read.
+// What there is, and what could not be read.
 struct Listing {
     Json systems = Json::array();
-    bool complete = true;
+    int code = done; // the worst
 
     // One broken file hides none of the others.
     void complain(const Error& error) {
         say(fmt::format("resonform: {}", error.what()));
-        complete = false;
+        code = std::max(code, static_cast<int>(error.kind()));
     }
 };
 
@@ -71,7 +73,7 @@ int list(const std::string& format) {
         put("{}\n", Json{{"schema", "resonform.list/1"}, {"systems", listing.systems}}.dump(2));
     else
         print_text(listing.systems);
-    return listing.complete ? done : bad_input_code;
+    return listing.code;
 }
 
 } // namespace

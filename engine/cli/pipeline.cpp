@@ -27,48 +27,66 @@ private:
     Clock::time_point begin_ = Clock::now();
 };
 
-Expanded expand_shared(std::shared_ptr<const System> system) {
+Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
+    watch.enter("solving the equations for the highest derivatives");
     Expanded expanded;
     expanded.first_order = std::make_shared<const FirstOrderSystem>(solve_for_highest(std::move(system)));
-    expanded.field = std::make_shared<const GradedField>(expand(expanded.first_order));
+    watch.enter("the expansion");
+    const Place file = whole_file(expanded.first_order->system->file);
+    expanded.field =
+        at_place(file, [&] { return std::make_shared<const GradedField>(expand(expanded.first_order)); });
     return expanded;
 }
 
 } // namespace
 
-Expanded expand_system(const std::filesystem::path& file) {
-    return expand_shared(std::make_shared<const System>(read_system(file)));
+Expanded expand_system(const std::filesystem::path& file, Watch& watch) {
+    return expand_shared(std::make_shared<const System>(read_system(file)), watch);
 }
 
-std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through) {
+std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,
+                                                                Watch& watch) {
     Laps laps;
-    const NormalizeOptions options{[&laps](int weight, std::size_t terms) {
+    const Place file = whole_file(expanded.first_order->system->file);
+    const NormalizeOptions options{[&](int weight, std::size_t terms) {
         laps.done(fmt::format("weight {}: {} terms", weight, terms));
+        watch.reached(weight, terms);
     }};
-    auto normalization =
-        std::make_shared<Normalization>(normalize_poincare(expanded.field, through, options));
-    normalization->certificate = certify(normalization->normal_form, normalization->map);
+    auto normalization = at_place(file, [&] {
+        return std::make_shared<Normalization>(normalize_poincare(expanded.field, through, options));
+    });
+    watch.enter(fmt::format("weight {} reached, the certificate under way", through));
+    normalization->certificate =
+        at_place(file, [&] { return certify(normalization->normal_form, normalization->map); });
     laps.done("certificate");
+    watch.enter(fmt::format("weight {} reached and certified", through));
     return normalization;
 }
 
-std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through) {
-    auto normalization = normalize_with_certificate(expanded, through);
+std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through,
+                                                         Watch& watch) {
+    auto normalization = normalize_with_certificate(expanded, through, watch);
     if (!normalization->certificate.holds)
         throw CertificateFailed(fmt::format("the certificate of the normal form does not hold: {}",
                                             normalization->certificate.complaint));
     return normalization;
 }
 
-SceneLine solve_scene(const std::string& argument, const Home& home) {
+SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch) {
     SceneLine line;
     line.scene = read_scene(find_scene(argument, home), home.systems());
-    line.expanded = expand_shared(line.scene.system);
-    line.count = count_truncation(*line.expanded.field, line.scene);
-    line.solution = solve(normalize_certified(line.expanded, line.count.truncation),
-                          {line.scene.order, line.count.truncation});
-    check_time_scale(line.solution, line.scene);
+    line.expanded = expand_shared(line.scene.system, watch);
+    at_place(whole_file(line.scene.file), [&] {
+        line.count = count_truncation(*line.expanded.field, line.scene);
+        line.solution = solve(normalize_certified(line.expanded, line.count.truncation, watch),
+                              {line.scene.order, line.count.truncation});
+        check_time_scale(line.solution, line.scene);
+    });
     return line;
+}
+
+SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits) {
+    return watched(limits, [&](Watch& watch) { return solve_scene(argument, home, watch); });
 }
 
 } // namespace resonform

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/locations.hpp"
+#include "cli/watch.hpp"
 #include "emit/program.hpp"
 #include "model/scene_file.hpp"
 #include "normalize/certificate.hpp"
@@ -27,12 +28,13 @@ struct Expanded {
     std::shared_ptr<const FirstOrderSystem> first_order;
     std::shared_ptr<const GradedField> field;
 };
-Expanded expand_system(const std::filesystem::path& file);
+Expanded expand_system(const std::filesystem::path& file, Watch& watch);
 
 // Normal form and map through a weight with their certificate, which may fail to hold: `certify`
 // shows it, everybody else calls normalize_certified. What takes half a second or more is told on stderr.
-std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through);
-std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through);
+std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,
+                                                                Watch& watch);
+std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through, Watch& watch);
 
 struct SceneLine {
     Scene scene;
@@ -41,6 +43,8 @@ struct SceneLine {
     Solution solution;
 };
 // SCENE of the command line; errors: those of find_scene, and of every room on the way.
-SceneLine solve_scene(const std::string& argument, const Home& home);
+SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch);
+// The same with a watch of its own, that ends with the derivation.
+SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits);
 
 } // namespace resonform

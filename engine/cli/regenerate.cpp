@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform regenerate [--check]: generated/<system>/<scene>.hpp of every scene, byte for byte.
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/cpp.hpp"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
 
 namespace resonform {
@@ -17,9 +19,35 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
+struct Request {
+    Home home;
+    bool check;
+    DerivationLimits limits;
+};
+
 struct Entry {
     fs::path file; // relative to the home
     std::string state;
+};
+
+struct Regeneration {
+    std::vector<Entry> entries;
+    int code = done; // the worst
+
+    // Runs `work`; says what it complains about and goes on. False if it did.
+    template <class Work> bool attempt(const Work& work) {
+        try {
+            work();
+            return true;
+        } catch (const Error& error) {
+            say(fmt::format("resonform: {}", error.what()));
+            code = std::max(code, static_cast<int>(error.kind()));
+        } catch (const CertificateFailed& failure) {
+            say(fmt::format("resonform: {}", failure.what()));
+            code = std::max<int>(code, check_failed);
+        }
+        return false;
+    }
 };
 
 std::string compare(const fs::path& file, const std::string& header) {
@@ -27,21 +55,37 @@ std::string compare(const fs::path& file, const std::string& header) {
     return read_file(file) == header ? "up to date" : "out of date";
 }
 
-Entry regenerate_scene(const std::string& scene_file, const Home& home, bool check) {
-    const SceneLine line = solve_scene(scene_file, home);
-    const std::string header = emit_cpp(build_program(line.solution, line.scene));
-    const fs::path file = home.generated() / line.scene.system->name / (line.scene.name + ".hpp");
+// The state of the header of a scene after it was made anew.
+std::string regenerate_scene(const fs::path& scene, const fs::path& file, const Request& request) {
+    const std::string header = watched(request.limits, [&](Watch& watch) {
+        const SceneLine line = solve_scene(scene.string(), request.home, watch);
+        return emit_cpp(build_program(line.solution, line.scene));
+    });
     std::string state = compare(file, header);
-    if (!check && state != "up to date") {
+    if (!request.check && state != "up to date") {
         make_folder(file.parent_path());
         write_file(file, header);
         state = "written";
     }
-    return {fs::relative(file, home.folder), state};
+    return state;
+}
+
+// The headers of one system. A broken file is said, and hides none of the others.
+void regenerate_system(const SystemFiles& files, const Request& request, Regeneration& result) {
+    const auto read = result.attempt([&] { require_name_of_folder(read_system(files.system)); });
+    for (const fs::path& scene : files.scenes) {
+        const fs::path name = files.system.parent_path().filename() / (scene.stem().string() + ".hpp");
+        const fs::path file = request.home.generated() / name;
+        Entry entry{"generated" / name, "failed"};
+        if (read) result.attempt([&] { entry.state = regenerate_scene(scene, file, request); });
+        result.entries.push_back(std::move(entry));
+    }
 }
 
 // Headers whose scene is gone.
-std::vector<Entry> orphans(const Home& home, const std::set<fs::path>& known) {
+std::vector<Entry> orphans(const Home& home, const std::vector<Entry>& made) {
+    std::set<fs::path> known;
+    for (const Entry& entry : made) known.insert(entry.file);
     std::vector<Entry> found;
     if (!fs::exists(home.generated())) return found;
     for (const auto& entry : fs::recursive_directory_iterator(home.generated())) {
@@ -52,35 +96,35 @@ std::vector<Entry> orphans(const Home& home, const std::set<fs::path>& known) {
     return found;
 }
 
-int run_regenerate(bool check, const std::string& format) {
-    const Home home = find_home();
-    if (!check && home.of_source_tree)
-        bad_input({"regenerate must be run in a folder with systems/",
-                   fs::current_path().string(),
-                   "go to that folder; --check alone may be run anywhere",
-                   {}});
-    std::vector<Entry> entries;
-    std::set<fs::path> known;
-    const std::vector<SystemFiles> systems = list_systems(home);
-    for (const SystemFiles& files : systems) require_name_of_folder(read_system(files.system));
-    for (const SystemFiles& files : systems)
-        for (const fs::path& scene : files.scenes) {
-            entries.push_back(regenerate_scene(scene.string(), home, check));
-            known.insert(entries.back().file);
-        }
-    for (Entry& orphan : orphans(home, known)) entries.push_back(std::move(orphan));
-
-    bool good = true;
+void print(const Regeneration& result, const std::string& format) {
     Json files = Json::array();
-    for (const Entry& entry : entries) {
-        good = good && (entry.state == "up to date" || entry.state == "written");
+    for (const Entry& entry : result.entries) {
         files.push_back({{"file", entry.file.string()}, {"state", entry.state}});
         if (format == "text") put("{:<64}{}\n", entry.file.string(), entry.state);
     }
     if (format == "json")
-        put("{}\n", Json{{"schema", "resonform.regeneration/1"}, {"good", good}, {"files", files}}.dump(2));
-    if (!good) say("resonform: run `resonform regenerate`, and delete headers without a scene");
-    return good ? done : check_failed;
+        put("{}\n",
+            Json{{"schema", "resonform.regeneration/1"}, {"good", result.code == done}, {"files", files}}
+                .dump(2));
+}
+
+int run_regenerate(const Request& request, const std::string& format) {
+    const Home& home = request.home;
+    if (!request.check && home.of_source_tree)
+        bad_input({"regenerate must be run in a folder with systems/",
+                   fs::current_path().string(),
+                   "go to that folder; --check alone may be run anywhere",
+                   {}});
+    Regeneration result;
+    for (const SystemFiles& files : list_systems(home)) regenerate_system(files, request, result);
+    for (Entry& orphan : orphans(home, result.entries)) result.entries.push_back(std::move(orphan));
+    const bool stale = std::any_of(result.entries.begin(), result.entries.end(), [](const Entry& entry) {
+        return entry.state != "up to date" && entry.state != "written" && entry.state != "failed";
+    });
+    if (stale) result.code = std::max<int>(result.code, check_failed);
+    print(result, format);
+    if (stale) say("resonform: run `resonform regenerate`, and delete headers without a scene");
+    return result.code;
 }
 
 } // namespace
@@ -91,8 +135,11 @@ void add_regenerate(CLI::App& app, Action& action) {
     command->add_flag("--check", *check,
                       "write nothing; exit 1 if a file differs, is missing or has no scene");
     const FormatOption format(*command, {"text", "json"});
-    command->callback([&action, check, format] {
-        action = [check, format] { return run_regenerate(*check, format.value()); };
+    const LimitOptions limits(*command);
+    command->callback([&action, check, format, limits] {
+        action = [check, format, limits] {
+            return run_regenerate({find_home(), *check, limits.value()}, format.value());
+        };
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform stability SCENE: the emitted evaluator against 50 digits over many decades of its inputs.
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "verify/json.hpp"
@@ -11,9 +12,9 @@ namespace resonform {
 
 namespace {
 
-int run_stability(const std::string& scene, const std::string& format) {
+int run_stability(const std::string& scene, const DerivationLimits& limits, const std::string& format) {
     const Home home = find_home();
-    const SceneLine line = solve_scene(scene, home);
+    const SceneLine line = solve_scene(scene, home, limits);
     const CacheFolder cache(home);
     StabilityOptions options;
     options.cache = cache.path();
@@ -30,8 +31,9 @@ void add_stability(CLI::App& app, Action& action) {
         app.add_subcommand("stability", "rounding of the emitted evaluator over many decades");
     const Text scene = add_required(*command, "SCENE", "", scene_help);
     const FormatOption format(*command, {"text", "json"});
-    command->callback([&action, scene, format] {
-        action = [scene, format] { return run_stability(*scene, format.value()); };
+    const LimitOptions limits(*command);
+    command->callback([&action, scene, format, limits] {
+        action = [scene, format, limits] { return run_stability(*scene, limits.value(), format.value()); };
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform verify SCENE [--report DIR]: the eps-ladder of every output, and a report to look at.
 #include "cli/command.hpp"
+#include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "verify/json.hpp"
@@ -39,10 +40,11 @@ template <class Options> Options with_progress(const CacheFolder& cache) {
     return options;
 }
 
-int run_verify(const std::string& scene, const std::string& folder, const std::string& format) {
+int run_verify(const std::string& scene, const std::string& folder, const DerivationLimits& limits,
+               const std::string& format) {
     const Home home = find_home();
     if (!folder.empty()) require_place_for_report(folder);
-    const SceneLine line = solve_scene(scene, home);
+    const SceneLine line = solve_scene(scene, home, limits);
     const CacheFolder cache(home);
     const auto& system = line.expanded.first_order;
     const auto options = with_progress<VerifyOptions>(cache);
@@ -69,8 +71,11 @@ void add_verify(CLI::App& app, Action& action) {
         add_output(*command, "--report", "DIR",
                    "write report.html and report.md here; adds run times and the stability sweep");
     const FormatOption format(*command, {"text", "json"});
-    command->callback([&action, scene, folder, format] {
-        action = [scene, folder, format] { return run_verify(*scene, *folder, format.value()); };
+    const LimitOptions limits(*command);
+    command->callback([&action, scene, folder, format, limits] {
+        action = [scene, folder, format, limits] {
+            return run_verify(*scene, *folder, limits.value(), format.value());
+        };
     });
 }
 

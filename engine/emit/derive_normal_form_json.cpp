@@ -47,15 +47,13 @@ Json divisors_json(const Normalization& normalization, int order) {
 }
 
 Json certificate_json(const Certificate& certificate) {
-    Json primes = Json::array();
-    for (const std::string& prime : certificate.primes) primes.push_back(std::stoull(prime));
     Json json = {{"holds", certificate.holds},
                  {"through_weight", certificate.through_weight},
                  {"normal_form_scan", certificate.normal_form_scan},
                  {"route", certificate.route},
                  {"error_probability", json_number(certificate.error_probability)},
                  {"points", certificate.points},
-                 {"primes", std::move(primes)}};
+                 {"primes", certificate.primes}};
     if (!certificate.holds) json["complaint"] = certificate.complaint;
     return json;
 }

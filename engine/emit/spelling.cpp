@@ -32,19 +32,11 @@ std::string unreserved(const std::array<const char*, N>& reserved, const std::st
     return safe;
 }
 
-// Python's keywords that the reader of systems accepts as names, and what the script imports or sets.
+// What the script imports or sets; the reader of systems accepts no keyword of Python as a name.
 std::string python_symbol(const std::string& name, int primes) {
-    static constexpr std::array<const char*, 46> reserved = {
-        "and",     "as",       "assert",    "async",       "await",
-        "break",   "class",    "continue",  "def",         "del",
-        "elif",    "else",     "except",    "finally",     "for",
-        "from",    "global",   "if",        "import",      "in",
-        "is",      "nonlocal", "not",       "or",          "pass",
-        "raise",   "return",   "try",       "while",       "with",
-        "yield",   "lambda",   "I",         "Rational",    "Symbol",
-        "prod",    "sqrt",     "main",      "print",       "series",
-        "sum",     "zip",      "variables", "normal_form", "near_identity_map",
-        "__name__"};
+    static constexpr std::array<const char*, 11> reserved = {
+        "Rational",    "Symbol",           "prod", "main", "print", "series", "sum", "zip", "variables",
+        "normal_form", "near_identity_map"};
     return unreserved(reserved, name, primes);
 }
 

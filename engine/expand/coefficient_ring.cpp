@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/coefficient_ring.hpp"
 
+#include "model/canonical.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
 #include <exception>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -17,9 +18,19 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 
-constexpr int largest_root_index = 64;
+// While a ring is built its exponents have the narrowest fields.
+int largest_root_index() { return Packing().largest(); }
 
 int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
+
+// An exponent that is kept in a monomial.
+int to_exponent(const Rational& value, const ex& base, const Place& place) {
+    constexpr int largest = 16383; // of any ring
+    if (cln::abs(cln::numerator(value)) > largest)
+        refuse({fmt::format("exponents are at most {} once roots are taken out", largest), spell(base),
+                "use simpler exponents", place});
+    return to_int(cln::numerator(value));
+}
 
 bool is_rational_number(const ex& e) {
     return is_a<GiNaC::numeric>(e) && ex_to<GiNaC::numeric>(e).is_rational();
@@ -59,24 +70,27 @@ void CoefficientRing::collect(const ex& e, const Place& place) {
         note(split_power(at_origin(base, place), exponent, *system_, place), place);
         return;
     }
-    for (const ex& operand : e) collect(operand, place);
+    for (const ex& operand : operands(e)) collect(operand, place);
 }
 
 void CoefficientRing::note(const PowerProduct& product, const Place& place) {
     for (const auto& factor : product.factors) {
-        const int denominator = to_int(cln::denominator(factor.exponent));
+        const Integer denominator = cln::denominator(factor.exponent);
         const bool atom = is_a<GiNaC::symbol>(factor.base);
         if (atom && denominator == 1) continue;
-        collect(factor.base, place); // roots inside come first
+        collect(factor.base, place);                                   // roots inside come first
+        if (denominator == 1 && cln::plusp(factor.exponent)) continue; // a polynomial of what is known
         Base* known = find_base(factor.base);
         if (known == nullptr) {
-            bases_.push_back({factor.base, 1, level_of(factor.base), key_of(factor.base), -1});
+            bases_.push_back({factor.base, 1, level_of(factor.base), key_of(factor.base), -1, place});
             known = &bases_.back();
         }
-        known->index = std::lcm(known->index, denominator);
-        if (known->index > largest_root_index)
-            refuse({fmt::format("root indices are at most {}", largest_root_index), spell(factor.base),
-                    "use simpler exponents", place});
+        const Integer index = cln::lcm(known->index, denominator);
+        if (index > largest_root_index())
+            refuse({fmt::format("the roots taken of one expression have a common index of at most {}",
+                                largest_root_index()),
+                    spell(factor.base), "use simpler exponents", place});
+        known->index = to_int(index);
     }
 }
 
@@ -165,47 +179,53 @@ void CoefficientRing::add_roots(RingBuilder& builder) {
         g.invertible = true;
         g.positive = positive;
         g.index = base.index;
-        g.radicand = radicand(base.expression, builder);
-        base.id = builder.add(std::move(g));
+        g.radicand = radicand(base, builder);
+        base.id = at_place(base.place, [&] { return builder.add(std::move(g)); });
     }
 }
 
-Polynomial CoefficientRing::radicand(const ex& e, const RingBuilder& builder) const {
+Polynomial CoefficientRing::radicand(const Base& root, const RingBuilder& builder) const {
+    const ex& e = root.expression;
     std::vector<Term> terms;
     const auto add_term = [&](const ex& term) {
         Term product{Monomial{}, 1};
         const auto put = [&](const ex& factor) {
-            const Term t = radicand_factor(factor, builder);
+            const Term t = radicand_factor(factor, builder, root.place);
             product = {product.monomial + t.monomial, product.coefficient * t.coefficient};
         };
         if (is_a<GiNaC::mul>(term)) {
-            for (const ex& factor : term) put(factor);
+            for (const ex& factor : operands(term)) put(factor);
         } else {
             put(term);
         }
         terms.push_back(product);
     };
     if (is_a<GiNaC::add>(e)) {
-        for (const ex& term : e) add_term(term);
+        for (const ex& term : operands(e)) add_term(term);
     } else {
         add_term(e);
     }
     return Polynomial::from_terms(std::move(terms));
 }
 
-Term CoefficientRing::radicand_factor(const ex& factor, const RingBuilder& builder) const {
+Term CoefficientRing::radicand_factor(const ex& factor, const RingBuilder& builder,
+                                      const Place& place) const {
     if (is_a<GiNaC::numeric>(factor)) return {Monomial{}, to_rational(factor)};
     const bool is_power = is_a<GiNaC::power>(factor);
     const ex base = is_power ? factor.op(0) : factor;
     const Rational exponent = is_power ? to_rational(factor.op(1)) : Rational(1);
+    const auto power_of = [&](GeneratorId id, const Rational& power) {
+        if (cln::abs(cln::numerator(power)) > largest_root_index())
+            refuse({fmt::format("exponents under a root are at most {}", largest_root_index()), spell(factor),
+                    "use smaller exponents", place});
+        return builder.gen(id, to_int(cln::numerator(power))).terms().front();
+    };
     if (const Base* root = find_base(base); root != nullptr && root->id >= 0)
-        return builder.gen(root->id, to_int(cln::numerator(exponent * root->index))).terms().front();
+        return power_of(root->id, exponent * root->index);
     for (const auto& [symbol, id] : symbols_)
-        if (base.is_equal(symbol)) return builder.gen(id, to_int(cln::numerator(exponent))).terms().front();
+        if (base.is_equal(symbol)) return power_of(id, exponent);
     refuse({"the expression under a root is a polynomial in parameters, slow variables and simpler roots",
-            spell(factor),
-            "rewrite the coefficient",
-            {}});
+            spell(factor), "rewrite the coefficient", place});
 }
 
 GeneratorId CoefficientRing::fast(std::size_t k) const { return static_cast<GeneratorId>(k) + 1; }
@@ -221,12 +241,12 @@ GeneratorId CoefficientRing::slow(std::size_t variable) const {
 Polynomial CoefficientRing::convert(const ex& e, const Place& place) const {
     if (is_a<GiNaC::add>(e)) {
         std::vector<Polynomial> summands;
-        for (const ex& term : e) summands.push_back(convert(term, place));
+        for (const ex& term : operands(e)) summands.push_back(convert(term, place));
         return sum(summands);
     }
     if (is_a<GiNaC::mul>(e)) {
         Polynomial product = ring_->one();
-        for (const ex& factor : e) product = ring_->multiply(product, convert(factor, place));
+        for (const ex& factor : operands(e)) product = ring_->multiply(product, convert(factor, place));
         return product;
     }
     if (is_rational_number(e)) return Polynomial(to_rational(e));
@@ -253,11 +273,13 @@ Polynomial CoefficientRing::convert_power(const ex& base, const Rational& expone
     Polynomial result(product.number);
     for (const auto& factor : product.factors) {
         if (const Base* root = find_base(factor.base)) {
-            const int power = to_int(cln::numerator(factor.exponent * root->index));
+            const int power = to_exponent(factor.exponent * root->index, factor.base, place);
             result = ring_->multiply(result, ring_->gen(root->id, power));
         } else {
-            const int power = to_int(cln::numerator(factor.exponent));
-            result = ring_->multiply(result, convert_symbol(factor.base, power, place));
+            const int power = to_exponent(factor.exponent, factor.base, place);
+            result = ring_->multiply(result, is_a<GiNaC::symbol>(factor.base)
+                                                 ? convert_symbol(factor.base, power, place)
+                                                 : ring_->power(convert(factor.base, place), power));
         }
     }
     return result;

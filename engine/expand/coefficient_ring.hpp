@@ -55,6 +55,7 @@ private:
         int level = 0;   // 0: no root inside; a base comes after those inside it
         std::string key; // canonical order of bases of one level
         GeneratorId id = -1;
+        Place place; // where it was seen first
     };
 
     void note(const PowerProduct& product, const Place& place);
@@ -63,8 +64,9 @@ private:
     [[nodiscard]] Polynomial convert_power(const GiNaC::ex& base, const Rational& exponent,
                                            const Place& place) const;
     [[nodiscard]] Polynomial convert_symbol(const GiNaC::ex& symbol, int exponent, const Place& place) const;
-    [[nodiscard]] Polynomial radicand(const GiNaC::ex& e, const RingBuilder& builder) const;
-    [[nodiscard]] Term radicand_factor(const GiNaC::ex& factor, const RingBuilder& builder) const;
+    [[nodiscard]] Polynomial radicand(const Base& root, const RingBuilder& builder) const;
+    [[nodiscard]] Term radicand_factor(const GiNaC::ex& factor, const RingBuilder& builder,
+                                       const Place& place) const;
     [[nodiscard]] std::string key_of(const GiNaC::ex& base) const;
     [[nodiscard]] int level_of(const GiNaC::ex& base) const;
     void add_symbols(RingBuilder& builder);

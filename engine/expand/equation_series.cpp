@@ -39,7 +39,7 @@ std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_or
     for (std::size_t v = 0; v < first_order.system->variables.size(); ++v)
         coefficients.collect(line_expression(first_order, v),
                              place_of(first_order.system->equations[v].source));
-    coefficients.freeze();
+    at_place(whole_file(first_order.system->file), [&] { coefficients.freeze(); });
     return std::make_shared<const CoefficientRing>(std::move(coefficients));
 }
 
@@ -73,8 +73,10 @@ EquationSeries expand_equations(const GradedField& field, int through) {
         translate.bind(jet, inputs.back());
     }
     std::vector<SeriesProgram::Node> lines;
-    for (std::size_t v = 0; v < system.variables.size(); ++v)
-        lines.push_back(translate(line_expression(first_order, v), place_of(system.equations[v].source)));
+    for (std::size_t v = 0; v < system.variables.size(); ++v) {
+        const Place place = place_of(system.equations[v].source);
+        lines.push_back(at_place(place, [&] { return translate(line_expression(first_order, v), place); }));
+    }
 
     SeriesRun run(program);
     for (int n = 0; n <= through + search_ahead; ++n) {

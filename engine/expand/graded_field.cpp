@@ -3,6 +3,7 @@
 
 #include "expand/modes.hpp"
 #include "expand/translate.hpp"
+#include "model/canonical.hpp"
 
 #include <fmt/format.h>
 
@@ -81,7 +82,7 @@ private:
             // 1/omega is needed as well: every base of omega^2 becomes invertible
             coefficients_.collect(GiNaC::pow(o.omega_squared, -GiNaC::numeric(1, 2)), place);
         }
-        coefficients_.freeze(divisors_);
+        at_place(whole_file(system_.file), [&] { coefficients_.freeze(divisors_); });
     }
 
     void add_slow() {
@@ -90,8 +91,9 @@ private:
             if (variable.role != Role::slow) continue;
             const Place place = place_of_equation(system_, state.variable);
             check_slow_rate(variable, state, place);
-            field_.slow.push_back({state.variable, variable.name, coefficients_.slow(state.variable),
-                                   coefficients_.convert(state.rate, place)});
+            field_.slow.push_back(
+                {state.variable, variable.name, coefficients_.slow(state.variable),
+                 at_place(place, [&] { return coefficients_.convert(state.rate, place); })});
         }
     }
 
@@ -113,8 +115,10 @@ private:
 
     void add_rates(SeriesProgram& program) {
         Translator translate(program, coefficients_);
-        for (std::size_t k = 0; k < oscillators_.size(); ++k) add_mode_inputs(program, translate, k);
-        for (std::size_t k = 0; k < oscillators_.size(); ++k) add_mode_rate(program, translate, k);
+        for (const auto add : {&Expansion::add_mode_inputs, &Expansion::add_mode_rate})
+            for (std::size_t k = 0; k < oscillators_.size(); ++k)
+                at_place(place_of_equation(system_, oscillators_[k].variable),
+                         [&] { (this->*add)(program, translate, k); });
         for (const State& state : first_order_->states) {
             const Variable& variable = system_.variables[state.variable];
             if (variable.role != Role::drift) continue;
@@ -123,7 +127,8 @@ private:
                 bad_input({"the rate of a drift variable vanishes with eps and the fast variables",
                            fmt::format("{}' = {}", variable.name, spell(state.rate)),
                            "write the rate with a factor eps", place});
-            field_.drift.push_back({state.variable, variable.name, translate(state.rate, place)});
+            field_.drift.push_back({state.variable, variable.name,
+                                    at_place(place, [&] { return translate(state.rate, place); })});
         }
     }
 

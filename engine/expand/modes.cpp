@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes.hpp"
 
+#include "model/canonical.hpp"
+
 #include <fmt/format.h>
 
 namespace resonform {

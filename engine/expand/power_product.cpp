@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/power_product.hpp"
 
+#include "model/canonical.hpp"
 #include "model/positivity.hpp"
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 
 namespace resonform {
 
@@ -90,31 +90,33 @@ private:
     void split_product(const ex& base, const Rational& exponent) {
         if (!is_integer(exponent)) {
             if (const auto factors = positive_factors(base)) {
-                for (const ex& factor : *factors) split(factor, exponent);
+                for (const PowerFactor& factor : *factors) split(factor.base, factor.exponent * exponent);
                 return;
             }
-            for (const ex& factor : base)
+            for (const ex& factor : operands(base))
                 if (!provably_positive(factor, system_)) not_positive(factor);
         }
-        for (const ex& factor : base) split(factor, exponent);
+        for (const ex& factor : operands(base)) split(factor, exponent);
     }
 
     // The factors, those that are negative turned: -(-2 + tau)*tau is (2 - tau)*tau. Nothing if there is one
-    // of neither sign, or the product is negative.
-    [[nodiscard]] std::optional<std::vector<ex>> positive_factors(const ex& product) const {
-        std::vector<ex> factors;
+    // of neither sign, or the product is negative. Bases and exponents apart: GiNaC gives powers of sums
+    // the sign that it likes.
+    [[nodiscard]] std::optional<std::vector<PowerFactor>> positive_factors(const ex& product) const {
+        std::vector<PowerFactor> factors;
         bool negative = false;
-        for (ex factor : product) {
-            const bool power = is_a<GiNaC::power>(factor);
-            const ex base = power ? factor.op(0) : factor, exponent = power ? factor.op(1) : ex(1);
-            if (!provably_positive(base, system_)) {
-                const ex turned = (-base).expand();
-                if (!exponent.info(GiNaC::info_flags::integer) || !provably_positive(turned, system_))
-                    return std::nullopt;
-                negative = negative != exponent.info(GiNaC::info_flags::odd);
-                factor = GiNaC::pow(turned, exponent);
+        for (const ex& factor : operands(product)) {
+            const bool whole = is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::integer);
+            const ex base = whole ? factor.op(0) : factor;
+            const Rational exponent = whole ? to_rational(factor.op(1)) : Rational(1);
+            if (provably_positive(base, system_)) {
+                factors.push_back({base, exponent});
+                continue;
             }
-            factors.push_back(factor);
+            const ex turned = (-base).expand();
+            if (!provably_positive(turned, system_)) return std::nullopt;
+            negative = negative != cln::oddp(cln::numerator(exponent));
+            factors.push_back({turned, exponent});
         }
         return negative ? std::nullopt : std::optional(factors);
     }
@@ -158,8 +160,15 @@ private:
             if (cln::oddp(cln::numerator(exponent))) result.number = -result.number;
             result.factors.push_back({(-primitive).expand(), exponent});
         } else {
-            append(primitive, exponent);
+            append_of_unknown_sign(primitive, exponent);
         }
+    }
+
+    // Of a base and its negative the same one is always taken.
+    void append_of_unknown_sign(const ex& base, const Rational& exponent) {
+        const ex chosen = is_integer(exponent) ? canonical_sign(base) : base;
+        if (!chosen.is_equal(base) && cln::oddp(cln::numerator(exponent))) result.number = -result.number;
+        append(chosen, exponent);
     }
 
     void append(const ex& base, const Rational& exponent) {
@@ -199,43 +208,6 @@ std::string how_to_declare_positive(const ex& e) {
     if (is_a<GiNaC::symbol>(e)) return spell(e) + " = { positive = true, ... }";
     if (!is_a<GiNaC::add>(e)) return "every factor by itself, with positive = true for a name";
     return "positive = true for a name in it, or [domain] positive = [\"" + spell(e) + "\"]";
-}
-
-std::string spell(const ex& e) {
-    // GiNaC's own order of terms depends on addresses: sort the printed terms of sums and products.
-    std::vector<std::string> parts;
-    if (is_a<GiNaC::add>(e)) {
-        for (const ex& term : e) parts.push_back(spell(term));
-        std::sort(parts.begin(), parts.end());
-        std::string text;
-        for (const auto& p : parts) text += (text.empty() ? "" : p.front() == '-' ? " " : " + ") + p;
-        return text;
-    }
-    const auto wrap = [](const ex& f) { return is_a<GiNaC::add>(f) ? "(" + spell(f) + ")" : spell(f); };
-    if (is_a<GiNaC::mul>(e)) {
-        std::string number;
-        for (const ex& factor : e) {
-            if (is_a<GiNaC::numeric>(factor)) {
-                number = factor.is_equal(-1) ? "-" : spell(factor) + "*";
-            } else {
-                parts.push_back(wrap(factor));
-            }
-        }
-        std::sort(parts.begin(), parts.end());
-        std::string text;
-        for (const auto& p : parts) text += (text.empty() ? "" : "*") + p;
-        return number + text;
-    }
-    if (is_a<GiNaC::power>(e)) {
-        const bool atom = is_a<GiNaC::symbol>(e.op(0));
-        const bool whole = e.op(1).info(GiNaC::info_flags::nonnegint);
-        return (atom ? spell(e.op(0)) : "(" + spell(e.op(0)) + ")") + "^" +
-               (whole ? spell(e.op(1)) : "(" + spell(e.op(1)) + ")");
-    }
-    if (is_a<GiNaC::function>(e)) return ex_to<GiNaC::function>(e).get_name() + "(" + spell(e.op(0)) + ")";
-    std::ostringstream stream;
-    stream << e;
-    return stream.str();
 }
 
 } // namespace resonform

@@ -40,7 +40,4 @@ GiNaC::ex to_ginac(const Rational& number);
 // The mend where e is not proved to be positive: what to write into the system file.
 std::string how_to_declare_positive(const GiNaC::ex& e);
 
-// An expression as the user would write it; the order of terms is canonical.
-std::string spell(const GiNaC::ex& e);
-
 } // namespace resonform

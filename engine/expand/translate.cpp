@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/translate.hpp"
 
+#include "model/canonical.hpp"
+
 #include <fmt/format.h>
 
 namespace resonform {
@@ -24,7 +26,7 @@ Node Translator::operator()(const ex& e, const Place& place) {
 Node Translator::translate(const ex& e, const Place& place) {
     if (is_a<GiNaC::add>(e)) {
         std::vector<std::pair<Rational, Node>> addends;
-        for (const ex& term : e) addends.emplace_back(1, (*this)(term, place));
+        for (const ex& term : operands(e)) addends.emplace_back(1, (*this)(term, place));
         return program_.sum(addends);
     }
     if (is_a<GiNaC::mul>(e)) return product(e, place);
@@ -37,7 +39,7 @@ Node Translator::translate(const ex& e, const Place& place) {
 Node Translator::product(const ex& e, const Place& place) {
     ex coefficient = 1;
     Node result = -1;
-    for (const ex& factor : e) {
+    for (const ex& factor : operands(e)) {
         if (!coefficients_.has_weight(factor)) {
             coefficient *= factor;
         } else {

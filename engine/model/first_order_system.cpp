@@ -61,6 +61,10 @@ private:
 // a' = 2, b' = a'^1000, c' = b'^1000, ... must not be computed.
 void check_growth(const Equation& equation, const Growth& growth) {
     constexpr double most_bits = 1e6, highest_degree = 1e5;
+    constexpr double deepest = 1000; // walks over expressions are recursive
+    if (growth.depth > deepest)
+        complain(equation, "an equation is at most 1000 levels deep when the other rates are put in",
+                 excerpt(equation.text), "flatten the rates");
     if (growth.bits <= most_bits && growth.degree <= highest_degree) return;
     complain(equation, "an equation stays moderate when the other rates are put in", excerpt(equation.text),
              "use smaller exponents");

@@ -13,6 +13,7 @@ struct Growth {
     double terms = 1;
     double degree = 0;
     double bits = 0;
+    double depth = 0; // levels of the expression as it stands, known after of_substitution
 };
 
 Growth of_sum(const Growth& a, const Growth& b);

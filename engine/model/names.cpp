@@ -12,6 +12,17 @@ constexpr const char* digits = "0123456789";
 constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 constexpr const char* allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
 
+// SymPy reads the expressions of the JSON, with the names of the file as locals. That fails for the
+// keywords of Python, and for the names of SymPy that stand in what it reads or makes of it.
+const std::vector<std::string>& python_words() {
+    static const std::vector<std::string> words = {
+        "False", "None",     "True",   "and",    "as",    "assert", "async",    "await",   "break",
+        "class", "continue", "def",    "del",    "elif",  "else",   "except",   "finally", "for",
+        "from",  "global",   "if",     "import", "in",    "is",     "nonlocal", "not",     "or",
+        "pass",  "raise",    "return", "try",    "while", "with",   "yield",    "Integer", "Integral"};
+    return words;
+}
+
 bool is_mode(const std::string& name) {
     return name.size() > 1 && name[0] == 'z' && name.find_first_not_of(digits, 1) == std::string::npos;
 }
@@ -32,9 +43,10 @@ std::string identifier_mend() { return "choose such a name, in ASCII"; }
 
 bool is_reserved(const std::string& name) {
     static const std::vector<std::string> words = {"I", "pi", "E", "eps", "lambda", "t"};
-    const std::vector<std::string>& functions = function_names();
-    return is_mode(name) || std::find(words.begin(), words.end(), name) != words.end() ||
-           std::find(functions.begin(), functions.end(), name) != functions.end();
+    const auto is_one_of = [&](const std::vector<std::string>& list) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    return is_mode(name) || is_one_of(words) || is_one_of(function_names()) || is_one_of(python_words());
 }
 
 std::vector<std::string> constant_kinds(Role role) {

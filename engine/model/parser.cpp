@@ -30,7 +30,7 @@ ex apply(const std::string& function, const ex& x) {
     if (function == "cosh") return GiNaC::cosh(x);
     if (function == "tanh") return GiNaC::tanh(x);
     if (function == "asin") return GiNaC::asin(x);
-    if (function == "acos") return GiNaC::acos(x);
+    if (function == "acos") return GiNaC::Pi / 2 - GiNaC::asin(x); // so that pi cancels where it can
     if (function == "atan") return GiNaC::atan(x);
     return GiNaC::sqrt(x);
 }
@@ -205,7 +205,7 @@ Parser::Piece Parser::call() {
     Piece piece = argument;
     piece.begin = token.begin;
     // The argument stays unexpanded inside the function, which is one factor from now on.
-    if (function != "sqrt") piece.growth = {1, 1, argument.growth.bits};
+    if (function != "sqrt") piece.growth = {1, 1, argument.growth.bits, 0};
     piece.value = evaluate(piece.begin, piece.end, [&] { return apply(function, argument.value); });
     return piece;
 }

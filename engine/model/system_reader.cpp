@@ -13,10 +13,11 @@ namespace resonform {
 namespace {
 
 constexpr int most_variables = 64;
-constexpr int most_parameters = 64;
+constexpr int most_parameters = 30; // the coefficient ring has room for 32 with i and eps
 constexpr int most_primes = 9;
+constexpr std::size_t most_declarations = 64;
 
-// Refuses a list that no honest system has; the ring would refuse far fewer anyway.
+// Refuses a list that no honest system has.
 void check_count(const TomlNode& table, int most) {
     if (table.entries.size() > static_cast<std::size_t>(most)) {
         bad_input({"[" + table.source.key + "] has at most " + std::to_string(most) + " entries",
@@ -248,6 +249,11 @@ void SystemReader::read_domain() {
         bad_value(*positive, "'domain.positive' is an array of expressions",
                   "write positive = [\"1 + tau\"]");
     }
+    if (positive->items.size() > most_declarations) {
+        bad_value(*positive,
+                  "'domain.positive' has at most " + std::to_string(most_declarations) + " expressions",
+                  "declare names positive, or describe a smaller system");
+    }
     Scope scope;
     for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
     for (const Variable& v : system_.variables) {
@@ -300,7 +306,9 @@ void SystemReader::claim_name(const TomlEntry& entry, const std::string& what) {
     }
     if (is_reserved(entry.key)) {
         bad_input({"the name of " + what + " is not a reserved one", entry.key,
-                   "choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ... and the functions",
+                   "choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and "
+                   "the words "
+                   "of Python and SymPy",
                    entry.place});
     }
     const auto [earlier, is_new] = taken_.emplace(entry.key, what);

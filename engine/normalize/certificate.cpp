@@ -155,7 +155,7 @@ std::string residual_complaint(const NormalForm& normal_form, const NearIdentity
             const std::string here = check.complaint();
             if (complaint.empty()) complaint = here;
             samples.push_back(check.frequencies());
-            certificate.primes.push_back(std::to_string(prime));
+            certificate.primes.push_back(prime);
             ++certificate.points;
         } catch (const UnluckyPoint&) {
             if (++unlucky > unlucky_points_allowed)

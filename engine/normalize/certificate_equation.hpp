@@ -8,10 +8,12 @@
 //   inverse_power(a, n): a^-n for n >= 1
 #pragma once
 
+#include "model/canonical.hpp"
 #include "normalize/certificate_roots.hpp"
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace resonform {
 
@@ -67,14 +69,17 @@ private:
     }
 
     Value sum(const GiNaC::ex& e) {
-        Value result = (*this)(e.op(0));
-        for (std::size_t k = 1; k < e.nops(); ++k) result = algebra_.add(result, (*this)(e.op(k)));
+        const std::vector<GiNaC::ex> terms = operands(e);
+        Value result = (*this)(terms.front());
+        for (std::size_t k = 1; k < terms.size(); ++k) result = algebra_.add(result, (*this)(terms[k]));
         return result;
     }
 
     Value product(const GiNaC::ex& e) {
-        Value result = (*this)(e.op(0));
-        for (std::size_t k = 1; k < e.nops(); ++k) result = algebra_.multiply(result, (*this)(e.op(k)));
+        const std::vector<GiNaC::ex> factors = operands(e);
+        Value result = (*this)(factors.front());
+        for (std::size_t k = 1; k < factors.size(); ++k)
+            result = algebra_.multiply(result, (*this)(factors[k]));
         return result;
     }
 

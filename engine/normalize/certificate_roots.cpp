@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/certificate_roots.hpp"
 
+#include "model/canonical.hpp"
 #include "normalize/certificate_equation.hpp"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ void CertificateRoots::split(const ex& e, const Rational& exponent, const Equati
     if (is_a<GiNaC::power>(e))
         return split(e.op(0), exponent * rational_of(e.op(1), equation), equation, product);
     if (is_a<GiNaC::mul>(e)) {
-        for (const ex& factor : e) split(factor, exponent, equation, product);
+        for (const ex& factor : operands(e)) split(factor, exponent, equation, product);
         return;
     }
     const ex fraction = with_root_symbols(e, equation).normal().numer_denom();
@@ -122,7 +123,7 @@ void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Eq
 void CertificateRoots::split_rest(const ex& e, const Rational& exponent, const Equation& equation,
                                   Product& product) const {
     if (is_a<GiNaC::mul>(e)) {
-        for (const ex& factor : e) split_rest(factor, exponent, equation, product);
+        for (const ex& factor : operands(e)) split_rest(factor, exponent, equation, product);
         return;
     }
     if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
@@ -181,12 +182,12 @@ ex CertificateRoots::with_root_symbols(const ex& e, const Equation& equation) {
     if (is_a<GiNaC::numeric>(e) || is_a<GiNaC::symbol>(e)) return e;
     if (is_a<GiNaC::add>(e)) {
         ex result = 0;
-        for (const ex& term : e) result += with_root_symbols(term, equation);
+        for (const ex& term : operands(e)) result += with_root_symbols(term, equation);
         return result;
     }
     if (is_a<GiNaC::mul>(e)) {
         ex result = 1;
-        for (const ex& factor : e) result *= with_root_symbols(factor, equation);
+        for (const ex& factor : operands(e)) result *= with_root_symbols(factor, equation);
         return result;
     }
     if (!is_a<GiNaC::power>(e))

@@ -5,9 +5,10 @@
 
 namespace resonform {
 
-HomologicalEquation::HomologicalEquation(const GradedField& field, int mode, std::string variable)
-    : field_(field), variable_(std::move(variable)), divisors_(field, mode), by_mode_(field.modes.size()),
-      by_conjugate_(field.modes.size()), by_slow_(field.slow.size()) {
+HomologicalEquation::HomologicalEquation(const GradedField& field, int mode, std::string variable,
+                                         Place place)
+    : field_(field), variable_(std::move(variable)), place_(std::move(place)), divisors_(field, mode),
+      by_mode_(field.modes.size()), by_conjugate_(field.modes.size()), by_slow_(field.slow.size()) {
     for (const Mode& m : field.modes) {
         outer_.push_back(m.z);
         outer_.push_back(m.zbar);
@@ -62,7 +63,7 @@ void HomologicalEquation::solve(int weight, const Polynomial& field_part, const 
 
 // The terms that are divided by the divisor of this monomial; a monomial that is new gets its record.
 HomologicalEquation::Share& HomologicalEquation::share_of(const Monomial& outer, int weight, Shares& shares) {
-    const Divisor& divisor = divisors_.of(outer);
+    const Divisor& divisor = at_place(place_, [&]() -> const Divisor& { return divisors_.of(outer); });
     if (seen_.insert(outer).second)
         records_.push_back({variable_, outer, weight, divisor.value, divisor.verdict});
     const auto known =

@@ -28,7 +28,7 @@ struct Transport {
 class HomologicalEquation {
 public:
     // mode: index of the mode, or -1 for a drift variable.
-    HomologicalEquation(const GradedField& field, int mode, std::string variable);
+    HomologicalEquation(const GradedField& field, int mode, std::string variable, Place place);
 
     // The frequencies k.omega by which solve() has to divide and cannot: what it left is not the solution.
     [[nodiscard]] const std::vector<Polynomial>& missing_divisors() const { return divisors_.missing(); }
@@ -55,6 +55,7 @@ private:
 
     const GradedField& field_;
     std::string variable_;
+    Place place_; // of the equation of the variable
     DivisorTable divisors_;
     std::vector<GeneratorId> outer_; // modes and eps: what a monomial is made of
     Series correction_, rate_;

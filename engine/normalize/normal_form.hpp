@@ -6,6 +6,7 @@
 
 #include "expand/graded_field.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,7 @@ struct Certificate {
     int through_weight = 0;
     std::string route = "substitution, modular";
     int points = 0;
-    std::vector<std::string> primes; // decimal
+    std::vector<std::uint64_t> primes;
     double error_probability = 1;
     std::string complaint; // empty when it holds: which equation, which weight
 };

@@ -19,8 +19,10 @@ public:
     Normalizer(std::shared_ptr<const GradedField> field, int through)
         : field_(std::move(field)), through_(through), run_(*field_->program) {
         for (std::size_t m = 0; m < field_->modes.size(); ++m)
-            modes_.emplace_back(*field_, static_cast<int>(m), field_->modes[m].name);
-        for (const DriftVariable& d : field_->drift) drifts_.emplace_back(*field_, -1, d.name);
+            modes_.emplace_back(*field_, static_cast<int>(m), field_->modes[m].name,
+                                equation_place(field_->modes[m].variable));
+        for (const DriftVariable& d : field_->drift)
+            drifts_.emplace_back(*field_, -1, d.name, equation_place(d.variable));
         transport_.mode.resize(modes_.size());
         transport_.conjugate.resize(modes_.size());
         for (const SlowVariable& s : field_->slow)
@@ -73,9 +75,11 @@ public:
             rate.set(1, rate.part(1) + linear_part(field_->modes[m]));
             n.normal_form.mode.push_back(std::move(rate));
             n.map.mode.push_back(modes_[m].correction());
+            n.divisors.push_back(kept(field_->modes[m].name, field_->ring->monomial(field_->modes[m].z), 1));
             append(n.divisors, modes_[m].records());
         }
         n.normal_form.slow = transport_.slow;
+        for (const SlowVariable& s : field_->slow) append_rate(n.divisors, s);
         for (auto& drift : drifts_) {
             n.normal_form.drift.push_back(drift.rate());
             n.map.drift.push_back(drift.correction());
@@ -85,6 +89,10 @@ public:
     }
 
 private:
+    [[nodiscard]] Place equation_place(std::size_t variable) const {
+        return place_of(field_->system().equations[variable].source);
+    }
+
     // z = w + h: part `weight` as far as h is known.
     void set_inputs(std::size_t m, int weight) {
         const Mode& mode = field_->modes[m];
@@ -97,6 +105,18 @@ private:
     [[nodiscard]] Polynomial linear_part(const Mode& mode) const {
         const Ring& ring = *field_->ring;
         return ring.multiply(ring.multiply(ring.imaginary(), mode.omega), ring.gen(mode.z));
+    }
+
+    // Divisors that no equation had to ask for: lambda_j of a mode's own linear term, and 0 of rates that
+    // hold no fast variable.
+    static DivisorRecord kept(const std::string& variable, const Monomial& monomial, int weight) {
+        return {variable, monomial, weight, {}, DivisorVerdict::kept_exact};
+    }
+
+    void append_rate(std::vector<DivisorRecord>& records, const SlowVariable& slow) const {
+        const Ring& ring = *field_->ring;
+        for (const auto& [monomial, coefficient] : ring.collect(slow.rate, {field_->eps}))
+            records.push_back(kept(slow.name, monomial, ring.weight(monomial)));
     }
 
     static void append(std::vector<DivisorRecord>& to, std::vector<DivisorRecord>& from) {

@@ -202,9 +202,11 @@ TEST(RingBuilder, Refuses) {
         many.add(named(GeneratorKind::parameter, "p32"));
         FAIL() << "a 33rd generator was accepted";
     } catch (const Error& e) {
-        EXPECT_STREQ(e.what(),
-                     "a ring holds at most 32 parameters, variables, roots and functions\n"
-                     "  found: p32 would be one more\n  mend:  give some parameters numeric values");
+        EXPECT_STREQ(
+            e.what(),
+            "a system has at most 32 of these together: i, eps, parameters, slow variables, two modes "
+            "for each oscillator, roots that occur; constants and integrals of a solution\n"
+            "  found: p32 would be one more\n  mend:  write numbers in the place of some parameters");
     }
     EXPECT_EQ(many.freeze()->size(), 32);
 }

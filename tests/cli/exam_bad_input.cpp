@@ -85,7 +85,7 @@ TEST(BadInput, EpsAndTimes) {
 }
 
 TEST(BadInput, MissingFiles) {
-    EXPECT_SAYS(complaint("resonform derive no_such_system"), {"no_such_system"});
+    EXPECT_SAYS(complaint("resonform derive no_such_system"), {"no_such_system", "resonform list"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulun"), {"almost_holonomic_pendulum"});
     EXPECT_SAYS(complaint("resonform verify systems/no/scenes/such.toml"),
                 {"SCENE must be the path of a scene file", "systems/no/scenes/such.toml"});
@@ -119,7 +119,8 @@ TEST(BadInput, APlaceForTheReportIsTriedFirst) {
     EXPECT_SAYS(complaint("resonform verify " + scene + " --report " + (scratch.path() / "report").string()),
                 {"report/figures", "Not a directory"});
     if (std::filesystem::exists("/proc/self")) {
-        EXPECT_SAYS(complaint("resonform verify " + scene + " --report /proc"), {"/proc", "made and written"});
+        EXPECT_SAYS(complaint("resonform verify " + scene + " --report /proc"),
+                    {"/proc", "made and written"});
         EXPECT_SAYS(complaint("resonform verify " + scene + " --report /proc/a/b"),
                     {"/proc/a/b", "made and written"});
     }

@@ -40,7 +40,33 @@ TEST(Locations, ASystemHasTheNameOfItsFolder) {
     const Outcome regenerate = run("resonform regenerate", scratch.path());
     EXPECT_EQ(regenerate.code, 2);
     EXPECT_EQ(regenerate.err, message);
-    EXPECT_FALSE(fs::exists(scratch.path() / "generated"));
+    EXPECT_TRUE(fs::exists(scratch.path() / "generated/swing/first.hpp"));
+    EXPECT_FALSE(fs::exists(scratch.path() / "generated/swing_copy"));
+}
+
+TEST(Locations, RegenerateGoesOnPastWhatIsBrokenAndEndsWithTheWorst) {
+    const Scratch scratch;
+    write_system(scratch.path(), "swing");
+    const fs::path scenes = scratch.path() / "systems/swing/scenes";
+    write(scenes / "broken.toml", "oder = 2\n");
+    ASSERT_EQ(run("resonform regenerate", scratch.path()).code, 2);
+    write(scratch.path() / "generated/swing/broken.hpp", "made when the scene was whole");
+    const Outcome check = run("resonform regenerate --check --format json", scratch.path());
+    EXPECT_EQ(check.code, 2);
+    EXPECT_NE(check.err.find("broken.toml:1:1: oder"), std::string::npos) << check.err;
+    EXPECT_EQ(check.err.find("without a scene"), std::string::npos) << check.err;
+    const auto document = nlohmann::json::parse(check.out);
+    EXPECT_EQ(document["good"], false);
+    EXPECT_EQ(document["files"].dump(), R"x([{"file":"generated/swing/broken.hpp","state":"failed"},)x"
+                                        R"x({"file":"generated/swing/first.hpp","state":"up to date"}])x");
+    write(scratch.path() / "systems/damped/system.toml", "[system]\nname = \"damped\"\n[variables]\n"
+                                                         "x = { role = \"fast\" }\n[equations]\n"
+                                                         "x = \"x'' + x' + x = 0\"\n");
+    write(scratch.path() / "systems/damped/scenes/first.toml",
+          "order = 2\n[start]\namplitude.x = 1\nphase.x = 0\n");
+    const Outcome refused = run("resonform regenerate", scratch.path());
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("oder"), std::string::npos) << refused.err;
 }
 
 TEST(Locations, ListGoesOnPastABrokenScene) {

@@ -3,6 +3,7 @@
 // JSON has the value of its polynomial at random rational points.
 #include "emit/derive.hpp"
 #include "emit/normal_form_parts.hpp"
+#include "model/names.hpp"
 #include "printed.hpp"
 #include "support/shell.hpp"
 
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <random>
+#include <sstream>
 
 namespace resonform::test {
 namespace {
@@ -47,13 +49,38 @@ TEST(SympyScript, RunsAndEqualsTheExample) {
     EXPECT_NE(printed.out.find("x: old = new + "), std::string::npos) << printed.out;
 }
 
-TEST(SympyScript, NamesThatPythonOwns) {
+TEST(SympyScript, NamesThatTheScriptUses) {
     const Scratch scratch;
-    const auto normalization = certified(field_with_odd_names("as"), 3);
+    const auto normalization = certified(field_with_odd_names("series"), 3);
     write(scratch.path() / "script.py", print_normal_form(*normalization, 3, Format::sympy));
     const Outcome outcome = run("python3 script.py", scratch.path());
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("sum' = "), std::string::npos) << outcome.out;
+}
+
+// The names that a system file may have are those that SymPy takes as locals.
+TEST(Sympy, TakesEveryNameThatAFileMayHave) {
+    std::string names;
+    for (const char* name :
+         {"S",   "N",        "O",        "Q",     "C",    "e",    "j",       "beta",  "gamma",  "zeta",
+          "re",  "im",       "print",    "match", "case", "type", "_Matrix", "Float", "Symbol", "series",
+          "sum", "Rational", "Function", "var",   "self", "exec", "id",      "len"})
+        if (is_identifier(name) && !is_reserved(name)) names += std::string(" ") + name;
+    EXPECT_NE(names.find(" Rational"), std::string::npos);
+    const Scratch scratch;
+    write(scratch.path() / "judge.py", R"py(
+import keyword, sys
+from sympy import Symbol, sympify
+for name in sys.argv[1:]:
+    text = f"-I*{name}**3*(2*{name}**2 + 5)/(128*(r**2 + {name})**(5/2))"
+    value = sympify(text, locals={name: Symbol(name), "r": Symbol("r")})
+    assert value.free_symbols == {Symbol(name), Symbol("r")}, name
+print(" ".join(keyword.kwlist))
+)py");
+    const Outcome outcome = run("python3 judge.py" + names, scratch.path());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream keywords(outcome.out);
+    for (std::string word; keywords >> word;) EXPECT_TRUE(is_reserved(word)) << word;
 }
 
 // A polynomial's value, its roots taken numerically: nothing of the printers is used.

@@ -5,7 +5,9 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+
 #include <limits>
+#include <map>
 
 namespace resonform::test {
 namespace {
@@ -74,6 +76,21 @@ TEST(DeriveJson, MapAndDivisors) {
         EXPECT_TRUE(verdict == "removed" || verdict == "kept exact") << verdict;
         EXPECT_EQ(verdict == "kept exact", entry["divisor"] == "0") << entry.dump();
     }
+}
+
+TEST(DeriveJson, EveryMonomialThatIsShownHasAVerdict) {
+    const Json made = normal_form_json(*pendulum(4), 4);
+    std::map<std::string, std::string> verdicts;
+    const auto key = [](const Json& entry) {
+        return entry["variable"].get<std::string>() + entry["exponents"].dump();
+    };
+    for (const Json& entry : made["divisors"])
+        EXPECT_TRUE(verdicts.emplace(key(entry), entry["verdict"]).second) << "twice: " << entry.dump();
+    for (const Json& entry : made["normal_form"])
+        EXPECT_EQ(verdicts[key(entry)], "kept exact") << entry.dump();
+    for (const Json& entry : made["map"]) EXPECT_EQ(verdicts[key(entry)], "removed") << entry.dump();
+    EXPECT_EQ(verdicts.count(R"(z1{"z1":1})"), 1U);
+    EXPECT_EQ(verdicts.count(R"(xi{"eps":1})"), 1U);
 }
 
 TEST(DeriveJson, OtherStages) {

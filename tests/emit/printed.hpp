@@ -70,7 +70,7 @@ inline std::shared_ptr<const Normalization> pendulum(int through) {
     return certified(field_named("almost_holonomic_pendulum"), through);
 }
 
-// Names that are words of Python or SymPy, Greek, or carry digits and underscores; `word` is one more.
+// Names that the script uses, Greek ones, and those with digits and underscores; `word` is one more.
 inline std::shared_ptr<const GradedField> field_with_odd_names(const std::string& word) {
     std::string file = R"([system]
 name = "odd_names"

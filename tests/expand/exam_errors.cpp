@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace resonform {
 
 namespace {
@@ -82,6 +84,63 @@ TEST(ExpandErrors, FunctionsOfSlowVariables) {
     EXPECT_TRUE(has(message(system_with("x'' + x + eps*sin(tau)*x = 0"), Kind::refused), "sin(tau)"));
     EXPECT_TRUE(has(message(system_with("x'' + x + eps*sin(x + tau) = 0"), Kind::refused),
                     "the argument of sin vanishes at the origin"));
+}
+
+// Each reading makes new symbols, which GiNaC orders anew.
+TEST(ExpandErrors, OfSeveralReasonsTheSameOneIsNamed) {
+    for (const std::string equation :
+         {"x'' + x + eps*(sin(tau) + cos(tau) + exp(tau) + atan(tau))*x = 0",
+          "x'' + x + eps*x/a + eps*x/(1 + a) + eps*x/(2 - a) + eps*x/(a - tau) = 0",
+          "x'' + x + sin(x + tau) + cos(x + a) + exp(x + g) + acos(x) = 0",
+          "x'' + x + eps*x*sqrt(a)*sqrt(tau)*(1 + a)^(1/3)*(a - tau)^(1/3) = 0",
+          "x'' + x + (g^(1/60) + (1 + g)^(1/61) + (2 + g)^(1/67) + (3 + g)^(1/71))*x^2 = 0",
+          "x'' + x + (a - tau)/(g - a) + (a - g)*(tau - a) = 0"}) {
+        std::set<std::string> messages;
+        constexpr int readings = 12;
+        for (int k = 0; k < readings; ++k) {
+            try {
+                expand(test::first_order_from(system_with(equation)));
+                ADD_FAILURE() << "accepted: " << equation;
+            } catch (const Error& e) {
+                messages.insert(e.what());
+            }
+        }
+        EXPECT_EQ(messages.size(), 1U) << *messages.begin() << "\n" << *messages.rbegin();
+    }
+}
+
+TEST(ExpandErrors, AnArcCosineLeavesPiUnlessItCancels) {
+    EXPECT_NO_THROW(expand(test::first_order_from(system_with("x'' + x + eps*x*(pi/2 - acos(x)) = 0"))));
+    const std::string m = message(system_with("x'' + x + eps*x*acos(x) = 0"), Kind::refused);
+    EXPECT_TRUE(has(m, "found: pi"));
+    EXPECT_TRUE(has(m, "irrational constants are not supported yet"));
+    EXPECT_TRUE(has(m, "equations.x"));
+}
+
+// GiNaC writes (2 - tau)^3 as -(tau - 2)^3 whenever its order of terms has it so.
+TEST(ExpandErrors, FactorsAreTurnedPositiveInOddPowersToo) {
+    for (int reading = 0; reading < 8; ++reading)
+        EXPECT_NO_THROW(
+            expand(test::first_order_from(system_with("x'' + x + eps*x*sqrt(g^3*(2 - tau)^3*(1 + tau)) = 0",
+                                                      "[domain]\npositive = [\"2 - tau\", \"1 + tau\"]\n"))));
+}
+
+TEST(ExpandErrors, WhatTheRingCannotHoldHasAPlace) {
+    std::string many = "x'' + x";
+    for (int k = 1; k <= 40; ++k) many += " + eps*x*sqrt(g + " + std::to_string(k) + ")";
+    for (const auto& [equation, rule] :
+         {std::pair(many, std::string("at most 32 of these together")),
+          {"x'' + x + eps*x*g^(1/64) = 0", "common index of at most 63"},
+          {"x'' + x + eps*x*g^(1/7)*g^(1/10) = 0", "common index of at most 63"},
+          {"x'' + x + eps*x*sqrt(g^64 + 1) = 0", "exponents under a root are at most 63"}}) {
+        const std::string m =
+            message(system_with(equation.find('=') == std::string::npos ? equation + " = 0" : equation),
+                    Kind::refused);
+        EXPECT_TRUE(has(m, rule));
+        EXPECT_TRUE(has(m, "test/system.toml:"));
+        EXPECT_TRUE(has(m, "equations.x"));
+    }
+    EXPECT_NO_THROW(expand(test::first_order_from(system_with("x'' + x + eps*x*g^(1/63) = 0"))));
 }
 
 TEST(ExpandErrors, FirstOrderFastVariable) {

@@ -5,16 +5,6 @@
 namespace resonform {
 namespace {
 
-// One edit of the pendulum's scene and the message it earns, its exit code in front.
-struct BadInput {
-    const char* name;
-    const char* from;
-    const char* to;
-    const char* message;
-};
-
-std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
-
 class BadScene : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadScene, IsRefusedInOneMessage) {
@@ -288,8 +278,7 @@ const BadInput cases[] = {
      "  mend:  did you mean 'fail'? Known are: pass, fail, undecided"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadScene, testing::ValuesIn(cases),
-                         [](const testing::TestParamInfo<BadInput>& i) { return std::string(i.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, BadScene, testing::ValuesIn(cases), name_of);
 
 } // namespace
 } // namespace resonform

@@ -5,16 +5,6 @@
 namespace resonform {
 namespace {
 
-// One edit of the pendulum's system and the message it earns, its exit code in front.
-struct BadInput {
-    const char* name;
-    const char* from;
-    const char* to;
-    const char* message;
-};
-
-std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
-
 class BadSystem : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadSystem, IsRefusedInOneMessage) {
@@ -107,19 +97,29 @@ const BadInput cases[] = {
      "    eps = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: eps\n"
-     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ... and the functions"},
+     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "words of Python and SymPy"},
     {"ReservedFunction", "g = {", "sin = {",
      "2 system.toml:7:1: parameters.sin: the name of a parameter is not a reserved one\n"
      "    sin = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: sin\n"
-     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ... and the functions"},
+     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "words of Python and SymPy"},
+    {"PythonKeyword", "g = {", "is = {",
+     "2 system.toml:7:1: parameters.is: the name of a parameter is not a reserved one\n"
+     "    is = { positive = true, unit = \"m/s^2\" }\n"
+     "    ^\n"
+     "  found: is\n"
+     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "words of Python and SymPy"},
     {"ReservedMode", "g = {", "z1 = {",
      "2 system.toml:7:1: parameters.z1: the name of a parameter is not a reserved one\n"
      "    z1 = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: z1\n"
-     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ... and the functions"},
+     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "words of Python and SymPy"},
     {"NotAnIdentifier", "g = {", "\"g-1\" = {",
      "2 system.toml:7:1: parameters.g-1: a parameter's name is a letter followed by letters, digits and _, "
      "at most 60\n"
@@ -294,8 +294,18 @@ const BadInput cases[] = {
      "  mend:  known are: g, r, v, xi"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadSystem, testing::ValuesIn(cases),
-                         [](const testing::TestParamInfo<BadInput>& i) { return std::string(i.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, BadSystem, testing::ValuesIn(cases), name_of);
+
+TEST(BadSystems, DeclarationsAreCounted) {
+    std::string many;
+    for (int k = 0; k < 65; ++k) many += "\"xi^2 + r\", ";
+    const std::string message = system_message(
+        edited(pendulum_system(), "[notation]", "[domain]\npositive = [" + many + "]\n[notation]"));
+    EXPECT_NE(
+        message.find("2 system.toml:24:12: domain.positive: 'domain.positive' has at most 64 expressions"),
+        std::string::npos)
+        << message;
+}
 
 } // namespace
 } // namespace resonform

@@ -55,4 +55,16 @@ inline std::string scene_message(const std::string& toml) {
     return "";
 }
 
+// One edit of a good file and the message it earns, its exit code in front.
+struct BadInput {
+    const char* name;
+    const char* from;
+    const char* to;
+    const char* message;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
+
+inline std::string name_of(const testing::TestParamInfo<BadInput>& info) { return info.param.name; }
+
 } // namespace resonform

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/watch.hpp"
+
+#include "algebra/error.hpp"
+#include "cli/output.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+
+namespace resonform {
+
+namespace {
+
+constexpr std::chrono::milliseconds tick(20);
+
+// 0 where the system does not tell.
+double resident_megabytes() {
+    std::ifstream statm("/proc/self/statm");
+    double size = 0, resident = 0;
+    statm >> size >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+Diagnostic exceeded(const std::string& option, const std::string& limit, const std::string& where,
+                    const std::string& larger) {
+    Place place;
+    place.key = option;
+    return {limit, where,
+            fmt::format("simplify the system, ask for a lower order, or give {} {}", option, larger), place};
+}
+
+// Signals are for the first thread, which may hold them back while it writes a file.
+std::thread without_signals(const std::function<void()>& run) {
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    std::thread thread(run);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    return thread;
+}
+
+} // namespace
+
+Watch::Watch(const DerivationLimits& limits) : limits_(limits), thread_(without_signals([this] { run(); })) {}
+
+Watch::~Watch() {
+    {
+        const std::lock_guard lock(mutex_);
+        over_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+}
+
+void Watch::enter(const std::string& step) {
+    const std::lock_guard lock(mutex_);
+    step_ = step;
+}
+
+void Watch::reached(int weight, std::size_t terms) {
+    const std::string step = fmt::format("weight {} reached with {} terms", weight, terms);
+    if (static_cast<double>(terms) > limits_.terms)
+        refuse(exceeded("--term-limit",
+                        fmt::format("normal form and map have at most {:.0f} terms", limits_.terms), step,
+                        fmt::format("{:.0f}", 10 * limits_.terms)));
+    enter(step + fmt::format(", weight {} under way", weight + 1));
+}
+
+bool Watch::must_end(std::string& message) {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin_;
+    if (time.count() > limits_.seconds) {
+        message = to_string(exceeded("--time-limit",
+                                     fmt::format("a derivation takes at most {:g} s", limits_.seconds), step_,
+                                     fmt::format("{:g}", 10 * limits_.seconds)));
+    } else if (const double used = resident_megabytes(); used > limits_.megabytes) {
+        message = to_string(exceeded(
+            "--memory-limit", fmt::format("a derivation takes at most {:.0f} MB", limits_.megabytes),
+            fmt::format("{:.0f} MB, {}", used, step_), fmt::format("{:.0f}", 2 * limits_.megabytes)));
+    }
+    return !message.empty();
+}
+
+// The first thread cannot be asked to stop, so the program ends here, without running destructors of
+// what it still uses.
+void Watch::run() {
+    std::unique_lock lock(mutex_);
+    std::string message;
+    while (!changed_.wait_for(lock, tick, [this] { return over_; })) {
+        if (!must_end(message)) continue;
+        say("resonform: " + message);
+        std::_Exit(static_cast<int>(Kind::refused));
+    }
+}
+
+} // namespace resonform

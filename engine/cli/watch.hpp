@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The limits of a derivation. Exact algebra may take any time and memory, and the library that reads
+// expressions cannot be interrupted: a second thread looks at the clock and at the memory, and ends the
+// program with one message and exit code 3. Nothing is half-written then, because files and standard
+// output are written when no Watch stands any more.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace resonform {
+
+struct DerivationLimits {
+    double seconds = 0;   // of one derivation; infinite: none
+    double megabytes = 0; // resident memory of the program; infinite: none
+    double terms = 0;     // of normal form and map together; infinite: none
+};
+
+class Watch {
+public:
+    // One at a time.
+    explicit Watch(const DerivationLimits& limits);
+    ~Watch();
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    // What is under way, for the message: "the expansion".
+    void enter(const std::string& step);
+    // A weight is complete. Errors (refused): more terms than the limit.
+    void reached(int weight, std::size_t terms);
+
+private:
+    void run();
+    bool must_end(std::string& message); // under mutex_
+
+    DerivationLimits limits_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::string step_ = "reading the file";
+    bool over_ = false;
+    std::thread thread_; // last: it uses the others
+};
+
+// What `derive(watch)` returns; the watch is over then.
+template <class Derive> auto watched(const DerivationLimits& limits, const Derive& derive) {
+    Watch watch(limits);
+    return derive(watch);
+}
+
+} // namespace resonform
