@@ -13,31 +13,41 @@ namespace resonform {
 
 namespace {
 
-constexpr double above_floor = 100;       // a rung this far above its floor is polluted by 1 % at most
-constexpr double near_integer = 0.3;      // a slope this close to an integer names it
-constexpr double one_slope = 0.02;        // local slopes this close are one straight line
+constexpr double above_floor = 100;  // a rung this far above its floor is polluted by 1 % at most
+constexpr double near_integer = 0.3; // a limit this close to an integer names it
+constexpr double near_straight =
+    0.05;                          // a straight line has no limit to wait for: its slope must be this near
+constexpr double one_slope = 0.02; // local slopes this close are one straight line
 constexpr double settled_distance = 0.02; // of the last slopes from their integer and from each other
 constexpr double free_bend = 0.05;        // a smaller step between local slopes may be noise
+constexpr double free_departure = 0.03;   // 1 % of noise moves a slope no farther from its integer
+constexpr double well_below = 1e-3;       // of what a claim allows: what noise may hide of an exact output
 
 struct Point {
     double eps, error;
 };
 
+// Errors below this may be the arithmetic's or the reference's own.
+double noise(const LadderRung& rung) { return above_floor * std::max(rung.reference_error, rung.floor); }
+
 bool usable(const LadderRung& rung) {
-    const double limit = above_floor * std::max(rung.reference_error, rung.floor);
-    return std::isfinite(rung.max_error) && rung.max_error > 0 && rung.max_error >= limit;
+    return std::isfinite(rung.max_error) && rung.max_error > 0 && rung.max_error >= noise(rung);
 }
 
-// The rungs that can be read: from the first usable one down to where the floor is met.
+// A rung that meets the floor between others is a zero of the error, not the end of what is seen.
 std::vector<Point> usable_points(const std::vector<LadderRung>& ladder) {
     std::vector<Point> points;
-    for (const LadderRung& rung : ladder) {
-        if (usable(rung))
-            points.push_back({to_double(rung.eps), rung.max_error});
-        else if (!points.empty())
-            break;
-    }
+    for (const LadderRung& rung : ladder)
+        if (usable(rung)) points.push_back({to_double(rung.eps), rung.max_error});
     return points;
+}
+
+// The first rung without an error below one that has it. Large eps may leave where the formula answers.
+const LadderRung* refused_rung(const std::vector<LadderRung>& ladder) {
+    const auto answered = [](const LadderRung& rung) { return std::isfinite(rung.max_error); };
+    const auto first = std::find_if(ladder.begin(), ladder.end(), answered);
+    const auto refused = std::find_if_not(first, ladder.end(), answered);
+    return refused == ladder.end() ? nullptr : &*refused;
 }
 
 double slope_between(const Point& a, const Point& b) {
@@ -88,6 +98,14 @@ bool bends_away(const std::vector<double>& slopes) {
     return last > free_bend && (n < 3 || last >= std::abs(slopes[n - 2] - slopes[n - 3]));
 }
 
+// The slopes leave their integer, each farther than the one before: a lower power comes up.
+bool departs(const std::vector<double>& slopes, int order) {
+    const std::size_t n = slopes.size();
+    const auto distance = [&](std::size_t i) { return std::abs(slopes[i] - order); };
+    return n >= 3 && distance(n - 1) > free_departure && distance(n - 1) > distance(n - 2) &&
+           distance(n - 2) > distance(n - 3) && (slopes[n - 1] > order) == (slopes[n - 2] > order);
+}
+
 // The limit of error/eps^order: the straight line in eps through the points from `first` on, at 0.
 double limiting_constant(const std::vector<Point>& points, std::size_t first, int order) {
     const double n = static_cast<double>(points.size() - first);
@@ -107,17 +125,34 @@ void undecided(OutputVerdict& output, std::string reason) {
     output.reason = std::move(reason);
 }
 
+// No rung shows an error. That is a pass only where the noise hides little of what the claim allows, with
+// a constant of 1 or, for a small output, of its size: a large output has no right to large errors.
+void judge_unseen(OutputVerdict& output) {
+    const auto allowed = [&](const LadderRung& rung) {
+        return well_below * std::min(1.0, rung.scale) * std::pow(to_double(rung.eps), output.claimed_order);
+    };
+    const auto telling = std::count_if(output.ladder.begin(), output.ladder.end(),
+                                       [&](const LadderRung& rung) { return noise(rung) <= allowed(rung); });
+    const auto needed = std::max<std::size_t>(3, (output.ladder.size() + 1) / 2);
+    if (static_cast<std::size_t>(telling) < needed)
+        return undecided(
+            output,
+            fmt::format("no error is seen, but noise hides what eps^{} allows: it is small enough "
+                        "on {} of {} rungs, {} are needed (at eps = {:g}: noise {:.2g}, at most {:.2g})",
+                        output.claimed_order, telling, output.ladder.size(), needed,
+                        to_double(output.ladder.front().eps), noise(output.ladder.front()),
+                        allowed(output.ladder.front())));
+    output.verdict = Verdict::pass;
+    output.found_order = output.claimed_order;
+    output.reason =
+        "the error stays below what the arithmetic can show at every eps: exact as far as can be seen";
+}
+
 void judge_few(OutputVerdict& output, const std::vector<Point>& points) {
     const bool finite = std::all_of(output.ladder.begin(), output.ladder.end(),
                                     [](const LadderRung& r) { return std::isfinite(r.max_error); });
     if (!finite) return undecided(output, "the evaluator refuses points of the interval: no error to judge");
-    if (points.empty() && !output.ladder.empty()) {
-        output.verdict = Verdict::pass;
-        output.found_order = output.claimed_order;
-        output.reason =
-            "the error stays below what the arithmetic can show at every eps: exact as far as can be seen";
-        return;
-    }
+    if (points.empty() && !output.ladder.empty()) return judge_unseen(output);
     undecided(output, fmt::format("{} of {} rungs lie clear of the arithmetic's floor, 3 are needed",
                                   points.size(), output.ladder.size()));
 }
@@ -137,6 +172,9 @@ void judge(OutputVerdict& output) {
     }
     const std::vector<Point> points = usable_points(output.ladder);
     if (points.size() < 3) return judge_few(output, points);
+    if (const LadderRung* refused = refused_rung(output.ladder))
+        return undecided(output, fmt::format("the evaluator refuses points of the interval at eps = {:g}",
+                                             to_double(refused->eps)));
 
     const std::vector<double> slopes = slopes_of(points);
     const std::size_t tail = std::max<std::size_t>(straight_tail(slopes), 2);
@@ -147,13 +185,15 @@ void judge(OutputVerdict& output) {
     output.slope_high_eps = points[first].eps;
     const int order = static_cast<int>(std::lround(output.slope));
 
-    if (std::abs(output.slope - slopes.back()) > near_integer || (!straight && bends_away(slopes))) {
+    if (std::abs(output.slope - slopes.back()) > near_integer || (!straight && bends_away(slopes)) ||
+        departs(slopes, order)) {
         output.slope = slopes.back(); // what is seen; no limit can be told from it
         return undecided(
             output, fmt::format("the slope still bends ({:.2f}, then {:.2f}) at eps = {:g}: add smaller eps",
                                 slopes[slopes.size() - 2], slopes.back(), points.back().eps));
     }
-    if (std::abs(output.slope - order) > near_integer)
+    // A straight line a little above an integer is at least of that order.
+    if (std::abs(output.slope - order) > near_integer || (straight && output.slope < order - near_straight))
         return undecided(output, fmt::format("the slope {:.2f} is not near an integer", output.slope));
     output.found_order = order;
     output.constant = limiting_constant(points, straight ? first : points.size() - 2, order);

@@ -17,6 +17,7 @@ struct LadderRung {
     int digits = 0;             // decimal digits of the arithmetic used
     double reference_error = 0; // estimated error of the direct integration
     double floor = 0;           // rounding of the evaluator at this rung: nothing below is seen
+    double scale = 1;           // max |output| over the interval
 };
 
 struct OutputVerdict {
@@ -32,12 +33,14 @@ struct OutputVerdict {
 };
 
 // Pure. Reads name, claimed_order, expected and ladder; fills the rest:
-//   usable rungs     max_error >= 100 max(reference_error, floor), from the largest eps downwards
+//   usable rungs     max_error >= 100 max(reference_error, floor)
 //   local slopes     s_k = ln(e_k/e_{k+1}) / ln(eps_k/eps_{k+1})
 //   slope            its limit as eps -> 0, extrapolated from the smallest usable eps
 //   constant         the limit of max_error/eps^found_order, extrapolated likewise
-// undecided: fewer than 3 usable rungs, slope not within 0.3 of an integer, or still bending; the
-// reason says which. Errors that are at the floor on every rung pass: nothing is left to see.
+// undecided: fewer than 3 usable rungs, an evaluator that refuses points at a smaller eps than it answers,
+// slope not within 0.3 of an integer (a straight one: more than 0.05 below it), still bending or leaving
+// the integer; the reason says which. An output without a usable rung passes if 100 max(reference_error,
+// floor) <= 1e-3 min(1, scale) eps^claimed_order on half of the rungs and on 3: else it is undecided.
 void judge(OutputVerdict& output);
 
 // The last local slopes are close to one integer and have stopped moving: smaller eps teach nothing.

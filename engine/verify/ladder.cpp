@@ -76,6 +76,12 @@ std::vector<Rung> planned_ladder(const Trial& trial, const std::vector<Rational>
     return rungs;
 }
 
+double largest_value(const std::vector<DoubleDouble>& values) {
+    double most = 0;
+    for (const DoubleDouble& v : values) most = std::max(most, std::abs(to_double_value(v)));
+    return most;
+}
+
 void add_rung(std::vector<OutputVerdict>& outputs, const Trial& trial, const Rung& plan) {
     const Reference reference = trial.reference(plan.at, Trial::resolving_points(plan.steps));
     const Deviation found = deviation(trial, plan.at, reference);
@@ -87,6 +93,7 @@ void add_rung(std::vector<OutputVerdict>& outputs, const Trial& trial, const Run
         rung.digits = found.digits;
         rung.reference_error = reference.error[k];
         rung.floor = found.floor[k];
+        rung.scale = largest_value(reference.values[k]);
         outputs[k].ladder.push_back(std::move(rung));
     }
 }

@@ -146,6 +146,74 @@ TEST(Judge, UndecidedSaysWhy) {
     EXPECT_EQ(refused.reason, "the evaluator refuses points of the interval: no error to judge");
 }
 
+// Every rung lies below 100 times the noise, yet the noise is as large as what the claim forbids.
+TEST(Judge, WhatNoiseHidesDoesNotPass) {
+    const auto hidden = [](const Error& error, int claim, const Error& reference, double scale) {
+        OutputVerdict output = ladder(error, claim);
+        for (LadderRung& r : output.ladder) {
+            r.reference_error = reference(to_double(r.eps));
+            r.scale = scale;
+        }
+        judge(output);
+        return output;
+    };
+    const auto line = [](double factor, int power) {
+        return [=](double e) { return factor * std::pow(e, power); };
+    };
+    const OutputVerdict poor = hidden(line(1, 1), 4, line(0.02, 1), 1);
+    EXPECT_EQ(poor.verdict, Verdict::undecided);
+    EXPECT_FALSE(poor.found_order);
+    EXPECT_EQ(poor.reason,
+              "no error is seen, but noise hides what eps^4 allows: it is small enough on 0 of 11 rungs, "
+              "6 are needed (at eps = 0.2: noise 0.4, at most 1.6e-06)");
+    EXPECT_EQ(hidden(line(1e-3, 3), 4, line(2e-5, 3), 1).verdict, Verdict::undecided);
+    EXPECT_EQ(hidden(line(1e6, 0), 9, line(1e6, 0), 1e40).verdict, Verdict::undecided) << "a large output";
+    EXPECT_EQ(hidden(line(1e-32, 0), 4, line(1e-32, 0), 1e-20).verdict, Verdict::undecided) << "a small one";
+    EXPECT_EQ(hidden(line(1e-32, 0), 4, line(1e-32, 0), 1e-3).verdict, Verdict::pass);
+    EXPECT_EQ(hidden(line(1e-30, 0), 4, line(1e-30, 0), 1e6).verdict, Verdict::pass);
+}
+
+TEST(Judge, AStraightSlopeBelowAnIntegerNamesNoOrder) {
+    const OutputVerdict output = ladder([](double e) { return std::pow(e, 3.75); }, 4);
+    EXPECT_EQ(output.verdict, Verdict::undecided);
+    EXPECT_FALSE(output.found_order);
+    EXPECT_EQ(output.reason, "the slope 3.75 is not near an integer");
+}
+
+TEST(Judge, RefusedPointsBelowGoodRungsAreUndecided) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        const auto last = [bad](double e) { return e < 0.004 ? bad : std::pow(e, 4); };
+        const auto between = [bad](double e) { return std::abs(e - 0.01) < 1e-6 ? bad : std::pow(e, 4); };
+        EXPECT_EQ(ladder(last, 4).verdict, Verdict::undecided);
+        EXPECT_EQ(ladder(last, 4).reason, "the evaluator refuses points of the interval at eps = 0.002");
+        EXPECT_EQ(ladder(between, 4).verdict, Verdict::undecided);
+        EXPECT_EQ(ladder(between, 4).reason, "the evaluator refuses points of the interval at eps = 0.01");
+        const auto first = [bad](double e) { return e > 0.06 ? bad : std::pow(e, 4); };
+        EXPECT_EQ(ladder(first, 4).verdict, Verdict::pass) << "large eps may be out of reach";
+    }
+}
+
+TEST(Judge, SlopesThatLeaveTheirIntegerAreUndecided) {
+    const auto error = [](double e) { return 1e-5 * std::pow(e, 3) + std::pow(e, 4); };
+    const OutputVerdict output = ladder(error, 4);
+    EXPECT_EQ(output.verdict, Verdict::undecided);
+    EXPECT_EQ(output.reason.substr(0, 21), "the slope still bends");
+    EXPECT_FALSE(settled(output)) << "a default ladder goes on";
+    EXPECT_EQ(ladder(error, 4, 0, 7).verdict, Verdict::fail);
+    EXPECT_EQ(ladder(error, 4, 0, 7).found_order, 3);
+}
+
+TEST(Judge, AZeroOfTheErrorDoesNotHideSmallerRungs) {
+    const auto error = [](double e) {
+        return std::abs(e - 1e-3) < 1e-9 ? 0.0 : std::abs(1e-3 * std::pow(e, 3) - std::pow(e, 4));
+    };
+    const OutputVerdict output = ladder(error, 4, 1e-30);
+    EXPECT_EQ(output.slope_low_eps, 1e-4);
+    EXPECT_EQ(output.verdict, Verdict::fail) << output.reason;
+    EXPECT_EQ(output.found_order, 3);
+}
+
 // A liar: one coefficient of weight 3 with the wrong sign leaves an error 2 c eps^3.
 TEST(Judge, APlantedErrorFails) {
     const auto right = [](double e) { return 1.48 * std::pow(e, 4); };
