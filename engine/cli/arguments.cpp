@@ -78,6 +78,12 @@ std::vector<double> read_times(const std::string& text) {
     return times;
 }
 
+std::vector<Setting> read_settings(const std::vector<std::string>& texts) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) settings.push_back(read_setting(text, "--set"));
+    return settings;
+}
+
 std::string read_choice(const std::string& option, const std::string& text,
                         const std::vector<std::string>& known) {
     for (const std::string& choice : known)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algebra/error.hpp"
+#include "model/settings.hpp"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ double read_eps(const std::string& text);
 double read_limit(const std::string& option, const std::string& text);
 // "0,1.5,2e3": decimal numbers, `nan` and `inf` included: those get a status, not a message.
 std::vector<double> read_times(const std::string& text);
+// NAME=VALUE each.
+std::vector<Setting> read_settings(const std::vector<std::string>& texts);
 // One of `known`; the complaint lists them and names the nearest.
 std::string read_choice(const std::string& option, const std::string& text,
                         const std::vector<std::string>& known);

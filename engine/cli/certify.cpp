@@ -5,33 +5,32 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "emit/json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace resonform {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json to_json(const std::string& system, const Certificate& certificate) {
-    return {{"schema", "resonform.certificate/1"},
-            {"system", system},
-            {"holds", certificate.holds},
-            {"through_weight", certificate.through_weight},
-            {"residual_zero", certificate.residual_zero},
-            {"normal_form_scan", certificate.normal_form_scan},
-            {"route", certificate.route},
-            {"points", certificate.points},
-            {"primes", certificate.primes},
-            {"error_probability", certificate.error_probability},
-            {"complaint", certificate.complaint}};
+Json to_json(const System& system, const Certificate& certificate) {
+    Json document = json_head("resonform.certificate/1", system);
+    document.update(Json{{"holds", certificate.holds},
+                         {"through_weight", certificate.through_weight},
+                         {"residual_zero", certificate.residual_zero},
+                         {"normal_form_scan", certificate.normal_form_scan},
+                         {"route", certificate.route},
+                         {"points", certificate.points},
+                         {"primes", certificate.primes},
+                         {"error_probability", certificate.error_probability},
+                         {"complaint", certificate.complaint}});
+    return document;
 }
 
-void print_text(const std::string& system, const Certificate& certificate) {
-    put("{}: normal form and map through weight {}\n", system, certificate.through_weight);
+void print_text(const System& system, const Certificate& certificate) {
+    put("{}: normal form and map through weight {}\n", system.name_with_settings(),
+        certificate.through_weight);
     put("  map and normal form put into the original equations   {}\n",
         certificate.residual_zero ? "residual zero" : "RESIDUAL NOT ZERO");
     put("  every term resonant, no kernel term in the map        {}\n",
@@ -46,17 +45,20 @@ void print_text(const std::string& system, const Certificate& certificate) {
 }
 
 std::shared_ptr<const Normalization> normalize(const std::string& argument, int through,
+                                               const std::vector<Setting>& settings,
                                                const DerivationLimits& limits) {
     const auto file = find_system(argument, find_home().systems());
     return watched(limits, [&](Watch& watch) {
-        return normalize_with_certificate(expand_system(file, watch), through, watch);
+        return normalize_with_certificate(expand_system(file, settings, watch), through, watch);
     });
 }
 
-int run_certify(const std::string& argument, const std::string& order, const DerivationLimits& limits,
+int run_certify(const std::string& argument, const std::string& order,
+                const std::vector<std::string>& settings, const DerivationLimits& limits,
                 const std::string& format) {
-    const auto normalization = normalize(argument, read_order("--order", order), limits);
-    const std::string& system = normalization->normal_form.field->system().name;
+    const auto normalization =
+        normalize(argument, read_order("--order", order), read_settings(settings), limits);
+    const System& system = normalization->normal_form.field->system();
     if (format == "json")
         put("{}\n", to_json(system, normalization->certificate).dump(2));
     else
@@ -71,10 +73,11 @@ void add_certify(CLI::App& app, Action& action) {
     const Text system = add_required(*command, "SYSTEM", "", system_help);
     const Text order = add_required(*command, "--order", order_values, "weight of normal form and map");
     const FormatOption format(*command, {"text", "json"});
+    const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, format, limits] {
-        action = [system, order, format, limits] {
-            return run_certify(*system, *order, limits.value(), format.value());
+    command->callback([&action, system, order, format, settings, limits] {
+        action = [system, order, format, settings, limits] {
+            return run_certify(*system, *order, *settings, limits.value(), format.value());
         };
     });
 }

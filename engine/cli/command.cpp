@@ -35,6 +35,13 @@ Text add_output(CLI::App& command, const std::string& name, const std::string& v
     return path;
 }
 
+Texts add_settings(CLI::App& command) {
+    auto texts = std::make_shared<std::vector<std::string>>();
+    command.add_option("--set", *texts, "exact numbers in place of parameters: g=1 r=4/5")
+        ->type_name("NAME=VALUE");
+    return texts;
+}
+
 FormatOption::FormatOption(CLI::App& command, std::vector<std::string> known)
     : known_(std::move(known)), text_(add_text(command, "--format", fmt::format("{}", fmt::join(known_, "|")),
                                                "how to print", known_.front())) {}

@@ -32,6 +32,10 @@ Text add_required(CLI::App& command, const std::string& name, const std::string&
 Text add_output(CLI::App& command, const std::string& name, const std::string& values,
                 const std::string& help);
 
+// --set NAME=VALUE...: as often as wanted, several after one --set.
+using Texts = std::shared_ptr<std::vector<std::string>>;
+Texts add_settings(CLI::App& command);
+
 // --format, the first of `known` by default; value() checks it.
 class FormatOption {
 public:

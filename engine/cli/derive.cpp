@@ -17,6 +17,7 @@ namespace {
 
 struct Request {
     std::string system, order, stage, truncation, format;
+    std::vector<std::string> settings;
     DerivationLimits limits;
 };
 
@@ -76,8 +77,10 @@ int run_derive(const Request& request) {
     const Format format = parse_format(request.format);
     require_printable(stage, format);
     const auto file = find_system(request.system, find_home().systems());
+    const auto settings = read_settings(request.settings);
     put("{}", watched(request.limits, [&](Watch& watch) {
-            return document(expand_system(file, watch), order, stage, request.truncation, format, watch);
+            return document(expand_system(file, settings, watch), order, stage, request.truncation, format,
+                            watch);
         }));
     return done;
 }
@@ -96,10 +99,11 @@ void add_derive(CLI::App& app, Action& action) {
                                      "not below the order; default: what the order needs on t = 1/eps");
     const Text format = add_text(*command, "--format", "text|latex|json|sympy|maxima",
                                  "how to print; sympy and maxima for the normal form only", "text");
+    const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, stage, truncation, format, limits] {
-        action = [system, order, stage, truncation, format, limits] {
-            return run_derive({*system, *order, *stage, *truncation, *format, limits.value()});
+    command->callback([&action, system, order, stage, truncation, format, settings, limits] {
+        action = [system, order, stage, truncation, format, settings, limits] {
+            return run_derive({*system, *order, *stage, *truncation, *format, *settings, limits.value()});
         };
     });
 }

@@ -40,8 +40,10 @@ Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
 
 } // namespace
 
-Expanded expand_system(const std::filesystem::path& file, Watch& watch) {
-    return expand_shared(std::make_shared<const System>(read_system(file)), watch);
+Expanded expand_system(const std::filesystem::path& file, const std::vector<Setting>& settings,
+                       Watch& watch) {
+    System system = with_settings(read_system(file), settings, "--set");
+    return expand_shared(std::make_shared<const System>(std::move(system)), watch);
 }
 
 std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,

@@ -7,6 +7,7 @@
 #include "cli/watch.hpp"
 #include "emit/program.hpp"
 #include "model/scene_file.hpp"
+#include "model/settings.hpp"
 #include "normalize/certificate.hpp"
 #include "normalize/poincare.hpp"
 #include "solve/solution.hpp"
@@ -28,7 +29,8 @@ struct Expanded {
     std::shared_ptr<const FirstOrderSystem> first_order;
     std::shared_ptr<const GradedField> field;
 };
-Expanded expand_system(const std::filesystem::path& file, Watch& watch);
+// With numbers in place of some parameters, as --set gives them.
+Expanded expand_system(const std::filesystem::path& file, const std::vector<Setting>& settings, Watch& watch);
 
 // Normal form and map through a weight with their certificate, which may fail to hold: `certify`
 // shows it, everybody else calls normalize_certified. What takes half a second or more is told on stderr.

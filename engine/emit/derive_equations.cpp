@@ -9,7 +9,7 @@ namespace resonform {
 
 Page equations_page(const System& system) {
     Page page;
-    page.title = "equations of " + system.name;
+    page.title = "equations of " + system.name_with_settings();
     Section section;
     for (const Equation& equation : system.equations) {
         WrittenEquation written = as_written(equation);
@@ -28,10 +28,9 @@ Json equations_json(const System& system) {
         variables.push_back({{"name", system.variables[i].name},
                              {"role", to_string(system.variables[i].role)},
                              {"equation", system.equations[i].text}});
-    return {{"schema", "resonform.equations/1"},
-            {"system", system.name},
-            {"parameters", std::move(parameters)},
-            {"variables", std::move(variables)}};
+    Json document = json_head("resonform.equations/1", system);
+    document.update(Json{{"parameters", std::move(parameters)}, {"variables", std::move(variables)}});
+    return document;
 }
 
 } // namespace resonform

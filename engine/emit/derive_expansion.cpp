@@ -80,7 +80,8 @@ private:
 Page expansion_page(const GradedField& field, int order, const Solution* solution) {
     const ExpansionPage expansion(field, order);
     Page page;
-    page.title = "equations of " + field.system().name + ", expanded through weight " + std::to_string(order);
+    page.title = "equations of " + field.system().name_with_settings() + ", expanded through weight " +
+                 std::to_string(order);
     page.sections.push_back(expansion.section("", {}));
     const std::vector<DriftFrame> frames = drift_frames(field, solution);
     bool removed = false;
@@ -102,10 +103,9 @@ Json expansion_json(const GradedField& field, int order) {
                          {"terms", std::move(terms)},
                          {"next_weight", line.next_weight == 0 ? Json(nullptr) : Json(line.next_weight)}});
     }
-    return {{"schema", "resonform.expansion/1"},
-            {"system", field.system().name},
-            {"order", order},
-            {"equations", std::move(lines)}};
+    Json document = json_head("resonform.expansion/1", field.system());
+    document.update(Json{{"order", order}, {"equations", std::move(lines)}});
+    return document;
 }
 
 } // namespace resonform

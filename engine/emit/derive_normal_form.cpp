@@ -134,6 +134,14 @@ std::string certificate_remark(const Certificate& certificate) {
                        certificate.error_probability);
 }
 
+// What the result is divided by without a proof that it vanishes nowhere; "" if nothing.
+std::string divisor_remark(const GradedField& field) {
+    std::string text;
+    for (const Polynomial& divisor : small_divisors(field))
+        text += (text.empty() ? "" : ", ") + spell(display(*field.ring, divisor), text_spelling());
+    return text.empty() ? "" : "small divisors, taken to vanish nowhere: " + text;
+}
+
 } // namespace
 
 Page normal_form_page(const Normalization& normalization, int order, const Solution* solution) {
@@ -141,6 +149,8 @@ Page normal_form_page(const Normalization& normalization, int order, const Solut
     Page page;
     page.title = normal_form_title(normalization.normal_form, order);
     page.sections = {parts.rates(), parts.definitions(), parts.map()};
+    const std::string divisors = divisor_remark(*normalization.normal_form.field);
+    if (!divisors.empty()) page.remarks.push_back(divisors);
     page.remarks.push_back(certificate_remark(normalization.certificate));
     return page;
 }

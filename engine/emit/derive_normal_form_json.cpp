@@ -63,16 +63,16 @@ Json certificate_json(const Certificate& certificate) {
 Json normal_form_json(const Normalization& normalization, int order) {
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
-    return {{"schema", "resonform.normal_form/1"},
-            {"system", field.system().name},
-            {"order", order},
-            {"truncation", normal_form.through},
-            {"style", normal_form.style},
-            {"fast", fast_json(field)},
-            {"normal_form", terms_json(field, rates_through(normal_form, order))},
-            {"map", terms_json(field, map_through(normalization, order))},
-            {"divisors", divisors_json(normalization, order)},
-            {"certificate", certificate_json(normalization.certificate)}};
+    Json document = json_head("resonform.normal_form/1", field.system());
+    document.update(Json{{"order", order},
+                         {"truncation", normal_form.through},
+                         {"style", normal_form.style},
+                         {"fast", fast_json(field)},
+                         {"normal_form", terms_json(field, rates_through(normal_form, order))},
+                         {"map", terms_json(field, map_through(normalization, order))},
+                         {"divisors", divisors_json(normalization, order)},
+                         {"certificate", certificate_json(normalization.certificate)}});
+    return document;
 }
 
 } // namespace resonform

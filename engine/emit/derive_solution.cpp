@@ -182,7 +182,7 @@ Page solution_page(const Solution& solution) {
     const SolutionPage parts(solution);
     Page page;
     page.title = fmt::format("solution of {} through order {} (normal form and map through weight {})",
-                             solution.system().name, solution.order, solution.truncation);
+                             solution.system().name_with_settings(), solution.order, solution.truncation);
     for (Section section : {parts.slow(), parts.amplitude_and_phase(), parts.drift(), parts.outputs()})
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));
     return page;

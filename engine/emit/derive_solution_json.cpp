@@ -118,15 +118,15 @@ private:
 
 Json solution_json(const Solution& solution) {
     const SolutionJson parts(solution);
-    return {{"schema", "resonform.solution/1"},
-            {"system", solution.system().name},
-            {"order", solution.order},
-            {"truncation", solution.truncation},
-            {"slow", parts.slow()},
-            {"modes", parts.modes()},
-            {"drift", parts.drift()},
-            {"primitives", parts.primitives()},
-            {"outputs", parts.outputs()}};
+    Json document = json_head("resonform.solution/1", solution.system());
+    document.update(Json{{"order", solution.order},
+                         {"truncation", solution.truncation},
+                         {"slow", parts.slow()},
+                         {"modes", parts.modes()},
+                         {"drift", parts.drift()},
+                         {"primitives", parts.primitives()},
+                         {"outputs", parts.outputs()}});
+    return document;
 }
 
 } // namespace resonform

@@ -40,6 +40,12 @@ std::string json_document(const Json& value) {
     return text + "\n}\n";
 }
 
+Json json_head(const std::string& schema, const System& system) {
+    Json head = {{"schema", schema}, {"system", system.name}};
+    for (const Setting& setting : system.settings) head["set"][setting.parameter] = setting.value;
+    return head;
+}
+
 std::string json_expression(const Ring& ring, const Polynomial& p) {
     return spell(display(ring, p), json_spelling());
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "algebra/ring.hpp"
+#include "model/system_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,6 +22,9 @@ Json json_numbers(const std::vector<double>& values);
 // One member of the outermost object per line, arrays of objects with one element per line, everything
 // deeper on that line; ends with a newline. Parses to the same value; same bytes on every run.
 std::string json_document(const Json& value);
+
+// { "schema", "system" }, and "set", { "g": "1" }, where numbers stand in place of parameters.
+Json json_head(const std::string& schema, const System& system);
 
 // An exact expression as <e> of design 6.1: "-v*xi/(4*(r**2 + xi**2))". Parses in SymPy.
 std::string json_expression(const Ring& ring, const Polynomial& p);

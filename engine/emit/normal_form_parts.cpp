@@ -20,8 +20,8 @@ std::string frequency_name(const GradedField& field, std::size_t mode) {
 }
 
 std::string normal_form_title(const NormalForm& normal_form, int order) {
-    return fmt::format("normal form of {} through weight {} (style {})", normal_form.field->system().name,
-                       order, normal_form.style);
+    return fmt::format("normal form of {} through weight {} (style {})",
+                       normal_form.field->system().name_with_settings(), order, normal_form.style);
 }
 
 std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order) {

@@ -50,6 +50,7 @@ private:
     void describe();
     void define_symbols();
     void define_parameters();
+    void define_constant_roots(Lowering& lowering);
     void define_slow_variables();
     void define_phase(Moment& call, Graph::Node start);
     void define_results(Moment& call);
@@ -105,6 +106,15 @@ void ProgramBuilder::define_parameters() {
     }
 }
 
+// Roots of parameters and numbers, by which the ring may have written a parameter: a = root^2.
+void ProgramBuilder::define_constant_roots(Lowering& lowering) {
+    for (GeneratorId id = 0; id < solution_.ring->size(); ++id) {
+        const Generator& g = solution_.ring->generator(id);
+        if (g.kind == GeneratorKind::root && is_constant(*solution_.ring, g.radicand))
+            lowering.define(id, program_.graph.root(lowering.radicand(g.radicand), g.index), false);
+    }
+}
+
 // xi = xi_0 + rate T
 void ProgramBuilder::define_slow_variables() {
     Graph& graph = program_.graph;
@@ -113,6 +123,7 @@ void ProgramBuilder::define_slow_variables() {
         if (const auto known = surroundings_.symbols.find(solution_.ring->generator(id).name);
             known != surroundings_.symbols.end())
             lowering.define(id, known->second, false);
+    define_constant_roots(lowering);
     StartConstants start(program_, solution_, scene_, {}, names_);
     for (const SlowLaw& law : solution_.slow) {
         const Variable& variable = solution_.system().variables[law.variable];

@@ -132,7 +132,7 @@ void CoefficientRing::freeze(const Divisors& divisors) {
     for (const Polynomial& divisor : divisors.values) {
         Generator g;
         g.kind = GeneratorKind::root;
-        g.name = fmt::format("divisor {}", builder.next()); // no name of a user has a space
+        g.name = fmt::format("divisor {}", builder.next());
         g.index = 1;
         g.radicand = builder.import(*divisors.ring, divisor);
         builder.add(std::move(g));
@@ -175,7 +175,7 @@ void CoefficientRing::add_roots(RingBuilder& builder) {
         if (base.index == 1 && positive) base.index = 2; // only inverted: its root will do as well
         Generator g;
         g.kind = GeneratorKind::root;
-        g.name = fmt::format("root_{}", ++number);
+        g.name = fmt::format("root {}", ++number); // no name of a user has a space
         g.invertible = true;
         g.positive = positive;
         g.index = base.index;

@@ -36,11 +36,16 @@ Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
 
 } // namespace
 
-GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors) {
-    Divisors all{field.ring, {}};
+std::vector<Polynomial> small_divisors(const GradedField& field) {
+    std::vector<Polynomial> divisors;
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
         if (const Generator& g = field.ring->generator(id); g.name.rfind("divisor ", 0) == 0)
-            all.values.push_back(g.radicand);
+            divisors.push_back(g.radicand);
+    return divisors;
+}
+
+GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors) {
+    Divisors all{field.ring, small_divisors(field)};
     const std::size_t held = all.values.size();
     for (const Polynomial& divisor : divisors) {
         const Polynomial primitive = primitive_part(*field.ring, divisor);

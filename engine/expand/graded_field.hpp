@@ -60,6 +60,10 @@ struct GradedField {
 // ring cannot hold. The ring gets an inverse for each of the divisors.
 GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors = {});
 
+// The small divisors that the ring has an inverse for, besides its units: polynomials of field.ring. None
+// vanishes identically; on the surfaces where one does the normal form means nothing.
+std::vector<Polynomial> small_divisors(const GradedField& field);
+
 // The same field over a ring that divides by more; the divisors it has already are kept. New ones are
 // polynomials of field.ring that are proved not to vanish identically; units are divided out of them.
 // Errors (refused): more generators than a ring holds.

@@ -37,6 +37,7 @@ private:
     Sign of_power(const ex& e, int comparisons) const;
     Sign of_function(const ex& e) const;
     Sign of_product(const ex& e, int comparisons) const;
+    Sign of_negative(const ex& part, int comparisons) const;
     Sign by_structure(const ex& e, int comparisons) const;
     Sign by_declaration(const ex& e, int comparisons) const;
     bool declared_nonzero(const ex& symbol) const;
@@ -104,20 +105,33 @@ Sign Prover::of_function(const ex& e) const {
     return Sign::unknown;
 }
 
-// (2 - tau)*tau is held as -(-2 + tau)*tau: a number and a sum may be the negative of something positive.
+// (2 - tau)*tau may be held as -(-2 + tau)*tau, and (2 - tau)^(-1) as -(-2 + tau)^(-1): a number, a sum and
+// an odd power of a sum may be the negative of something positive.
 Sign Prover::of_product(const ex& e, int comparisons) const {
     Sign weakest = Sign::positive;
     bool negative = false;
     for (const ex& part : e) {
         Sign s = sign(part, comparisons);
-        if (s == Sign::unknown && (GiNaC::is_a<numeric>(part) || GiNaC::is_a<GiNaC::add>(part))) {
-            s = sign((-part).expand(), comparisons);
+        if (s == Sign::unknown) {
+            s = of_negative(part, comparisons);
             negative = !negative;
         }
         if (s == Sign::unknown) return Sign::unknown;
         weakest = std::min(weakest, s);
     }
     return negative ? Sign::unknown : weakest;
+}
+
+// The sign of -part.
+Sign Prover::of_negative(const ex& part, int comparisons) const {
+    if (GiNaC::is_a<numeric>(part) || GiNaC::is_a<GiNaC::add>(part))
+        return sign((-part).expand(), comparisons);
+    if (!GiNaC::is_a<GiNaC::power>(part) || !GiNaC::is_a<GiNaC::add>(part.op(0)) ||
+        !part.op(1).info(GiNaC::info_flags::odd))
+        return Sign::unknown;
+    const Sign base = sign((-part.op(0)).expand(), comparisons);
+    const bool inverted = part.op(1).info(GiNaC::info_flags::negative);
+    return base == Sign::nonnegative && inverted ? Sign::unknown : base;
 }
 
 Sign Prover::by_structure(const ex& e, int comparisons) const {

@@ -87,6 +87,7 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
         equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
     put_into_domain(system, values, option);
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
+    system.settings.insert(system.settings.end(), settings.begin(), settings.end());
     system.parameters.erase(std::remove_if(system.parameters.begin(), system.parameters.end(), is_set),
                             system.parameters.end());
     return system;

@@ -9,15 +9,11 @@
 
 namespace resonform {
 
-// "g=1": a parameter and its value, an expression in numbers (4/5, 0.8, sqrt(2)).
-struct Setting {
-    std::string parameter, value;
-};
-
-// Errors (bad_input, the place is `option`): no name or no value.
+// "g=1". Errors (bad_input, the place is `option`): no name or no value.
 Setting read_setting(const std::string& text, const std::string& option);
 
-// The system with the values put in: the parameters are gone from its equations and its table.
+// The system with the values put in: the parameters are gone from its equations and its table, and the
+// settings are noted in it.
 // Errors (bad_input, the place is `option`): no such parameter, one that is set twice, a value that is no
 // expression in numbers, or that is outside what the file declares (positive, nonzero, [domain]).
 System with_settings(System system, const std::vector<Setting>& settings, const std::string& option);

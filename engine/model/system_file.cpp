@@ -43,6 +43,13 @@ const char* to_string(Role role) {
 
 const Variable* System::variable(const std::string& wanted) const { return find_named(variables, wanted); }
 
+std::string System::name_with_settings() const {
+    std::string text = name;
+    for (std::size_t k = 0; k < settings.size(); ++k)
+        text += (k == 0 ? " with " : ", ") + settings[k].parameter + " = " + settings[k].value;
+    return text;
+}
+
 const Parameter* System::parameter(const std::string& wanted) const { return find_named(parameters, wanted); }
 
 std::string System::constant_name(const std::string& kind, const std::string& of) const {

@@ -50,16 +50,24 @@ struct Declaration { // [domain] positive = ["1 + tau"]
     SourceText source;
 };
 
+// A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
+struct Setting {
+    std::string parameter, value;
+};
+
 struct System {
     std::string name, title, source;
     std::filesystem::path file; // system.toml; its folder holds scenes/
     std::vector<Parameter> parameters;
+    std::vector<Setting> settings; // of parameters that are no longer among them
     std::vector<Variable> variables;
     std::vector<Equation> equations; // one per variable, in the order of variables
     std::vector<Notation> notation;
     std::vector<Declaration> positive; // declared positive
     GiNaC::symbol eps{"eps"};
 
+    // The name as documents show it: "pendulum", "pendulum with g = 1, r = 4/5".
+    [[nodiscard]] std::string name_with_settings() const;
     // nullptr if there is none of that name.
     [[nodiscard]] const Variable* variable(const std::string& name) const;
     [[nodiscard]] const Parameter* parameter(const std::string& name) const;

@@ -103,6 +103,7 @@ System SystemReader::read() {
     read_equations();
     read_domain();
     read_notation();
+    check_names_of_results();
     return std::move(system_);
 }
 
@@ -287,6 +288,27 @@ void SystemReader::read_notation() {
                       "remove one of the two");
         }
         system_.notation.push_back(read);
+    }
+}
+
+// Results are written with names made from those of the variables: nothing else may have them.
+void SystemReader::check_names_of_results() const {
+    std::map<std::string, std::string> made; // name -> what results call so
+    for (const Variable& variable : system_.variables) {
+        made[variable.name + "_0"] = variable.name + " at t = 0";
+        for (const std::string& kind : constant_kinds(variable.role))
+            made[kind + "_" + variable.name] = kind + "." + variable.name;
+        if (variable.role == Role::drift) made["z_" + variable.name] = "the new variable of " + variable.name;
+    }
+    for (const char* key : {"parameters", "variables", "notation"}) {
+        const TomlNode* node = root_.find(key);
+        if (node == nullptr) continue;
+        for (const TomlEntry& entry : node->entries) {
+            const auto found = made.find(entry.key);
+            if (found == made.end() || entry.value.text == found->second) continue;
+            bad_input({"results call " + found->second + " " + found->first + ": nothing else has this name",
+                       in_quotes(entry.key), "choose another name", entry.place});
+        }
     }
 }
 

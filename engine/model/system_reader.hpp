@@ -23,6 +23,7 @@ private:
     void read_equations();
     void read_domain();
     void read_notation();
+    void check_names_of_results() const;
 
     Variable variable_of(const TomlEntry& entry);
     void check_order(const Variable& variable, int highest) const;

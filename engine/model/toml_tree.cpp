@@ -197,6 +197,8 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 TomlNode read_toml(std::string_view text, const std::filesystem::path& file) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some editors begin a file with it
+    if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
     const Lines lines(text, file.string());
     check_dotted_keys(lines, text);
     try {

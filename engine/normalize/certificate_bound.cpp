@@ -36,7 +36,9 @@ public:
         }
     }
 
+    // 1 and -1 cost nothing: how many of them stand in an equation is up to the expression library.
     [[nodiscard]] Size number(const Rational& value) const {
+        if (cln::abs(value) == 1) return {};
         return {0, 0, bits_of(cln::numerator(value)) + bits_of(cln::denominator(value))};
     }
     [[nodiscard]] Size generator(GeneratorId id, int power) const {
@@ -48,6 +50,8 @@ public:
                 a.bits + b.bits + 1};
     }
     [[nodiscard]] Size multiply(const Size& a, const Size& b) const {
+        if (is_unit_number(a)) return b;
+        if (is_unit_number(b)) return a;
         return {a.degree + b.degree, a.denominator + b.denominator,
                 a.bits + b.bits + std::log2(through_ + 1)};
     }
@@ -103,6 +107,9 @@ public:
     }
 
 private:
+    [[nodiscard]] static bool is_unit_number(const Size& a) {
+        return a.degree == 0 && a.denominator == 0 && a.bits == 0;
+    }
     // sum_{k <= M} c_k u^k over the common denominator Q^M and `numbers` bits for those of the c_k.
     [[nodiscard]] Size taylor(const Size& u, double numbers) const {
         const double m = through_;

@@ -97,12 +97,38 @@ void CertificateRoots::split(const ex& e, const Rational& exponent, const Equati
     if (is_a<GiNaC::power>(e))
         return split(e.op(0), exponent * rational_of(e.op(1), equation), equation, product);
     if (is_a<GiNaC::mul>(e)) {
-        for (const ex& factor : operands(e)) split(factor, exponent, equation, product);
+        for (const auto& [base, power] : positive_factors(e, equation))
+            split(base, exponent * power, equation, product);
         return;
     }
     const ex fraction = with_root_symbols(e, equation).normal().numer_denom();
-    split_polynomial(fraction.op(0), exponent, equation, product);
-    split_polynomial(fraction.op(1), -exponent, equation, product);
+    const bool turn = provably_positive((-fraction.op(1)).expand(), field_->system());
+    split_polynomial(turn ? -fraction.op(0) : fraction.op(0), exponent, equation, product);
+    split_polynomial(turn ? -fraction.op(1) : fraction.op(1), -exponent, equation, product);
+}
+
+// The factors of a product with their exponents, what is negative turned: the library holds
+// (b - tau)^3*b as -(tau - b)^3*b or so, as it happens.
+std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex& product,
+                                                                        const Equation& equation) const {
+    std::vector<std::pair<ex, Rational>> factors;
+    Rational number = 1;
+    for (const ex& factor : operands(product)) {
+        if (is_a<GiNaC::numeric>(factor)) {
+            number = number * rational_of(factor, equation);
+            continue;
+        }
+        const bool power = is_a<GiNaC::power>(factor);
+        const ex base = power ? factor.op(0) : factor;
+        const Rational exponent = power ? rational_of(factor.op(1), equation) : Rational(1);
+        const ex turned = (-base).expand();
+        const bool turn = is_whole(exponent) && !provably_positive(base, field_->system()) &&
+                          provably_positive(turned, field_->system());
+        if (turn && cln::oddp(cln::numerator(exponent))) number = -number;
+        factors.emplace_back(turn ? turned : base, exponent);
+    }
+    if (number != 1) factors.emplace_back(GiNaC::numeric(number), 1);
+    return factors;
 }
 
 void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Equation& equation,
@@ -123,7 +149,8 @@ void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Eq
 void CertificateRoots::split_rest(const ex& e, const Rational& exponent, const Equation& equation,
                                   Product& product) const {
     if (is_a<GiNaC::mul>(e)) {
-        for (const ex& factor : operands(e)) split_rest(factor, exponent, equation, product);
+        for (const auto& [base, power] : positive_factors(e, equation))
+            split_rest(base, exponent * power, equation, product);
         return;
     }
     if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);

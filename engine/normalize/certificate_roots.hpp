@@ -52,6 +52,8 @@ private:
 
     [[nodiscard]] GiNaC::ex radicand_of(const Generator& root, const std::vector<GiNaC::ex>& symbols) const;
     void split(const GiNaC::ex& e, const Rational& exponent, const Equation& equation, Product& product);
+    [[nodiscard]] std::vector<std::pair<GiNaC::ex, Rational>>
+    positive_factors(const GiNaC::ex& product, const Equation& equation) const;
     void split_polynomial(GiNaC::ex e, const Rational& exponent, const Equation& equation, Product& product);
     void split_rest(const GiNaC::ex& e, const Rational& exponent, const Equation& equation,
                     Product& product) const;

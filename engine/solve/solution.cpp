@@ -22,19 +22,6 @@ Place place_of(const System& system, std::size_t variable) {
     return place;
 }
 
-bool is_constant(const Ring& ring, const Polynomial& p) {
-    return std::all_of(p.terms().begin(), p.terms().end(), [&](const Term& t) {
-        for (GeneratorId id = 0; id < ring.size(); ++id) {
-            if (ring.exponent(t.monomial, id) == 0) continue;
-            const GeneratorKind kind = ring.generator(id).kind;
-            const bool constant_root =
-                kind == GeneratorKind::root && is_constant(ring, ring.generator(id).radicand);
-            if (kind != GeneratorKind::parameter && !constant_root) return false;
-        }
-        return true;
-    });
-}
-
 void check_explicit_law(const GradedField& field, const SlowVariable& slow) {
     const Ring& ring = *field.ring;
     const std::string name = slow.name;
@@ -149,6 +136,19 @@ void fill_state(Draft& draft) {
 }
 
 } // namespace
+
+bool is_constant(const Ring& ring, const Polynomial& p) {
+    return std::all_of(p.terms().begin(), p.terms().end(), [&](const Term& t) {
+        for (GeneratorId id = 0; id < ring.size(); ++id) {
+            if (ring.exponent(t.monomial, id) == 0) continue;
+            const GeneratorKind kind = ring.generator(id).kind;
+            const bool constant_root =
+                kind == GeneratorKind::root && is_constant(ring, ring.generator(id).radicand);
+            if (kind != GeneratorKind::parameter && !constant_root) return false;
+        }
+        return true;
+    });
+}
 
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {
     check_supported(*normalization, options);

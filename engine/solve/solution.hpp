@@ -92,4 +92,7 @@ struct SolveOptions {
 // that is not solved by quadratures at leading order (strong damping).
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options);
 
+// Whether only parameters, and roots of what is constant, stand in p.
+[[nodiscard]] bool is_constant(const Ring& ring, const Polynomial& p);
+
 } // namespace resonform
