@@ -17,9 +17,9 @@
 namespace resonform {
 
 // Checks through M = normal_form.through. `seed` chooses points and primes; the default is fixed, so
-// that the same input gives the same answer. There are at least 4 points, and as many as bring
+// that the same input gives the same answer. There are at least 2 points, and as many as bring
 // error_probability, the probability that a wrong normal form would be passed (derivation:
-// certificate_bound.hpp), to 1e-20. Cost: linear in the number of terms.
+// certificate_bound.hpp), to 1e-30. Cost: linear in the number of terms.
 //
 // A normal form that fails is no error: holds = false, and `complaint` says where.
 // Errors (refused): a style other than Poincare; an equation with constructs that cannot be substituted;
