@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// --set, two oscillators whose frequencies are symbols or numbers, and a slow law with a parameter that the
+// ring holds as a power of a root.
+#include "support/shell.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace resonform::test {
+
+namespace {
+
+using Json = nlohmann::json;
+
+class Settings : public testing::Test {
+protected:
+    Settings() {
+        write(scratch_.path() / "systems/two/system.toml",
+              "[system]\nname = \"two\"\n[parameters]\np = { positive = true }\nq = { positive = true }\na = "
+              "{}\n"
+              "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n"
+              "[equations]\nx = \"x'' + p^2*x + 2*a*x*y = 0\"\ny = \"y'' + q^2*y + a*x^2 = 0\"\n");
+    }
+
+    [[nodiscard]] Outcome said(const std::string& command) const {
+        return run("resonform " + command, scratch_.path());
+    }
+    [[nodiscard]] std::string printed(const std::string& command) const {
+        const Outcome outcome = said(command);
+        EXPECT_EQ(outcome.code, 0) << command << outcome.err;
+        return outcome.out;
+    }
+    Scratch scratch_;
+};
+
+} // namespace
+
+TEST_F(Settings, AreShownInTextAndJson) {
+    const std::string text = printed("derive two --set p=1 q=2 a=1/3");
+    EXPECT_EQ(text.rfind("normal form of two with p = 1, q = 2, a = 1/3 through weight 3", 0), 0U) << text;
+    EXPECT_NE(text.find("z1' = I*z1 + I/6*z2*z3"), std::string::npos) << text; // 1:2, resonant
+    const Json json = Json::parse(printed("derive two --format json --set p=1 --set q=2"));
+    EXPECT_EQ(json["set"], (Json{{"p", "1"}, {"q", "2"}}));
+    EXPECT_EQ(json["certificate"]["holds"], true);
+    EXPECT_FALSE(Json::parse(printed("derive two --order 2 --format json")).contains("set"));
+    EXPECT_EQ(Json::parse(printed("certify two --order 3 --set p=1 q=3 --format json"))["set"]["q"], "3");
+}
+
+TEST_F(Settings, ThatAreWrongAreBadInput) {
+    for (const char* wrong :
+         {"--set g=1", "--set p", "--set p=-1", "--set p=0", "--set p=q", "--set p=1 p=2"}) {
+        const Outcome outcome = said(std::string("derive two ") + wrong);
+        EXPECT_EQ(outcome.code, 2) << wrong;
+        EXPECT_EQ(outcome.out, "") << wrong;
+        EXPECT_EQ(outcome.err.rfind("resonform: --set: ", 0), 0U) << outcome.err;
+    }
+}
+
+TEST_F(Settings, SmallDivisorsOfSymbolsAreNamed) {
+    const std::string text = printed("derive two");
+    EXPECT_NE(text.find("small divisors, taken to vanish nowhere: "), std::string::npos) << text;
+    EXPECT_NE(text.find("2*p - q"), std::string::npos) << text;
+    EXPECT_EQ(printed("derive two --set p=1 q=3").find("small divisors"), std::string::npos);
+    EXPECT_EQ(printed("derive two"), text);
+}
+
+// u'' + k (1 + s) u = 0, s' = eps k: the frequency makes k the square of a root.
+TEST_F(Settings, ParameterOfASlowLawUnderARoot) {
+    write(scratch_.path() / "systems/law/system.toml",
+          "[system]\nname = \"law\"\n[parameters]\nk = { positive = true }\n[variables]\nu = { role = "
+          "\"fast\" }\n"
+          "s = { role = \"slow\" }\n[domain]\npositive = [\"1 + s\"]\n[equations]\nu = \"u'' + k*u*(1 + s) = "
+          "0\"\n"
+          "s = \"s' = eps*k\"\n");
+    write(scratch_.path() / "systems/law/scenes/s.toml",
+          "order = 1\n[fix]\nk = 2\n[start]\ns = 0\namplitude.u = 1\nphase.u = 0\n");
+    const Json values =
+        Json::parse(printed("evaluate systems/law/scenes/s.toml --eps 0.01 --t 0,50 --format json"));
+    ASSERT_EQ(values["status"], (Json{"ok", "ok"}));
+    // u = eps C (1 + s)^(-1/4) cos theta, s = eps k t, theta = integral of sqrt(k (1 + s))
+    const double theta = std::sqrt(2.0) * 2 / 3 / 0.02 * (std::pow(2.0, 1.5) - 1);
+    EXPECT_NEAR(values["outputs"]["u"][0].get<double>(), 0.01, 1e-4);
+    EXPECT_NEAR(values["outputs"]["u"][1].get<double>(), 0.01 * std::pow(2.0, -0.25) * std::cos(theta), 1e-4);
+    const Outcome generated = said("generate systems/law/scenes/s.toml -o law.hpp");
+    EXPECT_EQ(generated.code, 0) << generated.err;
+}
+
+} // namespace resonform::test
