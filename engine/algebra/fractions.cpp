@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 namespace resonform {
@@ -53,8 +54,10 @@ mpz_class common_factor(const Fractions& f) {
 }
 
 void divide_numerators(Fractions& f, const mpz_class& factor) {
-    if (f.limbs == 1) {
-        for (mp_limb_t& n : f.magnitudes) n /= factor.get_ui();
+    if (f.limbs == 1) { // so is the factor, which divides them
+        const mp_limb_t divisor = factor.get_ui();
+        if (divisor == 0) throw std::logic_error("divide_numerators: the common factor is not zero");
+        for (mp_limb_t& n : f.magnitudes) n /= divisor;
         return;
     }
     mpz_t numerator;
