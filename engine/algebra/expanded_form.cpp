@@ -21,12 +21,6 @@ Polynomial product(const Ring& ring, const Polynomial& a, const Polynomial& b) {
     return plain_product(ring.packing(), a, b);
 }
 
-int lowest_exponent(const Ring& ring, const Polynomial& p, GeneratorId id) {
-    int lowest = ring.exponent(p.terms().front().monomial, id);
-    for (const Term& t : p.terms()) lowest = std::min(lowest, ring.exponent(t.monomial, id));
-    return lowest;
-}
-
 Polynomial divided(const Polynomial& p, const Monomial& m) {
     std::vector<Term> terms = p.terms();
     for (Term& t : terms) t.monomial = t.monomial - m;
@@ -62,7 +56,7 @@ std::vector<Factored> split(const Ring& ring, const std::vector<Factored>& parts
         }
         for (auto& terms : classes) {
             const Polynomial p = Polynomial::from_terms(std::move(terms.second));
-            const Monomial lowest = ring.monomial(root, lowest_exponent(ring, p, root));
+            const Monomial lowest = ring.monomial(root, ring.lowest_exponent(p, root));
             result.push_back({part.factor + lowest, written_out(ring, divided(p, lowest), root)});
         }
     }
@@ -84,7 +78,7 @@ std::vector<std::pair<Monomial, Polynomial>> Ring::expanded_form(const Polynomia
             const Generator& g = generator(id);
             if (!g.invertible || g.kind == GeneratorKind::imaginary || g.kind == GeneratorKind::root)
                 continue;
-            common = common + monomial(id, lowest_exponent(*this, part.numerator, id));
+            common = common + monomial(id, lowest_exponent(part.numerator, id));
         }
         Polynomial& sum = sorted[part.factor + common];
         sum = sum + divided(part.numerator, common);

@@ -99,6 +99,8 @@ Residue PrimeField::inverse(Residue a) const {
 }
 
 Residue PrimeField::from(std::int64_t n) const {
+    const auto p_signed = static_cast<std::int64_t>(prime_);
+    if (-p_signed < n && n < p_signed) return static_cast<Residue>(n < 0 ? n + p_signed : n);
     const auto p = static_cast<SignedWide>(prime_);
     const SignedWide r = n % p;
     return static_cast<Residue>(r < 0 ? r + p : r);

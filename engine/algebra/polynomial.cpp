@@ -100,11 +100,8 @@ Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>
     if (present.size() == 1 && present.front()->first == 1) return *present.front()->second;
     const Fractions one = constant_fraction(1);
     std::vector<FractionProduct> products;
-    for (const auto* addend : present) {
-        const auto& [factor, p] = *addend;
-        products.push_back(
-            {&p->fractions(), &one, to_mpz(cln::numerator(factor)), to_mpz(cln::denominator(factor))});
-    }
+    for (const auto* addend : present)
+        products.push_back(scaled_product(addend->first, addend->second->fractions(), one));
     return Polynomial::from_fractions(sum_of_products(products));
 }
 

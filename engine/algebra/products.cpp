@@ -21,6 +21,13 @@ struct WholeProduct {
     Fractions scaled_left; // used if the left factor had to be multiplied; its denominator is not looked at
 };
 
+// product = a b; it has as many limbs as both together.
+void multiply_limbs(mp_limb_t* product, const mp_limb_t* a, std::size_t a_limbs, const mp_limb_t* b,
+                    std::size_t b_limbs) {
+    if (a_limbs < b_limbs) return multiply_limbs(product, b, b_limbs, a, a_limbs);
+    mpn_mul(product, a, static_cast<mp_size_t>(a_limbs), b, static_cast<mp_size_t>(b_limbs));
+}
+
 Fractions times(const Fractions& f, const mpz_class& factor) {
     Fractions result;
     result.monomials = f.monomials;
@@ -32,12 +39,7 @@ Fractions times(const Fractions& f, const mpz_class& factor) {
     result.magnitudes.assign(f.size() * result.limbs, 0);
     std::vector<mp_limb_t> product(f.limbs + mpz_size(by));
     for (std::size_t k = 0; k < f.size(); ++k) {
-        const auto left = static_cast<mp_size_t>(f.limbs), right = static_cast<mp_size_t>(mpz_size(by));
-        if (left >= right) {
-            mpn_mul(product.data(), f.magnitude(k), left, mpz_limbs_read(by), right);
-        } else {
-            mpn_mul(product.data(), mpz_limbs_read(by), right, f.magnitude(k), left);
-        }
+        multiply_limbs(product.data(), f.magnitude(k), f.limbs, mpz_limbs_read(by), mpz_size(by));
         std::copy_n(product.begin(), std::min(product.size(), result.limbs),
                     result.magnitudes.begin() + static_cast<std::ptrdiff_t>(k * result.limbs));
     }
@@ -139,11 +141,7 @@ public:
     void add(std::size_t k, const mp_limb_t* a, std::size_t a_limbs, const mp_limb_t* b, std::size_t b_limbs,
              bool subtract) {
         product_.resize(a_limbs + b_limbs);
-        if (a_limbs >= b_limbs) {
-            mpn_mul(product_.data(), a, static_cast<mp_size_t>(a_limbs), b, static_cast<mp_size_t>(b_limbs));
-        } else {
-            mpn_mul(product_.data(), b, static_cast<mp_size_t>(b_limbs), a, static_cast<mp_size_t>(a_limbs));
-        }
+        multiply_limbs(product_.data(), a, a_limbs, b, b_limbs);
         const std::size_t low = std::min(product_.size(), width_);
         mp_limb_t* sum = limbs_.data() + k * width_;
         const auto size = static_cast<mp_size_t>(low), rest = static_cast<mp_size_t>(width_ - low);
@@ -196,6 +194,10 @@ Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t wi
 }
 
 } // namespace
+
+FractionProduct scaled_product(const Rational& factor, const Fractions& left, const Fractions& right) {
+    return {&left, &right, to_mpz(cln::numerator(factor)), to_mpz(cln::denominator(factor))};
+}
 
 Fractions sum_of_products(const std::vector<FractionProduct>& products) {
     std::vector<WholeProduct> whole;

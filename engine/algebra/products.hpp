@@ -16,6 +16,8 @@ struct FractionProduct {
     mpz_class numerator{1}, denominator{1}; // factor; denominator > 0
 };
 
+FractionProduct scaled_product(const Rational& factor, const Fractions& left, const Fractions& right);
+
 // sum_k c_k a_k b_k: different monomials in the order of their first arrival, no zero, not reduced. No
 // relation is applied.
 Fractions sum_of_products(const std::vector<FractionProduct>& products);

@@ -62,8 +62,7 @@ Polynomial Ring::dot(const std::vector<Product>& products) const {
     fractions.reserve(products.size());
     for (const Product& p : products)
         if (!p.left->empty() && !p.right->empty() && !cln::zerop(p.factor))
-            fractions.push_back({&p.left->fractions(), &p.right->fractions(),
-                                 to_mpz(cln::numerator(p.factor)), to_mpz(cln::denominator(p.factor))});
+            fractions.push_back(scaled_product(p.factor, p.left->fractions(), p.right->fractions()));
     return collected(fractions);
 }
 
@@ -199,6 +198,13 @@ std::vector<std::pair<Monomial, Polynomial>> Ring::collect(const Polynomial& p,
     for (auto& group : groups)
         result.emplace_back(group.first, Polynomial::from_fractions(std::move(group.second)));
     return result;
+}
+
+int Ring::lowest_exponent(const Polynomial& p, GeneratorId id) const {
+    const std::vector<Monomial>& monomials = p.fractions().monomials;
+    int lowest = exponent(monomials.front(), id);
+    for (const Monomial& m : monomials) lowest = std::min(lowest, exponent(m, id));
+    return lowest;
 }
 
 Monomial Ring::restricted(const Monomial& m, const std::vector<GeneratorId>& generators) const {

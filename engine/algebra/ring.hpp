@@ -132,6 +132,8 @@ public:
     // outer monomial -> coefficient polynomial in the remaining generators. Sorted by outer key.
     [[nodiscard]] std::vector<std::pair<Monomial, Polynomial>>
     collect(const Polynomial& p, const std::vector<GeneratorId>& outer) const;
+    // Of a generator over the terms of p, which is not zero.
+    [[nodiscard]] int lowest_exponent(const Polynomial& p, GeneratorId id) const;
     // The part of m in the selected generators.
     [[nodiscard]] Monomial restricted(const Monomial& m, const std::vector<GeneratorId>& generators) const;
     // Undoes the elimination for display: p = sum of (factor) x (numerator), one element for each class

@@ -97,8 +97,7 @@ bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Poly
 // Multiplies with what makes the least exponent of `lead` zero, so that its rule applies. The factor
 // itself must not be rewritten first.
 Polynomial cleared_of(const Ring& ring, const Polynomial& p, GeneratorId lead) {
-    int least = 0;
-    for (const Term& t : p.terms()) least = std::min(least, ring.exponent(t.monomial, lead));
+    const int least = p.empty() ? 0 : std::min(0, ring.lowest_exponent(p, lead));
     if (least == 0) return p;
     return ring.multiply(p, Polynomial(ring.monomial(lead, -least), Rational(1)));
 }

@@ -16,10 +16,8 @@ int run_compare(const std::string& scene, const DerivationLimits& limits, const 
     const Home home = find_home();
     const SceneLine line = solve_scene(scene, home, limits);
     const CacheFolder cache(home);
-    CompareOptions options;
-    options.cache = cache.path();
-    options.progress = show_progress;
-    const Comparison comparison = compare(line.expanded.first_order, line.scene, line.solution, options);
+    const Comparison comparison =
+        compare(line.expanded.first_order, line.scene, line.solution, with_progress<CompareOptions>(cache));
     put("{}", format == "json" ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
     return done;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/locations.hpp"
+#include "cli/output.hpp"
 #include "cli/watch.hpp"
 #include "emit/program.hpp"
 #include "model/scene_file.hpp"
@@ -44,6 +45,14 @@ struct SceneLine {
     TruncationCount count;
     Solution solution;
 };
+// Options of verify, compare or stability that keep what they make and tell how far they are.
+template <class Options> Options with_progress(const CacheFolder& cache) {
+    Options options;
+    options.cache = cache.path();
+    options.progress = show_progress;
+    return options;
+}
+
 // SCENE of the command line; errors: those of find_scene, and of every room on the way.
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch);
 // The same with a watch of its own, that ends with the derivation.

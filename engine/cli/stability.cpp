@@ -16,10 +16,7 @@ int run_stability(const std::string& scene, const DerivationLimits& limits, cons
     const Home home = find_home();
     const SceneLine line = solve_scene(scene, home, limits);
     const CacheFolder cache(home);
-    StabilityOptions options;
-    options.cache = cache.path();
-    options.progress = show_progress;
-    const Stability sweep = stability(line.scene, line.solution, options);
+    const Stability sweep = stability(line.scene, line.solution, with_progress<StabilityOptions>(cache));
     put("{}", format == "json" ? to_json(sweep).dump(2) + "\n" : to_text(sweep));
     return done;
 }

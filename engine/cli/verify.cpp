@@ -33,13 +33,6 @@ void require_place_for_report(const std::filesystem::path& folder) {
     require_writable_folder(folder / "figures");
 }
 
-template <class Options> Options with_progress(const CacheFolder& cache) {
-    Options options;
-    options.cache = cache.path();
-    options.progress = show_progress;
-    return options;
-}
-
 int run_verify(const std::string& scene, const std::string& folder, const DerivationLimits& limits,
                const std::string& format) {
     const Home home = find_home();

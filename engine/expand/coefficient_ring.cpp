@@ -135,7 +135,7 @@ void CoefficientRing::freeze(const Divisors& divisors) {
         g.name = fmt::format("divisor {}", builder.next());
         g.index = 1;
         g.radicand = builder.import(*divisors.ring, divisor);
-        builder.add(std::move(g));
+        divisors_.push_back(builder.add(std::move(g)));
     }
     ring_ = builder.freeze();
 }

@@ -44,6 +44,7 @@ public:
     [[nodiscard]] GeneratorId fast(std::size_t k) const;
     [[nodiscard]] GeneratorId eps() const;
     [[nodiscard]] GeneratorId slow(std::size_t variable) const; // -1 if the variable is not slow
+    [[nodiscard]] const std::vector<GeneratorId>& divisors() const { return divisors_; } // those of freeze
 
     // Precondition: freeze() was called and e was collected. e in parameters, slow variables, eps.
     [[nodiscard]] Polynomial convert(const GiNaC::ex& e, const Place& place) const;
@@ -78,6 +79,7 @@ private:
     GiNaC::exmap zero_;
     std::vector<Base> bases_;
     std::vector<std::pair<GiNaC::ex, GeneratorId>> symbols_; // eps, parameters, slow variables
+    std::vector<GeneratorId> divisors_;
     RingPtr ring_;
 };
 

@@ -17,9 +17,7 @@ Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
     Monomial common;
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         if (!ring.generator(id).invertible || id == Ring::imaginary_unit) continue;
-        int lowest = ring.exponent(p.terms().front().monomial, id);
-        for (const Term& t : p.terms()) lowest = std::min(lowest, ring.exponent(t.monomial, id));
-        common = common + ring.monomial(id, lowest);
+        common = common + ring.monomial(id, ring.lowest_exponent(p, id));
     }
     Integer numerators = 0, denominators = 1;
     for (const Term& t : p.terms()) {
@@ -38,9 +36,8 @@ Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
 
 std::vector<Polynomial> small_divisors(const GradedField& field) {
     std::vector<Polynomial> divisors;
-    for (GeneratorId id = 0; id < field.ring->size(); ++id)
-        if (const Generator& g = field.ring->generator(id); g.name.rfind("divisor ", 0) == 0)
-            divisors.push_back(g.radicand);
+    for (const GeneratorId id : field.coefficients->divisors())
+        divisors.push_back(field.ring->generator(id).radicand);
     return divisors;
 }
 

@@ -329,8 +329,7 @@ void SystemReader::claim_name(const TomlEntry& entry, const std::string& what) {
     if (is_reserved(entry.key)) {
         bad_input({"the name of " + what + " is not a reserved one", entry.key,
                    "choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and "
-                   "the words "
-                   "of Python and SymPy",
+                   "the words of Python and SymPy",
                    entry.place});
     }
     const auto [earlier, is_new] = taken_.emplace(entry.key, what);

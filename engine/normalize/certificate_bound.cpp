@@ -2,7 +2,6 @@
 #include "normalize/certificate_bound.hpp"
 
 #include "algebra/fractions.hpp"
-
 #include "algebra/modular.hpp"
 #include "normalize/certificate_flow.hpp"
 

@@ -183,8 +183,7 @@ Gradient<PointAlgebra::Value> PointAlgebra::gradient(const Series& s, Side side)
                 const int weight = n - ring_.generator(static_cast<GeneratorId>(id)).weight;
                 if (slopes[id].empty()) slopes[id] = constant(0);
                 Residue& slope = slopes[id][static_cast<std::size_t>(weight)];
-                slope = f.add(slope, f.multiply(value, e < 0 ? f.prime() - static_cast<Residue>(-e)
-                                                             : static_cast<Residue>(e)));
+                slope = f.add(slope, f.multiply(value, f.from(e)));
             }
         }
     }

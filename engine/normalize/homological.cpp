@@ -45,19 +45,20 @@ void HomologicalEquation::solve(int weight, const Polynomial& field_part, const 
         last = outer;
         share->part.append(m, total.fractions(), k);
     }
-    std::deque<Polynomial> parts; // a deque leaves them in their places
-    std::vector<std::pair<const Polynomial*, const Polynomial*>> removed, kept;
-    const Polynomial one = ring.one();
+    std::vector<Polynomial> kept, divided;
+    divided.reserve(shares.size()); // pointers into it are kept
+    std::vector<std::pair<const Polynomial*, const Polynomial*>> quotients;
     for (Share& s : shares) {
-        parts.push_back(Polynomial::from_fractions(std::move(s.part)));
+        Polynomial part = Polynomial::from_fractions(std::move(s.part));
         if (s.divisor->verdict == DivisorVerdict::removed) {
-            removed.emplace_back(&parts.back(), &s.divisor->inverse);
+            divided.push_back(std::move(part));
+            quotients.emplace_back(&divided.back(), &s.divisor->inverse);
         } else {
-            kept.emplace_back(&parts.back(), &one);
+            kept.push_back(std::move(part));
         }
     }
-    rate_.set(weight, ring.dot(kept));
-    correction_.set(weight, ring.dot(removed));
+    rate_.set(weight, sum(kept));
+    correction_.set(weight, ring.dot(quotients));
     remember_derivatives(weight);
 }
 

@@ -63,8 +63,7 @@ Polynomial by_definition(const std::vector<Summand>& summands) {
 Polynomial by_kernel(const std::vector<Summand>& summands) {
     std::vector<FractionProduct> products;
     for (const Summand& s : summands)
-        products.push_back({&s.left.fractions(), &s.right.fractions(), to_mpz(cln::numerator(s.factor)),
-                            to_mpz(cln::denominator(s.factor))});
+        products.push_back(scaled_product(s.factor, s.left.fractions(), s.right.fractions()));
     return Polynomial::from_fractions(sum_of_products(products));
 }
 
