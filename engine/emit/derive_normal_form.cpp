@@ -14,9 +14,9 @@ namespace resonform {
 namespace {
 
 // The parts of a series as groups, one for each weight.
-Side written(const Series& series, int through, const SeriesWriter& write) {
+Side written(const Series& series, int through, const SeriesWriter& write, const Substitutes& substitutes) {
     Side result;
-    for (int n = 0; n <= through; ++n) result.groups.push_back(write(series.part(n)));
+    for (int n = 0; n <= through; ++n) result.groups.push_back(write(series.part(n), substitutes));
     return result;
 }
 
@@ -31,23 +31,31 @@ class NormalFormPage {
 public:
     NormalFormPage(const Normalization& normalization, int order, const Solution* solution)
         : normal_form_(normalization.normal_form), map_(normalization.map), field_(*normal_form_.field),
-          order_(order), frames_(drift_frames(field_, solution)), write_(writer()) {}
+          order_(order), frames_(drift_frames(field_, solution)), write_(writer()), phases_(phases(field_)) {}
 
     [[nodiscard]] Section rates() const {
         Section section;
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
             add_rate(section, mode.name, normal_form_.mode[k]);
-            add_rate(section, mode.conjugate_name, conjugate(normal_form_.mode[k]));
+            if (!mode.is_real()) add_rate(section, mode.conjugate_name, conjugate(normal_form_.mode[k]));
         }
+        for (std::size_t k = 0; k < field_.angles.size(); ++k)
+            add_rate(section, field_.angles[k].name, normal_form_.angle[k]);
         for (std::size_t k = 0; k < frames_.size(); ++k) {
             Series rate = normal_form_.drift[k];
             if (frames_[k].removed) rate.set(1, without_known_drift(*field_.ring, field_.eps, rate.part(1)));
             add_rate(section, frames_[k].normal, rate);
         }
-        for (const SlowVariable& slow : field_.slow)
-            section.formulas.push_back(
-                {side(symbol_sum(slow.name + "'")), side(display(*field_.ring, slow.rate))});
+        for (std::size_t k = 0; k < field_.slow.size(); ++k) {
+            const SlowVariable& slow = field_.slow[k];
+            if (slow.driven) {
+                add_rate(section, slow.name, normal_form_.slow[k]);
+            } else {
+                section.formulas.push_back(
+                    {side(symbol_sum(slow.name + "'")), side(display(*field_.ring, slow.rate))});
+            }
+        }
         return section;
     }
 
@@ -57,10 +65,13 @@ public:
             const Mode& mode = field_.modes[k];
             section.formulas.push_back(
                 {side(symbol_sum(mode.name)), side(old_mode(k), first_weight(map_.mode[k], map_.through))});
-            section.formulas.push_back({side(symbol_sum(mode.conjugate_name)),
-                                        side(factor_sum(function_factor("conj", symbol_sum(mode.name))))});
-            section.formulas.push_back(
-                {side(symbol_sum(frequency_name(field_, k))), side(display(*field_.ring, mode.omega))});
+            if (!mode.is_real())
+                section.formulas.push_back(
+                    {side(symbol_sum(mode.conjugate_name)),
+                     side(factor_sum(function_factor("conj", symbol_sum(mode.name))))});
+            if (mode.oscillator)
+                section.formulas.push_back(
+                    {side(symbol_sum(frequency_name(field_, k))), side(display(*field_.ring, mode.omega))});
         }
         for (std::size_t k = 0; k < frames_.size(); ++k) {
             const DriftFrame& frame = frames_[k];
@@ -78,6 +89,11 @@ public:
         Section section{"near-identity map", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
             add_map(section, old_mode(k), field_.modes[k].name, map_.mode[k]);
+        for (std::size_t k = 0; k < field_.angles.size(); ++k)
+            add_map(section, old_variable(field_.angles[k].name), field_.angles[k].name, map_.angle[k]);
+        for (std::size_t k = 0; k < field_.slow.size(); ++k)
+            if (field_.slow[k].driven)
+                add_map(section, old_variable(field_.slow[k].name), field_.slow[k].name, map_.slow[k]);
         for (std::size_t k = 0; k < frames_.size(); ++k)
             add_map(section, symbol_sum(frames_[k].name), frames_[k].normal, map_.drift[k]);
         return section;
@@ -86,9 +102,10 @@ public:
 private:
     [[nodiscard]] SeriesWriter writer() const {
         std::vector<Polynomial> all;
-        for (const auto* list : {&normal_form_.mode, &normal_form_.drift, &map_.mode, &map_.drift})
+        for (const auto* list : {&normal_form_.mode, &normal_form_.angle, &normal_form_.slow,
+                                 &normal_form_.drift, &map_.mode, &map_.angle, &map_.slow, &map_.drift})
             for (const Series& series : *list) all.push_back(series.total(order_));
-        return {field_.ring, field_.eps, modes_and_eps(field_), only_rate_with_eps(field_), all};
+        return {field_.ring, field_.eps, field_.outer(), only_rate_with_eps(field_), all};
     }
 
     [[nodiscard]] Series conjugate(const Series& series) const {
@@ -97,8 +114,21 @@ private:
         return result;
     }
 
-    // psi - I*psi'/omega
+    static DisplaySum old_variable(const std::string& name) {
+        return factor_sum(function_factor("old", symbol_sum(name)));
+    }
+
+    // psi - I*psi'/omega, or the sum of all states that take part.
     [[nodiscard]] DisplaySum old_mode(std::size_t k) const {
+        if (!field_.modes[k].oscillator) {
+            DisplaySum sum;
+            for (const auto& [state, coefficient] : components(field_, k)) {
+                DisplayTerm term = factored(display(*field_.ring, coefficient));
+                term.tail.push_back(symbol_factor(state->name));
+                sum.terms.push_back(std::move(term));
+            }
+            return sum;
+        }
         const std::string& variable = field_.system().variables[field_.modes[k].variable].name;
         DisplaySum rate = symbol_sum(variable + "'");
         DisplayTerm& term = rate.terms.front();
@@ -109,11 +139,11 @@ private:
     }
 
     void add_rate(Section& section, const std::string& name, const Series& rate) const {
-        section.formulas.push_back({side(symbol_sum(name + "'")), written(rate, order_, write_)});
+        section.formulas.push_back({side(symbol_sum(name + "'")), written(rate, order_, write_, phases_)});
     }
 
     void add_map(Section& section, DisplaySum old, const std::string& name, const Series& difference) const {
-        Side right = written(difference, order_, write_);
+        Side right = written(difference, order_, write_, phases_);
         right.groups.insert(right.groups.begin(), symbol_sum(name));
         section.formulas.push_back({side(std::move(old)), std::move(right)});
     }
@@ -124,6 +154,7 @@ private:
     int order_;
     std::vector<DriftFrame> frames_;
     SeriesWriter write_;
+    Substitutes phases_;
 };
 
 std::string certificate_remark(const Certificate& certificate) {
@@ -148,7 +179,8 @@ Page normal_form_page(const Normalization& normalization, int order, const Solut
     const NormalFormPage parts(normalization, order, solution);
     Page page;
     page.title = normal_form_title(normalization.normal_form, order);
-    page.sections = {parts.rates(), parts.definitions(), parts.map()};
+    for (Section section : {parts.rates(), parts.definitions(), parts.map()})
+        if (!section.formulas.empty()) page.sections.push_back(std::move(section));
     const std::string divisors = divisor_remark(*normalization.normal_form.field);
     if (!divisors.empty()) page.remarks.push_back(divisors);
     page.remarks.push_back(certificate_remark(normalization.certificate));

@@ -11,18 +11,33 @@ namespace resonform {
 
 namespace {
 
+// psi - I*psi'/omega, or the sum of all fast states with their coefficients.
+std::string definition(const GradedField& field, std::size_t k) {
+    const Ring& ring = *field.ring;
+    const Mode& mode = field.modes[k];
+    if (mode.oscillator) {
+        const std::string omega = frequency_name(field, k);
+        return fmt::format("{0} - I*{0}'/{1}, {1} = {2}", field.system().variables[mode.variable].name, omega,
+                           json_expression(ring, mode.omega));
+    }
+    std::string text;
+    for (const auto& [state, coefficient] : components(field, k)) {
+        const std::string value = json_expression(ring, coefficient);
+        text += text.empty() ? "" : " + ";
+        text += value == "1" ? state->name : fmt::format("({})*{}", value, state->name);
+    }
+    return text;
+}
+
+// A real mode is its own conjugate.
 Json fast_json(const GradedField& field) {
     Json list = Json::array();
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const Mode& mode = field.modes[k];
-        const Ring& ring = *field.ring;
-        const std::string& variable = field.system().variables[mode.variable].name;
-        const std::string omega = frequency_name(field, k);
         list.push_back({{"name", mode.name},
-                        {"conjugate", mode.conjugate_name},
-                        {"eigenvalue", json_expression(ring, ring.multiply(ring.imaginary(), mode.omega))},
-                        {"definition", fmt::format("{0} - I*{0}'/{1}, {1} = {2}", variable, omega,
-                                                   json_expression(ring, mode.omega))}});
+                        {"conjugate", mode.is_real() ? mode.name : mode.conjugate_name},
+                        {"eigenvalue", json_expression(*field.ring, field.eigenvalue(mode))},
+                        {"definition", definition(field, k)}});
     }
     return list;
 }
@@ -30,7 +45,7 @@ Json fast_json(const GradedField& field) {
 Json terms_json(const GradedField& field, const std::vector<NamedSeries>& list) {
     Json terms = Json::array();
     for (const NamedSeries& series : list)
-        append_json_terms(terms, *field.ring, series.variable, series.total, modes_and_eps(field));
+        append_json_terms(terms, *field.ring, series.variable, series.total, field.outer());
     return terms;
 }
 
@@ -40,7 +55,7 @@ Json divisors_json(const Normalization& normalization, int order) {
     for (const DivisorRecord& record : normalization.divisors)
         if (record.weight <= order)
             list.push_back({{"variable", record.variable},
-                            {"exponents", json_exponents(*field.ring, record.monomial, modes_and_eps(field))},
+                            {"exponents", json_exponents(*field.ring, record.monomial, field.outer())},
                             {"divisor", json_expression(*field.ring, record.divisor)},
                             {"verdict", to_string(record.verdict)}});
     return list;

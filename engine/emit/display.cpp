@@ -204,12 +204,26 @@ std::vector<std::pair<Monomial, Polynomial>> collect_in_order(const Ring& ring, 
     return collected;
 }
 
+namespace {
+
+// exp(u)^k as exp(k*u).
+DisplayFactor with_power_inside(DisplayFactor factor) {
+    if (factor.kind != DisplayFactor::Kind::function || factor.name != "exp") return factor;
+    for (DisplayTerm& term : factor.arguments.front().terms)
+        term.coefficient = term.coefficient * factor.exponent;
+    factor.exponent = 1;
+    return factor;
+}
+
+} // namespace
+
 DisplaySum display_collected(const Ring& ring, const Polynomial& p, const std::vector<GeneratorId>& outer,
                              const Substitutes& substitutes) {
     DisplaySum sum;
     for (const auto& [monomial, coefficient] : collect_in_order(ring, p, outer)) {
         DisplayTerm term = factored(display(ring, coefficient, substitutes));
-        term.tail = monomial_term(ring, ring.exponents(monomial), 1, substitutes).factors;
+        for (DisplayFactor& factor : monomial_term(ring, ring.exponents(monomial), 1, substitutes).factors)
+            term.tail.push_back(with_power_inside(std::move(factor)));
         sum.terms.push_back(std::move(term));
     }
     return sum;

@@ -76,6 +76,7 @@ std::string function(const DisplayFactor& factor) {
     const DisplaySum& argument = factor.arguments.front();
     const std::string text = latex(argument);
     if (factor.name == "conj") return "\\overline{" + text + "}";
+    if (factor.name == "old") return "{" + text + "}_{\\mathrm{old}}";
     return "\\" + function_macro(factor.name) + " " +
            (is_simple_argument(argument) ? text : parenthesised(text));
 }

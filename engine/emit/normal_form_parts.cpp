@@ -7,16 +7,32 @@
 
 namespace resonform {
 
-std::vector<GeneratorId> modes_and_eps(const GradedField& field) {
-    std::vector<GeneratorId> outer;
-    for (const Mode& mode : field.modes) outer.insert(outer.end(), {mode.z, mode.zbar});
-    outer.push_back(field.eps);
-    return outer;
-}
-
 std::string frequency_name(const GradedField& field, std::size_t mode) {
     const std::string number = field.modes.size() == 1 ? "" : std::to_string(mode + 1);
     return free_name(field.system(), "omega" + number);
+}
+
+std::vector<std::pair<const State*, Polynomial>> components(const GradedField& field, std::size_t mode) {
+    std::vector<std::pair<const State*, Polynomial>> list;
+    const ModeShape& shape = field.basis.modes[mode];
+    for (std::size_t s = 0; s < shape.row.size(); ++s) {
+        if (shape.row[s].is_zero()) continue;
+        const State& state = field.first_order->states[field.basis.states[s]];
+        list.emplace_back(
+            &state, field.coefficients->convert(shape.row[s],
+                                                place_of(field.system().equations[state.variable].source)));
+    }
+    return list;
+}
+
+Substitutes phases(const GradedField& field) {
+    Substitutes substitutes;
+    for (const AngleVariable& angle : field.angles) {
+        DisplaySum argument = symbol_sum(angle.name);
+        argument.terms.front().imaginary = true;
+        substitutes.emplace(angle.phase, function_factor("exp", std::move(argument)));
+    }
+    return substitutes;
 }
 
 std::string normal_form_title(const NormalForm& normal_form, int order) {
@@ -29,6 +45,8 @@ std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order)
     std::vector<NamedSeries> list;
     for (std::size_t k = 0; k < field.modes.size(); ++k)
         list.push_back({field.modes[k].name, normal_form.mode[k].total(order)});
+    for (std::size_t k = 0; k < field.angles.size(); ++k)
+        list.push_back({field.angles[k].name, normal_form.angle[k].total(order)});
     for (std::size_t k = 0; k < field.slow.size(); ++k)
         list.push_back({field.slow[k].name, normal_form.slow[k].total(order)});
     for (std::size_t k = 0; k < field.drift.size(); ++k)
@@ -38,11 +56,16 @@ std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order)
 
 std::vector<NamedSeries> map_through(const Normalization& normalization, int order) {
     const GradedField& field = *normalization.normal_form.field;
+    const NearIdentityMap& map = normalization.map;
     std::vector<NamedSeries> list;
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        list.push_back({field.modes[k].name, normalization.map.mode[k].total(order)});
+        list.push_back({field.modes[k].name, map.mode[k].total(order)});
+    for (std::size_t k = 0; k < field.angles.size(); ++k)
+        list.push_back({field.angles[k].name, map.angle[k].total(order)});
+    for (std::size_t k = 0; k < field.slow.size(); ++k)
+        if (field.slow[k].driven) list.push_back({field.slow[k].name, map.slow[k].total(order)});
     for (std::size_t k = 0; k < field.drift.size(); ++k)
-        list.push_back({field.drift[k].name, normalization.map.drift[k].total(order)});
+        list.push_back({field.drift[k].name, map.drift[k].total(order)});
     return list;
 }
 

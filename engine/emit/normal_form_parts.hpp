@@ -2,18 +2,23 @@
 // What every printer of a normal form asks: its variables in order, its terms through a weight.
 #pragma once
 
+#include "emit/display.hpp"
 #include "normalize/normal_form.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform {
 
-// z1, z2, z3, ..., eps.
-std::vector<GeneratorId> modes_and_eps(const GradedField& field);
-
 // "omega", or "omega1", "omega2", ... with several oscillators; another name when the system uses it.
 std::string frequency_name(const GradedField& field, std::size_t mode);
+
+// z = sum of coefficient * state: the fast states that take part in the definition of a mode.
+std::vector<std::pair<const State*, Polynomial>> components(const GradedField& field, std::size_t mode);
+
+// A harmonic e^{i k phi} is shown as exp(k*I*phi).
+Substitutes phases(const GradedField& field);
 
 // "normal form of ... through weight 3 (style poincare)"
 std::string normal_form_title(const NormalForm& normal_form, int order);
@@ -24,7 +29,9 @@ struct NamedSeries {
     std::string variable;
     Polynomial total;
 };
-std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order);    // modes, slow, drift
-std::vector<NamedSeries> map_through(const Normalization& normalization, int order); // modes, drift
+std::vector<NamedSeries> rates_through(const NormalForm& normal_form,
+                                       int order); // modes, angles, slow, drift
+std::vector<NamedSeries> map_through(const Normalization& normalization,
+                                     int order); // the same; slow: those that are driven
 
 } // namespace resonform

@@ -47,8 +47,11 @@ std::string symbols(const GradedField& field) {
         const Variable& variable = field.system().variables[slow.variable];
         text += real_symbol(slow.name, variable.positive, variable.nonzero);
     }
-    for (const Mode& mode : field.modes)
-        text += symbol_line(mode.name, "") + symbol_line(mode.conjugate_name, "");
+    for (const AngleVariable& angle : field.angles) text += real_symbol(angle.name, false, false);
+    for (const Mode& mode : field.modes) {
+        text += symbol_line(mode.name, mode.is_real() ? ", real=True" : "");
+        if (!mode.is_real()) text += symbol_line(mode.conjugate_name, "");
+    }
     return text;
 }
 
@@ -59,14 +62,18 @@ std::string tuple(const std::string& elements, std::size_t size) {
 
 std::string variables(const GradedField& field) {
     std::vector<std::string> names;
-    for (GeneratorId id : modes_and_eps(field)) names.push_back(python_name(field.ring->generator(id).name));
+    for (GeneratorId id : field.outer()) {
+        const Generator& g = field.ring->generator(id);
+        const std::string name = python_name(g.name);
+        names.push_back(g.kind == GeneratorKind::phase ? fmt::format("exp(I*{})", name) : name);
+    }
     return "variables = " + tuple(fmt::format("{}", fmt::join(names, ", ")), names.size()) + "\n";
 }
 
 std::string dictionary(const GradedField& field, const std::string& name,
                        const std::vector<NamedSeries>& list) {
     const Ring& ring = *field.ring;
-    const std::vector<GeneratorId> outer = modes_and_eps(field);
+    const std::vector<GeneratorId> outer = field.outer();
     std::string text = name + " = {\n";
     for (const NamedSeries& series : list) {
         text += fmt::format("    \"{}\": {{\n", series.variable);
@@ -89,7 +96,7 @@ std::string normal_form_sympy(const Normalization& normalization, int order) {
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
     std::string text =
-        fmt::format("# {}\n# needs SymPy\nfrom sympy import I, Rational, Symbol, prod, sqrt\n\n",
+        fmt::format("# {}\n# needs SymPy\nfrom sympy import I, Rational, Symbol, exp, prod, sqrt\n\n",
                     normal_form_title(normal_form, order));
     text += symbols(field);
     text += "\n# exponents below are in this order\n" + variables(field);

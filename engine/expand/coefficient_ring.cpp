@@ -38,13 +38,13 @@ bool is_rational_number(const ex& e) {
 
 } // namespace
 
-CoefficientRing::CoefficientRing(std::shared_ptr<const System> system, std::vector<std::string> fast,
-                                 std::vector<int> conjugates)
-    : system_(std::move(system)), fast_(std::move(fast)), conjugates_(std::move(conjugates)) {
+CoefficientRing::CoefficientRing(std::shared_ptr<const System> system) : system_(std::move(system)) {
     vanish(system_->eps);
 }
 
 void CoefficientRing::vanish(const ex& symbol) { zero_[symbol] = 0; }
+
+void CoefficientRing::move(const ex& symbol) { moving_.push_back(symbol); }
 
 ex CoefficientRing::at_origin(const ex& e, const Place& place) const {
     try {
@@ -56,7 +56,8 @@ ex CoefficientRing::at_origin(const ex& e, const Place& place) const {
 }
 
 bool CoefficientRing::has_weight(const ex& e) const {
-    return std::any_of(zero_.begin(), zero_.end(), [&](const auto& entry) { return e.has(entry.first); });
+    return std::any_of(zero_.begin(), zero_.end(), [&](const auto& entry) { return e.has(entry.first); }) ||
+           std::any_of(moving_.begin(), moving_.end(), [&](const ex& symbol) { return e.has(symbol); });
 }
 
 void CoefficientRing::collect(const ex& e, const Place& place) {
@@ -142,12 +143,19 @@ void CoefficientRing::freeze(const Divisors& divisors) {
 
 void CoefficientRing::add_symbols(RingBuilder& builder) {
     const GeneratorId first = 1; // after the imaginary unit
-    for (std::size_t k = 0; k < fast_.size(); ++k) {
+    for (const FastGenerator& fast : fast_) {
         Generator g;
         g.kind = GeneratorKind::fast;
-        g.name = fast_[k];
-        g.weight = 1;
-        g.conjugate = conjugates_[k] < 0 ? -1 : first + conjugates_[k];
+        g.name = fast.name;
+        g.weight = fast.weight;
+        g.conjugate = fast.conjugate < 0 ? -1 : first + fast.conjugate;
+        builder.add(std::move(g));
+    }
+    for (const std::string& angle : angles_) {
+        Generator g;
+        g.kind = GeneratorKind::phase;
+        g.name = angle;
+        g.invertible = true;
         builder.add(std::move(g));
     }
     const auto add = [&](GeneratorKind kind, const std::string& name, bool invertible, bool positive,
@@ -230,6 +238,8 @@ Term CoefficientRing::radicand_factor(const ex& factor, const RingBuilder& build
 
 GeneratorId CoefficientRing::fast(std::size_t k) const { return static_cast<GeneratorId>(k) + 1; }
 
+GeneratorId CoefficientRing::angle(std::size_t k) const { return fast(fast_.size() + k); }
+
 GeneratorId CoefficientRing::eps() const { return symbols_.front().second; }
 
 GeneratorId CoefficientRing::slow(std::size_t variable) const {
@@ -258,6 +268,11 @@ Polynomial CoefficientRing::convert(const ex& e, const Place& place) const {
     }
     refuse({"coefficients are built from numbers, parameters, slow variables, powers and roots", spell(e),
             "functions of slow variables and irrational constants are not supported yet", place});
+}
+
+Polynomial CoefficientRing::convert(const Complex& e, const Place& place) const {
+    const Polynomial re = convert(e.re, place);
+    return e.im.is_zero() ? re : re + ring_->multiply(ring_->imaginary(), convert(e.im, place));
 }
 
 Polynomial CoefficientRing::convert_symbol(const ex& symbol, int exponent, const Place& place) const {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "algebra/ring.hpp"
+#include "expand/complex_expression.hpp"
 #include "expand/power_product.hpp"
 
 #include <string>
@@ -22,18 +23,29 @@ struct Divisors {
     std::vector<Polynomial> values;
 };
 
+struct FastGenerator {
+    std::string name;
+    int weight = 1;
+    int conjugate = -1; // index of the partner among the fast generators; -1: real
+};
+
 class CoefficientRing {
 public:
-    // fast: the names of the fast generators; conjugates[k] is the index in `fast` of the k-th one's
-    // partner, or -1 for a real one.
-    CoefficientRing(std::shared_ptr<const System> system, std::vector<std::string> fast,
-                    std::vector<int> conjugates);
+    explicit CoefficientRing(std::shared_ptr<const System> system);
 
-    // Symbols of positive weight: set to zero, they leave the weight-0 part of an expression.
+    // The generators besides what the system file names; before freeze. A phase e^{i phi} has the name of
+    // its angle.
+    void set_fast(std::vector<FastGenerator> fast) { fast_ = std::move(fast); }
+    void set_angles(std::vector<std::string> angles) { angles_ = std::move(angles); }
+
+    // Symbols that are no constants of the ring: set to zero, they leave the weight-0 part of an expression.
     void vanish(const GiNaC::ex& symbol);
+    // Symbols that are a constant of the ring plus something of positive weight, xi = zeta + k.
+    void move(const GiNaC::ex& symbol);
     // Errors (bad_input): a pole at the origin.
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Place& place) const;
-    [[nodiscard]] bool has_weight(const GiNaC::ex& e) const; // does a vanishing symbol occur in e?
+    // Does a symbol occur in e that vanishes or moves?
+    [[nodiscard]] bool has_weight(const GiNaC::ex& e) const;
 
     // Notes the roots and inverses that a later convert of e, or of the weight-0 part of a power of
     // positive weight in e, will need.
@@ -42,12 +54,14 @@ public:
 
     [[nodiscard]] const RingPtr& ring() const { return ring_; }
     [[nodiscard]] GeneratorId fast(std::size_t k) const;
+    [[nodiscard]] GeneratorId angle(std::size_t k) const;
     [[nodiscard]] GeneratorId eps() const;
     [[nodiscard]] GeneratorId slow(std::size_t variable) const; // -1 if the variable is not slow
     [[nodiscard]] const std::vector<GeneratorId>& divisors() const { return divisors_; } // those of freeze
 
     // Precondition: freeze() was called and e was collected. e in parameters, slow variables, eps.
     [[nodiscard]] Polynomial convert(const GiNaC::ex& e, const Place& place) const;
+    [[nodiscard]] Polynomial convert(const Complex& e, const Place& place) const;
 
 private:
     struct Base {
@@ -74,9 +88,10 @@ private:
     void add_roots(RingBuilder& builder);
 
     std::shared_ptr<const System> system_;
-    std::vector<std::string> fast_;
-    std::vector<int> conjugates_;
+    std::vector<FastGenerator> fast_;
+    std::vector<std::string> angles_;
     GiNaC::exmap zero_;
+    std::vector<GiNaC::ex> moving_;
     std::vector<Base> bases_;
     std::vector<std::pair<GiNaC::ex, GeneratorId>> symbols_; // eps, parameters, slow variables
     std::vector<GeneratorId> divisors_;

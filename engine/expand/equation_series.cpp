@@ -32,9 +32,10 @@ std::vector<GiNaC::symbol> fast_jets(const System& system) {
 
 std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_order,
                                                 const std::vector<GiNaC::symbol>& jets) {
-    std::vector<std::string> names;
-    for (const auto& jet : jets) names.push_back(jet.get_name());
-    CoefficientRing coefficients(first_order.system, names, std::vector<int>(names.size(), -1));
+    CoefficientRing coefficients(first_order.system);
+    std::vector<FastGenerator> generators;
+    for (const auto& jet : jets) generators.push_back({jet.get_name(), 1, -1});
+    coefficients.set_fast(std::move(generators));
     for (const auto& jet : jets) coefficients.vanish(jet);
     for (std::size_t v = 0; v < first_order.system->variables.size(); ++v)
         coefficients.collect(line_expression(first_order, v),

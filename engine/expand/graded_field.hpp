@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first-order system as graded series in modal coordinates, ready to be normalised.
 //
-//   oscillator psi'' + omega^2 psi = ...:  z = psi - i psi'/omega,  psi = (z + zbar)/2,
-//   psi' = i omega (z - zbar)/2,  z' = i omega z + f(z, zbar, eps; xi)           (design 2.2)
+//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes.hpp)
+//   phi' = omega(xi) + f,   xi' = f,   X' = f           angles, slow variables, drift variables
+//
+//   oscillator psi'' + omega^2 psi = ...:  z = psi - i psi'/omega,  psi = (z + zbar)/2        (design 2.2)
 #pragma once
 
 #include "algebra/series_program.hpp"
 #include "expand/coefficient_ring.hpp"
+#include "expand/modes.hpp"
 #include "model/first_order_system.hpp"
 
 #include <memory>
@@ -15,22 +18,39 @@
 
 namespace resonform {
 
-// One oscillator: its two states, its conjugate pair of modes, its frequency.
+// A mode with its complex conjugate, or a real one.
 struct Mode {
-    std::size_t variable;             // index into system.variables
-    std::string name, conjugate_name; // "z1", "z2"
-    GeneratorId z, zbar;
-    Polynomial omega;          // a unit of the ring, positive
-    SeriesProgram::Node input; // z as input of the program (zbar: input_conjugate)
+    std::size_t variable;             // index into system.variables: of the pivot
+    std::string name, conjugate_name; // "z1", "z2"; a real mode has no conjugate_name
+    GeneratorId z, zbar;              // equal for a real mode
+    Polynomial growth, omega;         // lambda = growth + i omega; a pair has omega > 0, a unit
+    bool oscillator;                  // psi'' + omega^2 psi by itself: z = psi - i psi'/omega
+    SeriesProgram::Node input;        // z as input of the program
     SeriesProgram::Node input_conjugate;
-    SeriesProgram::Node rate; // z' - i omega z =: f, as a node
+    SeriesProgram::Node rate; // z' - lambda z =: f, as a node
+
+    [[nodiscard]] bool is_real() const { return z == zbar; }
 };
 
+// phi' = frequency(xi) + f; harmonics e^{i k phi} are powers of the generator `phase`.
+struct AngleVariable {
+    std::size_t variable;
+    std::string name;
+    GeneratorId phase;
+    Polynomial frequency;
+    SeriesProgram::Node input; // the old angle minus the new one
+    SeriesProgram::Node rate;  // phi' - frequency (at the new xi)
+};
+
+// Driven: fast variables or angles occur in its rate, or driven variables do. Then it is an input of the
+// program, and what depends on it is expanded about the new variable.
 struct SlowVariable {
     std::size_t variable;
     std::string name;
     GeneratorId generator;
-    Polynomial rate; // homogeneous parts of weight >= 1; no fast variable in it
+    bool driven = false;
+    Polynomial rate;                                // not driven: homogeneous parts of weight >= 1
+    SeriesProgram::Node input = -1, rate_node = -1; // driven
 };
 
 struct DriftVariable {
@@ -44,20 +64,25 @@ struct GradedField {
     std::shared_ptr<const CoefficientRing> coefficients; // expressions -> ring
     RingPtr ring;
     GeneratorId eps;
+    ModalBasis basis; // basis.modes[k] belongs to modes[k]
     std::vector<Mode> modes;
+    std::vector<AngleVariable> angles;
     std::vector<SlowVariable> slow;
     std::vector<DriftVariable> drift;
     std::shared_ptr<const SeriesProgram> program;
 
     [[nodiscard]] const System& system() const { return *first_order->system; }
+    // What exponents of a monomial are given for: modes with their conjugates, phases, eps.
+    [[nodiscard]] std::vector<GeneratorId> outer() const;
+    [[nodiscard]] Polynomial eigenvalue(const Mode& mode) const;
 };
 
-// Builds the ring (roots of weight-0 subexpressions), checks that every fast variable is an
-// oscillator, and translates the rates into the program.
-// Errors: bad_input: a fast variable of other order than 2, linear part absent, damping at weight 0,
-// a force at the origin, division by an expression that is zero; refused: omega^2 not provably
-// positive, a slow rate of weight 0 or depending on fast variables, a coefficient function that the
-// ring cannot hold. The ring gets an inverse for each of the divisors.
+// Builds the ring (roots of weight-0 subexpressions), finds the modes, and translates the rates into the
+// program. The ring gets an inverse for each of the divisors.
+// Errors: bad_input: a force at the origin, a rate of a slow or drift variable that does not vanish with
+// eps (and the fast variables), division by an expression that is zero; refused: what find_modes refuses,
+// fast variables of weight 0 that are not linear at eps = 0, an angle that occurs outside of sin and cos, a
+// coefficient function that the ring cannot hold.
 GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors = {});
 
 // The small divisors that the ring has an inverse for, besides its units: polynomials of field.ring. None
@@ -71,7 +96,7 @@ GradedField with_divisors(const GradedField& field, const std::vector<Polynomial
 
 // The field in modal coordinates through a weight: f of each mode, each drift rate.
 struct FieldSeries {
-    std::vector<Series> mode; // z' - i omega z
+    std::vector<Series> mode; // z' - lambda z
     std::vector<Series> drift;
 };
 FieldSeries evaluate_field(const GradedField& field, int through);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes.hpp"
 
+#include "expand/mode_blocks.hpp"
 #include "model/canonical.hpp"
+#include "model/zero_test.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace resonform {
 
@@ -11,67 +15,240 @@ namespace {
 
 using GiNaC::ex;
 
-void check_order(const Variable& variable) {
-    if (variable.order != 2)
-        bad_input({"a fast variable obeys an equation of second order, an oscillator",
-                   fmt::format("{} has order {}", variable.name, variable.order),
-                   fmt::format("write an equation for {}'', or give {} the role slow or drift", variable.name,
-                               variable.name),
-                   variable.place});
-}
+constexpr std::size_t largest_block = 2;
+using Block = std::vector<std::size_t>; // indices into ModalBasis::states, ascending
 
-void check_uncoupled(const FirstOrderSystem& system, const State& velocity,
-                     const CoefficientRing& coefficients, const Place& place) {
-    for (const State& other : system.states) {
-        if (system.system->variables[other.variable].role != Role::fast) continue;
-        const bool own = other.variable == velocity.variable;
-        if (own && other.derivative == 0) continue;
-        const ex coupling = coefficients.at_origin(velocity.rate.diff(other.symbol), place);
-        if (coupling.is_zero()) continue;
-        const std::string value = fmt::format("the coefficient of {} is {}", other.name, spell(coupling));
-        if (own)
-            refuse({"the linear part of a fast variable is an oscillator without damping", value,
-                    "write the damping with a factor eps", place});
-        refuse({"fast variables are not coupled in the linear part", value,
-                "use normal coordinates, or write the coupling with a factor eps", place});
+class ModeFinder {
+public:
+    ModeFinder(const FirstOrderSystem& first_order, const CoefficientRing& coefficients)
+        : first_order_(first_order), system_(*first_order.system), coefficients_(coefficients) {
+        for (std::size_t s = 0; s < first_order.states.size(); ++s)
+            if (system_.variables[first_order.states[s].variable].role == Role::fast)
+                basis_.states.push_back(s);
+    }
+
+    ModalBasis find() {
+        check_equilibrium();
+        fill_linear_part();
+        find_blocks();
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+            for (const BlockMode& mode : modes_of(blocks_[b])) basis_.modes.push_back(extended(mode, b));
+        return std::move(basis_);
+    }
+
+private:
+    [[nodiscard]] const State& state(std::size_t s) const { return first_order_.states[basis_.states[s]]; }
+    [[nodiscard]] const Variable& variable(std::size_t s) const {
+        return system_.variables[state(s).variable];
+    }
+    [[nodiscard]] Place place(std::size_t s) const {
+        return place_of(system_.equations[state(s).variable].source);
+    }
+    [[nodiscard]] const ex& a(std::size_t row, std::size_t column) const { return linear_[row][column]; }
+
+    void check_equilibrium() const;
+    void fill_linear_part();
+    void find_blocks();
+    [[nodiscard]] BlockName name_of(const Block& block) const;
+    [[nodiscard]] std::vector<BlockMode> modes_of(const Block& block) const;
+    [[nodiscard]] bool are_coupled_oscillators(const Block& block) const;
+    [[noreturn]] void refuse_large(const Block& block) const;
+    [[nodiscard]] Matrix matrix_of(const Block& block) const;
+
+    // Continues an eigenvector of a block to the blocks that it drives (column), or that drive it (row).
+    [[nodiscard]] ModeShape extended(const BlockMode& mode, std::size_t block) const;
+    void extend(std::vector<Complex>& vector, const Complex& eigenvalue, std::size_t block, bool rows) const;
+    [[nodiscard]] std::vector<Complex> solve(const Block& block, const Complex& eigenvalue,
+                                             const std::vector<Complex>& right, bool rows) const;
+
+    const FirstOrderSystem& first_order_;
+    const System& system_;
+    const CoefficientRing& coefficients_;
+    ModalBasis basis_;
+    Matrix linear_;
+    std::vector<std::vector<bool>> drives_; // [t][s]: t occurs in the rates that lead to s, or t = s
+    std::vector<Block> blocks_;             // in the order of their first states
+};
+
+void ModeFinder::check_equilibrium() const {
+    for (std::size_t s = 0; s < basis_.states.size(); ++s) {
+        const ex force = coefficients_.at_origin(state(s).rate, place(s));
+        if (force.is_zero()) continue;
+        const std::string& name = variable(s).name;
+        bad_input({"the origin of the fast variables is an equilibrium at eps = 0",
+                   fmt::format("{} = {} there", variable(s).jet.back().get_name(), spell(force)),
+                   fmt::format("shift {} to the equilibrium by a change of variable", name), place(s)});
     }
 }
 
-void check_frequency(const ex& omega_squared, const Variable& fast, const System& system,
-                     const Place& place) {
-    if (provably_positive(omega_squared, system)) return;
-    const std::string value = fmt::format("omega^2 = {} for {}", spell(omega_squared), fast.name);
-    if (provably_positive(-omega_squared, system))
-        bad_input({"the linear part of a fast variable pulls back to the origin", value,
-                   "mend the sign, or shift the variable to a stable equilibrium", place});
-    refuse({"the square of a frequency is proved to be positive", value,
-            "declare what is positive: " + how_to_declare_positive(omega_squared), place});
+void ModeFinder::fill_linear_part() {
+    const std::size_t n = basis_.states.size();
+    linear_.assign(n, std::vector<ex>(n));
+    drives_.assign(n, std::vector<bool>(n, false));
+    for (std::size_t s = 0; s < n; ++s) {
+        for (std::size_t t = 0; t < n; ++t) {
+            linear_[s][t] = coefficients_.at_origin(state(s).rate.diff(state(t).symbol), place(s));
+            drives_[t][s] = s == t || !linear_[s][t].is_zero();
+        }
+    }
+    for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t t = 0; t < n; ++t)
+            for (std::size_t s = 0; s < n; ++s)
+                if (drives_[t][k] && drives_[k][s]) drives_[t][s] = true;
+}
+
+void ModeFinder::find_blocks() {
+    std::vector<bool> found(basis_.states.size(), false);
+    for (std::size_t s = 0; s < found.size(); ++s) {
+        if (found[s]) continue;
+        Block block;
+        for (std::size_t t = s; t < found.size(); ++t) {
+            if (!drives_[s][t] || !drives_[t][s]) continue;
+            block.push_back(t);
+            found[t] = true;
+        }
+        blocks_.push_back(std::move(block));
+    }
+}
+
+BlockName ModeFinder::name_of(const Block& block) const {
+    BlockName name{"", block.size() == 2 && state(block[0]).variable == state(block[1]).variable,
+                   place(block[0])};
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        const std::string& variable_name = variable(block[k]).name;
+        if (k > 0 && variable(block[k - 1]).name == variable_name) continue;
+        name.variables += (k == 0 ? "" : ", ") + variable_name;
+    }
+    return name;
+}
+
+Matrix ModeFinder::matrix_of(const Block& block) const {
+    Matrix matrix;
+    for (std::size_t s : block) {
+        matrix.emplace_back();
+        for (std::size_t t : block) matrix.back().push_back(a(s, t));
+    }
+    return matrix;
+}
+
+bool ModeFinder::are_coupled_oscillators(const Block& block) const {
+    if (block.size() != 4) return false;
+    for (std::size_t k : {0, 2})
+        if (variable(block[k]).order != 2 || state(block[k]).variable != state(block[k + 1]).variable)
+            return false;
+    return a(block[1], block[1]).is_zero() && a(block[1], block[3]).is_zero() &&
+           a(block[3], block[1]).is_zero() && a(block[3], block[3]).is_zero();
+}
+
+std::vector<BlockMode> ModeFinder::modes_of(const Block& block) const {
+    if (are_coupled_oscillators(block))
+        return modes_of_coupled_oscillators({{-a(block[1], block[0]), -a(block[1], block[2])},
+                                             {-a(block[3], block[0]), -a(block[3], block[2])}},
+                                            system_, name_of(block));
+    if (block.size() <= largest_block) return modes_of_block(matrix_of(block), system_, name_of(block));
+    refuse_large(block);
+}
+
+void ModeFinder::refuse_large(const Block& block) const {
+    refuse(
+        {"modes are found in closed form for blocks of two states that drive each other in a triangle, and "
+         "for two coupled variables of second order by themselves",
+         fmt::format("{} are coupled: {} states", name_of(block).variables, block.size()),
+         "use normal coordinates, or write the coupling with a factor eps", place(block.front())});
+}
+
+ModeShape ModeFinder::extended(const BlockMode& mode, std::size_t block) const {
+    ModeShape shape{mode.eigenvalue, basis_.states[blocks_[block].front()], {}, {}};
+    shape.column.resize(basis_.states.size());
+    shape.row.resize(basis_.states.size());
+    for (std::size_t k = 0; k < blocks_[block].size(); ++k) {
+        shape.column[blocks_[block][k]] = mode.column[k];
+        shape.row[blocks_[block][k]] = mode.row[k];
+    }
+    extend(shape.column, mode.eigenvalue, block, false);
+    extend(shape.row, mode.eigenvalue, block, true);
+    return shape;
+}
+
+// (A_CC - lambda) v_C = -sum A_Ct v_t over the states t between; for rows with A transposed. A block comes
+// when all that lead to it have come.
+void ModeFinder::extend(std::vector<Complex>& vector, const Complex& eigenvalue, std::size_t block,
+                        bool rows) const {
+    const auto leads = [&](std::size_t from, std::size_t to) {
+        const std::size_t t = blocks_[from].front(), s = blocks_[to].front();
+        return from != to && (rows ? drives_[s][t] : drives_[t][s]);
+    };
+    std::vector<std::size_t> next;
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+        if (leads(block, b)) next.push_back(b);
+    std::stable_sort(next.begin(), next.end(), [&](std::size_t p, std::size_t q) {
+        const auto before = [&](std::size_t b) {
+            return std::count_if(next.begin(), next.end(), [&](std::size_t c) { return leads(c, b); });
+        };
+        return before(p) < before(q);
+    });
+    for (std::size_t b : next) {
+        std::vector<Complex> right(blocks_[b].size());
+        for (std::size_t k = 0; k < right.size(); ++k)
+            for (std::size_t t = 0; t < vector.size(); ++t) {
+                const ex& coupling = rows ? a(t, blocks_[b][k]) : a(blocks_[b][k], t);
+                if (!coupling.is_zero() && !vector[t].is_zero())
+                    right[k] = right[k] - Complex{coupling, 0} * vector[t];
+            }
+        const std::vector<Complex> solution = solve(blocks_[b], eigenvalue, right, rows);
+        for (std::size_t k = 0; k < solution.size(); ++k) vector[blocks_[b][k]] = normal(solution[k]);
+    }
+}
+
+std::vector<Complex> ModeFinder::solve(const Block& block, const Complex& eigenvalue,
+                                       const std::vector<Complex>& right, bool rows) const {
+    if (std::all_of(right.begin(), right.end(), [](const Complex& c) { return normal(c).is_zero(); }))
+        return right;
+    if (block.size() > largest_block) refuse_large(block);
+    const auto entry = [&](std::size_t j, std::size_t k) {
+        const Complex value{rows ? a(block[k], block[j]) : a(block[j], block[k]), 0};
+        return j == k ? value - eigenvalue : value;
+    };
+    const bool one = block.size() == 1;
+    const Complex determinant =
+        normal(one ? entry(0, 0) : entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0));
+    const bool singular = vanishes(determinant.re) != Zero::no && vanishes(determinant.im) != Zero::no;
+    if (singular)
+        refuse(
+            {"the linear part of the fast variables is semisimple: nothing is driven at its own eigenvalue",
+             fmt::format("{} is, or that cannot be excluded", state(block.front()).name),
+             "style = \"inner_product\" is for such linear parts and is not supported yet: give the "
+             "variable a restoring force, or write the coupling with a factor eps",
+             place(block.front())});
+    if (one) return {right[0] / determinant};
+    return {(right[0] * entry(1, 1) - entry(0, 1) * right[1]) / determinant,
+            (entry(0, 0) * right[1] - entry(1, 0) * right[0]) / determinant};
 }
 
 } // namespace
 
-Oscillator find_oscillator(const FirstOrderSystem& system, std::size_t variable,
-                           const CoefficientRing& coefficients) {
-    const Variable& fast = system.system->variables[variable];
-    check_order(fast);
-    const Place place = place_of(system.system->equations[variable].source);
-    const State& position = system.states[system.index(variable, 0)];
-    const State& velocity = system.states[system.index(variable, 1)];
+bool ModalBasis::is_oscillator(std::size_t mode, const FirstOrderSystem& system) const {
+    const ModeShape& shape = modes[mode];
+    const State& pivot = system.states[shape.pivot];
+    if (shape.is_real() || !shape.eigenvalue.re.is_zero() ||
+        system.system->variables[pivot.variable].order != 2)
+        return false;
+    for (std::size_t s = 0; s < states.size(); ++s) {
+        Complex rest = shape.row[s];
+        if (states[s] == shape.pivot) {
+            rest.re -= 1;
+        } else if (system.states[states[s]].variable == pivot.variable) {
+            rest.im = rest.im * shape.eigenvalue.im + 1;
+        } else if (!shape.column[s].is_zero()) {
+            return false;
+        }
+        if (!rest.is_zero()) return false;
+    }
+    return true;
+}
 
-    const ex force = coefficients.at_origin(velocity.rate, place);
-    if (!force.is_zero())
-        bad_input({"the origin of the fast variables is an equilibrium at eps = 0",
-                   fmt::format("{}'' = {} there", fast.name, spell(force)),
-                   fmt::format("shift {} to the equilibrium by a change of variable", fast.name), place});
-    const ex slope = coefficients.at_origin(velocity.rate.diff(position.symbol), place);
-    if (slope.is_zero())
-        bad_input({"the linear part of a fast variable is an oscillator",
-                   fmt::format("{}'' has no term linear in {}", fast.name, fast.name),
-                   "give the variable another role, or write its restoring force", place});
-    check_uncoupled(system, velocity, coefficients, place);
-    const ex omega_squared = (-slope).normal();
-    check_frequency(omega_squared, fast, *system.system, place);
-    return {variable, omega_squared};
+ModalBasis find_modes(const FirstOrderSystem& system, const CoefficientRing& coefficients) {
+    return ModeFinder(system, coefficients).find();
 }
 
 } // namespace resonform

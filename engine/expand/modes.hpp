@@ -1,22 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The linear part of the fast variables: which of them are oscillators, and with what frequency.
+// The modes of the linear part u' = A(xi) u of the fast variables at eps = 0, the slow ones frozen:
+//
+//   u_s = sum_j column_j[s] z_j,   z_j = sum_s row_j[s] u_s,   z_j' = lambda_j z_j     (design 2.2)
+//
+// over a complex pair column z + conj(column) zbar. Normalisation: in the pivot, the first state of its
+// block, a pair has the column 1/2 (so u_pivot = (z + zbar)/2) and a real mode the column 1. For
+// psi'' + omega^2 psi this is z = psi - i psi'/omega.
 #pragma once
 
 #include "expand/coefficient_ring.hpp"
+#include "expand/complex_expression.hpp"
 
 namespace resonform {
 
-// psi'' = -omega_squared(xi) psi + (higher weight).
-struct Oscillator {
-    std::size_t variable;
-    GiNaC::ex omega_squared;
+struct ModeShape {
+    Complex eigenvalue;               // im > 0: the first of a conjugate pair; im = 0: a real mode
+    std::size_t pivot;                // index into FirstOrderSystem::states
+    std::vector<Complex> column, row; // by index in ModalBasis::states
+
+    [[nodiscard]] bool is_real() const { return eigenvalue.im.is_zero(); }
 };
 
-// Checks the weight-0 Jacobian of one fast variable. Only the vanishing symbols of `coefficients` are
-// used; it need not be frozen.
-// Errors: bad_input: order other than 2, a force at the origin, linear part absent, division by an
-// expression that is zero; refused: damping or coupling at weight 0, omega^2 not provably positive.
-Oscillator find_oscillator(const FirstOrderSystem& system, std::size_t variable,
-                           const CoefficientRing& coefficients);
+struct ModalBasis {
+    std::vector<std::size_t> states; // the fast ones, indices into FirstOrderSystem::states
+    std::vector<ModeShape> modes;    // of a conjugate pair only the first; in the order of their pivots
+
+    // psi'' + omega^2 psi by itself, in which no other mode takes part: z = psi - i psi'/omega.
+    [[nodiscard]] bool is_oscillator(std::size_t mode, const FirstOrderSystem& system) const;
+};
+
+// Closed forms: blocks of at most two states, two coupled variables of second order without velocities
+// in the linear part, and triangular couplings between blocks. Only the vanishing symbols of
+// `coefficients` are used; it need not be frozen.
+// Errors: bad_input: a force at the origin, division by an expression that is zero; refused: a larger
+// block, a block that is not semisimple, a sign that is not proved.
+ModalBasis find_modes(const FirstOrderSystem& system, const CoefficientRing& coefficients);
 
 } // namespace resonform

@@ -32,6 +32,7 @@ Node Translator::translate(const ex& e, const Place& place) {
     if (is_a<GiNaC::mul>(e)) return product(e, place);
     if (is_a<GiNaC::power>(e)) return power(e, place);
     if (is_a<GiNaC::function>(e)) return function(e, place);
+    if (holds_angle(e)) return of_angles(e, place);            // refuses the angle itself
     return program_.constant(coefficients_.convert(e, place)); // eps
 }
 
@@ -61,6 +62,7 @@ Node Translator::power(const ex& e, const Place& place) {
 }
 
 Node Translator::function(const ex& e, const Place& place) {
+    if (holds_angle(e)) return of_angles(e, place);
     const std::string name = ex_to<GiNaC::function>(e).get_name();
     const ex& argument = e.op(0);
     const ex origin = coefficients_.at_origin(argument, place) - (name == "log" ? 1 : 0);

@@ -19,16 +19,25 @@ public:
 
     // The node that stands for a symbol of positive weight.
     void bind(const GiNaC::ex& symbol, SeriesProgram::Node node);
+    // An angle phi = theta + m: `phase` is e^{i theta}, `shift` is m, of positive weight.
+    void bind_angle(const GiNaC::ex& symbol, GeneratorId phase, SeriesProgram::Node shift);
 
     // Errors (refused): a function whose argument does not vanish at the origin, functions that have
     // no expansion here; (bad_input): division by an expression that vanishes at the origin.
     SeriesProgram::Node operator()(const GiNaC::ex& e, const Place& place);
 
 private:
+    struct Angle {
+        GiNaC::ex symbol;
+        SeriesProgram::Node forward, backward; // e^{i phi}, e^{-i phi}
+    };
+
     SeriesProgram::Node translate(const GiNaC::ex& e, const Place& place);
     SeriesProgram::Node product(const GiNaC::ex& e, const Place& place);
     SeriesProgram::Node power(const GiNaC::ex& e, const Place& place);
     SeriesProgram::Node function(const GiNaC::ex& e, const Place& place);
+    [[nodiscard]] bool holds_angle(const GiNaC::ex& e) const;
+    SeriesProgram::Node of_angles(const GiNaC::ex& e, const Place& place);
     SeriesProgram::Node integral_of(SeriesProgram::Node u, const Rational& sign, const Rational& exponent);
     SeriesProgram::Node hyperbolic(SeriesProgram::Node u, const Rational& sign);
     SeriesProgram::Node quotient(SeriesProgram::Node a, SeriesProgram::Node b);
@@ -36,6 +45,7 @@ private:
     SeriesProgram& program_;
     const CoefficientRing& coefficients_;
     std::map<GiNaC::ex, SeriesProgram::Node, GiNaC::ex_is_less> nodes_; // look-up only, never iterated
+    std::vector<Angle> angles_;
 };
 
 } // namespace resonform

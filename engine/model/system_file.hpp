@@ -26,6 +26,7 @@ struct Variable {
     Role role = Role::fast;
     std::string unit;
     bool positive = false, nonzero = false; // slow variables: their domain
+    int weight = 0;                         // fast: 1 (small) or 0 (finite), others: 0
     int order = 1;                          // highest derivative in the equations
     std::vector<GiNaC::symbol> jet;         // x, x', ..., x^(order)
     Place place;

@@ -40,28 +40,26 @@ Role role_of(const TomlEntry& entry) {
     const TomlNode* node = entry.value.find("role");
     if (node == nullptr) {
         bad_input({"a variable has a role", in_quotes(entry.key),
-                   "write role = \"fast\", \"slow\" or \"drift\"", entry.place});
+                   "write role = \"fast\", \"angle\", \"slow\" or \"drift\"", entry.place});
     }
     const std::string role = string_of(*node);
     if (role == "fast") return Role::fast;
     if (role == "slow") return Role::slow;
     if (role == "drift") return Role::drift;
-    if (role == "angle") {
-        refuse({"a variable is fast, slow or drift: angles are not supported yet", in_quotes(role),
-                "write the system with fast variables", place_of(node->source)});
-    }
-    bad_value(*node, "a role is fast, slow or drift", suggest(role, {"fast", "slow", "drift"}));
+    if (role == "angle") return Role::angle;
+    bad_value(*node, "a role is fast, angle, slow or drift",
+              suggest(role, {"fast", "angle", "slow", "drift"}));
 }
 
-// The weights are those of the roles (design 2.1); others are foreseen in the format, not done yet.
-void check_weight(const TomlNode& table, Role role) {
+// Fast variables are small, of weight 1, or finite, of weight 0; the others have weight 0 (design 2.1).
+int weight_of(const TomlNode& table, Role role) {
     const TomlNode* node = table.find("weight");
-    if (node == nullptr) return;
     const int standard = role == Role::fast ? 1 : 0;
-    if (number_of(*node) == standard) return;
-    refuse({"the weight of a " + std::string(to_string(role)) + " variable is " + std::to_string(standard) +
-                ": others are not supported yet",
-            excerpt(node->text), "remove the key", place_of(node->source)});
+    if (node == nullptr || number_of(*node) == standard) return standard;
+    if (role == Role::fast && number_of(*node) == 0) return 0;
+    refuse({role == Role::fast ? "the weight of a fast variable is 1 (small) or 0 (finite)"
+                               : "the weight of a variable that is not fast is 0",
+            excerpt(node->text), "remove the key, or scale the variable", place_of(node->source)});
 }
 
 // "amplitude.psi" -> kind and variable, which must fit together.
@@ -159,7 +157,7 @@ Variable SystemReader::variable_of(const TomlEntry& entry) {
     variable.name = entry.key;
     variable.place = entry.place;
     variable.role = role_of(entry);
-    check_weight(entry.value, variable.role);
+    variable.weight = weight_of(entry.value, variable.role);
     variable.unit = text(entry.value, "unit");
     for (const std::string key : {"positive", "nonzero"}) {
         const TomlNode* node = entry.value.find(key);

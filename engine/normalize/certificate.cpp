@@ -44,7 +44,7 @@ public:
                Point point)
         : normal_form_(normal_form), system_(normal_form.field->system()), roots_(roots),
           algebra_(*normal_form.field->ring, std::move(point), normal_form.through),
-          jets_(Flow(algebra_, normal_form, map).jets()) {}
+          jets_(Flow(algebra_, roots_, normal_form, map).jets()) {}
 
     // The lowest weight at which something does not vanish, as a sentence; "" if all vanish.
     std::string complaint() {
@@ -63,8 +63,13 @@ public:
     }
 
     FrequencySample frequencies() const {
-        FrequencySample sample{algebra_.field(), {}};
-        for (const Mode& m : normal_form_.field->modes) sample.omega.push_back(value(m.omega)[0]);
+        FrequencySample sample{algebra_.field(), {}, {}, {}};
+        for (const Mode& m : normal_form_.field->modes) {
+            sample.growth.push_back(value(m.growth)[0]);
+            sample.omega.push_back(value(m.omega)[0]);
+        }
+        for (const AngleVariable& a : normal_form_.field->angles)
+            sample.angle.push_back(value(a.frequency)[0]);
         return sample;
     }
 
@@ -74,7 +79,7 @@ private:
     }
 
     PointAlgebra::Value evaluate(const GiNaC::ex& e, const Equation& equation) {
-        return EquationEvaluator(algebra_, roots_, jets_.symbols, equation)(e);
+        return EquationEvaluator(algebra_, roots_, jets_.values, equation)(e);
     }
 
     // A residual that vanishes through M says that the highest derivatives are right through M only if
@@ -92,16 +97,29 @@ private:
     }
 
     void check_linear_part() {
+        const GradedField& field = *normal_form_.field;
+        const PointAlgebra::Value i = algebra_.generator(Ring::imaginary_unit, 1);
         for (std::size_t k = 0; k < normal_form_.mode.size(); ++k) {
-            const Mode& m = normal_form_.field->modes[k];
-            const auto rotation =
-                algebra_.multiply(algebra_.generator(Ring::imaginary_unit, 1),
-                                  algebra_.multiply(value(m.omega), algebra_.generator(m.z, 1)));
-            auto difference = algebra_.gradient(normal_form_.mode[k], Side::itself).value;
-            difference[1] = algebra_.field().subtract(difference[1], rotation[1]);
-            std::fill(difference.begin() + 2, difference.end(), 0);
-            must_vanish(difference, fmt::format("the linear part of {}' is not i*omega*{}", m.name, m.name));
+            const Mode& m = field.modes[k];
+            const auto lambda = algebra_.add(value(m.growth), algebra_.multiply(i, value(m.omega)));
+            check_lead(normal_form_.mode[k], algebra_.multiply(lambda, algebra_.generator(m.z, 1)),
+                       field.ring->generator(m.z).weight,
+                       fmt::format("the linear part of {}' is not lambda*{}", m.name, m.name));
         }
+        for (std::size_t k = 0; k < normal_form_.angle.size(); ++k)
+            check_lead(normal_form_.angle[k], value(field.angles[k].frequency), 0,
+                       fmt::format("{}' does not begin with its frequency", field.angles[k].name));
+    }
+
+    // The weights 0 ... `weight` of a rate are `lead`.
+    void check_lead(const Series& rate, const PointAlgebra::Value& lead, int weight,
+                    const std::string& sentence) {
+        const auto head = static_cast<std::size_t>(weight) + 1;
+        auto difference = algebra_.gradient(rate, Side::itself).value;
+        for (std::size_t n = 0; n < head; ++n)
+            difference[n] = algebra_.field().subtract(difference[n], lead[n]);
+        difference.resize(head);
+        must_vanish(difference, sentence);
     }
 
     void must_vanish(const PointAlgebra::Value& value, const std::string& sentence) {

@@ -68,6 +68,7 @@ public:
     [[nodiscard]] Size inverse_power(const Size& a, int n) const {
         return power(a, -n, {n * a.denominator, n * a.degree, n * a.bits});
     }
+    [[nodiscard]] Size at_origin(const Size& a) const { return a; }
     [[nodiscard]] Gradient<Size> gradient(const Series& s, Side /*side*/) const {
         std::vector<Polynomial> parts;
         for (int n = 0; n <= through_; ++n) parts.push_back(s.part(n));
@@ -151,7 +152,7 @@ private:
 double point_error_bound(const NormalForm& normal_form, const NearIdentityMap& map, CertificateRoots& roots) {
     const GradedField& field = *normal_form.field;
     SizeAlgebra algebra(*field.ring, normal_form.through);
-    const Jets<Size> jets = Flow(algebra, normal_form, map).jets();
+    const Jets<Size> jets = Flow(algebra, roots, normal_form, map).jets();
     double degree = 0, bits = 0;
     const auto include = [&](const Size& s) {
         degree = std::max(degree, s.degree);
@@ -159,7 +160,7 @@ double point_error_bound(const NormalForm& normal_form, const NearIdentityMap& m
     };
     for (const auto& [variable, defect] : jets.velocity_defects) include(defect);
     for (const Equation& equation : field.system().equations)
-        include(EquationEvaluator(algebra, roots, jets.symbols, equation)(equation.residual));
+        include(EquationEvaluator(algebra, roots, jets.values, equation)(equation.residual));
 
     const double k = algebra.field_degree();
     const double norm_bits = k * (bits + degree * algebra.radicand_bits());

@@ -19,6 +19,16 @@ Rational rational_of(const GiNaC::ex& number, const Equation& equation) {
     return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(number).to_cl_N());
 }
 
+int take_out_harmonic(GiNaC::ex& argument, const GiNaC::symbol& angle, const Equation& equation) {
+    constexpr int highest_harmonic = 1000;
+    const GiNaC::ex k = argument.diff(angle).expand();
+    if (k.is_zero()) return 0;
+    if (!k.info(GiNaC::info_flags::integer) || GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(k)) > highest_harmonic)
+        refuse_certificate("angles occur in integer combinations", equation);
+    argument = (argument - k * angle).expand();
+    return GiNaC::ex_to<GiNaC::numeric>(k).to_int();
+}
+
 Elementary elementary_of(const GiNaC::ex& function, const Equation& equation) {
     static const std::pair<const char*, Elementary> names[] = {
         {"exp", Elementary::exponential},

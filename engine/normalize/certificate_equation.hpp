@@ -6,11 +6,13 @@
 //   number(Rational), add(a, b), multiply(a, b), generator(id, power), function(Elementary, a)
 //   power(a, exponent, lead): lead * (a / a_0)^exponent, where a_0 is the weight-0 part of a
 //   inverse_power(a, n): a^-n for n >= 1
+//   at_origin(a): a_0
 #pragma once
 
 #include "model/canonical.hpp"
 #include "normalize/certificate_roots.hpp"
 
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,15 +38,26 @@ enum class Elementary {
 Rational rational_of(const GiNaC::ex& number, const Equation& equation);       // refuses what is not rational
 Elementary elementary_of(const GiNaC::ex& function, const Equation& equation); // refuses unknown functions
 
-template <class Value> using SymbolValues = std::map<GiNaC::ex, Value, GiNaC::ex_is_less>;
+// What stands for the symbols of an equation; an angle is known by e^{i phi} and e^{-i phi}.
+template <class Value> struct Substituted {
+    struct Angle {
+        GiNaC::symbol symbol;
+        Value forward, backward;
+    };
+    std::map<GiNaC::ex, Value, GiNaC::ex_is_less> symbols; // look-up only
+    std::vector<Angle> angles;
+};
+
+// k of an argument k phi + rest, an integer; the angle is taken out of `argument`. Refuses what is not one.
+int take_out_harmonic(GiNaC::ex& argument, const GiNaC::symbol& angle, const Equation& equation);
 
 template <class Algebra> class EquationEvaluator {
 public:
     using Value = typename Algebra::Value;
 
-    EquationEvaluator(Algebra& algebra, CertificateRoots& roots, const SymbolValues<Value>& symbols,
+    EquationEvaluator(Algebra& algebra, CertificateRoots& roots, const Substituted<Value>& values,
                       const Equation& equation)
-        : algebra_(algebra), roots_(roots), symbols_(symbols), equation_(equation) {}
+        : algebra_(algebra), roots_(roots), values_(values), equation_(equation) {}
 
     Value operator()(const GiNaC::ex& e) {
         if (GiNaC::is_a<GiNaC::numeric>(e)) return algebra_.number(rational_of(e, equation_));
@@ -52,20 +65,53 @@ public:
         if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
         if (GiNaC::is_a<GiNaC::mul>(e)) return product(e);
         if (GiNaC::is_a<GiNaC::power>(e)) return power(e.op(0), rational_of(e.op(1), equation_));
-        if (GiNaC::is_a<GiNaC::function>(e))
-            return algebra_.function(elementary_of(e, equation_), (*this)(e.op(0)));
+        if (GiNaC::is_a<GiNaC::function>(e)) return function(e);
         refuse_certificate("an equation is built from numbers, names, powers and elementary functions",
                            equation_);
     }
 
 private:
     Value symbol(const GiNaC::ex& e) const {
-        const auto found = symbols_.find(e);
-        if (found == symbols_.end())
-            refuse_certificate("equations contain parameters, eps, slow and fast variables and, of drift "
-                               "variables, the rate only",
+        const auto found = values_.symbols.find(e);
+        if (found == values_.symbols.end())
+            refuse_certificate("equations contain parameters, eps, slow and fast variables, sines and "
+                               "cosines of angles and, of drift variables, the rate only",
                                equation_);
         return found->second;
+    }
+
+    Value function(const GiNaC::ex& e) {
+        const Elementary name = elementary_of(e, equation_);
+        GiNaC::ex argument = e.op(0);
+        if (name != Elementary::sine && name != Elementary::cosine)
+            return algebra_.function(name, (*this)(argument));
+        Value forward = algebra_.number(1), backward = forward; // e^{+-i sum k phi}
+        bool turns = false;
+        for (const auto& angle : values_.angles) {
+            const int k = take_out_harmonic(argument, angle.symbol, equation_);
+            if (k == 0) continue;
+            turns = true;
+            const Value p = natural_power(angle.forward, std::abs(k)),
+                        q = natural_power(angle.backward, std::abs(k));
+            forward = algebra_.multiply(forward, k > 0 ? p : q);
+            backward = algebra_.multiply(backward, k > 0 ? q : p);
+        }
+        return turns ? harmonic(name, forward, backward, argument)
+                     : algebra_.function(name, (*this)(argument));
+    }
+
+    // cos(a + u) = (e^{ia} (cos u + i sin u) + e^{-ia} (cos u - i sin u))/2, and the sine likewise.
+    Value harmonic(Elementary name, const Value& forward, const Value& backward, const GiNaC::ex& argument) {
+        const Value u = (*this)(argument);
+        const Value i = algebra_.generator(Ring::imaginary_unit, 1), minus = algebra_.number(-1);
+        const Value cosine = algebra_.function(Elementary::cosine, u);
+        const Value sine = algebra_.multiply(i, algebra_.function(Elementary::sine, u));
+        const Value turned = algebra_.multiply(forward, algebra_.add(cosine, sine));
+        const Value back = algebra_.multiply(backward, algebra_.add(cosine, algebra_.multiply(minus, sine)));
+        const Value half = algebra_.number(Rational(1) / 2);
+        if (name == Elementary::cosine) return algebra_.multiply(half, algebra_.add(turned, back));
+        const Value difference = algebra_.add(turned, algebra_.multiply(minus, back));
+        return algebra_.multiply(algebra_.multiply(minus, i), algebra_.multiply(half, difference));
     }
 
     Value sum(const GiNaC::ex& e) {
@@ -87,7 +133,8 @@ private:
         const Value value = (*this)(base);
         if (cln::denominator(exponent) != 1) {
             const Radical& radical = roots_.resolve(base, exponent, equation_);
-            Value lead = algebra_.multiply(algebra_.number(radical.number), (*this)(radical.rest));
+            Value lead =
+                algebra_.multiply(algebra_.number(radical.number), algebra_.at_origin((*this)(radical.rest)));
             for (const auto& [id, n] : radical.roots)
                 lead = algebra_.multiply(lead, algebra_.generator(id, n));
             return algebra_.power(value, exponent, lead);
@@ -107,7 +154,7 @@ private:
 
     Algebra& algebra_;
     CertificateRoots& roots_;
-    const SymbolValues<Value>& symbols_;
+    const Substituted<Value>& values_;
     const Equation& equation_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The jets of the old variables along the normal form: z = w + h, X = Z + l, and time derivatives by
-// the chain rule  s' = sum over generators g of (ds/dg) g',  with
-//   w' = N,  wbar' = conj N,  xi' = slow rate,  eps' = 0,  sigma' = P'/(k sigma^(k-1)).
+// The jets of the old variables along the normal form: z = w + h, phi = theta + m, xi = zeta + k, X = Z + l,
+// u = T(xi) z, and time derivatives by the chain rule  s' = sum over generators g of (ds/dg) g',  with
+//   w' = N,  wbar' = conj N,  zeta' = N,  (e^{i theta})' = i e^{i theta} N,  eps' = 0,
+//   sigma' = P'/(k sigma^(k-1)).
 // Independent of Ring's products, derivatives and conjugation: only exponents and coefficients are read.
 #pragma once
 
@@ -25,7 +26,7 @@ template <class Value> struct Moving { Value value, rate; };
 
 // What is substituted into the equations, and what must vanish besides them: psi' - d/dt psi.
 template <class Value> struct Jets {
-    SymbolValues<Value> symbols;
+    Substituted<Value> values;
     std::vector<std::pair<std::size_t, Value>> velocity_defects; // by variable
 };
 
@@ -34,34 +35,32 @@ template <class Algebra> class Flow {
 public:
     using Value = typename Algebra::Value;
 
-    Flow(Algebra& algebra, const NormalForm& normal_form, const NearIdentityMap& map)
-        : algebra_(algebra), normal_form_(normal_form), map_(map), field_(*normal_form.field),
+    Flow(Algebra& algebra, CertificateRoots& roots, const NormalForm& normal_form, const NearIdentityMap& map)
+        : algebra_(algebra), roots_(roots), normal_form_(normal_form), map_(map), field_(*normal_form.field),
           rates_(static_cast<std::size_t>(field_.ring->size())) {
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             rate(field_.modes[k].z) = value(normal_form.mode[k], Side::itself);
-            rate(field_.modes[k].zbar) = value(normal_form.mode[k], Side::conjugate);
+            if (!field_.modes[k].is_real())
+                rate(field_.modes[k].zbar) = value(normal_form.mode[k], Side::conjugate);
         }
         for (std::size_t k = 0; k < field_.slow.size(); ++k)
             rate(field_.slow[k].generator) = value(normal_form.slow[k], Side::itself);
+        for (std::size_t k = 0; k < field_.angles.size(); ++k)
+            rate(field_.angles[k].phase) = times_i(algebra_.multiply(
+                algebra_.generator(field_.angles[k].phase, 1), value(normal_form.angle[k], Side::itself)));
         for (GeneratorId id = 0; id < field_.ring->size(); ++id)
             if (field_.ring->generator(id).kind == GeneratorKind::root) rate(id) = root_rate(id);
     }
 
     Jets<Value> jets() const {
         Jets<Value> result;
-        const System& system = field_.system();
-        result.symbols[system.eps] = algebra_.generator(field_.eps, 1);
-        for (GeneratorId id = 0; id < field_.ring->size(); ++id)
-            if (const Parameter* p = parameter(id)) result.symbols[p->symbol] = algebra_.generator(id, 1);
-        for (std::size_t k = 0; k < field_.slow.size(); ++k) {
-            const auto& jet = system.variables[field_.slow[k].variable].jet;
-            result.symbols[jet[0]] = algebra_.generator(field_.slow[k].generator, 1);
-            result.symbols[jet[1]] = value(normal_form_.slow[k], Side::itself);
-        }
+        add_constants(result.values);
+        add_slow(result.values);
+        add_angles(result.values);
         for (std::size_t k = 0; k < field_.drift.size(); ++k)
-            result.symbols[system.variables[field_.drift[k].variable].jet[1]] = algebra_.add(
+            result.values.symbols[jet(field_.drift[k].variable, 1)] = algebra_.add(
                 value(normal_form_.drift[k], Side::itself), follow(map_.drift[k], Side::itself).rate);
-        for (std::size_t k = 0; k < field_.modes.size(); ++k) add_oscillator(k, result);
+        add_fast(result);
         return result;
     }
 
@@ -81,8 +80,13 @@ private:
         for (const auto& [id, slope] : gradient.slopes) {
             const GeneratorId partner = field_.ring->generator(id).conjugate;
             const GeneratorId moved = side == Side::conjugate && partner >= 0 ? partner : id;
-            if (const auto& r = rates_[static_cast<std::size_t>(moved)])
-                total = algebra_.add(total, algebra_.multiply(slope, *r));
+            const auto& r = rates_[static_cast<std::size_t>(moved)];
+            if (!r) continue;
+            // (1/E)' = -E'/E^2
+            const bool inverse =
+                side == Side::conjugate && field_.ring->generator(id).kind == GeneratorKind::phase;
+            const Value moved_rate = inverse ? minus(algebra_.multiply(algebra_.generator(id, -2), *r)) : *r;
+            total = algebra_.add(total, algebra_.multiply(slope, moved_rate));
         }
         return {std::move(gradient.value), std::move(total)};
     }
@@ -94,6 +98,49 @@ private:
         return algebra_.multiply(slope, follow(Series({root.radicand}), Side::itself).rate);
     }
 
+    Value times_i(const Value& v) const {
+        return algebra_.multiply(algebra_.generator(Ring::imaginary_unit, 1), v);
+    }
+    Value minus(const Value& v) const { return algebra_.multiply(algebra_.number(-1), v); }
+
+    const GiNaC::symbol& jet(std::size_t variable, std::size_t derivative) const {
+        return field_.system().variables[variable].jet[derivative];
+    }
+
+    void add_constants(Substituted<Value>& values) const {
+        values.symbols[field_.system().eps] = algebra_.generator(field_.eps, 1);
+        for (GeneratorId id = 0; id < field_.ring->size(); ++id)
+            if (const Parameter* p = parameter(id)) values.symbols[p->symbol] = algebra_.generator(id, 1);
+    }
+
+    void add_slow(Substituted<Value>& values) const {
+        for (std::size_t k = 0; k < field_.slow.size(); ++k) {
+            const SlowVariable& slow = field_.slow[k];
+            const Moving<Value> shift = follow(map_.slow[k], Side::itself);
+            values.symbols[jet(slow.variable, 0)] =
+                algebra_.add(algebra_.generator(slow.generator, 1), shift.value);
+            values.symbols[jet(slow.variable, 1)] =
+                algebra_.add(value(normal_form_.slow[k], Side::itself), shift.rate);
+        }
+    }
+
+    // e^{i phi} = e^{i theta} e^{i m},  phi' = theta' + m'
+    void add_angles(Substituted<Value>& values) const {
+        for (std::size_t k = 0; k < field_.angles.size(); ++k) {
+            const AngleVariable& angle = field_.angles[k];
+            const Moving<Value> shift = follow(map_.angle[k], Side::itself);
+            const Value turn = times_i(shift.value);
+            values.angles.push_back(
+                {jet(angle.variable, 0),
+                 algebra_.multiply(algebra_.generator(angle.phase, 1),
+                                   algebra_.function(Elementary::exponential, turn)),
+                 algebra_.multiply(algebra_.generator(angle.phase, -1),
+                                   algebra_.function(Elementary::exponential, minus(turn)))});
+            values.symbols[jet(angle.variable, 1)] =
+                algebra_.add(value(normal_form_.angle[k], Side::itself), shift.rate);
+        }
+    }
+
     // z = w + h with its rate.
     Moving<Value> mode(std::size_t k, Side side) const {
         const Mode& m = field_.modes[k];
@@ -103,28 +150,74 @@ private:
                 algebra_.add(*rates_[static_cast<std::size_t>(w)], shift.rate)};
     }
 
-    // psi = (z + zbar)/2,  psi' = i omega (z - zbar)/2,  psi'' = i (omega' (z - zbar) + omega (z' - zbar'))/2
-    void add_oscillator(std::size_t k, Jets<Value>& result) const {
-        const Moving<Value> z = mode(k, Side::itself), zbar = mode(k, Side::conjugate);
-        const Moving<Value> omega = follow(Series({field_.modes[k].omega}), Side::itself);
-        const Value half = algebra_.number(Rational(1) / 2), minus = algebra_.number(-1);
-        const Value half_i = algebra_.multiply(half, algebra_.generator(Ring::imaginary_unit, 1));
-        const Value difference = algebra_.add(z.value, algebra_.multiply(minus, zbar.value));
-        const Value difference_rate = algebra_.add(z.rate, algebra_.multiply(minus, zbar.rate));
-        const Value velocity = algebra_.multiply(half_i, algebra_.multiply(omega.value, difference));
-        const Value position_rate = algebra_.multiply(half, algebra_.add(z.rate, zbar.rate));
+    // An entry of T at the old slow variables, with its rate.
+    Moving<Value> entry(const GiNaC::ex& e, const Substituted<Value>& values,
+                        const Equation& equation) const {
+        EquationEvaluator<Algebra> evaluate(algebra_, roots_, values, equation);
+        Moving<Value> result{evaluate(e), algebra_.number(0)};
+        for (const SlowVariable& slow : field_.slow) {
+            const GiNaC::ex slope = e.diff(jet(slow.variable, 0));
+            if (slope.is_zero()) continue;
+            result.rate = algebra_.add(result.rate,
+                                       algebra_.multiply(evaluate(slope), evaluate(jet(slow.variable, 1))));
+        }
+        return result;
+    }
 
-        const auto& jet = field_.system().variables[field_.modes[k].variable].jet;
-        result.symbols[jet[0]] = algebra_.multiply(half, algebra_.add(z.value, zbar.value));
-        result.symbols[jet[1]] = velocity;
-        result.symbols[jet[2]] =
-            algebra_.multiply(half_i, algebra_.add(algebra_.multiply(omega.rate, difference),
-                                                   algebra_.multiply(omega.value, difference_rate)));
-        result.velocity_defects.emplace_back(field_.modes[k].variable,
-                                             algebra_.add(velocity, algebra_.multiply(minus, position_rate)));
+    void add_product(Moving<Value>& sum, const Moving<Value>& a, const Moving<Value>& b) const {
+        sum.value = algebra_.add(sum.value, algebra_.multiply(a.value, b.value));
+        sum.rate = algebra_.add(
+            sum.rate, algebra_.add(algebra_.multiply(a.rate, b.value), algebra_.multiply(a.value, b.rate)));
+    }
+
+    // u_s = sum over modes of re (z + zbar) + i im (z - zbar)
+    Moving<Value> state(std::size_t s, const std::vector<Moving<Value>>& modes,
+                        const std::vector<Moving<Value>>& conjugates, const Substituted<Value>& values,
+                        const Equation& equation) const {
+        Moving<Value> u{algebra_.number(0), algebra_.number(0)};
+        for (std::size_t k = 0; k < modes.size(); ++k) {
+            const Complex& column = field_.basis.modes[k].column[s];
+            const bool real = field_.modes[k].is_real();
+            const auto combined = [&](const auto& change) {
+                Moving<Value> sum = modes[k];
+                if (real) return sum;
+                sum.value = algebra_.add(sum.value, change(conjugates[k].value));
+                sum.rate = algebra_.add(sum.rate, change(conjugates[k].rate));
+                return sum;
+            };
+            if (!column.re.is_zero())
+                add_product(u, entry(column.re, values, equation),
+                            combined([](const Value& v) { return v; }));
+            if (column.im.is_zero()) continue;
+            const Moving<Value> im = entry(column.im, values, equation);
+            add_product(u, {times_i(im.value), times_i(im.rate)},
+                        combined([&](const Value& v) { return minus(v); }));
+        }
+        return u;
+    }
+
+    void add_fast(Jets<Value>& result) const {
+        std::vector<Moving<Value>> modes, conjugates;
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            modes.push_back(mode(k, Side::itself));
+            conjugates.push_back(field_.modes[k].is_real() ? modes.back() : mode(k, Side::conjugate));
+        }
+        for (std::size_t s = 0; s < field_.basis.states.size(); ++s) {
+            const State& old = field_.first_order->states[field_.basis.states[s]];
+            const auto derivative = static_cast<std::size_t>(old.derivative);
+            Moving<Value> u =
+                state(s, modes, conjugates, result.values, field_.system().equations[old.variable]);
+            if (derivative > 0)
+                result.velocity_defects.emplace_back(
+                    old.variable,
+                    algebra_.add(u.value, minus(result.values.symbols.at(jet(old.variable, derivative)))));
+            result.values.symbols[jet(old.variable, derivative)] = u.value;
+            result.values.symbols[jet(old.variable, derivative + 1)] = std::move(u.rate);
+        }
     }
 
     Algebra& algebra_;
+    CertificateRoots& roots_;
     const NormalForm& normal_form_;
     const NearIdentityMap& map_;
     const GradedField& field_;

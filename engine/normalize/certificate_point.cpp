@@ -128,7 +128,9 @@ Residue PointAlgebra::value_of(GeneratorId id, Side side) const {
     const GeneratorId partner = ring_.generator(id).conjugate;
     const bool swapped = side == Side::conjugate && partner >= 0;
     const Residue value = point_.values[static_cast<std::size_t>(swapped ? partner : id)];
-    return side == Side::conjugate && id == Ring::imaginary_unit ? field().negate(value) : value;
+    if (side == Side::itself) return value;
+    if (ring_.generator(id).kind == GeneratorKind::phase) return field().inverse(value);
+    return id == Ring::imaginary_unit ? field().negate(value) : value;
 }
 
 namespace {

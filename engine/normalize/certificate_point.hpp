@@ -69,6 +69,7 @@ public:
     [[nodiscard]] Value function(Elementary function, const Value& u) const;
     [[nodiscard]] Value power(const Value& a, const Rational& exponent, const Value& lead) const;
     [[nodiscard]] Value inverse_power(const Value& a, int n) const;
+    [[nodiscard]] Value at_origin(const Value& a) const { return constant(a[0]); }
     [[nodiscard]] Gradient<Value> gradient(const Series& s, Side side) const;
 
     [[nodiscard]] const PrimeField& field() const { return point_.field; }

@@ -73,6 +73,7 @@ std::optional<Point> PointSampler::attempt(const PrimeField& field) {
         case GeneratorKind::fast:
         case GeneratorKind::small:
         case GeneratorKind::parameter:
+        case GeneratorKind::phase:
         case GeneratorKind::slow: value = field.random_unit(random_); break;
         case GeneratorKind::root: {
             const Residue radicand = evaluate_at(ring_, g.radicand, point);
@@ -84,7 +85,6 @@ std::optional<Point> PointSampler::attempt(const PrimeField& field) {
             break;
         }
         case GeneratorKind::constant:
-        case GeneratorKind::phase:
         case GeneratorKind::primitive:
             refuse({"a normal form is certified over parameters, slow variables and roots",
                     g.name,

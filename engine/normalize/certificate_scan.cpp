@@ -23,17 +23,21 @@ std::vector<Item> items(const NormalForm& normal_form, const NearIdentityMap& ma
     const GradedField& field = *normal_form.field;
     std::vector<Item> result;
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
-        const std::string& name = field.modes[k].name;
-        result.push_back({&normal_form.mode[k], "normal form of " + name, 1, static_cast<int>(k), false});
-        result.push_back({&map.mode[k], "map of " + name, 1, static_cast<int>(k), true});
+        const Mode& mode = field.modes[k];
+        result.push_back({&normal_form.mode[k], "normal form of " + mode.name,
+                          field.ring->generator(mode.z).weight, static_cast<int>(k), false});
+        result.push_back({&map.mode[k], "map of " + mode.name, 1, static_cast<int>(k), true});
     }
+    const auto add = [&](const std::string& name, const Series& rate, const Series& shift, int from) {
+        result.push_back({&rate, "normal form of " + name, from, -1, false});
+        result.push_back({&shift, "map of " + name, 1, -1, true});
+    };
+    for (std::size_t k = 0; k < field.angles.size(); ++k)
+        add(field.angles[k].name, normal_form.angle[k], map.angle[k], 0);
     for (std::size_t k = 0; k < field.slow.size(); ++k)
-        result.push_back({&normal_form.slow[k], "rate of " + field.slow[k].name, 1, -1, false});
-    for (std::size_t k = 0; k < field.drift.size(); ++k) {
-        const std::string& name = field.drift[k].name;
-        result.push_back({&normal_form.drift[k], "normal form of " + name, 1, -1, false});
-        result.push_back({&map.drift[k], "map of " + name, 1, -1, true});
-    }
+        add(field.slow[k].name, normal_form.slow[k], map.slow[k], 1);
+    for (std::size_t k = 0; k < field.drift.size(); ++k)
+        add(field.drift[k].name, normal_form.drift[k], map.drift[k], 1);
     return result;
 }
 
@@ -42,7 +46,9 @@ std::string spell_monomial(const Ring& ring, const std::vector<int>& exponents) 
     std::string text;
     for (std::size_t k = 0; k < exponents.size(); ++k) {
         const Generator& g = ring.generator(static_cast<GeneratorId>(k));
-        if (exponents[k] == 0 || (g.kind != GeneratorKind::fast && g.kind != GeneratorKind::small)) continue;
+        if (exponents[k] == 0 || (g.kind != GeneratorKind::fast && g.kind != GeneratorKind::small &&
+                                  g.kind != GeneratorKind::phase))
+            continue;
         text += (text.empty() ? "" : "*") + g.name;
         if (exponents[k] != 1) text += fmt::format("^{}", exponents[k]);
     }
@@ -76,30 +82,44 @@ std::string first_complaint(const Ring& ring, const Item& item,
     return "";
 }
 
-// <alpha, lambda> - lambda_mode, divided by i.
+// <alpha, lambda> - lambda_mode = growth + i frequency.
 class Resonance {
 public:
     Resonance(const GradedField& field, const std::vector<FrequencySample>& samples)
         : field_(field), samples_(samples) {}
 
     [[nodiscard]] bool resonant(const std::vector<int>& exponents, int mode) const {
-        std::vector<int> multiples;
-        for (const Mode& m : field_.modes)
-            multiples.push_back(exponents[static_cast<std::size_t>(m.z)] -
-                                exponents[static_cast<std::size_t>(m.zbar)]);
-        if (mode >= 0) --multiples[static_cast<std::size_t>(mode)];
-        if (std::all_of(multiples.begin(), multiples.end(), [](int m) { return m == 0; })) return true;
-        if (multiples.size() == 1) return false; // omega is a unit
+        const auto exponent = [&](GeneratorId id) { return exponents[static_cast<std::size_t>(id)]; };
+        Multiples growth, omega, angle;
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            const Mode& m = field_.modes[k];
+            const int alpha = exponent(m.z) - (static_cast<int>(k) == mode ? 1 : 0);
+            growth.push_back(m.is_real() ? alpha : alpha + exponent(m.zbar));
+            omega.push_back(m.is_real() ? 0 : alpha - exponent(m.zbar));
+        }
+        for (const AngleVariable& a : field_.angles) angle.push_back(exponent(a.phase));
+        if (nonzero(angle) == 0 && nonzero(omega) == 1) return false; // omega of an oscillator is a unit
         return std::all_of(samples_.begin(), samples_.end(), [&](const FrequencySample& sample) {
             const PrimeField& f = sample.field;
-            Residue sum = 0;
-            for (std::size_t k = 0; k < multiples.size(); ++k)
-                sum = f.add(sum, f.multiply(f.from(multiples[k]), sample.omega[k]));
-            return sum == 0;
+            const Residue frequency =
+                f.add(combined(f, omega, sample.omega), combined(f, angle, sample.angle));
+            return frequency == 0 && combined(f, growth, sample.growth) == 0;
         });
     }
 
 private:
+    using Multiples = std::vector<int>;
+
+    static std::ptrdiff_t nonzero(const Multiples& multiples) {
+        return std::count_if(multiples.begin(), multiples.end(), [](int m) { return m != 0; });
+    }
+    static Residue combined(const PrimeField& f, const Multiples& multiples, const std::vector<Residue>& of) {
+        Residue sum = 0;
+        for (std::size_t k = 0; k < multiples.size(); ++k)
+            sum = f.add(sum, f.multiply(f.from(multiples[k]), of[k]));
+        return sum;
+    }
+
     const GradedField& field_;
     const std::vector<FrequencySample>& samples_;
 };
@@ -112,9 +132,11 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
     if (normal_form.through < 1 || map.through != normal_form.through)
         return fmt::format("the normal form goes through weight {}, the map through {}", normal_form.through,
                            map.through);
-    if (normal_form.mode.size() != field.modes.size() || map.mode.size() != field.modes.size() ||
-        normal_form.slow.size() != field.slow.size() || normal_form.drift.size() != field.drift.size() ||
-        map.drift.size() != field.drift.size())
+    const auto complete = [&](const auto& n) {
+        return n.mode.size() == field.modes.size() && n.angle.size() == field.angles.size() &&
+               n.slow.size() == field.slow.size() && n.drift.size() == field.drift.size();
+    };
+    if (!complete(normal_form) || !complete(map))
         return "normal form and map do not have one series for each variable";
     for (const Item& item : items(normal_form, map)) {
         const auto wrong = [&](int n, const std::vector<int>& exponents) -> const char* {

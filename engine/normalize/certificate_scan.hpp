@@ -12,19 +12,20 @@ namespace resonform {
 
 // All complaints are sentences; "" is none.
 
-// One series for each variable, part n homogeneous of weight n, N from weight 1, h from 2 and l from 1 on,
-// nothing beyond M, no negative power of what may vanish.
+// One series for each variable, part n homogeneous of weight n; N from the weight of the mode, 0 (angles) or
+// 1 on, the map from 1 on; nothing beyond M, no negative power of what may vanish.
 std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map);
 
 // The frequencies at one random point modulo a prime.
 struct FrequencySample {
     PrimeField field;
-    std::vector<Residue> omega; // of each mode
+    std::vector<Residue> growth, omega; // of each mode
+    std::vector<Residue> angle;         // of each angle
 };
 
-// Every monomial of N is resonant, <alpha, lambda> = lambda_j (0 for slow and drift variables), and none of
-// h, l is. With one oscillator the exponents decide; with several, a divisor that vanishes at all
-// samples is taken as zero. Precondition: shape_complaint() is empty.
+// Every monomial of N is resonant, <alpha, lambda> = lambda_j (0 for other variables), and none of the map
+// is. A multiple of one frequency of an oscillator is decided by the exponents; else a divisor that vanishes
+// at all samples is taken as zero. Precondition: shape_complaint() is empty.
 std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap& map,
                            const std::vector<FrequencySample>& samples);
 

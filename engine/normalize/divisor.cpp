@@ -18,35 +18,75 @@ const char* to_string(DivisorVerdict verdict) {
 DivisorTable::DivisorTable(const GradedField& field, int mode) : field_(field), mode_(mode) {}
 
 const Divisor& DivisorTable::of(const Monomial& monomial) {
-    std::vector<int> harmonics;
-    for (const Mode& m : field_.modes)
-        harmonics.push_back(field_.ring->exponent(monomial, m.z) - field_.ring->exponent(monomial, m.zbar));
-    const auto known = known_.find(harmonics);
+    const Multiples multiples = multiples_of(monomial);
+    const auto known = known_.find(multiples);
     if (known != known_.end()) return known->second;
-    return known_.emplace(harmonics, make(harmonics)).first->second;
+    return known_.emplace(multiples, make(multiples)).first->second;
 }
 
-Divisor DivisorTable::make(const std::vector<int>& harmonics) {
+// Multiples of what is zero are left out, so that equal divisors have one entry.
+DivisorTable::Multiples DivisorTable::multiples_of(const Monomial& monomial) const {
     const Ring& ring = *field_.ring;
-    Polynomial frequency;
-    std::string spelled;
-    for (std::size_t m = 0; m < harmonics.size(); ++m) {
-        const int k = harmonics[m] - (static_cast<int>(m) == mode_ ? 1 : 0);
-        frequency = frequency + Rational(k) * field_.modes[m].omega;
-        spelled += fmt::format("{}{}*omega_{}", spelled.empty() ? "" : " + ", k,
-                               field_.system().variables[field_.modes[m].variable].name);
+    Multiples multiples;
+    for (std::size_t m = 0; m < field_.modes.size(); ++m) {
+        const Mode& mode = field_.modes[m];
+        const int own = static_cast<int>(m) == mode_ ? 1 : 0;
+        const int alpha = ring.exponent(monomial, mode.z) - own;
+        const int conjugate = mode.is_real() ? 0 : ring.exponent(monomial, mode.zbar);
+        multiples.push_back(mode.growth.empty() ? 0 : alpha + conjugate);
+        multiples.push_back(mode.is_real() ? 0 : alpha - conjugate);
     }
-    const Polynomial value = ring.multiply(ring.imaginary(), frequency);
-    if (ring.vanishes(value)) return {{}, DivisorVerdict::kept_exact, {}};
-    if (const auto inverse = ring.inverse(value)) return {value, DivisorVerdict::removed, *inverse};
-    if (ring.is_zero(value) == Zero::no) {
-        missing_.push_back(frequency);
+    for (const AngleVariable& angle : field_.angles)
+        multiples.push_back(angle.frequency.empty() ? 0 : ring.exponent(monomial, angle.phase));
+    return multiples;
+}
+
+Divisor DivisorTable::make(const Multiples& multiples) {
+    const Ring& ring = *field_.ring;
+    Polynomial growth, frequency;
+    for (std::size_t m = 0; m < field_.modes.size(); ++m) {
+        growth = growth + Rational(multiples[2 * m]) * field_.modes[m].growth;
+        frequency = frequency + Rational(multiples[2 * m + 1]) * field_.modes[m].omega;
+    }
+    for (std::size_t a = 0; a < field_.angles.size(); ++a)
+        frequency = frequency + Rational(multiples[2 * field_.modes.size() + a]) * field_.angles[a].frequency;
+    const Polynomial i = ring.imaginary();
+    const Polynomial value = growth + ring.multiply(i, frequency);
+    const bool real = ring.vanishes(frequency), imaginary = ring.vanishes(growth);
+    if (real && imaginary) return {{}, DivisorVerdict::kept_exact, {}};
+    const Polynomial norm = real        ? growth
+                            : imaginary ? frequency
+                                        : ring.multiply(growth, growth) + ring.multiply(frequency, frequency);
+    if (const auto inverse = ring.inverse(norm)) {
+        const Polynomial numerator = real        ? ring.one()
+                                     : imaginary ? -i
+                                                 : growth - ring.multiply(i, frequency);
+        return {value, DivisorVerdict::removed, ring.multiply(numerator, *inverse)};
+    }
+    if ((!real && ring.is_zero(frequency) == Zero::no) || (!imaginary && ring.is_zero(growth) == Zero::no)) {
+        missing_.push_back(norm);
         return {value, DivisorVerdict::removed, {}};
     }
     refuse({"a divisor is proved to be zero or to be non-zero before anything is divided by it",
-            "i*(" + spelled + ")",
+            spell(multiples),
             "write the frequencies so that their relation is plain, or give parameters numeric values",
             {}});
+}
+
+std::string DivisorTable::spell(const Multiples& multiples) const {
+    std::string growth, frequency;
+    const auto add = [](std::string& text, int k, const std::string& name) {
+        if (k != 0) text += fmt::format("{}{}*{}", text.empty() ? "" : " + ", k, name);
+    };
+    for (std::size_t m = 0; m < field_.modes.size(); ++m) {
+        const std::string& variable = field_.system().variables[field_.modes[m].variable].name;
+        add(growth, multiples[2 * m], "growth_" + variable);
+        add(frequency, multiples[2 * m + 1], "omega_" + variable);
+    }
+    for (std::size_t a = 0; a < field_.angles.size(); ++a)
+        add(frequency, multiples[2 * field_.modes.size() + a], "omega_" + field_.angles[a].name);
+    if (!frequency.empty()) frequency = "i*(" + frequency + ")";
+    return growth.empty() ? frequency : frequency.empty() ? growth : growth + " + " + frequency;
 }
 
 } // namespace resonform

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small divisors: what a monomial's homological equation divides by, and whether it may.
 //
-//   D(alpha) = <alpha, lambda> - lambda_j = i sum_m (alpha_m - alphabar_m) omega_m - i omega_j
+//   D(alpha) = <alpha, lambda> - lambda_j = a + i b,
+//   <alpha, lambda> = sum_m (alpha_m lambda_m + alphabar_m conj(lambda_m)) + i sum_l k_l omega_l
+//
+// with harmonics k_l of the angles; 1/D = (a - i b)/(a^2 + b^2).
 #pragma once
 
 #include "normalize/normal_form.hpp"
@@ -21,21 +24,26 @@ struct Divisor {
 // inverse only if the ring proves that it is a unit.
 class DivisorTable {
 public:
-    // mode: index of the mode whose equation it is, or -1 for a slow or drift variable (lambda = 0).
+    // mode: index of the mode whose equation it is, or -1 for another variable (lambda = 0).
     DivisorTable(const GradedField& field, int mode);
 
-    // The divisor of a monomial in modes and eps (other exponents zero). Looked up by its harmonics.
+    // The divisor of a monomial in GradedField::outer() (other exponents zero).
     // Errors (refused): proved neither to vanish nor not to vanish identically (ambiguous).
     const Divisor& of(const Monomial& monomial);
-    // The frequencies k.omega of the divisors that were asked for and have no inverse in the ring.
+    // What the ring would have to divide by for the divisors that were asked for and have no inverse in it:
+    // a or b where the other vanishes, else a^2 + b^2.
     [[nodiscard]] const std::vector<Polynomial>& missing() const { return missing_; }
 
 private:
-    [[nodiscard]] Divisor make(const std::vector<int>& harmonics);
+    // Multiples of the growth and of the frequency of each mode, of the frequency of each angle.
+    using Multiples = std::vector<int>;
+    [[nodiscard]] Multiples multiples_of(const Monomial& monomial) const;
+    [[nodiscard]] Divisor make(const Multiples& multiples);
+    [[nodiscard]] std::string spell(const Multiples& multiples) const;
 
     const GradedField& field_;
     int mode_;
-    std::map<std::vector<int>, Divisor> known_; // by alpha_m - alphabar_m
+    std::map<Multiples, Divisor> known_;
     std::vector<Polynomial> missing_;
 };
 

@@ -5,30 +5,30 @@
 
 namespace resonform {
 
+std::vector<Carrier> carriers_of(const GradedField& field) {
+    std::vector<Carrier> carriers;
+    for (const Mode& m : field.modes) {
+        const int weight = field.ring->generator(m.z).weight;
+        carriers.push_back({m.z, false, weight});
+        if (!m.is_real()) carriers.push_back({m.zbar, false, weight});
+    }
+    for (const SlowVariable& s : field.slow) carriers.push_back({s.generator, false, 0});
+    for (const AngleVariable& a : field.angles) carriers.push_back({a.phase, true, 0});
+    return carriers;
+}
+
 HomologicalEquation::HomologicalEquation(const GradedField& field, int mode, std::string variable,
                                          Place place)
     : field_(field), variable_(std::move(variable)), place_(std::move(place)), divisors_(field, mode),
-      by_mode_(field.modes.size()), by_conjugate_(field.modes.size()), by_slow_(field.slow.size()) {
-    for (const Mode& m : field.modes) {
-        outer_.push_back(m.z);
-        outer_.push_back(m.zbar);
-    }
-    outer_.push_back(field.eps);
-}
+      outer_(field.outer()), carriers_(carriers_of(field)), slopes_(carriers_.size()) {}
 
 Polynomial HomologicalEquation::right_hand_side(int weight, const Polynomial& field_part,
                                                 const Transport& transport) const {
     std::vector<std::pair<const Polynomial*, const Polynomial*>> pairs;
-    const auto add = [&](const Series& derivative, const Series& rate) {
+    for (std::size_t c = 0; c < slopes_.size(); ++c)
         for (int j = 0; j <= weight; ++j)
-            if (!derivative.part(j).empty() && !rate.part(weight - j).empty())
-                pairs.emplace_back(&derivative.part(j), &rate.part(weight - j));
-    };
-    for (std::size_t m = 0; m < by_mode_.size(); ++m) {
-        add(by_mode_[m], transport.mode[m]);
-        add(by_conjugate_[m], transport.conjugate[m]);
-    }
-    for (std::size_t s = 0; s < by_slow_.size(); ++s) add(by_slow_[s], transport.slow[s]);
+            if (!slopes_[c].part(j).empty() && !transport[c].part(weight - j).empty())
+                pairs.emplace_back(&slopes_[c].part(j), &transport[c].part(weight - j));
     return pairs.empty() ? field_part : field_part - field_.ring->dot(pairs);
 }
 
@@ -84,17 +84,18 @@ Polynomial HomologicalEquation::without_vanishing(const Polynomial& p) const {
     return sum(rest);
 }
 
-// d_w lowers the weight by one, d_zeta keeps it.
+// d_w lowers the weight by that of w; d_theta = i e^{i theta} d/d(e^{i theta}).
 void HomologicalEquation::remember_derivatives(int weight) {
     const Ring& ring = *field_.ring;
     const Polynomial& c = correction_.part(weight);
     if (c.empty()) return;
-    for (std::size_t m = 0; m < by_mode_.size(); ++m) {
-        by_mode_[m].set(weight - 1, ring.derivative(c, field_.modes[m].z));
-        by_conjugate_[m].set(weight - 1, ring.derivative(c, field_.modes[m].zbar));
+    for (std::size_t k = 0; k < carriers_.size(); ++k) {
+        const Carrier& carrier = carriers_[k];
+        Polynomial slope = ring.derivative(c, carrier.id);
+        if (carrier.angle)
+            slope = ring.multiply(ring.multiply(ring.imaginary(), ring.gen(carrier.id)), slope);
+        slopes_[k].set(weight - carrier.weight, std::move(slope));
     }
-    for (std::size_t s = 0; s < by_slow_.size(); ++s)
-        by_slow_[s].set(weight, ring.derivative(c, field_.slow[s].generator));
 }
 
 } // namespace resonform

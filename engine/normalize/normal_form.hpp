@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The results of normalisation: normal form, near-identity map, divisors.
-//   z = w + h(w, wbar, eps; zeta),   w' = i omega w + N(w, wbar, eps; zeta),   X = Z + l(...)
-// In all series the generators of the modes stand for the new variables w.
+//   z = w + h,          w' = lambda w + N
+//   phi = theta + m,    theta' = omega(zeta) + N
+//   xi = zeta + k,      zeta' = N
+//   X = Z + l,          Z' = N
+// h, m, k, l, N in (w, wbar, e^{i theta}, eps; zeta): the generators stand for the new variables.
 #pragma once
 
 #include "expand/graded_field.hpp"
@@ -17,27 +20,31 @@ const char* to_string(DivisorVerdict verdict);
 
 struct DivisorRecord {
     std::string variable; // "z1", "x"
-    Monomial monomial;    // powers of modes and eps
+    Monomial monomial;    // powers of modes, phases and eps
     int weight;
     Polynomial divisor; // <alpha, lambda> - lambda_j
     DivisorVerdict verdict;
 };
 
-// rates[...] through weight `through`, the linear part included (weight 1 of a mode: i omega w).
+// rates[...] through weight `through`, the linear part of modes and the frequencies of angles included.
 struct NormalForm {
     std::shared_ptr<const GradedField> field;
     int through = 0; // M
     std::string style = "poincare";
     std::vector<Series> mode; // N of each mode (of a conjugate pair only the first)
-    std::vector<Series> slow; // rates of the slow variables, as given
+    std::vector<Series> angle;
+    std::vector<Series> slow; // as given where they are not driven
     std::vector<Series> drift;
 };
 
 // The old variable minus the new one.
 struct NearIdentityMap {
     int through = 0;
-    std::vector<Series> mode;  // h, weights 2 ... through; at weight 1 a pure eps term may stand
-    std::vector<Series> drift; // l, weights 1 ... through
+    // h, above the weight of the modes; at it a term without modes may stand (forcing eps e^{i k phi})
+    std::vector<Series> mode;
+    std::vector<Series> angle; // m, weights 1 ... through
+    std::vector<Series> slow;  // k, likewise; zero where it is not driven
+    std::vector<Series> drift; // l, likewise
 };
 
 struct Certificate {

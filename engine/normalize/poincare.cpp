@@ -13,34 +13,42 @@ namespace {
 
 constexpr int largest_weight = 99;
 
-// Goes through the weights once: fast equations, then (their h known) the drifts.
+// Goes through the weights once, at each in an order in which what an equation needs is known:
+// fast variables of weight 1 -> slow -> fast variables of weight 0 -> angles -> drift. (k_n reaches the
+// angles at weight n as omega' k_n, and finite fast variables as A' k_n w; small ones reach slow rates as g_u
+// h_n.)
 class Normalizer {
 public:
     Normalizer(std::shared_ptr<const GradedField> field, int through)
         : field_(std::move(field)), through_(through), run_(*field_->program) {
         for (std::size_t m = 0; m < field_->modes.size(); ++m)
-            modes_.emplace_back(*field_, static_cast<int>(m), field_->modes[m].name,
-                                equation_place(field_->modes[m].variable));
-        for (const DriftVariable& d : field_->drift)
-            drifts_.emplace_back(*field_, -1, d.name, equation_place(d.variable));
-        transport_.mode.resize(modes_.size());
-        transport_.conjugate.resize(modes_.size());
+            modes_.push_back(equation(static_cast<int>(m), field_->modes[m].name, field_->modes[m].variable));
+        for (const SlowVariable& s : field_->slow) slow_.push_back(equation(-1, s.name, s.variable));
+        for (const AngleVariable& a : field_->angles) angles_.push_back(equation(-1, a.name, a.variable));
+        for (const DriftVariable& d : field_->drift) drifts_.push_back(equation(-1, d.name, d.variable));
+        for (const Mode& m : field_->modes) {
+            transport_.emplace_back();
+            if (!m.is_real()) transport_.emplace_back();
+        }
         for (const SlowVariable& s : field_->slow)
-            transport_.slow.push_back(Series::split(*field_->ring, s.rate, through));
+            transport_.push_back(s.driven ? Series() : Series::split(*field_->ring, s.rate, through));
+        transport_.resize(transport_.size() + angles_.size());
     }
 
     void advance(int weight) {
-        for (std::size_t m = 0; m < modes_.size(); ++m) set_inputs(m, weight);
+        for (std::size_t m = 0; m < modes_.size(); ++m) set_mode(m, weight);
+        for (std::size_t s = 0; s < slow_.size(); ++s) set_slow(s, weight);
+        for (std::size_t a = 0; a < angles_.size(); ++a) run_.set_input(field_->angles[a].input, weight, {});
         run_.advance(weight);
-        for (std::size_t m = 0; m < modes_.size(); ++m) {
-            modes_[m].solve(weight, run_.part(field_->modes[m].rate, weight), transport_);
+        solve_modes(weight, 1);
+        solve_slow(weight);
+        solve_modes(weight, 0);
+        for (std::size_t a = 0; a < angles_.size(); ++a) {
+            angles_[a].solve(weight, run_.part(field_->angles[a].rate, weight), transport_);
+            transport_[first_angle() + a].set(weight, angles_[a].rate().part(weight));
+            run_.set_input(field_->angles[a].input, weight, angles_[a].correction().part(weight));
         }
-        for (std::size_t m = 0; m < modes_.size(); ++m) {
-            transport_.mode[m].set(weight, modes_[m].rate().part(weight));
-            transport_.conjugate[m].set(weight, field_->ring->conjugate(modes_[m].rate().part(weight)));
-            set_inputs(m, weight);
-        }
-        run_.correct(weight);
+        if (!angles_.empty()) run_.correct(weight);
         for (std::size_t d = 0; d < drifts_.size(); ++d)
             drifts_[d].solve(weight, run_.part(field_->drift[d].rate, weight), transport_);
     }
@@ -48,7 +56,7 @@ public:
     // What the ring must learn to divide by before the last weight can be solved.
     [[nodiscard]] std::vector<Polynomial> missing_divisors() const {
         std::vector<Polynomial> missing;
-        for (const auto* equations : {&modes_, &drifts_})
+        for (const auto* equations : {&modes_, &slow_, &angles_, &drifts_})
             for (const HomologicalEquation& e : *equations)
                 missing.insert(missing.end(), e.missing_divisors().begin(), e.missing_divisors().end());
         return missing;
@@ -56,12 +64,10 @@ public:
 
     [[nodiscard]] std::size_t terms() const {
         std::size_t count = 0;
-        const auto add = [&](const HomologicalEquation& e) {
-            for (int n = 0; n <= e.correction().through(); ++n)
-                count += e.correction().part(n).size() + e.rate().part(n).size();
-        };
-        for (const auto& e : modes_) add(e);
-        for (const auto& e : drifts_) add(e);
+        for (const auto* equations : {&modes_, &slow_, &angles_, &drifts_})
+            for (const HomologicalEquation& e : *equations)
+                for (int n = 0; n <= e.correction().through(); ++n)
+                    count += e.correction().part(n).size() + e.rate().part(n).size();
         return count;
     }
 
@@ -70,16 +76,31 @@ public:
         n.normal_form.field = field_;
         n.normal_form.through = through_;
         n.map.through = through_;
+        const Ring& ring = *field_->ring;
         for (std::size_t m = 0; m < modes_.size(); ++m) {
+            const Mode& mode = field_->modes[m];
+            const int weight = ring.generator(mode.z).weight;
             Series rate = modes_[m].rate();
-            rate.set(1, rate.part(1) + linear_part(field_->modes[m]));
+            rate.set(weight, rate.part(weight) + ring.multiply(field_->eigenvalue(mode), ring.gen(mode.z)));
             n.normal_form.mode.push_back(std::move(rate));
             n.map.mode.push_back(modes_[m].correction());
-            n.divisors.push_back(kept(field_->modes[m].name, field_->ring->monomial(field_->modes[m].z), 1));
+            n.divisors.push_back(kept(mode.name, ring.monomial(mode.z), weight));
             append(n.divisors, modes_[m].records());
         }
-        n.normal_form.slow = transport_.slow;
-        for (const SlowVariable& s : field_->slow) append_rate(n.divisors, s);
+        for (std::size_t a = 0; a < angles_.size(); ++a) {
+            Series rate = angles_[a].rate();
+            rate.set(0, rate.part(0) + field_->angles[a].frequency);
+            n.normal_form.angle.push_back(std::move(rate));
+            n.map.angle.push_back(angles_[a].correction());
+            n.divisors.push_back(kept(field_->angles[a].name, {}, 0));
+            append(n.divisors, angles_[a].records());
+        }
+        for (std::size_t s = 0; s < slow_.size(); ++s) {
+            n.normal_form.slow.push_back(transport_[first_slow() + s]);
+            n.map.slow.push_back(slow_[s].correction());
+            if (!field_->slow[s].driven) append_rate(n.divisors, field_->slow[s]);
+            append(n.divisors, slow_[s].records());
+        }
         for (auto& drift : drifts_) {
             n.normal_form.drift.push_back(drift.rate());
             n.map.drift.push_back(drift.correction());
@@ -89,22 +110,75 @@ public:
     }
 
 private:
-    [[nodiscard]] Place equation_place(std::size_t variable) const {
-        return place_of(field_->system().equations[variable].source);
+    [[nodiscard]] HomologicalEquation equation(int mode, const std::string& name,
+                                               std::size_t variable) const {
+        return {*field_, mode, name, place_of(field_->system().equations[variable].source)};
     }
 
+    [[nodiscard]] std::size_t first_angle() const { return transport_.size() - angles_.size(); }
+    [[nodiscard]] std::size_t first_slow() const { return first_angle() - slow_.size(); }
+
     // z = w + h: part `weight` as far as h is known.
-    void set_inputs(std::size_t m, int weight) {
+    void set_mode(std::size_t m, int weight) {
         const Mode& mode = field_->modes[m];
         Polynomial z = modes_[m].correction().part(weight);
-        if (weight == 1) z = z + field_->ring->gen(mode.z);
-        run_.set_input(mode.input_conjugate, weight, field_->ring->conjugate(z));
+        if (weight == field_->ring->generator(mode.z).weight) z = z + field_->ring->gen(mode.z);
+        if (!mode.is_real()) run_.set_input(mode.input_conjugate, weight, field_->ring->conjugate(z));
         run_.set_input(mode.input, weight, std::move(z));
     }
 
-    [[nodiscard]] Polynomial linear_part(const Mode& mode) const {
-        const Ring& ring = *field_->ring;
-        return ring.multiply(ring.multiply(ring.imaginary(), mode.omega), ring.gen(mode.z));
+    // xi = zeta + k
+    void set_slow(std::size_t s, int weight) {
+        const SlowVariable& slow = field_->slow[s];
+        if (!slow.driven) return;
+        run_.set_input(slow.input, weight,
+                       weight == 0 ? field_->ring->gen(slow.generator) : slow_[s].correction().part(weight));
+    }
+
+    void solve_modes(int weight, int weight_of_modes) {
+        bool any = false;
+        for (std::size_t m = 0; m < modes_.size(); ++m) {
+            if (field_->ring->generator(field_->modes[m].z).weight != weight_of_modes) continue;
+            modes_[m].solve(weight, run_.part(field_->modes[m].rate, weight), transport_);
+            if (weight == weight_of_modes) check_start(m, weight);
+            any = true;
+        }
+        if (!any) return;
+        std::size_t carrier = 0;
+        for (std::size_t m = 0; m < modes_.size(); ++m) {
+            const Polynomial& rate = modes_[m].rate().part(weight);
+            transport_[carrier++].set(weight, rate);
+            if (!field_->modes[m].is_real()) transport_[carrier++].set(weight, field_->ring->conjugate(rate));
+            set_mode(m, weight);
+        }
+        run_.correct(weight);
+    }
+
+    // What moves a mode at its own weight must be removable: lambda w is the whole linear part.
+    void check_start(std::size_t m, int weight) const {
+        const Polynomial& rate = modes_[m].rate().part(weight);
+        if (rate.empty()) return;
+        const Mode& mode = field_->modes[m];
+        refuse({"a forcing as large as the fast variables themselves is not resonant with them",
+                fmt::format("in the normal form of {} at weight {}", mode.name, weight),
+                "scale the forcing with a higher power of eps",
+                place_of(field_->system().equations[mode.variable].source)});
+    }
+
+    void solve_slow(int weight) {
+        bool any = false;
+        for (std::size_t s = 0; s < slow_.size(); ++s) {
+            if (!field_->slow[s].driven) continue;
+            slow_[s].solve(weight, run_.part(field_->slow[s].rate_node, weight), transport_);
+            any = true;
+        }
+        if (!any) return;
+        for (std::size_t s = 0; s < slow_.size(); ++s) {
+            if (!field_->slow[s].driven) continue;
+            transport_[first_slow() + s].set(weight, slow_[s].rate().part(weight));
+            if (weight > 0) set_slow(s, weight);
+        }
+        run_.correct(weight);
     }
 
     // Divisors that no equation had to ask for: lambda_j of a mode's own linear term, and 0 of rates that
@@ -126,8 +200,8 @@ private:
     std::shared_ptr<const GradedField> field_;
     int through_;
     SeriesRun run_;
-    std::vector<HomologicalEquation> modes_, drifts_;
-    Transport transport_;
+    std::vector<HomologicalEquation> modes_, slow_, angles_, drifts_;
+    Transport transport_; // by carrier: modes with their conjugates, slow variables, angles
 };
 
 // Returns the divisors that are missing at the first weight that needs any.

@@ -22,6 +22,8 @@ Place place_of(const System& system, std::size_t variable) {
     return place;
 }
 
+constexpr const char* unsolved = "derive and print the normal form; its slow flow is not solved yet";
+
 void check_explicit_law(const GradedField& field, const SlowVariable& slow) {
     const Ring& ring = *field.ring;
     const std::string name = slow.name;
@@ -53,9 +55,20 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
              {system.file.string(), 0, 0, "truncation", ""}});
     if (field.modes.size() > 1)
         refuse({"the solution by quadratures is for one oscillator",
-                fmt::format("{} oscillators", field.modes.size()),
-                "derive and print the normal form; its slow flow is not solved yet",
+                fmt::format("{} oscillators", field.modes.size()), unsolved,
                 place_of(system, field.modes[1].variable)});
+    for (const Mode& mode : field.modes)
+        if (!mode.oscillator || field.ring->generator(mode.z).weight != 1)
+            refuse({"the solution by quadratures is for a small oscillator without damping",
+                    fmt::format("{} is another kind of variable", system.variables[mode.variable].name),
+                    unsolved, place_of(system, mode.variable)});
+    if (!field.angles.empty())
+        refuse({"the solution by quadratures is for systems without angles", field.angles.front().name,
+                unsolved, place_of(system, field.angles.front().variable)});
+    for (const SlowVariable& slow : field.slow)
+        if (slow.driven)
+            refuse({"the solution by quadratures is for slow variables that are not driven by fast ones",
+                    slow.name, unsolved, place_of(system, slow.variable)});
     if (field.slow.size() > 1)
         refuse({"the solution by quadratures is for one slow variable",
                 fmt::format("{} slow variables", field.slow.size()),

@@ -127,7 +127,7 @@ std::vector<Sample> samples_of(const Normalization& normalization, int order, st
     for (NamedSeries& series : map_through(normalization, order)) all.push_back(std::move(series));
     std::vector<Sample> samples;
     for (const NamedSeries& series : all)
-        for (const auto& [monomial, coefficient] : ring.collect(series.total, modes_and_eps(field))) {
+        for (const auto& [monomial, coefficient] : ring.collect(series.total, field.outer())) {
             std::map<std::string, Rational> values;
             for (GeneratorId id = 0; id < ring.size(); ++id)
                 if (const auto kind = ring.generator(id).kind;

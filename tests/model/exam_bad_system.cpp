@@ -61,31 +61,23 @@ const BadInput cases[] = {
      "  found: 'y'\n"
      "  mend:  did you mean 'x'? Known are: psi, xi, x"},
     {"UnknownRole", "role = \"slow\"", "role = \"slwo\"",
-     "2 system.toml:13:16: variables.xi.role: a role is fast, slow or drift\n"
+     "2 system.toml:13:16: variables.xi.role: a role is fast, angle, slow or drift\n"
      "    xi = { role = \"slwo\", unit = \"m\" }\n"
      "                   ^\n"
      "  found: \"slwo\"\n"
-     "  mend:  did you mean 'slow'? Known are: fast, slow, drift"},
+     "  mend:  did you mean 'slow'? Known are: fast, angle, slow, drift"},
     {"NoRole", "role = \"slow\", ", "",
      "2 system.toml:13:1: variables.xi: a variable has a role\n"
      "    xi = { unit = \"m\" }\n"
      "    ^\n"
      "  found: 'xi'\n"
-     "  mend:  write role = \"fast\", \"slow\" or \"drift\""},
-    {"AngleNotYet", "role = \"slow\"", "role = \"angle\"",
-     "3 system.toml:13:16: variables.xi.role: a variable is fast, slow or drift: angles are not supported "
-     "yet\n"
-     "    xi = { role = \"angle\", unit = \"m\" }\n"
-     "                   ^\n"
-     "  found: 'angle'\n"
-     "  mend:  write the system with fast variables"},
-    {"WeightNotYet", "role = \"fast\"", "role = \"fast\", weight = 0",
-     "3 system.toml:12:33: variables.psi.weight: the weight of a fast variable is 1: others are not "
-     "supported yet\n"
-     "    psi = { role = \"fast\", weight = 0 }\n"
+     "  mend:  write role = \"fast\", \"angle\", \"slow\" or \"drift\""},
+    {"OtherWeight", "role = \"fast\"", "role = \"fast\", weight = 2",
+     "3 system.toml:12:33: variables.psi.weight: the weight of a fast variable is 1 (small) or 0 (finite)\n"
+     "    psi = { role = \"fast\", weight = 2 }\n"
      "                                    ^\n"
-     "  found: 0\n"
-     "  mend:  remove the key"},
+     "  found: 2\n"
+     "  mend:  remove the key, or scale the variable"},
     {"FunctionsNotYet", "[notation]", "[functions]\nomega = { of = [\"tau\"] }\n[notation]",
      "3 system.toml:23:1: functions: declared functions are not supported yet\n"
      "    [functions]\n"

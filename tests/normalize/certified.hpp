@@ -42,9 +42,12 @@ inline std::vector<NamedSeries> all_series(Normalization& n) {
             result.push_back({name + " " + std::to_string(k), &list[k]});
     };
     add("normal form, mode", n.normal_form.mode);
+    add("normal form, angle", n.normal_form.angle);
     add("normal form, slow", n.normal_form.slow);
     add("normal form, drift", n.normal_form.drift);
     add("map, mode", n.map.mode);
+    add("map, angle", n.map.angle);
+    add("map, slow", n.map.slow);
     add("map, drift", n.map.drift);
     return result;
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steps by which expand() builds a GradedField: roles -> modes -> ring -> program.
+#pragma once
+
+#include "expand/graded_field.hpp"
+#include "expand/translate.hpp"
+
+namespace resonform {
+
+class Expansion {
+public:
+    Expansion(std::shared_ptr<const FirstOrderSystem> first_order, const Divisors& divisors);
+    GradedField build();
+
+private:
+    // roles (expansion_roles.cpp)
+    void check_drifts() const;
+    void find_driven();
+    [[nodiscard]] bool occurs(const State& state, Role role) const; // a variable of that role, in its rate
+    void check_weights() const;
+    void check_slow_rate(const State& state) const;
+
+    // ring
+    void name_generators();
+    void build_ring();
+    void add_slow();
+
+    // program
+    void add_inputs();
+    void add_mode_input(std::size_t k);
+    void bind_states();
+    void add_rates();
+    void add_angle_rate(AngleVariable& angle);
+    [[nodiscard]] SeriesProgram::Node mode_rate(std::size_t k);
+    [[nodiscard]] SeriesProgram::Node moving(const Complex& c, const Place& place);
+    using Addends = std::vector<std::pair<Rational, SeriesProgram::Node>>;
+    void add_product(Addends& addends, const Complex& factor, SeriesProgram::Node node, const Place& place);
+    void add_frame(Addends& addends, const Complex& row, const State& state, const Place& place);
+    [[nodiscard]] SeriesProgram::Node slow_rate(const SlowVariable& slow);
+    [[nodiscard]] Place place_of_equation(std::size_t variable) const {
+        return place_of(system_.equations[variable].source);
+    }
+    [[nodiscard]] const Variable& variable_of(const State& state) const {
+        return system_.variables[state.variable];
+    }
+
+    const Divisors& divisors_;
+    std::shared_ptr<const FirstOrderSystem> first_order_;
+    const System& system_;
+    CoefficientRing coefficients_;
+    std::vector<bool> driven_; // by variable
+    std::shared_ptr<SeriesProgram> program_;
+    std::unique_ptr<Translator> translate_;
+    GradedField field_;
+};
+
+} // namespace resonform

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the roles of the variables demand of the equations.
+#include "expand/expansion.hpp"
+#include "model/canonical.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+using GiNaC::ex;
+
+void Expansion::check_drifts() const {
+    for (const State& state : first_order_->states)
+        for (const Variable& v : system_.variables)
+            if (v.role == Role::drift && state.rate.has(v.jet.front()))
+                bad_input({"nothing depends on a drift variable",
+                           fmt::format("the equation of {} contains {}", variable_of(state).name, v.name),
+                           fmt::format("give {} the role slow", v.name), place_of_equation(state.variable)});
+}
+
+bool Expansion::occurs(const State& state, Role role) const {
+    for (const State& other : first_order_->states)
+        if (variable_of(other).role == role && state.rate.has(other.symbol)) return true;
+    return false;
+}
+
+// What moves passes on its motion.
+void Expansion::find_driven() {
+    driven_.assign(system_.variables.size(), false);
+    bool found = true;
+    while (found) {
+        found = false;
+        for (const State& state : first_order_->states) {
+            if (variable_of(state).role != Role::slow || driven_[state.variable]) continue;
+            bool driven = occurs(state, Role::fast) || occurs(state, Role::angle);
+            for (const State& other : first_order_->states)
+                driven = driven || (driven_[other.variable] && state.rate.has(other.symbol));
+            driven_[state.variable] = driven;
+            found = found || driven;
+        }
+    }
+}
+
+// Fast variables have one weight. With weight 0 they are not small: nothing but the linear part is left of
+// their rates at eps = 0.
+void Expansion::check_weights() const {
+    const Variable* first = nullptr;
+    for (const Variable& v : system_.variables) {
+        if (v.role != Role::fast) continue;
+        if (first == nullptr) first = &v;
+        if (v.weight != first->weight)
+            refuse({"all fast variables have the same weight",
+                    fmt::format("{} has weight {}, {} has weight {}", first->name, first->weight, v.name,
+                                v.weight),
+                    "give them one weight", v.place});
+    }
+    if (first == nullptr || first->weight != 0) return;
+    for (const State& state : first_order_->states) {
+        const ex at_rest = state.rate.subs(system_.eps == 0, GiNaC::subs_options::no_pattern);
+        const Role role = variable_of(state).role;
+        ex rest = at_rest;
+        for (const State& fast : first_order_->states) {
+            if (variable_of(fast).role != Role::fast || !at_rest.has(fast.symbol)) continue;
+            if (role == Role::fast)
+                rest -=
+                    coefficients_.at_origin(at_rest.diff(fast.symbol), place_of_equation(state.variable)) *
+                    fast.symbol;
+        }
+        bool linear = true;
+        rest = rest.normal();
+        for (const State& fast : first_order_->states)
+            linear = linear && (variable_of(fast).role != Role::fast || !rest.has(fast.symbol));
+        if (!linear)
+            refuse({"with fast variables of weight 0 the equations are linear in them at eps = 0 "
+                    "(and rates of other variables are free of them)",
+                    fmt::format("the rest for {} is {}", state.name, spell(rest)),
+                    "write the rest with a factor eps, or use weight 1", place_of_equation(state.variable)});
+    }
+}
+
+void Expansion::check_slow_rate(const State& state) const {
+    const Place place = place_of_equation(state.variable);
+    const Variable& variable = variable_of(state);
+    if (!coefficients_.at_origin(state.rate, place).is_zero())
+        bad_input({fmt::format("the rate of a {} variable vanishes with eps{}", to_string(variable.role),
+                               variable.role == Role::drift ? " and the fast variables" : ""),
+                   fmt::format("{}' = {}", variable.name, spell(state.rate)),
+                   "write the rate with a factor eps", place});
+    if (variable.role == Role::slow && !driven_[state.variable] && !state.rate.is_polynomial(system_.eps))
+        refuse({"the rate of a slow variable is a polynomial in eps",
+                fmt::format("{}' = {}", variable.name, spell(state.rate)), "expand the rate in powers of eps",
+                place});
+}
+
+} // namespace resonform

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expand/mode_blocks.hpp"
+
+#include "expand/power_product.hpp"
+#include "model/canonical.hpp"
+#include "model/zero_test.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+const GiNaC::numeric half(1, 2);
+
+enum class Sign { negative, positive };
+
+[[noreturn]] void refuse_nilpotent(const std::string& value, const BlockName& name) {
+    refuse({"the linear part of the fast variables is semisimple (has as many eigenvectors as variables)",
+            value,
+            "style = \"inner_product\" is for such blocks and is not supported yet: give the variable "
+            "a restoring force, or unfold the block",
+            name.place});
+}
+
+// Of what decides whether eigenvalues are real.
+Sign sign_of(const ex& e, const std::string& what, const System& system, const BlockName& name) {
+    if (provably_positive(e, system)) return Sign::positive;
+    if (provably_positive(-e, system)) return Sign::negative;
+    const std::string value = fmt::format("{} = {} for {}", what, spell(e), name.variables);
+    if (vanishes(e) == Zero::yes) refuse_nilpotent(value, name);
+    refuse({name.oscillator
+                ? "the square of a frequency is proved to be positive (an oscillator), or negative"
+                : "eigenvalues are proved to be real or to be complex",
+            value, "declare what is positive: " + how_to_declare_positive(e), name.place});
+}
+
+struct Eigenvalues {
+    ex middle, root; // middle +- root, or middle +- i root
+    bool real;
+};
+
+Eigenvalues eigenvalues_of(const Matrix& a, const System& system, const BlockName& name) {
+    const ex middle = ((a[0][0] + a[1][1]) * half).normal();
+    const ex difference = (a[0][0] - a[1][1]) * half;
+    const ex square = (-difference * difference - a[0][1] * a[1][0]).normal();
+    const std::string what = name.oscillator ? "omega^2" : "the negative discriminant";
+    const bool real = sign_of(square, what, system, name) == Sign::negative;
+    return {middle, GiNaC::pow(real ? (-square).normal() : square, half), real};
+}
+
+// lambda = middle + i omega: column (1/2, (lambda - a)/(2 b)), row (1 + i (middle - a)/omega, -i b/omega)
+BlockMode complex_pair(const Matrix& a, const Eigenvalues& e) {
+    const ex shift = (e.middle - a[0][0]).normal();
+    const Complex below{(shift / (2 * a[0][1])).normal(), e.root / (2 * a[0][1])};
+    return {{e.middle, e.root}, {{half, 0}, below}, {{1, shift / e.root}, {0, -a[0][1] / e.root}}};
+}
+
+// lambda_k, the other one mu: column (1, (lambda - a)/b), row (a - mu, b)/(lambda - mu)
+BlockMode real_mode(const Matrix& a, const Eigenvalues& e, int sign) {
+    const ex lambda = e.middle + sign * e.root, mu = e.middle - sign * e.root;
+    const ex gap = 2 * sign * e.root;
+    return {{lambda, 0},
+            {{1, 0}, {(lambda - a[0][0]) / a[0][1], 0}},
+            {{(a[0][0] - mu) / gap, 0}, {a[0][1] / gap, 0}}};
+}
+
+} // namespace
+
+std::vector<BlockMode> modes_of_block(const Matrix& a, const System& system, const BlockName& name) {
+    if (a.size() == 1) return {{{a[0][0], 0}, {{1, 0}}, {{1, 0}}}};
+    const Eigenvalues e = eigenvalues_of(a, system, name);
+    if (!e.real) return {complex_pair(a, e)};
+    return {real_mode(a, e, 1), real_mode(a, e, -1)};
+}
+
+// With K phi = kappa phi and rho K = kappa rho: positions phi q, q'' = -kappa q, q = rho u.
+std::vector<BlockMode> modes_of_coupled_oscillators(const Matrix& k, const System& system,
+                                                    const BlockName& name) {
+    const Eigenvalues e = eigenvalues_of(k, system, name);
+    if (!e.real)
+        refuse({"coupled oscillators have real squares of their frequencies",
+                fmt::format("those of {} are complex", name.variables), "use other variables", name.place});
+    std::vector<BlockMode> modes;
+    for (const int sign : {-1, 1}) { // the lower frequency first
+        const BlockMode normal_coordinate = real_mode(k, e, sign);
+        BlockName one = name;
+        one.oscillator = true;
+        const ex kappa = normal_coordinate.eigenvalue.re;
+        const Matrix oscillator{{0, 1}, {-kappa, 0}};
+        for (const BlockMode& mode : modes_of_block(oscillator, system, one)) {
+            BlockMode both{mode.eigenvalue, {}, {}};
+            for (std::size_t variable = 0; variable < 2; ++variable) {
+                for (std::size_t state = 0; state < 2; ++state) {
+                    both.column.push_back(normal_coordinate.column[variable] * mode.column[state]);
+                    both.row.push_back(normal_coordinate.row[variable] * mode.row[state]);
+                }
+            }
+            modes.push_back(std::move(both));
+        }
+    }
+    return modes;
+}
+
+} // namespace resonform

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eigenvalues and eigenvectors of one block of the linear part, in closed form.
+#pragma once
+
+#include "expand/complex_expression.hpp"
+#include "model/first_order_system.hpp"
+
+#include <vector>
+
+namespace resonform {
+
+using Matrix = std::vector<std::vector<GiNaC::ex>>;
+
+// A row of the inverse of the matrix of columns belongs to each column; of a conjugate pair only the
+// first is listed. The first entry of a column is 1 (real eigenvalue) or 1/2 (complex pair).
+struct BlockMode {
+    Complex eigenvalue;
+    std::vector<Complex> column, row;
+};
+
+// What a block is called in messages.
+struct BlockName {
+    std::string variables; // "x", "x, y"
+    bool oscillator;       // the block of one variable of second order
+    Place place;           // of the equation of the first
+};
+
+// The states of a block, of which none can be split off: one, or two.
+// Errors (refused): not semisimple, or the sign of the discriminant is not proved.
+std::vector<BlockMode> modes_of_block(const Matrix& a, const System& system, const BlockName& name);
+
+// u'' = -k u for two variables of second order, k of full rank and with real eigenvalues; the states are
+// u1, u1', u2, u2'. Errors: as above.
+std::vector<BlockMode> modes_of_coupled_oscillators(const Matrix& k, const System& system,
+                                                    const BlockName& name);
+
+} // namespace resonform
