@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inverse of the near-identity map, through the same weight M. From z = w + h(w), X = Z + l(w):
-//   w = z + g(z, zbar, eps; xi),   g = -h(z + g)        weight by weight: h starts at weight 2, so that
-//   Z = X + m(z, zbar, eps; xi),   m = -l(z + g)        [h(z + g)]_n needs g only below weight n
+// The inverse of the near-identity map, through the same weight M. With y = (w, theta, zeta), Y = (z, phi,
+// xi), Y = y + c(y, eps) and X = Z + l(y, eps):
+//   y = Y + g(Y, eps),   g = -c(Y + g)        weight by weight: [c(Y + g)]_n needs g below weight n, but for
+//   Z = X + m(Y, eps),   m = -l(Y + g)        what is linear in small fast variables, which come first
 #pragma once
 
 #include "normalize/normal_form.hpp"
 
 namespace resonform {
 
-// The new variable minus the old one: g and m, in which the generators of the modes stand for the old
-// variables z. Precondition: map.mode starts at weight 2.
+// The new variable minus the old one: g and m, in which the generators stand for the old variables.
 NearIdentityMap invert(const NormalForm& normal_form, const NearIdentityMap& map);
 
-// p(w + s, wbar + conj s, eps; xi) through a weight; shift[k] is the s of mode k.
-Series compose(const GradedField& field, const Series& p, const std::vector<Series>& shift, int through);
+// p(Y + shift(Y)) through a weight: modes (with their conjugates), angles and driven slow variables are
+// shifted; shift.drift is not looked at.
+Series compose(const GradedField& field, const Series& p, const NearIdentityMap& shift, int through);
 
 } // namespace resonform
