@@ -97,7 +97,7 @@ void Expansion::add_inputs() {
         const Variable& variable = variable_of(state);
         if (variable.role != Role::angle) continue;
         AngleVariable angle{
-            state.variable, variable.name, coefficients_.angle(field_.angles.size()), {}, 0, 0};
+            state.variable, variable.name, coefficients_.angle(field_.angles.size()), {}, {}, 0, 0};
         angle.input = program_->input(variable.name);
         translate_->bind_angle(state.symbol, angle.phase, angle.input);
         field_.angles.push_back(std::move(angle));
@@ -239,6 +239,7 @@ void Expansion::add_angle_rate(AngleVariable& angle) {
             refuse({"the rate of an angle at eps = 0 depends on slow variables and parameters only",
                     fmt::format("{}' = {}", angle.name, spell(frequency)),
                     "write the rest with a factor eps, or choose an angle that moves uniformly", place});
+    angle.law = frequency;
     angle.frequency = coefficients_.convert(frequency, place);
     angle.rate =
         program_->sum({{1, (*translate_)(state.rate, place)}, {-1, program_->constant(angle.frequency)}});

@@ -37,7 +37,8 @@ struct AngleVariable {
     std::size_t variable;
     std::string name;
     GeneratorId phase;
-    Polynomial frequency;
+    GiNaC::ex law;             // omega(xi)
+    Polynomial frequency;      // the same in the ring
     SeriesProgram::Node input; // the old angle minus the new one
     SeriesProgram::Node rate;  // phi' - frequency (at the new xi)
 };

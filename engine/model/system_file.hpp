@@ -2,6 +2,7 @@
 // system.toml -> System: what the user wrote, checked, in the order of the file.
 #pragma once
 
+#include "algebra/number.hpp"
 #include "model/expression.hpp"
 
 #include <filesystem>
@@ -65,6 +66,7 @@ struct System {
     std::vector<Equation> equations; // one per variable, in the order of variables
     std::vector<Notation> notation;
     std::vector<Declaration> positive; // declared positive
+    Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
     GiNaC::symbol eps{"eps"};
 
     // The name as documents show it: "pendulum", "pendulum with g = 1, r = 4/5".

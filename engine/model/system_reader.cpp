@@ -92,7 +92,8 @@ System SystemReader::read() {
         refuse({"declared functions are not supported yet", "[functions]",
                 "write the functions out in the equations", place_of(functions->source)});
     }
-    check_keys(root_, {"system", "parameters", "variables", "equations", "domain", "notation"});
+    check_keys(root_, {"system", "parameters", "variables", "equations", "domain", "relations", "normal_form",
+                       "notation"});
     read_header();
     read_parameters();
     read_variables();
@@ -100,6 +101,8 @@ System SystemReader::read() {
     set_orders();
     read_equations();
     read_domain();
+    read_relations();
+    read_normal_form();
     read_notation();
     check_names_of_results();
     return std::move(system_);
@@ -270,6 +273,53 @@ void SystemReader::read_domain() {
         for (Variable& v : system_.variables)
             if (value.is_equal(v.jet.front())) v.positive = v.nonzero = true;
     }
+}
+
+// omega_2 = "2*omega_1 + eps*sigma": an exact resonance at eps = 0 with its detuning.
+void SystemReader::read_relations() {
+    const TomlNode* relations = root_.find("relations");
+    if (relations == nullptr) return;
+    check_table(*relations);
+    std::vector<std::string> names;
+    for (const Parameter& p : system_.parameters) names.push_back(p.name);
+    GiNaC::exmap values;
+    for (const TomlEntry& entry : relations->entries) {
+        const Parameter* parameter = system_.parameter(entry.key);
+        if (parameter == nullptr)
+            bad_input({"a relation gives a parameter by others", in_quotes(entry.key),
+                       suggest(entry.key, names), entry.place});
+        Scope scope;
+        for (const Parameter& p : system_.parameters)
+            if (relations->find(p.name) == nullptr) scope.define(p.name, p.symbol);
+        scope.define("eps", system_.eps);
+        const GiNaC::ex value = read_expression(string_of(entry.value), scope, entry.value.source);
+        const GiNaC::ex at_rest = value.subs(system_.eps == 0, GiNaC::subs_options::no_pattern);
+        if ((parameter->positive && !provably_positive(at_rest, system_)) ||
+            (parameter->nonzero && !provably_nonzero(at_rest, system_)))
+            bad_value(entry.value,
+                      "a relation keeps at eps = 0 what is declared of " + in_quotes(parameter->name),
+                      "declare what its value is made of positive");
+        values.emplace(parameter->symbol, value);
+    }
+    const auto put = [&](GiNaC::ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); };
+    for (Equation& equation : system_.equations) put(equation.residual);
+    for (Declaration& declaration : system_.positive)
+        declaration.value =
+            declaration.value.subs(values, GiNaC::subs_options::no_pattern).subs(system_.eps == 0);
+    system_.parameters.erase(std::remove_if(system_.parameters.begin(), system_.parameters.end(),
+                                            [&](const Parameter& p) { return values.count(p.symbol) != 0; }),
+                             system_.parameters.end());
+}
+
+void SystemReader::read_normal_form() {
+    const TomlNode* node = root_.find("normal_form");
+    if (node == nullptr) return;
+    check_keys(*node, {"near"});
+    const TomlNode* near = node->find("near");
+    if (near == nullptr) return;
+    system_.near = number_of(*near);
+    if (cln::minusp(system_.near) || system_.near >= 1)
+        bad_value(*near, "0 <= near < 1: divisors up to this size are kept", "write for example near = 0.01");
 }
 
 void SystemReader::read_notation() {

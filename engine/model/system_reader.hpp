@@ -22,6 +22,8 @@ private:
     void set_orders();
     void read_equations();
     void read_domain();
+    void read_relations(); // puts the values into equations and domain
+    void read_normal_form();
     void read_notation();
     void check_names_of_results() const;
 

@@ -98,6 +98,7 @@ public:
             omega.push_back(m.is_real() ? 0 : alpha - exponent(m.zbar));
         }
         for (const AngleVariable& a : field_.angles) angle.push_back(exponent(a.phase));
+        if (is_near(growth, omega, angle)) return true;
         if (nonzero(angle) == 0 && nonzero(omega) == 1) return false; // omega of an oscillator is a unit
         return std::all_of(samples_.begin(), samples_.end(), [&](const FrequencySample& sample) {
             const PrimeField& f = sample.field;
@@ -109,6 +110,23 @@ public:
 
 private:
     using Multiples = std::vector<int>;
+
+    // The user's threshold, for divisors that are numbers.
+    [[nodiscard]] bool is_near(const Multiples& growth, const Multiples& omega,
+                               const Multiples& angle) const {
+        if (cln::zerop(field_.system().near)) return false;
+        GiNaC::ex real = 0, imaginary = 0;
+        for (std::size_t k = 0; k < omega.size(); ++k) {
+            real += growth[k] * field_.basis.modes[k].eigenvalue.re;
+            imaginary += omega[k] * field_.basis.modes[k].eigenvalue.im;
+        }
+        for (std::size_t k = 0; k < angle.size(); ++k) imaginary += angle[k] * field_.angles[k].law;
+        const GiNaC::ex size = GiNaC::sqrt(real * real + imaginary * imaginary).evalf();
+        if (!GiNaC::is_a<GiNaC::numeric>(size)) return false;
+        constexpr double rounding = 1 + 1e-14;
+        return GiNaC::ex_to<GiNaC::numeric>(size).to_double() <=
+               cln::double_approx(field_.system().near) * rounding;
+    }
 
     static std::ptrdiff_t nonzero(const Multiples& multiples) {
         return std::count_if(multiples.begin(), multiples.end(), [](int m) { return m != 0; });

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/divisor.hpp"
 
+#include "expand/power_product.hpp"
+#include "model/zero_test.hpp"
+
 #include <fmt/format.h>
 
 namespace resonform {
@@ -54,6 +57,7 @@ Divisor DivisorTable::make(const Multiples& multiples) {
     const Polynomial value = growth + ring.multiply(i, frequency);
     const bool real = ring.vanishes(frequency), imaginary = ring.vanishes(growth);
     if (real && imaginary) return {{}, DivisorVerdict::kept_exact, {}};
+    if (is_near(multiples)) return {value, DivisorVerdict::kept_near, {}};
     const Polynomial norm = real        ? growth
                             : imaginary ? frequency
                                         : ring.multiply(growth, growth) + ring.multiply(frequency, frequency);
@@ -70,6 +74,27 @@ Divisor DivisorTable::make(const Multiples& multiples) {
     refuse({"a divisor is proved to be zero or to be non-zero before anything is divided by it",
             spell(multiples),
             "write the frequencies so that their relation is plain, or give parameters numeric values",
+            {}});
+}
+
+bool DivisorTable::is_near(const Multiples& multiples) const {
+    const Rational& near = field_.system().near;
+    if (cln::zerop(near)) return false;
+    GiNaC::ex growth = 0, frequency = 0;
+    for (std::size_t m = 0; m < field_.modes.size(); ++m) {
+        growth += multiples[2 * m] * field_.basis.modes[m].eigenvalue.re;
+        frequency += multiples[2 * m + 1] * field_.basis.modes[m].eigenvalue.im;
+    }
+    for (std::size_t a = 0; a < field_.angles.size(); ++a)
+        frequency += multiples[2 * field_.modes.size() + a] * field_.angles[a].law;
+    const GiNaC::ex excess = (growth * growth + frequency * frequency - to_ginac(near * near)).expand();
+    if (excess.is_zero()) return true;
+    if (!GiNaC::is_a<GiNaC::numeric>(excess.evalf())) return false;
+    const Ball ball = evaluate(excess, {});
+    if (ball.excludes_zero()) return ball.middle < 0;
+    refuse({"a divisor is larger or smaller than near, by more than rounding errors",
+            spell(multiples),
+            "change near in [normal_form] a little",
             {}});
 }
 

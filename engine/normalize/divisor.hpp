@@ -40,6 +40,8 @@ private:
     [[nodiscard]] Multiples multiples_of(const Monomial& monomial) const;
     [[nodiscard]] Divisor make(const Multiples& multiples);
     [[nodiscard]] std::string spell(const Multiples& multiples) const;
+    // |D| <= near, where D is a number. Errors (refused): that cannot be told (ambiguous).
+    [[nodiscard]] bool is_near(const Multiples& multiples) const;
 
     const GradedField& field_;
     int mode_;
