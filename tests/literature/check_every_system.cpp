@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One battery of laws for every folder in systems/: adding a system adds it here. Random systems go through
+// the same laws in tests/normalize.
+#include "emit/derive.hpp"
+#include "normalize/certificate.hpp"
+#include "normalize/inverse_map.hpp"
+#include "normalize/poincare.hpp"
+#include "support/exact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace resonform {
+namespace {
+
+constexpr int order = 4;
+
+std::vector<std::string> systems() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() / "systems"))
+        if (std::filesystem::exists(entry.path() / "system.toml")) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string text_of(const std::string& name) {
+    std::ifstream file(test::source_dir() / "systems" / name / "system.toml");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+Normalization normalized(const std::string& toml) {
+    Normalization n = normalize_poincare(test::field_from(toml), order);
+    n.certificate = certify(n.normal_form, n.map);
+    return n;
+}
+
+std::string json(const Normalization& n) { return normal_form_json(n, order).dump(1); }
+
+std::string replaced(const std::string& text, const std::string& name, const std::string& by) {
+    return std::regex_replace(text, std::regex("\\b" + name + "\\b"), by);
+}
+
+class EverySystem : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EverySystem, IsCertified) {
+    const Normalization n = normalized(text_of(GetParam()));
+    EXPECT_TRUE(n.certificate.holds) << n.certificate.complaint;
+    EXPECT_LE(n.certificate.error_probability, 1e-30);
+}
+
+TEST_P(EverySystem, GivesTheSameBytesAgain) {
+    EXPECT_EQ(json(normalized(text_of(GetParam()))), json(normalized(text_of(GetParam()))));
+}
+
+// What is real stays real: rates and maps of angles, slow and drift variables.
+TEST_P(EverySystem, IsReal) {
+    const Normalization n = normalized(text_of(GetParam()));
+    const Ring& ring = *n.normal_form.field->ring;
+    for (const auto* list : {&n.normal_form.angle, &n.normal_form.slow, &n.normal_form.drift, &n.map.angle,
+                             &n.map.slow, &n.map.drift})
+        for (const Series& series : *list)
+            for (int k = 0; k <= series.through(); ++k)
+                EXPECT_EQ(ring.conjugate(series.part(k)), series.part(k)) << "weight " << k;
+}
+
+// y = Y + g, Y = y + c(y): g + c(Y + g) = 0.
+TEST_P(EverySystem, HasAnInverseMap) {
+    const Normalization n = normalized(text_of(GetParam()));
+    const NearIdentityMap inverse = invert(n.normal_form, n.map);
+    const auto check = [&](const std::vector<Series>& g, const std::vector<Series>& c) {
+        ASSERT_EQ(g.size(), c.size());
+        for (std::size_t k = 0; k < g.size(); ++k) {
+            const Series composed = compose(*n.normal_form.field, c[k], inverse, order);
+            for (int w = 0; w <= order; ++w) EXPECT_TRUE((g[k].part(w) + composed.part(w)).empty()) << w;
+        }
+    };
+    check(inverse.mode, n.map.mode);
+    check(inverse.angle, n.map.angle);
+    check(inverse.slow, n.map.slow);
+    check(inverse.drift, n.map.drift);
+}
+
+// Other names of parameters and variables, so that everything that sorts by name or hash sorts anew.
+TEST_P(EverySystem, DoesNotDependOnNames) {
+    const std::string text = text_of(GetParam());
+    const Normalization n = normalized(text);
+    const System& system = n.normal_form.field->system();
+    std::vector<std::string> names;
+    for (const Parameter& p : system.parameters) names.push_back(p.name);
+    for (const Variable& v : system.variables) names.push_back(v.name);
+    std::string renamed = text;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        renamed = replaced(renamed, names[k], "q" + std::to_string(names.size() - k) + "_" + names[k]);
+    std::string back = json(normalized(renamed));
+    for (std::size_t k = 0; k < names.size(); ++k)
+        back = replaced(back, "q" + std::to_string(names.size() - k) + "_" + names[k], names[k]);
+    EXPECT_EQ(json(n), back);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EverySystem, ::testing::ValuesIn(systems()),
+                         [](const auto& name) { return name.param; });
+
+} // namespace
+} // namespace resonform
