@@ -78,6 +78,24 @@ const BadInput cases[] = {
      "                                    ^\n"
      "  found: 2\n"
      "  mend:  remove the key, or scale the variable"},
+    {"RelationOfNoParameter", "[notation]", "[relations]\nq = \"2*g\"\n[notation]",
+     "2 system.toml:24:1: relations.q: a relation gives a parameter by others\n"
+     "    q = \"2*g\"\n"
+     "    ^\n"
+     "  found: 'q'\n"
+     "  mend:  did you mean 'g'? Known are: g, r, v"},
+    {"RelationAgainstADeclaration", "[notation]", "[relations]\nr = \"eps*g\"\n[notation]",
+     "2 system.toml:24:6: relations.r: a relation keeps at eps = 0 what is declared of 'r'\n"
+     "    r = \"eps*g\"\n"
+     "         ^\n"
+     "  found: \"eps*g\"\n"
+     "  mend:  declare what its value is made of positive"},
+    {"NearTooLarge", "[notation]", "[normal_form]\nnear = 2\n[notation]",
+     "2 system.toml:24:8: normal_form.near: 0 <= near < 1: divisors up to this size are kept\n"
+     "    near = 2\n"
+     "           ^\n"
+     "  found: 2\n"
+     "  mend:  write for example near = 0.01"},
     {"FunctionsNotYet", "[notation]", "[functions]\nomega = { of = [\"tau\"] }\n[notation]",
      "3 system.toml:23:1: functions: declared functions are not supported yet\n"
      "    [functions]\n"

@@ -134,6 +134,34 @@ TEST(SeveralFrequencies, HenonAndHeiles) {
     EXPECT_EQ(sum, Rational(1) / 3 * i);
 }
 
+// Divisors that are numbers up to `near` keep their monomials; one that equals the threshold is kept.
+TEST(SeveralFrequencies, NearResonancesAreKeptByTheUsersThreshold) {
+    const auto with = [](const std::string& near) {
+        std::string text = two_oscillators("x'' + x + 2*x*y = 0", "y'' + 441/100*y + x^2 = 0", "");
+        return field_from(text + "[normal_form]\nnear = " + near + "\n");
+    };
+    const auto verdict = [](const Normalization& n) {
+        for (const DivisorRecord& d : n.divisors)
+            if (d.variable == "z3" &&
+                n.normal_form.field->ring->exponent(d.monomial, n.normal_form.field->modes[0].z) == 2)
+                return d.verdict;
+        return DivisorVerdict::ambiguous;
+    };
+    for (const auto& [near, expected] : {std::pair("0.2", DivisorVerdict::kept_near),
+                                         {"0.1", DivisorVerdict::kept_near},
+                                         {"0.09", DivisorVerdict::removed}}) {
+        const Normalization n = normalize_poincare(with(near), 3);
+        EXPECT_EQ(verdict(n), expected) << near;
+        EXPECT_EQ(of(n, 1, {{"z1", 2}}).empty(), expected == DivisorVerdict::removed);
+        EXPECT_TRUE(certificate_of(n).holds) << certificate_of(n).complaint;
+    }
+    // and a term that the threshold does not allow to stay is found by the scan
+    Normalization liar = normalize_poincare(with("0.2"), 3);
+    const NormalForm& small = normalize_poincare(with("0.09"), 3).normal_form;
+    liar.normal_form.field = small.field;
+    EXPECT_FALSE(certificate_of(liar).holds);
+}
+
 TEST(SeveralFrequencies, MoreDivisorsThanARingHoldsAreRefused) {
     std::string text =
         "[system]\nname = \"three\"\n\n[parameters]\na = { positive = true }\nb = { positive = true }\n"
