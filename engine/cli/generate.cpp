@@ -89,7 +89,8 @@ void add_generate(CLI::App& app, Action& action) {
     const LimitOptions limits(*command);
     command->callback([&action, scene, output, inline_runtime, format, limits] {
         action = [scene, output, inline_runtime, format, limits] {
-            return run_generate({*scene, *output, format.value(), *inline_runtime, limits.value()});
+            const std::string file = *output == "-" ? "" : *output; // the usual name of standard output
+            return run_generate({*scene, file, format.value(), *inline_runtime, limits.value()});
         };
     });
 }

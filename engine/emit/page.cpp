@@ -40,7 +40,8 @@ void append_pieces(std::vector<std::string>& pieces, const DisplaySum& group) {
 std::vector<std::string> text_pieces(const Side& s) {
     std::vector<std::string> pieces;
     for (const DisplaySum& group : without_empty(s.groups)) append_pieces(pieces, group);
-    if (s.remainder > 0) pieces.push_back("O(eps^" + std::to_string(s.remainder) + ")");
+    if (s.remainder == 1) pieces.emplace_back("O(eps)");
+    if (s.remainder > 1) pieces.push_back("O(eps^" + std::to_string(s.remainder) + ")");
     if (pieces.empty()) pieces.emplace_back("0");
     return pieces;
 }
@@ -80,7 +81,8 @@ std::vector<std::string> latex_lines(const Side& s) {
     result.reserve(lines.size());
     for (const DisplaySum& line : lines) result.push_back(latex(line));
     if (s.remainder > 0) {
-        const std::string order = "O\\left(\\varepsilon^{" + std::to_string(s.remainder) + "}\\right)";
+        const std::string power = s.remainder == 1 ? "" : "^{" + std::to_string(s.remainder) + "}";
+        const std::string order = "O\\left(\\varepsilon" + power + "\\right)";
         if (result.empty())
             result.push_back(order);
         else
