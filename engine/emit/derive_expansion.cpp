@@ -2,32 +2,39 @@
 // (16) and (19): the equations expanded, with their remainders.
 #include "emit/derive.hpp"
 #include "emit/drift_frame.hpp"
+#include "emit/normal_form_parts.hpp"
 #include "emit/slow_rate.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace resonform {
 
 namespace {
 
-// The jets of the fast variables, then eps.
-std::vector<GeneratorId> jets_and_eps(const EquationSeries& equations) {
+// The jets of the fast variables, the phases of angles, then eps.
+std::vector<GeneratorId> outer_of(const EquationSeries& equations) {
     std::vector<GeneratorId> outer;
-    for (GeneratorId id = 0; id < equations.ring->size(); ++id)
-        if (equations.ring->generator(id).kind == GeneratorKind::fast) outer.push_back(id);
+    for (GeneratorId id = 0; id < equations.ring->size(); ++id) {
+        const GeneratorKind kind = equations.ring->generator(id).kind;
+        if (kind == GeneratorKind::fast || kind == GeneratorKind::phase) outer.push_back(id);
+    }
     outer.push_back(equations.eps);
     return outer;
 }
 
-bool is_slow(const System& system, const EquationLine& line) {
-    return system.variables[line.variable].role == Role::slow;
+// A slow variable that moves by itself: its rate is shown as it is.
+bool is_free(const GradedField& field, const EquationLine& line) {
+    return std::any_of(field.slow.begin(), field.slow.end(), [&](const SlowVariable& slow) {
+        return slow.variable == line.variable && !slow.driven;
+    });
 }
 
 SeriesWriter writer_of(const GradedField& field, const EquationSeries& equations) {
     std::vector<Polynomial> all;
     for (const EquationLine& line : equations.lines)
-        if (!is_slow(field.system(), line)) all.push_back(line.series.total(equations.through));
-    return {equations.ring, equations.eps, jets_and_eps(equations), only_rate_with_eps(field), all};
+        if (!is_free(field, line)) all.push_back(line.series.total(equations.through));
+    return {equations.ring, equations.eps, outer_of(equations), only_rate_with_eps(field), all};
 }
 
 const DriftFrame* frame_of(const std::vector<DriftFrame>& frames, const std::string& variable) {
@@ -59,11 +66,12 @@ private:
         Side series;
         for (int n = 0; n <= equations_.through; ++n) {
             const Polynomial& part = line.series.part(n);
-            if (is_slow(field_.system(), line))
+            if (is_free(field_, line))
                 series.groups.push_back(display(*equations_.ring, part));
             else
                 series.groups.push_back(
-                    write_(removed ? without_known_drift(*equations_.ring, equations_.eps, part) : part));
+                    write_(removed ? without_known_drift(*equations_.ring, equations_.eps, part) : part,
+                           phases(*equations_.ring)));
         }
         series.remainder = line.next_weight;
         if (line.implicit) return {std::move(series), zero_side()};
@@ -92,7 +100,7 @@ Page expansion_page(const GradedField& field, int order, const Solution* solutio
 
 Json expansion_json(const GradedField& field, int order) {
     const EquationSeries equations = expand_equations(field, order);
-    const std::vector<GeneratorId> outer = jets_and_eps(equations);
+    const std::vector<GeneratorId> outer = outer_of(equations);
     Json lines = Json::array();
     for (const EquationLine& line : equations.lines) {
         const std::string& variable = field.system().variables[line.variable].name;

@@ -31,7 +31,8 @@ class NormalFormPage {
 public:
     NormalFormPage(const Normalization& normalization, int order, const Solution* solution)
         : normal_form_(normalization.normal_form), map_(normalization.map), field_(*normal_form_.field),
-          order_(order), frames_(drift_frames(field_, solution)), write_(writer()), phases_(phases(field_)) {}
+          order_(order), frames_(drift_frames(field_, solution)), write_(writer()),
+          phases_(phases(*field_.ring)) {}
 
     [[nodiscard]] Section rates() const {
         Section section;

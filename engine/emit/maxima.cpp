@@ -31,9 +31,10 @@ std::string assignments(const GradedField& field, const std::string& array,
                         const std::vector<NamedSeries>& list) {
     std::string text;
     for (const NamedSeries& series : list)
-        text += fmt::format("{}[{}] : {}$\n", array, maxima_name(series.variable),
-                            spell(display_collected(*field.ring, series.total, field.outer(), phases(field)),
-                                  maxima_spelling()));
+        text += fmt::format(
+            "{}[{}] : {}$\n", array, maxima_name(series.variable),
+            spell(display_collected(*field.ring, series.total, field.outer(), phases(*field.ring)),
+                  maxima_spelling()));
     return text;
 }
 

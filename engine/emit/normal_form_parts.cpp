@@ -25,12 +25,13 @@ std::vector<std::pair<const State*, Polynomial>> components(const GradedField& f
     return list;
 }
 
-Substitutes phases(const GradedField& field) {
+Substitutes phases(const Ring& ring) {
     Substitutes substitutes;
-    for (const AngleVariable& angle : field.angles) {
-        DisplaySum argument = symbol_sum(angle.name);
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        if (ring.generator(id).kind != GeneratorKind::phase) continue;
+        DisplaySum argument = symbol_sum(ring.generator(id).name);
         argument.terms.front().imaginary = true;
-        substitutes.emplace(angle.phase, function_factor("exp", std::move(argument)));
+        substitutes.emplace(id, function_factor("exp", std::move(argument)));
     }
     return substitutes;
 }

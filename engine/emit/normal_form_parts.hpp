@@ -18,7 +18,7 @@ std::string frequency_name(const GradedField& field, std::size_t mode);
 std::vector<std::pair<const State*, Polynomial>> components(const GradedField& field, std::size_t mode);
 
 // A harmonic e^{i k phi} is shown as exp(k*I*phi).
-Substitutes phases(const GradedField& field);
+Substitutes phases(const Ring& ring);
 
 // "normal form of ... through weight 3 (style poincare)"
 std::string normal_form_title(const NormalForm& normal_form, int order);

@@ -23,20 +23,39 @@ ex line_expression(const FirstOrderSystem& first_order, std::size_t variable) {
     return system.equations[variable].residual.subs(rates, GiNaC::subs_options::no_pattern);
 }
 
-std::vector<GiNaC::symbol> fast_jets(const System& system) {
-    std::vector<GiNaC::symbol> jets;
+struct Jet {
+    GiNaC::symbol symbol;
+    int weight;
+};
+
+std::vector<Jet> fast_jets(const System& system) {
+    std::vector<Jet> jets;
     for (const Variable& v : system.variables)
-        if (v.role == Role::fast) jets.insert(jets.end(), v.jet.begin(), v.jet.end());
+        if (v.role == Role::fast)
+            for (const GiNaC::symbol& symbol : v.jet) jets.push_back({symbol, v.weight});
     return jets;
 }
 
+std::vector<GiNaC::symbol> angles_of(const System& system) {
+    std::vector<GiNaC::symbol> angles;
+    for (const Variable& v : system.variables)
+        if (v.role == Role::angle) angles.push_back(v.jet.front());
+    return angles;
+}
+
 std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_order,
-                                                const std::vector<GiNaC::symbol>& jets) {
+                                                const std::vector<Jet>& jets) {
     CoefficientRing coefficients(first_order.system);
     std::vector<FastGenerator> generators;
-    for (const auto& jet : jets) generators.push_back({jet.get_name(), 1, -1});
+    for (const Jet& jet : jets) generators.push_back({jet.symbol.get_name(), jet.weight, -1});
     coefficients.set_fast(std::move(generators));
-    for (const auto& jet : jets) coefficients.vanish(jet);
+    std::vector<std::string> angles;
+    for (const auto& angle : angles_of(*first_order.system)) {
+        angles.push_back(angle.get_name());
+        coefficients.move(angle);
+    }
+    coefficients.set_angles(std::move(angles));
+    for (const Jet& jet : jets) coefficients.vanish(jet.symbol);
     for (std::size_t v = 0; v < first_order.system->variables.size(); ++v)
         coefficients.collect(line_expression(first_order, v),
                              place_of(first_order.system->equations[v].source));
@@ -69,10 +88,13 @@ EquationSeries expand_equations(const GradedField& field, int through) {
     SeriesProgram program(coefficients.ring());
     Translator translate(program, coefficients);
     std::vector<SeriesProgram::Node> inputs;
-    for (const auto& jet : jets) {
-        inputs.push_back(program.input(jet.get_name()));
-        translate.bind(jet, inputs.back());
+    for (const Jet& jet : jets) {
+        inputs.push_back(program.input(jet.symbol.get_name()));
+        translate.bind(jet.symbol, inputs.back());
     }
+    const auto angles = angles_of(system);
+    for (std::size_t k = 0; k < angles.size(); ++k)
+        translate.bind_angle(angles[k], coefficients.angle(k), program.sum({}));
     std::vector<SeriesProgram::Node> lines;
     for (std::size_t v = 0; v < system.variables.size(); ++v) {
         const Place place = place_of(system.equations[v].source);
@@ -83,7 +105,8 @@ EquationSeries expand_equations(const GradedField& field, int through) {
     for (int n = 0; n <= through + search_ahead; ++n) {
         for (std::size_t k = 0; k < jets.size(); ++k)
             run.set_input(inputs[k], n,
-                          n == 1 ? coefficients.ring()->gen(coefficients.fast(k)) : Polynomial());
+                          n == jets[k].weight ? coefficients.ring()->gen(coefficients.fast(k))
+                                              : Polynomial());
         run.advance(n);
     }
     EquationSeries result{shared, coefficients.ring(), coefficients.eps(), through, {}};

@@ -102,9 +102,9 @@ struct FieldSeries {
 };
 FieldSeries evaluate_field(const GradedField& field, int through);
 
-// (16): the equations as written, expanded in the jets of the fast variables (all of weight 1, the
-// highest derivative included) and eps; slow and drift variables as rates, solved for x'.
-// With eps written explicitly (xi' already substituted); printers put xi' back (emit/).
+// (16): the equations as written, expanded in the jets of the fast variables (all of the weight of the
+// variable, the highest derivative included), harmonics of angles, and eps; slow and drift variables as
+// rates, solved for x'. With eps written explicitly (xi' already substituted); printers put xi' back (emit/).
 struct EquationLine {
     std::size_t variable;
     bool implicit;   // fast: series = 0;  slow, drift: x' = series

@@ -163,6 +163,40 @@ TEST(DeriveLatex, Solution) {
     expect_part(document, R"(\cos \theta)");
 }
 
+std::shared_ptr<const Normalization> normalized(const std::string& tables, int order) {
+    return std::make_shared<const Normalization>(
+        normalize_poincare(field_from("[system]\nname = \"s\"\n[variables]\n" + tables), order));
+}
+
+// Modes that are no oscillators, a driven slow variable, an angle, finite fast variables.
+TEST(DeriveText, OfEveryRole) {
+    const auto node = normalized("x = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+                                 "x = \"x' = x\"\ny = \"y' = 2*y + x + x^2\"\n",
+                                 2);
+    const std::string modes = print_normal_form(*node, 2, Format::text, nullptr);
+    expect_part(modes,
+                "z1' = z1\nz2' = 2*z2 + z1^2\n\nwhere:\n  z1 = x + O(eps^3)\n  z2 = x + y + O(eps^3)\n");
+    EXPECT_EQ(modes.find("conj"), std::string::npos);
+
+    const auto rotation = normalized("J = { role = \"slow\", positive = true }\nphi = { role = \"angle\" }\n"
+                                     "[equations]\nJ = \"J' = eps*cos(phi)\"\nphi = \"phi' = J\"\n",
+                                     1);
+    expect_part(print_normal_form(*rotation, 1, Format::text, nullptr),
+                "phi' = J\nJ' = 0\n\nnear-identity map:\n"
+                "  old(phi) = phi - 1/(2*J^2)*eps*exp(-I*phi) - 1/(2*J^2)*eps*exp(I*phi)\n"
+                "  old(J) = J + I/(2*J)*eps*exp(-I*phi) - I/(2*J)*eps*exp(I*phi)\n");
+    expect_part(print_normal_form(*rotation, 1, Format::latex, nullptr), "{J}_{\\mathrm{old}} &= J");
+    expect_part(print_expansion(*rotation->normal_form.field, 1, Format::text),
+                "J' = 1/2*eps*exp(-I*phi) + 1/2*eps*exp(I*phi)\nphi' = J\n");
+
+    const auto finite = normalized("x = { role = \"fast\", weight = 0 }\n[equations]\n"
+                                   "x = \"x'' + x = eps*(1 - x^2)*x'\"\n",
+                                   1);
+    expect_part(print_normal_form(*finite, 1, Format::text, nullptr), "z1 = x - I*x'/omega + O(eps)\n");
+    expect_part(print_expansion(*finite->normal_form.field, 1, Format::text),
+                "x'' + x - x'*eps + x^2*x'*eps = 0\n");
+}
+
 // Braces, \left and \right, and environments close.
 TEST(DeriveLatex, IsBalanced) {
     const auto normalization = pendulum(4);
