@@ -174,7 +174,8 @@ std::optional<Relation> choose_relation(const Ring& ring, const std::vector<Rela
 
     const Polynomial power =
         ring.reduce(Polynomial(ring.monomial(id, ring.generator(id).index), Rational(1)));
-    for (const GeneratorKind kind : {GeneratorKind::slow, GeneratorKind::parameter}) {
+    for (const GeneratorKind kind :
+         {GeneratorKind::slow, GeneratorKind::parameter, GeneratorKind::function}) {
         for (GeneratorId x = 0; x < ring.size(); ++x) {
             const Generator& g = ring.generator(x);
             if (g.kind != kind || g.invertible || is_lead(before, x)) continue;
@@ -184,6 +185,19 @@ std::optional<Relation> choose_relation(const Ring& ring, const std::vector<Rela
         }
     }
     return expanding(ring, before, power, radicand);
+}
+
+std::optional<Relation> solve_for_one_of(const Ring& ring, const std::vector<Relation>& before,
+                                         const Polynomial& p, const std::vector<GeneratorId>& candidates) {
+    for (const bool invertible : {false, true}) {
+        for (const GeneratorId x : candidates) {
+            if (ring.generator(x).invertible != invertible || is_lead(before, x)) continue;
+            if (leads_to(ring, before, p, x)) continue;
+            if (const std::optional<Leading> top = leading_in(ring, p, x))
+                return solved_for(ring, x, *top, Polynomial(), p);
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace resonform

@@ -18,4 +18,8 @@ namespace resonform {
 std::optional<Relation> choose_relation(const Ring& ring, const std::vector<Relation>& before,
                                         GeneratorId id);
 
+// The same for p = 0 (sin^2 + cos^2 - 1, reduced), solved for the highest power of one of the candidates.
+std::optional<Relation> solve_for_one_of(const Ring& ring, const std::vector<Relation>& before,
+                                         const Polynomial& p, const std::vector<GeneratorId>& candidates);
+
 } // namespace resonform

@@ -93,6 +93,7 @@ Polynomial Ring::power(const Polynomial& p, int exponent) const {
 bool Ring::may_depend(GeneratorId generator_id, GeneratorId id) const {
     const Generator& g = generator(generator_id);
     if (g.kind == GeneratorKind::primitive && generator(id).kind == GeneratorKind::parameter) return true;
+    if (std::find(g.unknown.begin(), g.unknown.end(), id) != g.unknown.end()) return true;
     return std::any_of(g.derivatives.begin(), g.derivatives.end(),
                        [&](const auto& entry) { return entry.first == id; });
 }
@@ -103,6 +104,11 @@ const Polynomial* Ring::derivative_of(GeneratorId generator_id, GeneratorId id) 
     for (const auto& entry : g.derivatives) {
         if (entry.first == id) return &entry.second;
     }
+    if (g.kind != GeneratorKind::primitive)
+        refuse({.rule = "a derivative is taken where the ring holds it",
+                .value = "d " + g.name + " / d " + generator(id).name,
+                .mend = "ask for a lower order",
+                .place = {}});
     refuse({.rule = "a primitive is differentiated with respect to slow variables only",
             .value = "d " + g.name + " / d " + generator(id).name,
             .mend = "list this derivative with the primitive",
@@ -111,7 +117,8 @@ const Polynomial* Ring::derivative_of(GeneratorId generator_id, GeneratorId id) 
 
 Polynomial Ring::derivative(const Polynomial& p, GeneratorId id) const {
     const GeneratorKind kind = generator(id).kind;
-    if (kind == GeneratorKind::imaginary || kind == GeneratorKind::root || kind == GeneratorKind::primitive) {
+    if (kind == GeneratorKind::imaginary || kind == GeneratorKind::root || kind == GeneratorKind::function ||
+        kind == GeneratorKind::primitive) {
         refuse({.rule = "a derivative is taken with respect to an independent variable",
                 .value = "d/d " + generator(id).name,
                 .mend = "differentiate with respect to a variable or a parameter",

@@ -34,7 +34,20 @@ enum class GeneratorKind {
                // that is a divisor, which has an inverse because it does not vanish identically
     constant,  // a constant of the solution (C_delta, C_X, ...), weight 0
     phase,     // e^{i theta}: invertible, conjugate = inverse
+    function,  // exp, sin, cos, log, ... of what parameters and slow variables give, weight 0
     primitive, // a function of slow variables known by its derivatives (a logarithm, a quadrature)
+};
+
+// Functions that have generators of their own; others are written with these: tan u = sin u/cos u.
+enum class Function { exponential, sine, cosine, logarithm, arc_tangent, named };
+
+// What a generator of kind function is.
+struct FunctionOf {
+    Function function = Function::exponential;
+    Polynomial argument;     // in earlier generators
+    GeneratorId sine = -1;   // cosine: the generator of the sine of the same argument, an earlier one
+    std::string symbol = {}; // named: known by its name only, omega(tau), ...
+    int derivative = 0;      // ... and by how often it is differentiated
 };
 
 struct FractionProduct;
@@ -51,8 +64,13 @@ struct Generator {
     int index = 0;              // root: sigma^index = radicand
     Polynomial radicand;        // root: a polynomial in parameters and slow variables, non-negative exponents
     // primitive: d/d(slow) = polynomial; slow variables not listed have derivative zero. It may contain
-    // the primitive itself (an exponential). root: filled in by RingBuilder::freeze.
+    // the primitive itself (an exponential). root, function: filled in by RingBuilder::freeze.
     std::vector<std::pair<GeneratorId, Polynomial>> derivatives;
+    FunctionOf of = {};                    // function
+    std::vector<GeneratorId> unknown = {}; // d/d(id) is no element of the ring; filled in by freeze
+    // function: proved to be algebraically independent of the generators before it, but for the relation
+    // of a cosine with its sine
+    bool independent = true;
 };
 
 // factor * left * right
@@ -109,7 +127,8 @@ public:
     [[nodiscard]] std::optional<Polynomial> rational_power(const Polynomial& p,
                                                            const Rational& exponent) const;
     // d/d(id), through roots and primitives. id: slow, fast, parameter, constant, small, phase.
-    // Refused: the derivative of a primitive with respect to a parameter it does not list.
+    // Refused: the derivative of a primitive with respect to a parameter it does not list, and one that
+    // needs a derivative of a named function that the ring does not hold.
     [[nodiscard]] Polynomial derivative(const Polynomial& p, GeneratorId id) const;
     // i -> -i, fast <-> conjugate, phase -> 1/phase.
     [[nodiscard]] Polynomial conjugate(const Polynomial& p) const;
@@ -125,8 +144,9 @@ public:
     [[nodiscard]] Zero is_zero(const Polynomial& p) const;
     // is_zero(p) == Zero::yes, without the search for a proof of the opposite.
     [[nodiscard]] bool vanishes(const Polynomial& p) const { return cleared(p).empty(); }
-    // Whether every polynomial but the empty one is non-zero: no root is left that was not eliminated.
-    // (Numbers under roots and primitives are taken to be independent, as by vanishes.)
+    // Whether every polynomial but the empty one is non-zero: no root is left that was not eliminated,
+    // and all functions are independent. (Numbers under roots and primitives are taken to be independent,
+    // as by vanishes.)
     [[nodiscard]] bool is_canonical() const;
     // Splits each term into (part in generators selected by `outer`) x (coefficient):
     // outer monomial -> coefficient polynomial in the remaining generators. Sorted by outer key.
@@ -152,6 +172,10 @@ private:
 
     [[nodiscard]] Polynomial cleared(const Polynomial& p) const; // reduced, times a unit
     [[nodiscard]] bool may_depend(GeneratorId generator, GeneratorId id) const;
+    [[nodiscard]] bool derivative_known(const Polynomial& p, GeneratorId id) const;
+    [[nodiscard]] std::optional<Polynomial> slope(GeneratorId function) const;
+    void derive(GeneratorId id);
+    void relate_circle(GeneratorId cosine);
     [[nodiscard]] const Polynomial* derivative_of(GeneratorId generator, GeneratorId id) const;
     [[nodiscard]] Polynomial collected(const std::vector<FractionProduct>& products) const;
     [[nodiscard]] std::map<int, Fractions> by_exponent(const Fractions& f, GeneratorId id) const;
@@ -159,6 +183,7 @@ private:
     Packing packing_;
     std::vector<Generator> generators_;
     std::vector<Relation> relations_;
+    bool related_ = true; // every root and every cosine has its rule
 };
 
 // Collects generators, then freezes them. The order of creation is the order of the keys, so callers
@@ -185,6 +210,7 @@ public:
     //   else x^d -> (sigma^k - rest)/c where radicand = c x^d + lower in x, c a unit monomial, x not
     //   invertible and eliminated by no other root, a slow variable if possible;
     //   else sigma^k -> radicand, which is sound; Ring::is_zero then clears denominators.
+    // sin^2 -> 1 - cos^2, or the other way round where the cosine or its square is under a root.
     [[nodiscard]] RingPtr freeze() const;
 
 private:

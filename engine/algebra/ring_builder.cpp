@@ -25,11 +25,15 @@ Polynomial repack(const Packing& from, const Packing& to, const Polynomial& p) {
     refuse({.rule = rule, .value = name, .mend = "choose another name or another form", .place = {}});
 }
 
-// A radicand is a polynomial in parameters, slow variables and earlier roots.
-void check_radicand(const Packing& packing, const std::vector<Generator>& earlier, const Generator& root) {
-    if (root.index < 1) refuse_generator("the index of a root is at least 1", root.name);
-    if (root.radicand.empty()) refuse_generator("a root is not taken of zero", root.name);
-    for (const Term& t : root.radicand.terms()) {
+// The kinds of generators that stand in p, and whether one stands in a denominator.
+struct Contents {
+    bool of_coefficients = true; // parameters, slow variables, roots, functions
+    bool fractions = false;
+};
+
+Contents contents(const Packing& packing, const std::vector<Generator>& earlier, const Polynomial& p) {
+    Contents result;
+    for (const Term& t : p.terms()) {
         for (int id = 0; id < Packing::most_fields; ++id) {
             const int e = packing.exponent(t.monomial, id);
             if (e == 0) continue;
@@ -37,14 +41,34 @@ void check_radicand(const Packing& packing, const std::vector<Generator>& earlie
             const GeneratorKind kind =
                 known ? earlier[static_cast<std::size_t>(id)].kind : GeneratorKind::imaginary;
             const bool allowed = kind == GeneratorKind::parameter || kind == GeneratorKind::slow ||
-                                 kind == GeneratorKind::root;
-            if (!allowed || e < 0) {
-                refuse_generator(
-                    "a root is taken of a polynomial in parameters, slow variables and earlier roots",
-                    root.name);
-            }
+                                 kind == GeneratorKind::root || kind == GeneratorKind::function;
+            result.of_coefficients = result.of_coefficients && allowed;
+            result.fractions = result.fractions || e < 0;
         }
     }
+    return result;
+}
+
+void check_radicand(const Packing& packing, const std::vector<Generator>& earlier, const Generator& root) {
+    if (root.index < 1) refuse_generator("the index of a root is at least 1", root.name);
+    if (root.radicand.empty()) refuse_generator("a root is not taken of zero", root.name);
+    const Contents of_radicand = contents(packing, earlier, root.radicand);
+    if (!of_radicand.of_coefficients || of_radicand.fractions)
+        refuse_generator("a root is taken of a polynomial in parameters, slow variables, functions and "
+                         "earlier roots",
+                         root.name);
+}
+
+void check_argument(const Packing& packing, const std::vector<Generator>& earlier, const Generator& g) {
+    if (!contents(packing, earlier, g.of.argument).of_coefficients)
+        refuse_generator("the argument of a function holds parameters, slow variables and earlier roots "
+                         "and functions",
+                         g.name);
+    if (g.of.function != Function::cosine) return;
+    const bool known = g.of.sine > 0 && static_cast<std::size_t>(g.of.sine) < earlier.size();
+    const FunctionOf& sine = earlier[known ? static_cast<std::size_t>(g.of.sine) : 0].of;
+    if (!known || sine.function != Function::sine || !(sine.argument == g.of.argument))
+        refuse_generator("a cosine is added after the sine of the same argument", g.name);
 }
 
 } // namespace
@@ -70,6 +94,10 @@ GeneratorId RingBuilder::add(Generator g) {
         check_radicand(packing_, generators_, g);
         g.positive = g.positive || g.index > 1;
         g.invertible = true;
+    }
+    if (g.kind == GeneratorKind::function) {
+        check_argument(packing_, generators_, g);
+        g.positive = g.positive || g.of.function == Function::exponential;
     }
     if (g.kind == GeneratorKind::phase || g.positive) g.invertible = true;
     generators_.push_back(std::move(g));
@@ -114,6 +142,7 @@ RingPtr RingBuilder::freeze() const {
     ring->generators_ = generators_;
     for (Generator& g : ring->generators_) {
         g.radicand = repack(packing_, ring->packing_, g.radicand);
+        g.of.argument = repack(packing_, ring->packing_, g.of.argument);
         for (auto& entry : g.derivatives) entry.second = repack(packing_, ring->packing_, entry.second);
         const bool pair = g.kind == GeneratorKind::fast && g.conjugate >= 0;
         if (pair &&
@@ -134,21 +163,15 @@ RingPtr RingBuilder::freeze() const {
             if (ring->generator(id).kind != GeneratorKind::root) continue;
             if ((ring->generator(id).radicand.size() > 1) != several_terms) continue;
             std::optional<Relation> relation = choose_relation(*ring, ring->relations_, id);
+            ring->related_ = ring->related_ && relation.has_value();
             if (relation) ring->relations_.push_back(std::move(*relation));
         }
     }
-    // d sigma = sigma^(1-k)/k d radicand; a nested radicand uses the derivatives of earlier roots.
     for (GeneratorId id = 0; id < size; ++id) {
-        Generator& root = ring->generators_[static_cast<std::size_t>(id)];
-        if (root.kind != GeneratorKind::root) continue;
-        const Polynomial factor = Rational(1) / Rational(root.index) * ring->gen(id, 1 - root.index);
-        for (GeneratorId v = 0; v < size; ++v) {
-            const GeneratorKind kind = ring->generator(v).kind;
-            if (kind != GeneratorKind::slow && kind != GeneratorKind::parameter) continue;
-            const Polynomial d = ring->multiply(factor, ring->derivative(root.radicand, v));
-            if (!d.empty()) root.derivatives.emplace_back(v, d);
-        }
+        const Generator& g = ring->generator(id);
+        if (g.kind == GeneratorKind::function && g.of.function == Function::cosine) ring->relate_circle(id);
     }
+    for (GeneratorId id = 0; id < size; ++id) ring->derive(id);
     return ring;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Is a polynomial zero as a function? Yes by algebra, no by intervals, else unknown.
-#include "algebra/interval.hpp"
+#include "algebra/interval_functions.hpp"
 #include "algebra/ring.hpp"
 
 #include <algorithm>
@@ -21,50 +21,89 @@ bool is_free(GeneratorKind kind) {
 // Sample points of the domain: small rationals from a fixed sequence, so that answers repeat.
 class Points {
 public:
-    // One value for each generator, or nothing if a radicand is not positive there.
+    // One value for each generator, or nothing if the point lies outside the domain.
     std::optional<std::vector<Interval>> next(const Ring& ring, int bits);
 
 private:
+    std::optional<Interval> root_at(const Ring& ring, const Generator& g, const std::vector<Interval>& point,
+                                    int bits);
+    std::optional<Interval> function_at(const Ring& ring, const Generator& g,
+                                        const std::vector<Interval>& point, int bits);
+    Interval any(bool positive) {
+        const bool negative = !positive && integer() > 30;
+        const Rational size = fraction();
+        return Interval(negative ? -size : size);
+    }
     Rational fraction() { return Rational(integer()) / Rational(integer()); }
     int integer() { // 1 ... 60
         state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
         return static_cast<int>((state_ >> 33) % 60) + 1;
     }
     std::uint64_t state_ = 20;
+    std::vector<std::pair<const Generator*, Interval>> named_; // of this point, with their arguments
 };
 
-Interval value(const Ring& ring, const Polynomial& p, const std::vector<Interval>& point) {
+// nullopt: divided by what may be zero.
+std::optional<Interval> value(const Ring& ring, const Polynomial& p, const std::vector<Interval>& point) {
     Interval total{Rational(0)};
     for (const Term& t : p.terms()) {
         Interval product{t.coefficient};
-        for (GeneratorId id = 0; id < ring.size(); ++id) {
+        for (GeneratorId id = 0; id < static_cast<GeneratorId>(point.size()); ++id) {
             const int e = ring.exponent(t.monomial, id);
-            if (e != 0) product = product * power(point[static_cast<std::size_t>(id)], e);
+            if (e == 0) continue;
+            const Interval& base = point[static_cast<std::size_t>(id)];
+            if (e < 0 && !base.excludes_zero()) return std::nullopt;
+            product = product * power(base, e);
         }
         total = total + product;
     }
     return total;
 }
 
+std::optional<Interval> Points::root_at(const Ring& ring, const Generator& g,
+                                        const std::vector<Interval>& point, int bits) {
+    const std::optional<Interval> radicand = value(ring, g.radicand, point);
+    if (!radicand) return std::nullopt;
+    if (g.index == 1) // a divisor, of either sign
+        return radicand->excludes_zero() ? radicand : std::nullopt;
+    if (!radicand->positive()) return std::nullopt;
+    const Interval result = root(*radicand, g.index, bits);
+    return result.positive() ? std::optional(result) : std::nullopt;
+}
+
+// A named function is any function: its values at different places, and those of its derivatives, are
+// whatever one likes.
+std::optional<Interval> Points::function_at(const Ring& ring, const Generator& g,
+                                            const std::vector<Interval>& point, int bits) {
+    const std::optional<Interval> u = value(ring, g.of.argument, point);
+    if (!u) return std::nullopt;
+    if (g.of.function != Function::named) {
+        const std::optional<Interval> result = function(g.of.function, *u, bits);
+        const bool meant =
+            result && (!g.positive || result->positive()) && (!g.invertible || result->excludes_zero());
+        return meant ? result : std::nullopt;
+    }
+    for (const auto& [other, argument] : named_)
+        if (other->of.symbol == g.of.symbol && other->of.derivative == g.of.derivative &&
+            argument.low <= u->high && u->low <= argument.high)
+            return std::nullopt; // perhaps the same place
+    named_.emplace_back(&g, *u);
+    return any(g.positive);
+}
+
 std::optional<std::vector<Interval>> Points::next(const Ring& ring, int bits) {
     std::vector<Interval> point;
+    named_.clear();
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
-        if (g.kind == GeneratorKind::root) {
-            const Interval radicand = value(ring, g.radicand, point);
-            if (g.index == 1) { // a divisor, of either sign
-                if (!radicand.excludes_zero()) return std::nullopt;
-                point.push_back(radicand);
-                continue;
-            }
-            if (!radicand.positive()) return std::nullopt;
-            point.push_back(root(radicand, g.index, bits));
-            if (!point.back().positive()) return std::nullopt;
+        if (g.kind != GeneratorKind::root && g.kind != GeneratorKind::function) {
+            point.push_back(any(g.positive));
             continue;
         }
-        const bool negative = !g.positive && integer() > 30;
-        const Rational size = fraction();
-        point.emplace_back(negative ? -size : size);
+        const std::optional<Interval> here =
+            g.kind == GeneratorKind::root ? root_at(ring, g, point, bits) : function_at(ring, g, point, bits);
+        if (!here) return std::nullopt;
+        point.push_back(*here);
     }
     return point;
 }
@@ -88,7 +127,8 @@ bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Poly
         if (!point) continue;
         for (const auto& coefficient : coefficients) {
             if (holds_primitive(ring, coefficient.second)) continue;
-            if (value(ring, coefficient.second, *point).excludes_zero()) return true;
+            const std::optional<Interval> here = value(ring, coefficient.second, *point);
+            if (here && here->excludes_zero()) return true;
         }
     }
     return false;
@@ -105,7 +145,10 @@ Polynomial cleared_of(const Ring& ring, const Polynomial& p, GeneratorId lead) {
 } // namespace
 
 bool Ring::is_canonical() const {
-    return std::none_of(relations_.begin(), relations_.end(),
+    const bool independent =
+        std::all_of(generators_.begin(), generators_.end(), [](const Generator& g) { return g.independent; });
+    return independent && related_ &&
+           std::none_of(relations_.begin(), relations_.end(),
                         [&](const Relation& r) { return !r.total && generator(r.lead).invertible; });
 }
 

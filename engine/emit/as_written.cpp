@@ -85,11 +85,19 @@ private:
             DisplaySum argument = sum();
             take(); // )
             result = function == "sqrt" ? raised(as_term(std::move(argument)), Rational(1) / 2)
-                                        : as_term(factor_sum(function_factor(function, std::move(argument))));
+                                        : as_term(factor_sum(call(function, std::move(argument))));
         } else {
             result.factors.push_back(symbol_factor(text_.substr(token.begin, token.end - token.begin)));
         }
         return result;
+    }
+
+    // omega'(tau): the primes of a function that is known by its name.
+    static DisplayFactor call(const std::string& function, DisplaySum argument) {
+        const DisplayFactor name = symbol_factor(function);
+        DisplayFactor factor = function_factor(name.name, std::move(argument));
+        factor.primes = name.primes;
+        return factor;
     }
 
     // A parenthesis around one term is none.

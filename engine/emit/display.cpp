@@ -16,6 +16,18 @@ using Exponents = std::vector<int>;
 
 DisplaySum display_radicand(const Ring& ring, const Polynomial& radicand);
 
+DisplayFactor display_function(const Ring& ring, const FunctionOf& f) {
+    static const std::map<Function, const char*> names{
+        {Function::exponential, "exp"}, {Function::sine, "sin"},         {Function::cosine, "cos"},
+        {Function::logarithm, "log"},   {Function::arc_tangent, "atan"},
+    };
+    const auto known = names.find(f.function);
+    DisplayFactor factor =
+        function_factor(known == names.end() ? f.symbol : known->second, display(ring, f.argument));
+    factor.primes = f.derivative;
+    return factor;
+}
+
 // c * x^a * y^b with c > 0 and positive symbols: its root is the product of the roots.
 bool splits_under_root(const Ring& ring, const Polynomial& radicand) {
     if (radicand.size() != 1 || cln::minusp(radicand.terms().front().coefficient)) return false;
@@ -79,8 +91,9 @@ private:
 
     [[nodiscard]] DisplayFactor symbol(GeneratorId id) const {
         const auto substitute = substitutes_.find(id);
-        return substitute != substitutes_.end() ? substitute->second
-                                                : symbol_factor(ring_.generator(id).name);
+        if (substitute != substitutes_.end()) return substitute->second;
+        const Generator& g = ring_.generator(id);
+        return g.kind == GeneratorKind::function ? display_function(ring_, g.of) : symbol_factor(g.name);
     }
 
     const Ring& ring_;

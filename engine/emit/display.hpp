@@ -26,7 +26,7 @@ struct DisplayFactor {
         symbol,   // name with primes: psi''
         number,   // a rational under a root
         sum,      // (r^2 + xi^2): arguments[0]
-        function, // name(arguments...)
+        function, // name(arguments...), with primes if it is known by its name only
         integral, // of arguments[0] by arguments[1] from arguments[2] to arguments[3]
         power,    // arguments[0] ^ arguments[1], one base; its own exponent is 1
     };
@@ -54,7 +54,8 @@ struct DisplaySum {
 
 DisplayFactor symbol_factor(const std::string& name, const Rational& exponent = 1); // "psi''": two primes
 DisplayFactor function_factor(const std::string& name, DisplaySum argument);
-DisplaySum factor_sum(DisplayFactor factor); // a sum of this one factor
+bool is_elementary(const DisplayFactor& function); // sin, log, ...: else it is known by its name only
+DisplaySum factor_sum(DisplayFactor factor);       // a sum of this one factor
 DisplaySum symbol_sum(const std::string& name);
 DisplaySum number_sum(const Rational& value);
 bool same_base(const DisplayFactor& a, const DisplayFactor& b); // equal but for the exponent

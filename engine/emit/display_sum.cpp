@@ -3,6 +3,7 @@
 #include "emit/display.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace resonform {
@@ -106,6 +107,12 @@ DisplayFactor function_factor(const std::string& name, DisplaySum argument) {
     factor.name = name;
     factor.arguments.push_back(std::move(argument));
     return factor;
+}
+
+bool is_elementary(const DisplayFactor& function) {
+    static constexpr const char* names[] = {"sin",  "cos",  "tan",  "exp",  "log",  "sinh",
+                                            "cosh", "tanh", "asin", "acos", "atan", "conj"};
+    return std::find(std::begin(names), std::end(names), function.name) != std::end(names);
 }
 
 DisplaySum factor_sum(DisplayFactor factor) {

@@ -77,6 +77,13 @@ std::string function(const DisplayFactor& factor) {
     const std::string text = latex(argument);
     if (factor.name == "conj") return "\\overline{" + text + "}";
     if (factor.name == "old") return "{" + text + "}_{\\mathrm{old}}";
+    if (!is_elementary(factor)) {
+        const int n = factor.primes;
+        const std::string name = latex_name(factor.name, 0);
+        const std::string primes =
+            n <= 3 ? std::string(static_cast<std::size_t>(n), '\'') : "^{(" + std::to_string(n) + ")}";
+        return name + primes + parenthesised(text);
+    }
     return "\\" + function_macro(factor.name) + " " +
            (is_simple_argument(argument) ? text : parenthesised(text));
 }

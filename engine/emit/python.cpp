@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace resonform {
 
 namespace {
@@ -40,6 +42,20 @@ std::string real_symbol(const std::string& name, bool positive, bool nonzero) {
     return symbol_line(name, nonzero ? ", real=True, nonzero=True" : ", real=True");
 }
 
+// The functions that stand in the coefficients besides what every script needs.
+std::string imported(const GradedField& field) {
+    std::set<std::string> names{"I", "Rational", "Symbol", "exp", "prod", "sqrt"};
+    for (GeneratorId id = 0; id < field.ring->size(); ++id) {
+        const Generator& g = field.ring->generator(id);
+        if (g.kind != GeneratorKind::function) continue;
+        if (g.of.function == Function::named)
+            names.insert({"Derivative", "Function", "Subs"});
+        else
+            names.insert(display(*field.ring, field.ring->gen(id)).terms.front().factors.front().name);
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::string symbols(const GradedField& field) {
     std::string text = real_symbol("eps", true, true);
     for (const Parameter& p : field.system().parameters) text += real_symbol(p.name, p.positive, p.nonzero);
@@ -52,6 +68,11 @@ std::string symbols(const GradedField& field) {
         text += symbol_line(mode.name, mode.is_real() ? ", real=True" : "");
         if (!mode.is_real()) text += symbol_line(mode.conjugate_name, "");
     }
+    for (const NamedFunction& f : field.system().functions)
+        text += fmt::format("{} = Function(\"{}\"{})\n", python_name(f.name), f.name,
+                            f.positive  ? ", positive=True"
+                            : f.nonzero ? ", real=True, nonzero=True"
+                                        : ", real=True");
     return text;
 }
 
@@ -95,9 +116,8 @@ std::string dictionary(const GradedField& field, const std::string& name,
 std::string normal_form_sympy(const Normalization& normalization, int order) {
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
-    std::string text =
-        fmt::format("# {}\n# needs SymPy\nfrom sympy import I, Rational, Symbol, exp, prod, sqrt\n\n",
-                    normal_form_title(normal_form, order));
+    std::string text = fmt::format("# {}\n# needs SymPy\nfrom sympy import {}\n\n",
+                                   normal_form_title(normal_form, order), imported(field));
     text += symbols(field);
     text += "\n# exponents below are in this order\n" + variables(field);
     text += "\n# rates\n" + dictionary(field, "normal_form", rates_through(normal_form, order));

@@ -62,6 +62,29 @@ std::string maxima_integral(const std::string& integrand, const std::string& var
     return fmt::format("integrate({}, {}, {}, {})", integrand, variable, from, to);
 }
 
+bool is_name(const std::string& text) {
+    return std::all_of(text.begin(), text.end(),
+                       [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+std::string text_derivative(const std::string& function, int order, const std::string& argument) {
+    return primed(function, order) + "(" + argument + ")";
+}
+
+// At an argument that is no name the derivative is taken first and evaluated then.
+std::string sympy_derivative(const std::string& function, int order, const std::string& argument) {
+    const std::string variable = is_name(argument) ? argument : "Symbol('u')";
+    const std::string by = order == 1 ? variable : fmt::format("({}, {})", variable, order);
+    const std::string derivative = fmt::format("Derivative({}({}), {})", function, variable, by);
+    return is_name(argument) ? derivative : fmt::format("Subs({}, {}, {})", derivative, variable, argument);
+}
+
+std::string maxima_derivative(const std::string& function, int order, const std::string& argument) {
+    const std::string variable = is_name(argument) ? argument : "u_";
+    const std::string derivative = fmt::format("'diff({}({}), {}, {})", function, variable, variable, order);
+    return is_name(argument) ? derivative : fmt::format("at({}, {} = {})", derivative, variable, argument);
+}
+
 std::string rational(const Rational& value, const Spelling& spelling) {
     if (is_integer(value) || !spelling.wrapped_rational) return to_string(value);
     return fmt::format("Rational({}, {})", to_string(Rational(cln::numerator(value))),
@@ -75,13 +98,20 @@ std::string symbolic_exponent(const DisplaySum& exponent, const Spelling& spelli
     return name ? text : "(" + text + ")";
 }
 
+std::string function(const DisplayFactor& factor, const Spelling& spelling) {
+    const std::string argument = spell(factor.arguments.front(), spelling);
+    const std::string name = is_elementary(factor) ? factor.name : spelling.symbol(factor.name, 0);
+    if (factor.primes > 0) return spelling.derivative(name, factor.primes, argument);
+    return name + "(" + argument + ")";
+}
+
 // The base without parentheses around it.
 std::string inner(const DisplayFactor& factor, const Spelling& spelling) {
     switch (factor.kind) {
     case Kind::symbol: return spelling.symbol(factor.name, factor.primes);
     case Kind::number: return rational(factor.number, spelling);
     case Kind::sum: return spell(factor.arguments.front(), spelling);
-    case Kind::function: return factor.name + "(" + spell(factor.arguments.front(), spelling) + ")";
+    case Kind::function: return function(factor, spelling);
     case Kind::integral:
         return spelling.integral(spell(factor.arguments[0], spelling), spell(factor.arguments[1], spelling),
                                  spell(factor.arguments[2], spelling), spell(factor.arguments[3], spelling));
@@ -141,22 +171,22 @@ std::string spell_unsigned(const DisplayTerm& term, const Spelling& spelling) {
 } // namespace
 
 const Spelling& text_spelling() {
-    static const Spelling spelling{"^", "I", true, false, primed, text_integral};
+    static const Spelling spelling{"^", "I", true, false, primed, text_derivative, text_integral};
     return spelling;
 }
 
 const Spelling& json_spelling() {
-    static const Spelling spelling{"**", "I", false, false, primed, sympy_integral};
+    static const Spelling spelling{"**", "I", false, false, primed, sympy_derivative, sympy_integral};
     return spelling;
 }
 
 const Spelling& python_spelling() {
-    static const Spelling spelling{"**", "I", true, true, python_symbol, sympy_integral};
+    static const Spelling spelling{"**", "I", true, true, python_symbol, sympy_derivative, sympy_integral};
     return spelling;
 }
 
 const Spelling& maxima_spelling() {
-    static const Spelling spelling{"^", "%i", true, false, maxima_symbol, maxima_integral};
+    static const Spelling spelling{"^", "%i", true, false, maxima_symbol, maxima_derivative, maxima_integral};
     return spelling;
 }
 

@@ -20,6 +20,8 @@ struct Spelling {
     bool root_of_sums;     // sqrt(r^2 + xi^2), else (r^2 + xi^2)**(1/2); symbols always have sqrt(g)
     bool wrapped_rational; // Rational(1, 4): 1/4 is a float in Python
     std::string (*symbol)(const std::string& name, int primes);
+    // of a function that is known by its name: omega''(tau), Derivative(omega(tau), (tau, 2)), ...
+    std::string (*derivative)(const std::string& function, int order, const std::string& argument);
     std::string (*integral)(const std::string& integrand, const std::string& variable,
                             const std::string& from, const std::string& to);
 };

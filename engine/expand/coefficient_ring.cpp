@@ -2,11 +2,13 @@
 #include "expand/coefficient_ring.hpp"
 
 #include "model/canonical.hpp"
+#include "model/named_function.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 #include <exception>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -42,6 +44,11 @@ CoefficientRing::CoefficientRing(std::shared_ptr<const System> system) : system_
     vanish(system_->eps);
 }
 
+ex with_argument(const ex& e, const ex& u) {
+    if (is_named(e)) return named_function(named_call(e).name, named_call(e).derivative, u);
+    return GiNaC::ex_to<GiNaC::function>(e).thiscontainer({u}).eval();
+}
+
 void CoefficientRing::vanish(const ex& symbol) { zero_[symbol] = 0; }
 
 void CoefficientRing::move(const ex& symbol) { moving_.push_back(symbol); }
@@ -65,13 +72,59 @@ void CoefficientRing::collect(const ex& e, const Place& place) {
         const ex& base = e.op(0);
         if (!is_rational_number(e.op(1)))
             refuse({"exponents are rational numbers", spell(e), "write the power with a number", place});
-        const Rational exponent = to_rational(e.op(1));
         collect(base, place);
-        if (e.op(1).info(GiNaC::info_flags::nonnegint)) return;
-        note(split_power(at_origin(base, place), exponent, *system_, place), place);
+        if (!e.op(1).info(GiNaC::info_flags::nonnegint))
+            needed_.push_back({GiNaC::pow(at_origin(base, place), e.op(1)), place});
+        return;
+    }
+    if (is_a<GiNaC::function>(e)) {
+        collect(e.op(0), place);
+        collect_function(e, without_angles(at_origin(e.op(0), place)), place);
         return;
     }
     for (const ex& operand : operands(e)) collect(operand, place);
+}
+
+// The rest of an argument k phi + rest.
+ex CoefficientRing::without_angles(const ex& argument) const {
+    GiNaC::exmap zero;
+    for (const Variable& v : system_->variables)
+        if (v.role == Role::angle) zero[v.jet.front()] = 0;
+    return zero.empty() ? argument : argument.subs(zero, GiNaC::subs_options::no_pattern);
+}
+
+// What f(u_0 + ...) needs: f(u_0) itself, and of what is expanded about u_0 the slope there.
+void CoefficientRing::collect_function(const ex& e, const ex& u, const Place& place) {
+    const auto need = [&](const ex& expression) { needed_.push_back({expression, place}); };
+    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    if ((name == "log" && u.is_zero()) || (name == "asin" && (1 - u * u).expand().is_zero()))
+        refuse({"a function is regular at the origin", spell(e),
+                "remove the singularity, or expand about another point", place});
+    if (!u.is_zero() || is_named(e)) need(with_argument(e, u));
+    if (name == "log") need(GiNaC::pow(u, -1));
+    if (name == "atan") need(GiNaC::pow(1 + u * u, -1));
+    if (name == "asin") need(GiNaC::pow(1 - u * u, GiNaC::numeric(-1, 2)));
+}
+
+// The common parts of arguments, then the atoms with the powers inside, then all other powers.
+void CoefficientRing::learn_functions(int derivatives) {
+    functions_ = std::make_shared<FunctionAtoms>(system_, derivatives);
+    do {
+        for (const Needed& n : needed_) functions_->learn(n.expression, n.place);
+    } while (!functions_->forget_unless_settled());
+    functions_->judge_independence();
+    for (const FunctionAtom& atom : functions_->atoms()) {
+        note_powers(atom.argument, atom.place);
+        levels_.push_back(level_of(atom.argument));
+    }
+    for (const Needed& n : needed_) note_powers(functions_->rewrite(n.expression, n.place), n.place);
+    needed_.clear();
+}
+
+void CoefficientRing::note_powers(const ex& e, const Place& place) {
+    for (const ex& operand : operands(e)) note_powers(operand, place);
+    if (is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::nonnegint))
+        note(split_power(e.op(0), to_rational(e.op(1)), functions_->domain(), place), place);
 }
 
 void CoefficientRing::note(const PowerProduct& product, const Place& place) {
@@ -79,7 +132,7 @@ void CoefficientRing::note(const PowerProduct& product, const Place& place) {
         const Integer denominator = cln::denominator(factor.exponent);
         const bool atom = is_a<GiNaC::symbol>(factor.base);
         if (atom && denominator == 1) continue;
-        collect(factor.base, place);                                   // roots inside come first
+        note_powers(factor.base, place);                               // roots inside come first
         if (denominator == 1 && cln::plusp(factor.exponent)) continue; // a polynomial of what is known
         Base* known = find_base(factor.base);
         if (known == nullptr) {
@@ -97,9 +150,12 @@ void CoefficientRing::note(const PowerProduct& product, const Place& place) {
 
 int CoefficientRing::level_of(const ex& base) const {
     int level = 0;
-    for (GiNaC::const_preorder_iterator it = base.preorder_begin(); it != base.preorder_end(); ++it)
+    for (GiNaC::const_preorder_iterator it = base.preorder_begin(); it != base.preorder_end(); ++it) {
         if (is_a<GiNaC::power>(*it) && !it->op(1).info(GiNaC::info_flags::nonnegint))
             if (const Base* inner = find_base(it->op(0))) level = std::max(level, inner->level + 1);
+        for (std::size_t k = 0; k < levels_.size(); ++k)
+            if (it->is_equal(functions_->atoms()[k].symbol)) level = std::max(level, levels_[k] + 1);
+    }
     return level;
 }
 
@@ -124,12 +180,14 @@ const CoefficientRing::Base* CoefficientRing::find_base(const ex& e) const {
 }
 
 void CoefficientRing::freeze(const Divisors& divisors) {
+    derivatives_ = divisors.derivatives;
+    learn_functions(derivatives_);
     RingBuilder builder;
     add_symbols(builder);
     std::stable_sort(bases_.begin(), bases_.end(), [](const Base& a, const Base& b) {
         return std::tie(a.level, a.key) < std::tie(b.level, b.key);
     });
-    add_roots(builder);
+    add_roots_and_functions(builder);
     for (const Polynomial& divisor : divisors.values) {
         Generator g;
         g.kind = GeneratorKind::root;
@@ -176,55 +234,82 @@ void CoefficientRing::add_symbols(RingBuilder& builder) {
             add(GeneratorKind::slow, v.name, v.nonzero || v.positive, v.positive, v.jet.front());
 }
 
-void CoefficientRing::add_roots(RingBuilder& builder) {
-    int number = 0;
-    for (Base& base : bases_) {
-        const bool positive = provably_positive(base.expression, *system_);
-        if (base.index == 1 && positive) base.index = 2; // only inverted: its root will do as well
-        Generator g;
-        g.kind = GeneratorKind::root;
-        g.name = fmt::format("root {}", ++number); // no name of a user has a space
-        g.invertible = true;
-        g.positive = positive;
-        g.index = base.index;
-        g.radicand = radicand(base, builder);
-        base.id = at_place(base.place, [&] { return builder.add(std::move(g)); });
+// What is inside of others first; roots before functions of one level.
+void CoefficientRing::add_roots_and_functions(RingBuilder& builder) {
+    const auto& atoms = functions_->atoms();
+    std::vector<std::size_t> order(atoms.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto key = [&](std::size_t k) {
+            return std::make_tuple(levels_[k], spell(atoms[k].argument), atoms[k].function, atoms[k].name,
+                                   atoms[k].derivative);
+        };
+        return key(a) < key(b);
+    });
+    std::vector<GeneratorId> ids(atoms.size(), -1);
+    std::size_t base = 0, atom = 0;
+    while (base < bases_.size() || atom < order.size()) {
+        const bool root =
+            base < bases_.size() && (atom == order.size() || bases_[base].level <= levels_[order[atom]]);
+        if (root) {
+            add_root(bases_[base], static_cast<int>(base) + 1, builder);
+            ++base;
+        } else {
+            const std::size_t k = order[atom++];
+            add_function(atoms[k], ids, builder);
+            ids[k] = symbols_.back().second;
+        }
     }
 }
 
-Polynomial CoefficientRing::radicand(const Base& root, const RingBuilder& builder) const {
-    const ex& e = root.expression;
+void CoefficientRing::add_root(Base& base, int number, RingBuilder& builder) {
+    const bool positive = functions_->domain().positive(base.expression);
+    if (base.index == 1 && positive) base.index = 2; // only inverted: its root will do as well
+    Generator g;
+    g.kind = GeneratorKind::root;
+    g.name = fmt::format("root {}", number); // no name of a user has a space
+    g.invertible = true;
+    g.positive = positive;
+    g.index = base.index;
+    g.radicand = polynomial(base.expression, builder, base.place);
+    base.id = at_place(base.place, [&] { return builder.add(std::move(g)); });
+}
+
+void CoefficientRing::add_function(const FunctionAtom& atom, std::vector<GeneratorId>& ids,
+                                   RingBuilder& builder) {
+    Generator g;
+    g.kind = GeneratorKind::function;
+    g.name = atom.symbol.get_name(); // no name of a user has a parenthesis
+    g.positive = functions_->domain().positive(atom.symbol);
+    g.invertible = functions_->domain().nonzero(atom.symbol);
+    g.independent = atom.independent;
+    g.of = {atom.function, polynomial(atom.argument, builder, atom.place),
+            atom.function == Function::cosine ? ids[atom.sine] : -1, atom.name, atom.derivative};
+    symbols_.emplace_back(atom.symbol, at_place(atom.place, [&] { return builder.add(std::move(g)); }));
+}
+
+// A sum of products of powers of what the builder has.
+Polynomial CoefficientRing::polynomial(const ex& e, const RingBuilder& builder, const Place& place) const {
     std::vector<Term> terms;
-    const auto add_term = [&](const ex& term) {
+    for (const ex& term : is_a<GiNaC::add>(e) ? operands(e) : std::vector<ex>{e}) {
         Term product{Monomial{}, 1};
-        const auto put = [&](const ex& factor) {
-            const Term t = radicand_factor(factor, builder, root.place);
+        for (const ex& f : is_a<GiNaC::mul>(term) ? operands(term) : std::vector<ex>{term}) {
+            const Term t = factor(f, builder, place);
             product = {product.monomial + t.monomial, product.coefficient * t.coefficient};
-        };
-        if (is_a<GiNaC::mul>(term)) {
-            for (const ex& factor : operands(term)) put(factor);
-        } else {
-            put(term);
         }
         terms.push_back(product);
-    };
-    if (is_a<GiNaC::add>(e)) {
-        for (const ex& term : operands(e)) add_term(term);
-    } else {
-        add_term(e);
     }
     return Polynomial::from_terms(std::move(terms));
 }
 
-Term CoefficientRing::radicand_factor(const ex& factor, const RingBuilder& builder,
-                                      const Place& place) const {
-    if (is_a<GiNaC::numeric>(factor)) return {Monomial{}, to_rational(factor)};
-    const bool is_power = is_a<GiNaC::power>(factor);
-    const ex base = is_power ? factor.op(0) : factor;
-    const Rational exponent = is_power ? to_rational(factor.op(1)) : Rational(1);
+Term CoefficientRing::factor(const ex& e, const RingBuilder& builder, const Place& place) const {
+    if (is_a<GiNaC::numeric>(e)) return {Monomial{}, to_rational(e)};
+    const bool is_power = is_a<GiNaC::power>(e);
+    const ex base = is_power ? e.op(0) : e;
+    const Rational exponent = is_power ? to_rational(e.op(1)) : Rational(1);
     const auto power_of = [&](GeneratorId id, const Rational& power) {
         if (cln::abs(cln::numerator(power)) > largest_root_index())
-            refuse({fmt::format("exponents under a root are at most {}", largest_root_index()), spell(factor),
+            refuse({fmt::format("exponents under a root are at most {}", largest_root_index()), spell(e),
                     "use smaller exponents", place});
         return builder.gen(id, to_int(cln::numerator(power))).terms().front();
     };
@@ -232,8 +317,9 @@ Term CoefficientRing::radicand_factor(const ex& factor, const RingBuilder& build
         return power_of(root->id, exponent * root->index);
     for (const auto& [symbol, id] : symbols_)
         if (base.is_equal(symbol)) return power_of(id, exponent);
-    refuse({"the expression under a root is a polynomial in parameters, slow variables and simpler roots",
-            spell(factor), "rewrite the coefficient", place});
+    refuse({"the expression under a root or in a function is a polynomial in parameters, slow variables and "
+            "simpler roots and functions",
+            spell(e), "rewrite the coefficient", place});
 }
 
 GeneratorId CoefficientRing::fast(std::size_t k) const { return static_cast<GeneratorId>(k) + 1; }
@@ -249,25 +335,32 @@ GeneratorId CoefficientRing::slow(std::size_t variable) const {
 }
 
 Polynomial CoefficientRing::convert(const ex& e, const Place& place) const {
+    return convert_rewritten(functions_->rewrite(e, place), place);
+}
+
+Polynomial CoefficientRing::convert_rewritten(const ex& e, const Place& place) const {
     if (is_a<GiNaC::add>(e)) {
         std::vector<Polynomial> summands;
-        for (const ex& term : operands(e)) summands.push_back(convert(term, place));
+        for (const ex& term : operands(e)) summands.push_back(convert_rewritten(term, place));
         return sum(summands);
     }
     if (is_a<GiNaC::mul>(e)) {
         Polynomial product = ring_->one();
-        for (const ex& factor : operands(e)) product = ring_->multiply(product, convert(factor, place));
+        for (const ex& factor : operands(e))
+            product = ring_->multiply(product, convert_rewritten(factor, place));
         return product;
     }
     if (is_rational_number(e)) return Polynomial(to_rational(e));
     if (is_a<GiNaC::symbol>(e)) return convert_symbol(e, 1, place);
     if (is_a<GiNaC::power>(e) && is_rational_number(e.op(1))) {
         if (e.op(1).info(GiNaC::info_flags::nonnegint))
-            return ring_->power(convert(e.op(0), place), to_int(cln::numerator(to_rational(e.op(1)))));
+            return ring_->power(convert_rewritten(e.op(0), place),
+                                to_int(cln::numerator(to_rational(e.op(1)))));
         return convert_power(e.op(0), to_rational(e.op(1)), place);
     }
-    refuse({"coefficients are built from numbers, parameters, slow variables, powers and roots", spell(e),
-            "functions of slow variables and irrational constants are not supported yet", place});
+    refuse({"coefficients are built from numbers, parameters, slow variables, powers, roots and functions",
+            spell(functions_->domain().meaning(e)),
+            "write irrational constants such as pi as positive parameters", place});
 }
 
 Polynomial CoefficientRing::convert(const Complex& e, const Place& place) const {
@@ -284,7 +377,7 @@ Polynomial CoefficientRing::convert_symbol(const ex& symbol, int exponent, const
 
 Polynomial CoefficientRing::convert_power(const ex& base, const Rational& exponent,
                                           const Place& place) const {
-    const PowerProduct product = split_power(base, exponent, *system_, place);
+    const PowerProduct product = split_power(base, exponent, functions_->domain(), place);
     Polynomial result(product.number);
     for (const auto& factor : product.factors) {
         if (const Base* root = find_base(factor.base)) {
@@ -292,9 +385,10 @@ Polynomial CoefficientRing::convert_power(const ex& base, const Rational& expone
             result = ring_->multiply(result, ring_->gen(root->id, power));
         } else {
             const int power = to_exponent(factor.exponent, factor.base, place);
-            result = ring_->multiply(result, is_a<GiNaC::symbol>(factor.base)
-                                                 ? convert_symbol(factor.base, power, place)
-                                                 : ring_->power(convert(factor.base, place), power));
+            result =
+                ring_->multiply(result, is_a<GiNaC::symbol>(factor.base)
+                                            ? convert_symbol(factor.base, power, place)
+                                            : ring_->power(convert_rewritten(factor.base, place), power));
         }
     }
     return result;

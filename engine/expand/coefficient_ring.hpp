@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The coefficient ring of a system: parameters, slow variables, and one invertible generator for
-// every base of which a root or an inverse occurs.
+// The coefficient ring of a system: parameters, slow variables, one invertible generator for every base
+// of which a root or an inverse occurs, and generators for functions of slow variables and parameters.
 //
-//   collect:  sees every power of weight 0 in an expression and notes base and root index
-//   freeze:   builds the Ring (fast generators, eps, parameters, slow, roots)
+//   collect:  sees every power and function in an expression and notes what it needs at weight 0
+//   freeze:   builds the Ring (fast generators, eps, parameters, slow, roots and functions)
 //   convert:  an expression of weight 0 (and eps) -> its Polynomial
 #pragma once
 
 #include "algebra/ring.hpp"
 #include "expand/complex_expression.hpp"
-#include "expand/power_product.hpp"
+#include "expand/function_atoms.hpp"
 
 #include <string>
 #include <vector>
 
 namespace resonform {
 
+// f(u) for the function f of e = f(...).
+GiNaC::ex with_argument(const GiNaC::ex& e, const GiNaC::ex& u);
+
 // What is divided by besides what stands in the equations: small divisors k.omega, polynomials of another
 // ring of the same system, with exponents >= 0 of every generator.
 struct Divisors {
     RingPtr ring;
     std::vector<Polynomial> values;
+    int derivatives = 1; // and how often functions known by their names only are differentiated
 };
 
 struct FastGenerator {
@@ -46,9 +50,11 @@ public:
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Place& place) const;
     // Does a symbol occur in e that vanishes or moves?
     [[nodiscard]] bool has_weight(const GiNaC::ex& e) const;
+    // How often functions known by their names only can be differentiated.
+    [[nodiscard]] int derivatives() const { return derivatives_; }
 
-    // Notes the roots and inverses that a later convert of e, or of the weight-0 part of a power of
-    // positive weight in e, will need.
+    // Notes the roots, inverses and functions that a later convert of e, or of the weight-0 part of a power
+    // or function of positive weight in e, will need.
     void collect(const GiNaC::ex& e, const Place& place);
     void freeze(const Divisors& divisors = {});
 
@@ -72,29 +78,44 @@ private:
         GeneratorId id = -1;
         Place place; // where it was seen first
     };
+    struct Needed { // of weight 0: a power or a function
+        GiNaC::ex expression;
+        Place place;
+    };
 
+    void collect_function(const GiNaC::ex& e, const GiNaC::ex& u, const Place& place);
+    [[nodiscard]] GiNaC::ex without_angles(const GiNaC::ex& argument) const;
+    void learn_functions(int derivatives);
+    void note_powers(const GiNaC::ex& e, const Place& place);
     void note(const PowerProduct& product, const Place& place);
     Base* find_base(const GiNaC::ex& e);
     [[nodiscard]] const Base* find_base(const GiNaC::ex& e) const;
+    [[nodiscard]] Polynomial convert_rewritten(const GiNaC::ex& e, const Place& place) const;
     [[nodiscard]] Polynomial convert_power(const GiNaC::ex& base, const Rational& exponent,
                                            const Place& place) const;
     [[nodiscard]] Polynomial convert_symbol(const GiNaC::ex& symbol, int exponent, const Place& place) const;
-    [[nodiscard]] Polynomial radicand(const Base& root, const RingBuilder& builder) const;
-    [[nodiscard]] Term radicand_factor(const GiNaC::ex& factor, const RingBuilder& builder,
-                                       const Place& place) const;
+    [[nodiscard]] Polynomial polynomial(const GiNaC::ex& e, const RingBuilder& builder,
+                                        const Place& place) const;
+    [[nodiscard]] Term factor(const GiNaC::ex& e, const RingBuilder& builder, const Place& place) const;
     [[nodiscard]] std::string key_of(const GiNaC::ex& base) const;
     [[nodiscard]] int level_of(const GiNaC::ex& base) const;
     void add_symbols(RingBuilder& builder);
-    void add_roots(RingBuilder& builder);
+    void add_roots_and_functions(RingBuilder& builder);
+    void add_root(Base& base, int number, RingBuilder& builder);
+    void add_function(const FunctionAtom& atom, std::vector<GeneratorId>& ids, RingBuilder& builder);
 
     std::shared_ptr<const System> system_;
     std::vector<FastGenerator> fast_;
     std::vector<std::string> angles_;
     GiNaC::exmap zero_;
     std::vector<GiNaC::ex> moving_;
+    std::vector<Needed> needed_;
+    std::shared_ptr<FunctionAtoms> functions_;
+    std::vector<int> levels_; // of the atoms of functions_, as those of bases
     std::vector<Base> bases_;
-    std::vector<std::pair<GiNaC::ex, GeneratorId>> symbols_; // eps, parameters, slow variables
+    std::vector<std::pair<GiNaC::ex, GeneratorId>> symbols_; // eps, parameters, slow variables, atoms
     std::vector<GeneratorId> divisors_;
+    int derivatives_ = 1;
     RingPtr ring_;
 };
 

@@ -41,8 +41,14 @@ std::vector<Polynomial> small_divisors(const GradedField& field) {
     return divisors;
 }
 
+std::shared_ptr<const GradedField> with_derivatives(std::shared_ptr<const GradedField> field, int count) {
+    if (field->system().functions.empty() || field->coefficients->derivatives() >= count) return field;
+    return std::make_shared<const GradedField>(
+        expand(field->first_order, {field->ring, small_divisors(*field), count}));
+}
+
 GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors) {
-    Divisors all{field.ring, small_divisors(field)};
+    Divisors all{field.ring, small_divisors(field), field.coefficients->derivatives()};
     const std::size_t held = all.values.size();
     for (const Polynomial& divisor : divisors) {
         const Polynomial primitive = primitive_part(*field.ring, divisor);

@@ -44,7 +44,7 @@ std::vector<GiNaC::symbol> angles_of(const System& system) {
 }
 
 std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_order,
-                                                const std::vector<Jet>& jets) {
+                                                const std::vector<Jet>& jets, int through) {
     CoefficientRing coefficients(first_order.system);
     std::vector<FastGenerator> generators;
     for (const Jet& jet : jets) generators.push_back({jet.symbol.get_name(), jet.weight, -1});
@@ -59,7 +59,7 @@ std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_or
     for (std::size_t v = 0; v < first_order.system->variables.size(); ++v)
         coefficients.collect(line_expression(first_order, v),
                              place_of(first_order.system->equations[v].source));
-    at_place(whole_file(first_order.system->file), [&] { coefficients.freeze(); });
+    at_place(whole_file(first_order.system->file), [&] { coefficients.freeze({nullptr, {}, through}); });
     return std::make_shared<const CoefficientRing>(std::move(coefficients));
 }
 
@@ -82,7 +82,7 @@ EquationSeries expand_equations(const GradedField& field, int through) {
     const FirstOrderSystem& first_order = *field.first_order;
     const System& system = *first_order.system;
     const auto jets = fast_jets(system);
-    const auto shared = jet_ring(first_order, jets);
+    const auto shared = jet_ring(first_order, jets, through + search_ahead);
     const CoefficientRing& coefficients = *shared;
 
     SeriesProgram program(coefficients.ring());

@@ -95,6 +95,10 @@ std::vector<Polynomial> small_divisors(const GradedField& field);
 // Errors (refused): more generators than a ring holds.
 GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors);
 
+// The same field over a ring that differentiates functions known by their names only so many times at
+// least: each weight needs one more.
+std::shared_ptr<const GradedField> with_derivatives(std::shared_ptr<const GradedField> field, int count);
+
 // The field in modal coordinates through a weight: f of each mode, each drift rate.
 struct FieldSeries {
     std::vector<Series> mode; // z' - lambda z

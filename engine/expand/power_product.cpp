@@ -2,7 +2,6 @@
 #include "expand/power_product.hpp"
 
 #include "model/canonical.hpp"
-#include "model/positivity.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -22,7 +21,7 @@ constexpr int largest_trial_divisor = 10000;
 
 class Splitter {
 public:
-    Splitter(const System& system, const Place& place) : system_(system), place_(place) {}
+    Splitter(const CoefficientDomain& domain, const Place& place) : domain_(domain), place_(place) {}
 
     void split(const ex& base, const Rational& exponent) {
         if (cln::zerop(exponent)) return;
@@ -31,9 +30,8 @@ public:
         if (is_a<GiNaC::mul>(base)) return split_product(base, exponent);
         if (is_a<GiNaC::symbol>(base)) return append(base, exponent);
         if (is_a<GiNaC::add>(base)) return split_sum(base, exponent);
-        refuse({"coefficients are built from powers and roots of parameters and slow variables", spell(base),
-                "functions of slow variables are not supported yet: write the coefficient with powers",
-                place_});
+        refuse({"coefficients are built from powers, roots and functions of parameters and slow variables",
+                spell(base), "write it with sin, cos, exp, log, powers and roots", place_});
     }
 
     PowerProduct result;
@@ -83,7 +81,7 @@ private:
             refuse({"exponents are rational numbers", spell(base), "write the power with a number", place_});
         const ex& inner = base.op(0);
         // (b^a)^e = b^(a e) holds for integer e, and for any e where b is positive.
-        if (!is_integer(exponent) && !provably_positive(inner, system_)) not_positive(inner);
+        if (!is_integer(exponent) && !domain_.positive(inner)) not_positive(inner);
         split(inner, to_rational(base.op(1)) * exponent);
     }
 
@@ -94,7 +92,7 @@ private:
                 return;
             }
             for (const ex& factor : operands(base))
-                if (!provably_positive(factor, system_)) not_positive(factor);
+                if (!domain_.positive(factor)) not_positive(factor);
         }
         for (const ex& factor : operands(base)) split(factor, exponent);
     }
@@ -109,12 +107,12 @@ private:
             const bool whole = is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::integer);
             const ex base = whole ? factor.op(0) : factor;
             const Rational exponent = whole ? to_rational(factor.op(1)) : Rational(1);
-            if (provably_positive(base, system_)) {
+            if (domain_.positive(base)) {
                 factors.push_back({base, exponent});
                 continue;
             }
             const ex turned = (-base).expand();
-            if (!provably_positive(turned, system_)) return std::nullopt;
+            if (!domain_.positive(turned)) return std::nullopt;
             negative = negative != cln::oddp(cln::numerator(exponent));
             factors.push_back({turned, exponent});
         }
@@ -124,23 +122,26 @@ private:
     void split_sum(const ex& base, const Rational& exponent) {
         const ex fraction = base.normal();
         if (!is_a<GiNaC::add>(fraction)) return split(fraction, exponent);
-        const ex expanded = fraction.expand();
-        const ex factored = polynomial(expanded) ? GiNaC::factor(expanded) : expanded;
-        if (!is_a<GiNaC::add>(factored) && separable(factored, exponent)) return split(factored, exponent);
+        const ex expanded = domain_.expanded(fraction);
+        if (!is_a<GiNaC::add>(expanded)) return split(expanded, exponent);
+        const ex factored = domain_.polynomial(expanded) ? GiNaC::factor(expanded) : expanded;
+        if (!is_a<GiNaC::add>(factored) && separable(factored, expanded, exponent))
+            return split(factored, exponent);
         append_sum(expanded, exponent);
     }
 
-    [[nodiscard]] bool polynomial(const ex& e) const {
-        GiNaC::lst symbols;
-        for (const auto& p : system_.parameters) symbols.append(p.symbol);
-        for (const auto& v : system_.variables) symbols.append(v.jet.front());
-        return e.is_polynomial(symbols);
+    // Of 1 + tau^6 = (1 + tau^2)*(1 - tau^2 + tau^4) only the whole is seen to be positive.
+    [[nodiscard]] bool all_nonzero(const ex& product) const {
+        const std::vector<ex> factors = operands(product);
+        return std::all_of(factors.begin(), factors.end(), [&](const ex& f) { return domain_.nonzero(f); });
     }
 
-    // May factors be treated one by one? Always for whole exponents, else only where each is positive.
-    [[nodiscard]] bool separable(const ex& factored, const Rational& exponent) const {
-        if (is_integer(exponent)) return true;
-        if (is_a<GiNaC::power>(factored)) return provably_positive(factored.op(0), system_);
+    // May factors be treated one by one? Always for whole exponents, inverses apart, else only where each is
+    // positive.
+    [[nodiscard]] bool separable(const ex& factored, const ex& sum, const Rational& exponent) const {
+        if (is_integer(exponent))
+            return !cln::minusp(exponent) || !domain_.nonzero(sum) || all_nonzero(factored);
+        if (is_a<GiNaC::power>(factored)) return domain_.positive(factored.op(0));
         // A number times one sum is that sum.
         const auto numbers = std::count_if(factored.begin(), factored.end(),
                                            [](const ex& f) { return is_a<GiNaC::numeric>(f); });
@@ -154,9 +155,9 @@ private:
         const ex content = base.integer_content();
         const ex primitive = (base / content).expand();
         if (!content.is_equal(1)) split_number(content, exponent);
-        if (provably_positive(primitive, system_)) {
+        if (domain_.positive(primitive)) {
             result.factors.push_back({primitive, exponent});
-        } else if (is_integer(exponent) && provably_positive(-primitive, system_)) {
+        } else if (is_integer(exponent) && domain_.positive(-primitive)) {
             if (cln::oddp(cln::numerator(exponent))) result.number = -result.number;
             result.factors.push_back({(-primitive).expand(), exponent});
         } else {
@@ -172,8 +173,8 @@ private:
     }
 
     void append(const ex& base, const Rational& exponent) {
-        if (!is_integer(exponent) && !provably_positive(base, system_)) not_positive(base);
-        if (cln::minusp(exponent) && !provably_nonzero(base, system_))
+        if (!is_integer(exponent) && !domain_.positive(base)) not_positive(base);
+        if (cln::minusp(exponent) && !domain_.nonzero(base))
             refuse({"nothing is divided by an expression that is not proved to be non-zero", spell(base),
                     "declare it: nonzero = true or positive = true for a name, or [domain] positive = [\"" +
                         spell(base) + "\"]",
@@ -186,14 +187,15 @@ private:
                 "declare what is positive: " + how_to_declare_positive(base), place_});
     }
 
-    const System& system_;
+    const CoefficientDomain& domain_;
     const Place& place_;
 };
 
 } // namespace
 
-PowerProduct split_power(const ex& base, const Rational& exponent, const System& system, const Place& place) {
-    Splitter splitter(system, place);
+PowerProduct split_power(const ex& base, const Rational& exponent, const CoefficientDomain& domain,
+                         const Place& place) {
+    Splitter splitter(domain, place);
     splitter.split(base, exponent);
     return splitter.result;
 }

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "algebra/number.hpp"
+#include "expand/coefficient_domain.hpp"
 #include "model/diagnostic.hpp"
-#include "model/first_order_system.hpp"
 
 #include <ginac/ginac.h>
 
@@ -27,11 +27,11 @@ struct PowerProduct {
     std::vector<PowerFactor> factors; // equal bases are not merged; order is arbitrary
 };
 
-// base^exponent for a base in parameters and slow variables.
+// base^exponent for a base in parameters, slow variables and symbols of functions.
 // Errors: bad_input where the base is identically zero and the exponent negative; refused where a
 // fractional power of a base not proved positive, or a negative power of one not proved non-zero, is
-// asked for, and for functions (sin, exp, ...) of slow variables. `place` is put into the message.
-PowerProduct split_power(const GiNaC::ex& base, const Rational& exponent, const System& system,
+// asked for. `place` is put into the message.
+PowerProduct split_power(const GiNaC::ex& base, const Rational& exponent, const CoefficientDomain& domain,
                          const Place& place);
 
 Rational to_rational(const GiNaC::ex& number); // precondition: a rational GiNaC number

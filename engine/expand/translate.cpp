@@ -3,8 +3,6 @@
 
 #include "model/canonical.hpp"
 
-#include <fmt/format.h>
-
 namespace resonform {
 
 using GiNaC::ex;
@@ -61,44 +59,74 @@ Node Translator::power(const ex& e, const Place& place) {
     return program_.power((*this)(e.op(0), place), exponent);
 }
 
+// f(u_0 + r), where u_0 is of weight 0 and r begins at weight 1.
 Node Translator::function(const ex& e, const Place& place) {
     if (holds_angle(e)) return of_angles(e, place);
+    const ex u0 = coefficients_.at_origin(e.op(0), place);
+    const Node u = (*this)(e.op(0), place);
+    const auto at_origin = [&](const ex& f) { return program_.constant(coefficients_.convert(f, place)); };
+    const Node rest = u0.is_zero() ? u : program_.sum({{1, u}, {-1, at_origin(u0)}});
+    if (is_named(e)) return named(named_call(e), u0, rest, place);
     const std::string name = ex_to<GiNaC::function>(e).get_name();
-    const ex& argument = e.op(0);
-    const ex origin = coefficients_.at_origin(argument, place) - (name == "log" ? 1 : 0);
-    if (!origin.normal().is_zero())
-        refuse({name == "log" ? "the argument of log is 1 at the origin"
-                              : fmt::format("the argument of {} vanishes at the origin", name),
-                spell(e), "expand by an addition theorem so that functions of slow variables stand alone",
-                place});
-    const Node u = (*this)(argument, place);
-    if (name == "sin") return program_.sine(u);
-    if (name == "cos") return program_.cosine(u);
-    if (name == "tan") return quotient(program_.sine(u), program_.cosine(u));
-    if (name == "exp") return program_.exponential(u);
-    if (name == "log") return program_.logarithm(u);
-    if (name == "sinh") return hyperbolic(u, -1);
-    if (name == "cosh") return hyperbolic(u, 1);
-    if (name == "tanh") return quotient(hyperbolic(u, -1), hyperbolic(u, 1));
-    if (name == "atan") return integral_of(u, 1, -1);
-    if (name == "asin") return integral_of(u, -1, Rational(-1) / 2);
-    refuse({"functions of fast variables are sin cos tan exp log sqrt sinh cosh tanh asin atan", spell(e),
-            "write it with these", place});
+    const auto value = [&] { return at_origin(with_argument(e, u0)); };
+    const auto sine = [&] {
+        if (u0.is_zero()) return program_.sine(u);
+        return sum(program_.product(at_origin(GiNaC::sin(u0)), program_.cosine(rest)),
+                   program_.product(at_origin(GiNaC::cos(u0)), program_.sine(rest)));
+    };
+    const auto cosine = [&] {
+        if (u0.is_zero()) return program_.cosine(u);
+        return sum(program_.product(at_origin(GiNaC::cos(u0)), program_.cosine(rest)),
+                   program_.product(at_origin(-GiNaC::sin(u0)), program_.sine(rest)));
+    };
+    const auto exponential = [&](int sign) {
+        const Node of_rest = program_.exponential(sign > 0 ? rest : program_.sum({{-1, rest}}));
+        return u0.is_zero() ? of_rest : program_.product(at_origin(GiNaC::exp(sign * u0)), of_rest);
+    };
+    const auto hyperbolic = [&](int sign) { // (e^u + sign e^-u)/2
+        const Rational half = Rational(1) / 2;
+        return program_.sum({{half, exponential(1)}, {sign * half, exponential(-1)}});
+    };
+    if (name == "sin") return sine();
+    if (name == "cos") return cosine();
+    if (name == "tan") return quotient(sine(), cosine());
+    if (name == "exp") return exponential(1);
+    if (name == "log") return sum(value(), program_.antiderivative(u, program_.power(u, -1)));
+    if (name == "sinh") return hyperbolic(-1);
+    if (name == "cosh") return hyperbolic(1);
+    if (name == "tanh") return quotient(hyperbolic(-1), hyperbolic(1));
+    if (name == "atan") return sum(value(), integral_of(u, 1, -1));
+    if (name == "asin") return sum(value(), integral_of(u, -1, Rational(-1) / 2));
+    refuse({"functions of fast variables are sin cos tan exp log sqrt sinh cosh tanh asin atan and those "
+            "under [functions]",
+            spell(e), "write it with these", place});
 }
 
-// f(u) with f(0) = 0 and f'(u) = (1 + sign u^2)^exponent.
+// sum_k f^(k)(u_0) rest^k / k!, as far as the ring has derivatives: through that weight.
+Node Translator::named(const NamedCall& call, const ex& u0, Node rest, const Place& place) {
+    std::vector<std::pair<Rational, Node>> addends;
+    Node power = program_.constant(coefficients_.ring()->one());
+    Rational factorial = 1;
+    for (int k = 0; call.derivative + k <= coefficients_.derivatives(); ++k) {
+        if (k > 0) {
+            power = program_.product(power, rest);
+            factorial = factorial * k;
+        }
+        const ex slope = named_function(call.name, call.derivative + k, u0);
+        const Node coefficient = program_.constant(coefficients_.convert(slope, place));
+        addends.emplace_back(1 / factorial, program_.product(coefficient, power));
+    }
+    return program_.sum(addends);
+}
+
+// f(u) - f(u_0) with f'(u) = (1 + sign u^2)^exponent.
 Node Translator::integral_of(Node u, const Rational& sign, const Rational& exponent) {
     const Node one = program_.constant(coefficients_.ring()->one());
     const Node slope = program_.power(program_.sum({{1, one}, {sign, program_.product(u, u)}}), exponent);
     return program_.antiderivative(u, slope);
 }
 
-// (e^u + sign e^-u)/2
-Node Translator::hyperbolic(Node u, const Rational& sign) {
-    const Rational half = Rational(1) / 2;
-    const Node minus = program_.sum({{-1, u}});
-    return program_.sum({{half, program_.exponential(u)}, {sign * half, program_.exponential(minus)}});
-}
+Node Translator::sum(Node a, Node b) { return program_.sum({{1, a}, {1, b}}); }
 
 Node Translator::quotient(Node a, Node b) { return program_.product(a, program_.power(b, -1)); }
 

@@ -6,6 +6,7 @@
 
 #include "algebra/series_program.hpp"
 #include "expand/coefficient_ring.hpp"
+#include "model/named_function.hpp"
 
 #include <map>
 
@@ -22,8 +23,9 @@ public:
     // An angle phi = theta + m: `phase` is e^{i theta}, `shift` is m, of positive weight.
     void bind_angle(const GiNaC::ex& symbol, GeneratorId phase, SeriesProgram::Node shift);
 
-    // Errors (refused): a function whose argument does not vanish at the origin, functions that have
-    // no expansion here; (bad_input): division by an expression that vanishes at the origin.
+    // A function of mixed weight, sin(tau + psi), is split by addition theorems.
+    // Errors (refused): functions that have no expansion here; (bad_input): division by an expression that
+    // vanishes at the origin.
     SeriesProgram::Node operator()(const GiNaC::ex& e, const Place& place);
 
 private:
@@ -39,7 +41,9 @@ private:
     [[nodiscard]] bool holds_angle(const GiNaC::ex& e) const;
     SeriesProgram::Node of_angles(const GiNaC::ex& e, const Place& place);
     SeriesProgram::Node integral_of(SeriesProgram::Node u, const Rational& sign, const Rational& exponent);
-    SeriesProgram::Node hyperbolic(SeriesProgram::Node u, const Rational& sign);
+    SeriesProgram::Node named(const NamedCall& call, const GiNaC::ex& u0, SeriesProgram::Node rest,
+                              const Place& place);
+    SeriesProgram::Node sum(SeriesProgram::Node a, SeriesProgram::Node b);
     SeriesProgram::Node quotient(SeriesProgram::Node a, SeriesProgram::Node b);
 
     SeriesProgram& program_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/canonical.hpp"
 
+#include "model/named_function.hpp"
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -90,6 +92,11 @@ std::string spell(const ex& e) {
     if (is_a<GiNaC::power>(e)) {
         const auto [text, negative] = spell_power(e);
         return (negative ? "-" : "") + text;
+    }
+    if (is_named(e)) {
+        const NamedCall call = named_call(e);
+        return call.name + std::string(static_cast<std::size_t>(call.derivative), '\'') + "(" +
+               spell(call.argument) + ")";
     }
     if (is_a<GiNaC::function>(e)) return ex_to<GiNaC::function>(e).get_name() + "(" + spell(e.op(0)) + ")";
     if (e.is_equal(GiNaC::Pi)) return "pi";

@@ -13,6 +13,10 @@ void Scope::define_derivative(const std::string& name, int primes, const GiNaC::
     values_[{name, primes}] = value;
 }
 
+bool Scope::is_function(const std::string& name) const {
+    return std::find(functions_.begin(), functions_.end(), name) != functions_.end();
+}
+
 const GiNaC::ex* Scope::find(const std::string& name, int primes) const {
     const auto found = values_.find({name, primes});
     return found == values_.end() ? nullptr : &found->second;

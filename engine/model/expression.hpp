@@ -31,11 +31,15 @@ public:
     // The k-th time derivative of a declared variable; k beyond what is defined is an error that
     // names the variable and the largest k.
     void define_derivative(const std::string& name, int primes, const GiNaC::ex& value);
+    // A function that is known by its name only: omega(tau), omega'(tau).
+    void define_function(const std::string& name) { functions_.push_back(name); }
+    [[nodiscard]] bool is_function(const std::string& name) const;
     [[nodiscard]] const GiNaC::ex* find(const std::string& name, int primes) const;
     [[nodiscard]] std::vector<std::string> names() const; // for "nearest known"
 
 private:
     std::map<std::pair<std::string, int>, GiNaC::ex> values_;
+    std::vector<std::string> functions_;
 };
 
 // What one expression may cost. All are checked before GiNaC evaluates anything.

@@ -2,6 +2,7 @@
 #include "model/parser.hpp"
 
 #include "algebra/number.hpp"
+#include "model/named_function.hpp"
 #include "model/zero_test.hpp"
 
 #include <algorithm>
@@ -172,7 +173,7 @@ Parser::Piece Parser::number() {
 Parser::Piece Parser::name() {
     const Token& token = next();
     const std::string name(text_.substr(token.begin, token.name_end - token.begin));
-    if (is_function(name) && scope_.find(name, 0) == nullptr) return call();
+    if (scope_.is_function(name) || (is_function(name) && scope_.find(name, 0) == nullptr)) return call();
     Piece piece;
     piece.begin = token.begin;
     piece.end = token.end;
@@ -192,7 +193,8 @@ Parser::Piece Parser::name() {
 Parser::Piece Parser::call() {
     const Token token = take();
     const std::string function(text_.substr(token.begin, token.name_end - token.begin));
-    if (token.primes > 0) {
+    const bool named = scope_.is_function(function);
+    if (token.primes > 0 && !named) {
         complain(token.begin, token.end, "only variables have derivatives written with primes",
                  "write the derivative of " + function + " in full");
     }
@@ -206,7 +208,10 @@ Parser::Piece Parser::call() {
     piece.begin = token.begin;
     // The argument stays unexpanded inside the function, which is one factor from now on.
     if (function != "sqrt") piece.growth = {1, 1, argument.growth.bits, 0};
-    piece.value = evaluate(piece.begin, piece.end, [&] { return apply(function, argument.value); });
+    piece.value = evaluate(piece.begin, piece.end, [&] {
+        return named ? named_function(function, token.primes, argument.value)
+                     : apply(function, argument.value);
+    });
     return piece;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/positivity.hpp"
 
+#include "model/bounds.hpp"
+#include "model/named_function.hpp"
+
 #include <algorithm>
 
 namespace resonform {
@@ -40,6 +43,7 @@ private:
     Sign of_negative(const ex& part, int comparisons) const;
     Sign by_structure(const ex& e, int comparisons) const;
     Sign by_declaration(const ex& e, int comparisons) const;
+    Sign by_bounds(const ex& e, int comparisons) const;
     bool declared_nonzero(const ex& symbol) const;
 
     const System& system_;
@@ -76,6 +80,7 @@ bool Prover::real(const ex& e) const {
         if (n.is_negative() && !nonzero(e.op(0))) return false;
         return n.is_integer() ? real(e.op(0)) : sign(e.op(0)) != Sign::unknown;
     }
+    if (is_named(e)) return real(e.op(0));
     if (GiNaC::is_a<GiNaC::function>(e)) {
         const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
         if (name == "log") return sign(e.op(0)) == Sign::positive;
@@ -98,6 +103,11 @@ Sign Prover::of_power(const ex& e, int comparisons) const {
 }
 
 Sign Prover::of_function(const ex& e) const {
+    if (is_named(e)) {
+        const NamedCall call = named_call(e);
+        const NamedFunction* f = system_.function(call.name);
+        return call.derivative == 0 && f != nullptr && f->positive ? Sign::positive : Sign::unknown;
+    }
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     if ((name == "exp" || name == "cosh") && real(e.op(0))) return Sign::positive;
     // These have the sign of their argument.
@@ -149,10 +159,21 @@ Sign Prover::by_structure(const ex& e, int comparisons) const {
     Sign strongest = Sign::unknown;
     for (const ex& part : e) {
         const Sign s = sign(part, comparisons);
-        if (s == Sign::unknown) return Sign::unknown;
+        if (s == Sign::unknown) return by_bounds(e, comparisons);
         strongest = std::max(strongest, s);
     }
     return strongest;
+}
+
+// 2 + cos(tau), 3/2 + xi^2 - tanh(tau)
+Sign Prover::by_bounds(const ex& e, int comparisons) const {
+    const auto is_function = [](const ex& part) { return GiNaC::is_a<GiNaC::function>(part); };
+    if (std::none_of(e.preorder_begin(), e.preorder_end(), is_function) || !real(e)) return Sign::unknown;
+    const Bounds bounds = bounds_of(e, [&](const ex& part) {
+        return !GiNaC::is_a<GiNaC::add>(part) && sign(part, comparisons) != Sign::unknown;
+    });
+    if (!bounds.low || bounds.low->is_negative()) return Sign::unknown;
+    return bounds.low->is_zero() ? Sign::nonnegative : Sign::positive;
 }
 
 // With d > 0 declared: e = q d has the sign of q; e = d + rest is positive if the rest is >= 0.
@@ -194,6 +215,10 @@ bool Prover::nonzero(const ex& e) const {
         return std::all_of(e.begin(), e.end(), [this](const ex& part) { return nonzero(part); });
     }
     if (GiNaC::is_a<GiNaC::power>(e)) return GiNaC::is_a<numeric>(e.op(1)) && nonzero(e.op(0));
+    if (is_named(e)) {
+        const NamedFunction* f = system_.function(named_call(e).name);
+        return named_call(e).derivative == 0 && f != nullptr && f->nonzero;
+    }
     return sign(e) == Sign::positive || sign((-e).expand()) == Sign::positive;
 }
 

@@ -52,6 +52,10 @@ std::string System::name_with_settings() const {
 
 const Parameter* System::parameter(const std::string& wanted) const { return find_named(parameters, wanted); }
 
+const NamedFunction* System::function(const std::string& wanted) const {
+    return find_named(functions, wanted);
+}
+
 std::string System::constant_name(const std::string& kind, const std::string& of) const {
     for (const Notation& entry : notation) {
         if (entry.kind == kind && entry.variable == of) return entry.name;

@@ -52,6 +52,13 @@ struct Declaration { // [domain] positive = ["1 + tau"]
     SourceText source;
 };
 
+struct NamedFunction { // [functions] omega = { of = ["tau"], positive = true }
+    std::string name;
+    std::string of; // the parameter or slow variable that it is a function of
+    bool positive = false;
+    bool nonzero = false; // implied by positive
+};
+
 // A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
 struct Setting {
     std::string parameter, value;
@@ -64,6 +71,7 @@ struct System {
     std::vector<Setting> settings; // of parameters that are no longer among them
     std::vector<Variable> variables;
     std::vector<Equation> equations; // one per variable, in the order of variables
+    std::vector<NamedFunction> functions;
     std::vector<Notation> notation;
     std::vector<Declaration> positive; // declared positive
     Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
@@ -74,6 +82,7 @@ struct System {
     // nullptr if there is none of that name.
     [[nodiscard]] const Variable* variable(const std::string& name) const;
     [[nodiscard]] const Parameter* parameter(const std::string& name) const;
+    [[nodiscard]] const NamedFunction* function(const std::string& name) const;
     // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
     // The parameters and eps: what start values and intervals may contain.
@@ -85,8 +94,7 @@ struct System {
 std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems);
 
 // Reads and checks a system file (docs/file_formats.md). Errors: bad_input for what breaks a rule
-// there, refused for what the format foresees and the engine does not do yet (angles, weights,
-// declared functions).
+// there, refused for what the format foresees and the engine does not do yet (angles, weights).
 System read_system(const std::filesystem::path& file);
 System read_system_text(std::string_view toml, const std::filesystem::path& file);
 

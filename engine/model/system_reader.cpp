@@ -14,6 +14,7 @@ namespace {
 
 constexpr int most_variables = 64;
 constexpr int most_parameters = 30; // the coefficient ring has room for 32 with i and eps
+constexpr int most_functions = 30;
 constexpr int most_primes = 9;
 constexpr std::size_t most_declarations = 64;
 
@@ -88,15 +89,12 @@ SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file) : r
 }
 
 System SystemReader::read() {
-    if (const TomlNode* functions = root_.find("functions")) {
-        refuse({"declared functions are not supported yet", "[functions]",
-                "write the functions out in the equations", place_of(functions->source)});
-    }
-    check_keys(root_, {"system", "parameters", "variables", "equations", "domain", "relations", "normal_form",
-                       "notation"});
+    check_keys(root_, {"system", "parameters", "variables", "functions", "equations", "domain", "relations",
+                       "normal_form", "notation"});
     read_header();
     read_parameters();
     read_variables();
+    read_functions();
     read_equation_texts();
     set_orders();
     read_equations();
@@ -152,6 +150,43 @@ void SystemReader::read_variables() {
         bad_input({"a system has a variable", "[variables]", "declare one as in x = { role = \"fast\" }",
                    place_of(variables.source)});
     }
+}
+
+// omega = { of = ["tau"], positive = true }
+void SystemReader::read_functions() {
+    const TomlNode* functions = root_.find("functions");
+    if (functions == nullptr) return;
+    check_table(*functions);
+    check_count(*functions, most_functions);
+    for (const TomlEntry& entry : functions->entries) {
+        claim_name(entry, "a function");
+        check_keys(entry.value, {"of", "positive", "nonzero"});
+        NamedFunction function;
+        function.name = entry.key;
+        function.of = argument_of(entry);
+        function.positive = flag(entry.value, "positive");
+        function.nonzero = function.positive || flag(entry.value, "nonzero");
+        system_.functions.push_back(std::move(function));
+    }
+}
+
+std::string SystemReader::argument_of(const TomlEntry& entry) const {
+    const TomlNode* of = entry.value.find("of");
+    const std::string mend = "write " + entry.key + " = { of = [\"tau\"] }";
+    if (of == nullptr || of->type != TomlNode::Type::array || of->items.size() != 1)
+        bad_input({"a function is declared with the one name that it is a function of", in_quotes(entry.key),
+                   mend, of == nullptr ? entry.place : place_of(of->source)});
+    const std::string name = string_of(of->items.front());
+    const Variable* variable = system_.variable(name);
+    if (system_.parameter(name) == nullptr && (variable == nullptr || variable->role != Role::slow)) {
+        std::vector<std::string> known;
+        for (const Parameter& p : system_.parameters) known.push_back(p.name);
+        for (const Variable& v : system_.variables)
+            if (v.role == Role::slow) known.push_back(v.name);
+        bad_value(of->items.front(), "a declared function is one of a slow variable or a parameter",
+                  suggest(name, known));
+    }
+    return name;
 }
 
 Variable SystemReader::variable_of(const TomlEntry& entry) {
@@ -231,6 +266,7 @@ void SystemReader::check_order(const Variable& variable, int highest) const {
 
 void SystemReader::read_equations() {
     Scope scope = system_.constants();
+    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
     for (const Variable& variable : system_.variables) {
         for (int k = 0; k <= variable.order; ++k) {
             scope.define_derivative(variable.name, k, variable.jet[static_cast<std::size_t>(k)]);
@@ -258,6 +294,7 @@ void SystemReader::read_domain() {
     }
     Scope scope;
     for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
+    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
     for (const Variable& v : system_.variables) {
         if (v.role == Role::slow) scope.define(v.name, v.jet.front());
     }
@@ -348,7 +385,7 @@ void SystemReader::check_names_of_results() const {
             made[kind + "_" + variable.name] = kind + "." + variable.name;
         if (variable.role == Role::drift) made["z_" + variable.name] = "the new variable of " + variable.name;
     }
-    for (const char* key : {"parameters", "variables", "notation"}) {
+    for (const char* key : {"parameters", "variables", "functions", "notation"}) {
         const TomlNode* node = root_.find(key);
         if (node == nullptr) continue;
         for (const TomlEntry& entry : node->entries) {

@@ -18,6 +18,7 @@ private:
     void read_header();
     void read_parameters();
     void read_variables();
+    void read_functions();
     void read_equation_texts(); // one per variable; finds the order of each variable
     void set_orders();
     void read_equations();
@@ -28,6 +29,7 @@ private:
     void check_names_of_results() const;
 
     Variable variable_of(const TomlEntry& entry);
+    [[nodiscard]] std::string argument_of(const TomlEntry& entry) const;
     void check_order(const Variable& variable, int highest) const;
     [[nodiscard]] const TomlNode& table(const std::string& key, const std::string& mend) const;
     // Refuses reserved and ill-formed names and those that are taken.

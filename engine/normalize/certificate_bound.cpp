@@ -29,9 +29,15 @@ public:
         for (GeneratorId id = 0; id < ring.size(); ++id) {
             const Generator& g = ring.generator(id);
             double degree = g.kind == GeneratorKind::imaginary ? 0 : 1;
-            if (g.kind == GeneratorKind::root)
-                degree = std::max(1.0, std::ceil(polynomial(g.radicand).degree / g.index));
+            double denominator = 0;
+            if (g.kind == GeneratorKind::root) {
+                const Size radicand = polynomial(g.radicand);
+                degree = std::max(1.0, std::ceil(radicand.degree / g.index)) + radicand.denominator;
+                denominator = radicand.denominator;
+            }
+            if (is_circle(g)) degree = denominator = 2;
             degrees_.push_back(degree);
+            denominators_.push_back(denominator);
         }
     }
 
@@ -41,8 +47,11 @@ public:
         return {0, 0, bits_of(cln::numerator(value)) + bits_of(cln::denominator(value))};
     }
     [[nodiscard]] Size generator(GeneratorId id, int power) const {
-        const double degree = degrees_[static_cast<std::size_t>(id)] * std::abs(power);
-        return power < 0 ? Size{0, degree, 0} : Size{degree, 0, 0};
+        const auto k = static_cast<std::size_t>(id);
+        const double degree = degrees_[k] * std::abs(power), denominator = denominators_[k] * std::abs(power);
+        // 2 t and 1 + t^2, 1 - t^2 have coefficients that add up to 2
+        const double bits = is_circle(ring_.generator(id)) ? std::abs(power) : 0;
+        return power < 0 ? Size{denominator, degree, bits} : Size{degree, denominator, bits};
     }
     [[nodiscard]] Size add(const Size& a, const Size& b) const {
         return {std::max(a.degree + b.denominator, b.degree + a.denominator), a.denominator + b.denominator,
@@ -83,6 +92,7 @@ public:
             const int exponent = largest[static_cast<std::size_t>(id)];
             if (exponent == 0) continue;
             Size slope = result.value; // g ds/dg / g
+            slope.degree += denominators_[static_cast<std::size_t>(id)];
             slope.denominator += degrees_[static_cast<std::size_t>(id)];
             slope.bits += std::log2(exponent);
             result.slopes.emplace_back(id, slope);
@@ -107,6 +117,10 @@ public:
     }
 
 private:
+    [[nodiscard]] static bool is_circle(const Generator& g) {
+        return g.kind == GeneratorKind::function &&
+               (g.of.function == Function::sine || g.of.function == Function::cosine);
+    }
     [[nodiscard]] static bool is_unit_number(const Size& a) {
         return a.degree == 0 && a.denominator == 0 && a.bits == 0;
     }
@@ -123,28 +137,33 @@ private:
         const Fractions& f = p.fractions();
         std::vector<int> lowest(degrees_.size(), 0);
         double highest = 0; // degree before denominators are cleared
+        double own = 0;     // and that of the denominators of generators themselves
         for (const Monomial& m : f.monomials) {
-            double degree = 0;
+            double degree = 0, denominator = 0;
             for (std::size_t id = 0; id < degrees_.size(); ++id) {
                 const int e = ring_.exponent(m, static_cast<GeneratorId>(id));
                 lowest[id] = std::min(lowest[id], e);
                 degree += degrees_[id] * e;
+                denominator += denominators_[id] * std::abs(e);
             }
             highest = std::max(highest, degree);
+            own = std::max(own, denominator);
         }
         Size size;
         for (std::size_t id = 0; id < degrees_.size(); ++id) size.denominator -= degrees_[id] * lowest[id];
+        size.denominator += own;
         size.degree = size.denominator + highest;
         const auto denominator_bits = static_cast<double>(mpz_sizeinbase(f.denominator.get_mpz_t(), 2));
         const auto numerator_bits =
             static_cast<double>(f.bits()) + std::log2(static_cast<double>(f.size() + 1));
-        size.bits = 1 + std::max(denominator_bits, numerator_bits);
+        size.bits = 1 + std::max(denominator_bits, numerator_bits) + own;
         return size;
     }
 
     const Ring& ring_;
     int through_;
-    std::vector<double> degrees_; // of each generator
+    std::vector<double> degrees_;      // of the numerator of each generator
+    std::vector<double> denominators_; // and of its denominator: 1 + t^2 of a sine
 };
 
 } // namespace

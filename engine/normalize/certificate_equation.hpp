@@ -10,6 +10,7 @@
 #pragma once
 
 #include "model/canonical.hpp"
+#include "model/named_function.hpp"
 #include "normalize/certificate_roots.hpp"
 
 #include <cstdlib>
@@ -72,6 +73,7 @@ public:
 
 private:
     Value symbol(const GiNaC::ex& e) const {
+        if (const auto id = roots_.generator_of(e)) return algebra_.generator(*id, 1);
         const auto found = values_.symbols.find(e);
         if (found == values_.symbols.end())
             refuse_certificate("equations contain parameters, eps, slow and fast variables, sines and "
@@ -81,13 +83,11 @@ private:
     }
 
     Value function(const GiNaC::ex& e) {
-        const Elementary name = elementary_of(e, equation_);
         GiNaC::ex argument = e.op(0);
-        if (name != Elementary::sine && name != Elementary::cosine)
-            return algebra_.function(name, (*this)(argument));
         Value forward = algebra_.number(1), backward = forward; // e^{+-i sum k phi}
         bool turns = false;
         for (const auto& angle : values_.angles) {
+            if (!argument.has(angle.symbol)) continue;
             const int k = take_out_harmonic(argument, angle.symbol, equation_);
             if (k == 0) continue;
             turns = true;
@@ -96,22 +96,24 @@ private:
             forward = algebra_.multiply(forward, k > 0 ? p : q);
             backward = algebra_.multiply(backward, k > 0 ? q : p);
         }
-        return turns ? harmonic(name, forward, backward, argument)
-                     : algebra_.function(name, (*this)(argument));
+        if (!turns) return without_angles(e);
+        const Elementary name = is_named(e) ? Elementary::exponential : elementary_of(e, equation_);
+        if (name != Elementary::sine && name != Elementary::cosine)
+            refuse_certificate("angles stand in sines and cosines", equation_);
+        return harmonic(name, forward, backward, argument);
     }
 
     // cos(a + u) = (e^{ia} (cos u + i sin u) + e^{-ia} (cos u - i sin u))/2, and the sine likewise.
-    Value harmonic(Elementary name, const Value& forward, const Value& backward, const GiNaC::ex& argument) {
-        const Value u = (*this)(argument);
+    Value harmonic(Elementary name, const Value& forward, const Value& backward, const GiNaC::ex& u) {
         const Value i = algebra_.generator(Ring::imaginary_unit, 1), minus = algebra_.number(-1);
-        const Value cosine = algebra_.function(Elementary::cosine, u);
-        const Value sine = algebra_.multiply(i, algebra_.function(Elementary::sine, u));
+        const Value cosine = (*this)(GiNaC::cos(u));
+        const Value sine = algebra_.multiply(i, (*this)(GiNaC::sin(u)));
         const Value turned = algebra_.multiply(forward, algebra_.add(cosine, sine));
-        const Value back = algebra_.multiply(backward, algebra_.add(cosine, algebra_.multiply(minus, sine)));
+        const Value back = algebra_.multiply(backward, difference(cosine, sine));
         const Value half = algebra_.number(Rational(1) / 2);
         if (name == Elementary::cosine) return algebra_.multiply(half, algebra_.add(turned, back));
-        const Value difference = algebra_.add(turned, algebra_.multiply(minus, back));
-        return algebra_.multiply(algebra_.multiply(minus, i), algebra_.multiply(half, difference));
+        return algebra_.multiply(algebra_.multiply(minus, i),
+                                 algebra_.multiply(half, difference(turned, back)));
     }
 
     Value sum(const GiNaC::ex& e) {
@@ -141,6 +143,91 @@ private:
         }
         const int n = cln::cl_I_to_int(cln::numerator(exponent));
         return n < 0 ? algebra_.inverse_power(value, -n) : natural_power(value, n);
+    }
+
+    // f(u_0 + r) by addition theorems: f(u_0) from the generators of the ring, f(r) by its Taylor sum.
+    Value without_angles(const GiNaC::ex& e) {
+        const GiNaC::ex origin = roots_.at_origin(e.op(0), equation_);
+        const Value u = (*this)(e.op(0));
+        const Value rest = difference(u, algebra_.at_origin(u));
+        if (is_named(e)) return named(named_call(e), rest);
+        const Elementary name = elementary_of(e, equation_);
+        if (origin.is_zero() && name != Elementary::logarithm) return algebra_.function(name, rest);
+        const auto at_origin = [&](const GiNaC::ex& f) { return value_at_origin(f); };
+        const GiNaC::ex& argument = e.op(0);
+        const auto sine = [&] {
+            return algebra_.add(algebra_.multiply(at_origin(GiNaC::sin(argument)),
+                                                  algebra_.function(Elementary::cosine, rest)),
+                                algebra_.multiply(at_origin(GiNaC::cos(argument)),
+                                                  algebra_.function(Elementary::sine, rest)));
+        };
+        const auto cosine = [&] {
+            return difference(algebra_.multiply(at_origin(GiNaC::cos(argument)),
+                                                algebra_.function(Elementary::cosine, rest)),
+                              algebra_.multiply(at_origin(GiNaC::sin(argument)),
+                                                algebra_.function(Elementary::sine, rest)));
+        };
+        const auto exponential = [&] {
+            return algebra_.multiply(at_origin(GiNaC::exp(argument)),
+                                     algebra_.function(Elementary::exponential, rest));
+        };
+        const Value half = algebra_.number(Rational(1) / 2);
+        switch (name) {
+        case Elementary::sine: return sine();
+        case Elementary::cosine: return cosine();
+        case Elementary::tangent: return quotient(sine(), cosine());
+        case Elementary::exponential: return exponential();
+        case Elementary::hyperbolic_sine:
+        case Elementary::hyperbolic_cosine:
+        case Elementary::hyperbolic_tangent: {
+            const Value up = exponential(), down = algebra_.inverse_power(up, 1);
+            const Value s = algebra_.multiply(half, difference(up, down));
+            const Value c = algebra_.multiply(half, algebra_.add(up, down));
+            return name == Elementary::hyperbolic_sine     ? s
+                   : name == Elementary::hyperbolic_cosine ? c
+                                                           : quotient(s, c);
+        }
+        case Elementary::logarithm: // log(u_0) + log(u/u_0)
+            return algebra_.add(at_origin(GiNaC::log(argument)),
+                                algebra_.function(name, quotient(u, algebra_.at_origin(u))));
+        case Elementary::arc_tangent: // atan(u_0) + atan((u - u_0)/(1 + u_0 u))
+            return algebra_.add(
+                at_origin(GiNaC::atan(argument)),
+                algebra_.function(name,
+                                  quotient(rest, algebra_.add(algebra_.number(1),
+                                                              algebra_.multiply(algebra_.at_origin(u), u)))));
+        case Elementary::arc_sine: break;
+        }
+        refuse_certificate("the argument of asin vanishes at the origin", equation_);
+    }
+
+    // sum_k f^(k)(u_0) r^k / k!, as far as the ring has derivatives.
+    Value named(const NamedCall& call, const Value& rest) {
+        Value total = algebra_.number(0), power = algebra_.number(1);
+        Rational factorial = 1;
+        const GiNaC::ex& u = call.argument;
+        for (int k = 0; roots_.knows(call.name, call.derivative + k); ++k) {
+            if (k > 0) {
+                power = algebra_.multiply(power, rest);
+                factorial = factorial * k;
+            }
+            const Value slope = value_at_origin(named_function(call.name, call.derivative + k, u));
+            total = algebra_.add(
+                total, algebra_.multiply(algebra_.number(1 / factorial), algebra_.multiply(slope, power)));
+        }
+        return total;
+    }
+
+    // Of a function at weight 0; a slow variable there is the new one.
+    Value value_at_origin(const GiNaC::ex& f) {
+        return algebra_.at_origin((*this)(roots_.at_origin(f, equation_)));
+    }
+
+    Value difference(const Value& a, const Value& b) {
+        return algebra_.add(a, algebra_.multiply(algebra_.number(-1), b));
+    }
+    Value quotient(const Value& a, const Value& b) {
+        return algebra_.multiply(a, algebra_.inverse_power(b, 1));
     }
 
     Value natural_power(Value base, int exponent) {

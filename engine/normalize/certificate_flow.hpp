@@ -7,6 +7,7 @@
 #pragma once
 
 #include "normalize/certificate_equation.hpp"
+#include "normalize/certificate_functions.hpp"
 #include "normalize/normal_form.hpp"
 
 #include <optional>
@@ -21,8 +22,6 @@ template <class Value> struct Gradient {
     Value value;
     std::vector<std::pair<GeneratorId, Value>> slopes;
 };
-
-template <class Value> struct Moving { Value value, rate; };
 
 // What is substituted into the equations, and what must vanish besides them: psi' - d/dt psi.
 template <class Value> struct Jets {
@@ -49,7 +48,10 @@ public:
             rate(field_.angles[k].phase) = times_i(algebra_.multiply(
                 algebra_.generator(field_.angles[k].phase, 1), value(normal_form.angle[k], Side::itself)));
         for (GeneratorId id = 0; id < field_.ring->size(); ++id)
-            if (field_.ring->generator(id).kind == GeneratorKind::root) rate(id) = root_rate(id);
+            if (field_.ring->generator(id).kind == GeneratorKind::root)
+                rate(id) = root_rate(id);
+            else if (field_.ring->generator(id).kind == GeneratorKind::function)
+                rate(id) = function_rate(algebra_, *field_.ring, id, follow_argument(id));
     }
 
     Jets<Value> jets() const {
@@ -78,6 +80,7 @@ private:
         Gradient<Value> gradient = algebra_.gradient(s, side);
         Value total = algebra_.number(0);
         for (const auto& [id, slope] : gradient.slopes) {
+            require_known_rate(*field_.ring, id);
             const GeneratorId partner = field_.ring->generator(id).conjugate;
             const GeneratorId moved = side == Side::conjugate && partner >= 0 ? partner : id;
             const auto& r = rates_[static_cast<std::size_t>(moved)];
@@ -89,6 +92,10 @@ private:
             total = algebra_.add(total, algebra_.multiply(slope, moved_rate));
         }
         return {std::move(gradient.value), std::move(total)};
+    }
+
+    Moving<Value> follow_argument(GeneratorId id) const {
+        return follow(Series({field_.ring->generator(id).of.argument}), Side::itself);
     }
 
     Value root_rate(GeneratorId id) const {

@@ -104,11 +104,10 @@ PointAlgebra::Value PointAlgebra::function(Elementary function, const Value& u) 
     Value shifted = u;
     if (function == Elementary::logarithm) shifted[0] = field().subtract(u[0], 1);
     if (shifted[0] != 0)
-        refuse(
-            {"an elementary function is certified where its argument vanishes at the origin (is 1 for log)",
-             "weight 0 of an argument",
-             "expand by an addition theorem so that functions of slow variables stand alone",
-             {}});
+        refuse({"a Taylor sum is taken where its argument vanishes at the origin (is 1 for log)",
+                "weight 0 of an argument",
+                "write the argument so that its value at the origin is plain",
+                {}});
     return taylor(taylor_coefficients(function), shifted);
 }
 

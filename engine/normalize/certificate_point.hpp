@@ -19,8 +19,8 @@ public:
     [[nodiscard]] const char* what() const noexcept override { return "a denominator vanishes at the point"; }
 };
 
-// A value for each generator: i^2 = -1 and sigma^k = P hold, all values are non-zero, and w, wbar are
-// independent of each other.
+// A value for each generator: i^2 = -1, sigma^k = P and s^2 + c^2 = 1 hold, all values are non-zero, and w,
+// wbar are independent of each other, as are functions.
 struct Point {
     PrimeField field;
     std::vector<Residue> values;
@@ -47,11 +47,14 @@ private:
     };
 
     std::optional<Point> attempt(const PrimeField& field);
+    std::optional<Residue> root_value(const Point& point, GeneratorId id);
+    std::optional<Residue> function_value(const Point& point, const Generator& g);
     void observe(const PrimeField& field, GeneratorId root, Residue radicand);
 
     const Ring& ring_;
     std::mt19937_64 random_;
     std::vector<Witness> witnesses_;
+    Residue half_tangent_ = 0; // of the sine that was drawn last; its cosine comes right after it
 };
 
 // The Algebra of certificate_equation.hpp over residues; all series are known through weight `through`.

@@ -2,6 +2,7 @@
 #include "normalize/certificate_roots.hpp"
 
 #include "model/canonical.hpp"
+#include "model/named_function.hpp"
 #include "normalize/certificate_equation.hpp"
 
 #include <algorithm>
@@ -28,6 +29,18 @@ int total_degree(const ex& e) {
     return degree;
 }
 
+ex meaning_of(const FunctionOf& f, const ex& u) {
+    switch (f.function) {
+    case Function::exponential: return GiNaC::exp(u);
+    case Function::sine: return GiNaC::sin(u);
+    case Function::cosine: return GiNaC::cos(u);
+    case Function::logarithm: return GiNaC::log(u);
+    case Function::arc_tangent: return GiNaC::atan(u);
+    case Function::named: break;
+    }
+    return named_function(f.symbol, f.derivative, u);
+}
+
 } // namespace
 
 CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
@@ -43,11 +56,15 @@ CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
         symbols[static_cast<std::size_t>(s.generator)] = system.variables[s.variable].jet.front();
     for (int id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
-        if (g.kind != GeneratorKind::root) continue;
-        const ex radicand = radicand_of(g, symbols);
+        if (g.kind != GeneratorKind::root && g.kind != GeneratorKind::function) continue;
         const GiNaC::symbol symbol(g.name);
+        if (g.kind == GeneratorKind::root) {
+            roots_.push_back({id, g.index, g.positive, expression_of(g.radicand, symbols), symbol});
+        } else {
+            functions_.push_back({id, g.of, g.positive, expression_of(g.of.argument, symbols), symbol});
+            meanings_[symbol] = meaning_of(g.of, functions_.back().argument.subs(meanings_));
+        }
         symbols[static_cast<std::size_t>(id)] = symbol;
-        roots_.push_back({id, g.index, g.positive, radicand, symbol});
     }
     std::stable_sort(roots_.begin(), roots_.end(), [](const Root& a, const Root& b) {
         return total_degree(a.radicand) > total_degree(b.radicand);
@@ -57,10 +74,33 @@ CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
         for (std::size_t k = v.role == Role::fast ? 0 : 1; k < v.jet.size(); ++k) origin_[v.jet[k]] = 0;
 }
 
+bool CertificateRoots::positive(const ex& e) const {
+    return provably_positive(e.subs(meanings_, GiNaC::subs_options::no_pattern), field_->system());
+}
+
+std::optional<GeneratorId> CertificateRoots::generator_of(const ex& symbol) const {
+    for (const Root& r : roots_)
+        if (symbol.is_equal(r.symbol)) return r.id;
+    for (const FunctionAtom& f : functions_)
+        if (symbol.is_equal(f.symbol)) return f.id;
+    return std::nullopt;
+}
+
+ex CertificateRoots::at_origin(const ex& e, const Equation& equation) {
+    if (const auto known = origins_.find(e); known != origins_.end()) return known->second;
+    try {
+        const ex at_zero = e.subs(origin_, GiNaC::subs_options::no_pattern);
+        const ex value = lowered(with_symbols(at_zero, equation).normal());
+        return origins_.emplace(e, value).first->second;
+    } catch (const GiNaC::pole_error&) {
+        refuse_certificate("no denominator vanishes at the origin", equation);
+    }
+}
+
 // The ring may have written a variable by a root in it, a = sigma^4: whole powers of radicands are put back.
-ex CertificateRoots::radicand_of(const Generator& root, const std::vector<ex>& symbols) const {
-    ex radicand = 0;
-    for (const Term& term : root.radicand.terms()) {
+ex CertificateRoots::expression_of(const Polynomial& p, const std::vector<ex>& symbols) const {
+    ex sum = 0;
+    for (const Term& term : p.terms()) {
         ex product = GiNaC::numeric(term.coefficient);
         const std::vector<int> exponents = field_->ring->exponents(term.monomial);
         for (std::size_t k = 0; k < exponents.size(); ++k) {
@@ -68,13 +108,17 @@ ex CertificateRoots::radicand_of(const Generator& root, const std::vector<ex>& s
             const auto inner = std::find_if(roots_.begin(), roots_.end(), [&](const Root& r) {
                 return r.id == static_cast<GeneratorId>(k);
             });
-            const int index = inner == roots_.end() ? exponents[k] + 1 : inner->index;
-            if (exponents[k] >= index) product *= GiNaC::pow(inner->radicand, exponents[k] / index);
-            if (exponents[k] % index != 0) product *= GiNaC::pow(symbols[k], exponents[k] % index);
+            if (inner == roots_.end()) {
+                product *= GiNaC::pow(symbols[k], exponents[k]);
+                continue;
+            }
+            const int whole = exponents[k] / inner->index, rest = exponents[k] % inner->index;
+            if (whole != 0) product *= GiNaC::pow(inner->radicand, whole);
+            if (rest != 0) product *= GiNaC::pow(symbols[k], rest);
         }
-        radicand += product;
+        sum += product;
     }
-    return radicand.expand();
+    return sum.expand();
 }
 
 const Radical& CertificateRoots::resolve(const ex& base, const Rational& exponent, const Equation& equation) {
@@ -101,8 +145,8 @@ void CertificateRoots::split(const ex& e, const Rational& exponent, const Equati
             split(base, exponent * power, equation, product);
         return;
     }
-    const ex fraction = with_root_symbols(e, equation).normal().numer_denom();
-    const bool turn = provably_positive((-fraction.op(1)).expand(), field_->system());
+    const ex fraction = lowered(with_symbols(e, equation).normal()).normal().numer_denom();
+    const bool turn = positive((-fraction.op(1)).expand());
     split_polynomial(turn ? -fraction.op(0) : fraction.op(0), exponent, equation, product);
     split_polynomial(turn ? -fraction.op(1) : fraction.op(1), -exponent, equation, product);
 }
@@ -122,8 +166,7 @@ std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex
         const ex base = power ? factor.op(0) : factor;
         const Rational exponent = power ? rational_of(factor.op(1), equation) : Rational(1);
         const ex turned = (-base).expand();
-        const bool turn = is_whole(exponent) && !provably_positive(base, field_->system()) &&
-                          provably_positive(turned, field_->system());
+        const bool turn = is_whole(exponent) && !positive(base) && positive(turned);
         if (turn && cln::oddp(cln::numerator(exponent))) number = -number;
         factors.emplace_back(turn ? turned : base, exponent);
     }
@@ -158,7 +201,7 @@ void CertificateRoots::split_rest(const ex& e, const Rational& exponent, const E
         return split_rest(e.op(0), exponent * rational_of(e.op(1), equation), equation, product);
     const bool has_root =
         std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return e.has(r.symbol); });
-    if (has_root || !provably_positive(e, field_->system()))
+    if (has_root || !positive(e))
         refuse_certificate("the base of a fractional power is a product of factors proved positive",
                            equation);
     product.rest.emplace_back(e, exponent);
@@ -205,23 +248,30 @@ Radical CertificateRoots::collect(const Product& product, const Equation& equati
     return radical;
 }
 
-ex CertificateRoots::with_root_symbols(const ex& e, const Equation& equation) {
+ex CertificateRoots::with_symbols(const ex& e, const Equation& equation) {
     if (is_a<GiNaC::numeric>(e) || is_a<GiNaC::symbol>(e)) return e;
     if (is_a<GiNaC::add>(e)) {
         ex result = 0;
-        for (const ex& term : operands(e)) result += with_root_symbols(term, equation);
+        for (const ex& term : operands(e)) result += with_symbols(term, equation);
         return result;
     }
     if (is_a<GiNaC::mul>(e)) {
         ex result = 1;
-        for (const ex& factor : operands(e)) result *= with_root_symbols(factor, equation);
+        for (const ex& factor : operands(e)) result *= with_symbols(factor, equation);
         return result;
     }
+    if (is_a<GiNaC::function>(e)) return function_with_symbols(e, equation);
     if (!is_a<GiNaC::power>(e))
-        refuse_certificate("the base of a fractional power has no elementary function at weight 0", equation);
+        refuse_certificate("weight 0 is built from numbers, names, powers and elementary functions",
+                           equation);
     const Rational exponent = rational_of(e.op(1), equation);
-    if (is_whole(exponent)) return GiNaC::pow(with_root_symbols(e.op(0), equation), e.op(1));
-    const Radical radical = resolve(e.op(0), exponent, equation);
+    if (is_whole(exponent)) return GiNaC::pow(with_symbols(e.op(0), equation), e.op(1));
+    return radical_with_symbols(e.op(0), exponent, equation);
+}
+
+ex CertificateRoots::radical_with_symbols(const ex& base, const Rational& exponent,
+                                          const Equation& equation) {
+    const Radical radical = resolve(base, exponent, equation);
     ex result = GiNaC::numeric(radical.number) * radical.rest;
     for (const Root& root : roots_)
         for (const auto& [id, power] : radical.roots)

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which root of the ring is meant by a fractional power in an equation of the file. Decided on the
-// expressions, never by comparing residues: modulo a prime both square roots look alike.
+// Which root of the ring is meant by a fractional power in an equation of the file, and which functions.
+// Decided on the expressions, never by comparing residues: modulo a prime both square roots look alike.
 //
-//   sigma^4 = xi^2 + r^2:   (4*xi^2 + 4*r^2)^(-1/2)  ->  1/2 * sigma^-2
+//   sigma^4 = xi^2 + r^2:           (4*xi^2 + 4*r^2)^(-1/2)  ->  1/2 * sigma^-2
+//   E = exp(tau/2), s, c of tau:    exp(-tau)*sin(2*tau)     ->  E^-2 * 2 s c
 #pragma once
 
 #include "expand/graded_field.hpp"
 
 #include <deque>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,6 +33,14 @@ public:
     // a radicand of the ring nor raised to a whole power.
     const Radical& resolve(const GiNaC::ex& base, const Rational& exponent, const Equation& equation);
 
+    // The weight-0 part of e as a rational expression in the symbols of parameters, slow variables and
+    // generators. Errors (refused, with the equation as written): what the ring has no generators for.
+    [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Equation& equation);
+    // The generator that a symbol in this expression stands for.
+    [[nodiscard]] std::optional<GeneratorId> generator_of(const GiNaC::ex& symbol) const;
+    // Has the ring this derivative of a function that is known by its name only?
+    [[nodiscard]] bool knows(const std::string& named, int derivative) const;
+
 private:
     struct Root {
         GeneratorId id;
@@ -37,6 +48,13 @@ private:
         bool positive;
         GiNaC::ex radicand;
         GiNaC::symbol symbol; // stands for the root inside the radicand of another
+    };
+    struct FunctionAtom {
+        GeneratorId id;
+        FunctionOf of;
+        bool positive;
+        GiNaC::ex argument; // in symbols
+        GiNaC::symbol symbol;
     };
     struct Known {
         GiNaC::ex base;
@@ -50,7 +68,8 @@ private:
         std::vector<std::pair<GiNaC::ex, Rational>> rest;
     };
 
-    [[nodiscard]] GiNaC::ex radicand_of(const Generator& root, const std::vector<GiNaC::ex>& symbols) const;
+    [[nodiscard]] GiNaC::ex expression_of(const Polynomial& p, const std::vector<GiNaC::ex>& symbols) const;
+    [[nodiscard]] bool positive(const GiNaC::ex& e) const;
     void split(const GiNaC::ex& e, const Rational& exponent, const Equation& equation, Product& product);
     [[nodiscard]] std::vector<std::pair<GiNaC::ex, Rational>>
     positive_factors(const GiNaC::ex& product, const Equation& equation) const;
@@ -60,13 +79,25 @@ private:
     void split_number(const Rational& value, const Rational& exponent, const Equation& equation,
                       Product& product) const;
     [[nodiscard]] Radical collect(const Product& product, const Equation& equation) const;
-    // A rational expression in which root symbols stand for the fractional powers.
-    [[nodiscard]] GiNaC::ex with_root_symbols(const GiNaC::ex& e, const Equation& equation);
+    // A rational expression in which symbols stand for the fractional powers and for functions.
+    [[nodiscard]] GiNaC::ex with_symbols(const GiNaC::ex& e, const Equation& equation);
+    [[nodiscard]] GiNaC::ex radical_with_symbols(const GiNaC::ex& base, const Rational& exponent,
+                                                 const Equation& equation);
+    // certificate_functions.cpp
+    [[nodiscard]] GiNaC::ex function_with_symbols(const GiNaC::ex& e, const Equation& equation);
+    [[nodiscard]] GiNaC::ex exponential(const GiNaC::ex& u, const Equation& equation);
+    [[nodiscard]] GiNaC::ex circular(const GiNaC::ex& u, bool cosine, const Equation& equation) const;
+    [[nodiscard]] GiNaC::ex logarithm(const GiNaC::ex& u, const Equation& equation) const;
+    [[nodiscard]] GiNaC::ex lowered(const GiNaC::ex& e) const;
+    [[nodiscard]] const FunctionAtom& atom(GeneratorId id) const;
 
     const GradedField* field_;
     std::vector<Root> roots_; // largest degree first, so that a product is tried before its factors
-    GiNaC::exmap origin_;     // symbols of positive weight -> 0
-    std::deque<Known> known_; // references into it are handed out
+    std::vector<FunctionAtom> functions_;
+    GiNaC::exmap meanings_;                                     // symbols of functions -> the functions
+    GiNaC::exmap origin_;                                       // symbols of positive weight -> 0
+    std::deque<Known> known_;                                   // references into it are handed out
+    std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> origins_; // looked up only
 };
 
 } // namespace resonform

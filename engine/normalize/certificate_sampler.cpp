@@ -75,24 +75,44 @@ std::optional<Point> PointSampler::attempt(const PrimeField& field) {
         case GeneratorKind::parameter:
         case GeneratorKind::phase:
         case GeneratorKind::slow: value = field.random_unit(random_); break;
-        case GeneratorKind::root: {
-            const Residue radicand = evaluate_at(ring_, g.radicand, point);
-            if (radicand == 0) return std::nullopt;
-            observe(field, id, radicand);
-            const std::optional<Residue> root = field.root(radicand, g.index);
-            if (!root) return std::nullopt;
-            value = *root;
+        case GeneratorKind::root:
+        case GeneratorKind::function: {
+            const std::optional<Residue> here =
+                g.kind == GeneratorKind::root ? root_value(point, id) : function_value(point, g);
+            if (!here || *here == 0) return std::nullopt;
+            value = *here;
             break;
         }
         case GeneratorKind::constant:
         case GeneratorKind::primitive:
-            refuse({"a normal form is certified over parameters, slow variables and roots",
+            refuse({"a normal form is certified over parameters, slow variables, roots and functions",
                     g.name,
                     "certify before the solution adds its constants",
                     {}});
         }
     }
     return point;
+}
+
+std::optional<Residue> PointSampler::root_value(const Point& point, GeneratorId id) {
+    const Generator& g = ring_.generator(id);
+    const Residue radicand = evaluate_at(ring_, g.radicand, point);
+    if (radicand == 0) return std::nullopt;
+    observe(point.field, id, radicand);
+    return point.field.root(radicand, g.index);
+}
+
+// A point of the circle: s = 2 t/(1 + t^2), c = (1 - t^2)/(1 + t^2) = s (1 - t^2)/(2 t). Other functions are
+// independent of everything.
+std::optional<Residue> PointSampler::function_value(const Point& point, const Generator& g) {
+    const PrimeField& f = point.field;
+    if (g.of.function == Function::sine) half_tangent_ = f.random_unit(random_);
+    if (g.of.function != Function::sine && g.of.function != Function::cosine) return f.random_unit(random_);
+    const Residue square = f.multiply(half_tangent_, half_tangent_), below = f.add(1, square);
+    if (below == 0) return std::nullopt;
+    const Residue above =
+        g.of.function == Function::sine ? f.add(half_tangent_, half_tangent_) : f.subtract(1, square);
+    return f.multiply(above, f.inverse(below));
 }
 
 void PointSampler::observe(const PrimeField& field, GeneratorId root, Residue radicand) {

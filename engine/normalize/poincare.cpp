@@ -226,6 +226,7 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
                    {}});
     // With several frequencies, divisors turn up as the weights go by: the ring is built anew with their
     // inverses, and the few weights below are done again.
+    field = with_derivatives(field, through + 1);
     while (true) {
         Normalizer normalizer(field, through);
         const std::vector<Polynomial> missing = advance_through(normalizer, through, options);

@@ -53,6 +53,13 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
              fmt::format("truncation = {}, normal form through {}", options.truncation, normal_form.through),
              "normalise through a higher weight",
              {system.file.string(), 0, 0, "truncation", ""}});
+    for (GeneratorId id = 0; id < field.ring->size(); ++id)
+        if (field.ring->generator(id).kind == GeneratorKind::function)
+            refuse({"the solution by quadratures is for coefficients with powers and roots",
+                    field.ring->generator(id).name,
+                    "derive and print the normal form; solutions with functions of slow variables or "
+                    "parameters are not there yet",
+                    {system.file.string(), 0, 0, "equations", ""}});
     if (field.modes.size() > 1)
         refuse({"the solution by quadratures is for one oscillator",
                 fmt::format("{} oscillators", field.modes.size()), unsolved,

@@ -24,8 +24,8 @@ const BadInput cases[] = {
      "    [notations] # the paper's names for the constants of the solution\n"
      "     ^\n"
      "  found: notations\n"
-     "  mend:  did you mean 'notation'? Known are: system, parameters, variables, equations, domain, "
-     "relations, normal_form, notation"},
+     "  mend:  did you mean 'notation'? Known are: system, parameters, variables, functions, equations, "
+     "domain, relations, normal_form, notation"},
     {"NotToml", "[parameters]", "[parameters",
      "2 system.toml:6:12: the file is TOML\n"
      "    [parameters\n"
@@ -96,12 +96,6 @@ const BadInput cases[] = {
      "           ^\n"
      "  found: 2\n"
      "  mend:  write for example near = 0.01"},
-    {"FunctionsNotYet", "[notation]", "[functions]\nomega = { of = [\"tau\"] }\n[notation]",
-     "3 system.toml:23:1: functions: declared functions are not supported yet\n"
-     "    [functions]\n"
-     "    ^\n"
-     "  found: [functions]\n"
-     "  mend:  write the functions out in the equations"},
     {"ReservedName", "g = {", "eps = {",
      "2 system.toml:7:1: parameters.eps: the name of a parameter is not a reserved one\n"
      "    eps = { positive = true, unit = \"m/s^2\" }\n"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known about expressions of weight 0 in which symbols stand for functions: E for exp(tau/2),
+// s and c for sin(tau) and cos(tau).
+#pragma once
+
+#include "model/first_order_system.hpp"
+
+#include <ginac/ginac.h>
+
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+class CoefficientDomain {
+public:
+    explicit CoefficientDomain(const System& system) : system_(&system) {}
+
+    void add(const GiNaC::ex& symbol, const GiNaC::ex& meaning) {
+        meanings_[symbol] = meaning;
+        symbols_.push_back(symbol);
+    }
+    void add_circle(const GiNaC::ex& sine, const GiNaC::ex& cosine) { circles_.emplace_back(sine, cosine); }
+
+    // Proved, with the functions themselves in the place of their symbols.
+    [[nodiscard]] bool positive(const GiNaC::ex& e) const;
+    [[nodiscard]] bool nonzero(const GiNaC::ex& e) const;
+    [[nodiscard]] GiNaC::ex meaning(const GiNaC::ex& e) const;
+    // e expanded, with s^2 = 1 - c^2.
+    [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& e) const;
+    // Is e a polynomial in parameters, slow variables and symbols of functions?
+    [[nodiscard]] bool polynomial(const GiNaC::ex& e) const;
+
+private:
+    const System* system_;
+    GiNaC::exmap meanings_;
+    std::vector<GiNaC::ex> symbols_;
+    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> circles_;
+};
+
+} // namespace resonform

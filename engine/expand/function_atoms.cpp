@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expand/function_atoms.hpp"
+
+#include "model/canonical.hpp"
+#include "model/named_function.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+
+constexpr int largest_multiple = 200; // of an angle: powers of its sine and cosine
+
+bool is_rational_number(const ex& e) {
+    return is_a<GiNaC::numeric>(e) && ex_to<GiNaC::numeric>(e).is_rational();
+}
+
+// factor * part of a sum.
+struct Multiple {
+    Rational factor;
+    ex part;
+};
+
+std::vector<Multiple> multiples(const ex& argument) {
+    std::vector<Multiple> result;
+    const auto add = [&](const ex& term) {
+        Rational factor = 1;
+        ex part = 1;
+        for (const ex& f : is_a<GiNaC::mul>(term) ? operands(term) : std::vector<ex>{term}) {
+            if (is_rational_number(f))
+                factor = factor * to_rational(f);
+            else
+                part *= f;
+        }
+        if (!cln::zerop(factor)) result.push_back({factor, part});
+    };
+    if (is_a<GiNaC::add>(argument)) {
+        for (const ex& term : operands(argument)) add(term);
+    } else {
+        add(argument);
+    }
+    return result;
+}
+
+struct Angle {
+    ex cosine, sine;
+};
+
+Angle sum_of(const Angle& a, const Angle& b) {
+    return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+} // namespace
+
+// Goes through one expression; learns what is not known if that is allowed.
+class FunctionRewriter {
+public:
+    FunctionRewriter(const FunctionAtoms& atoms, FunctionAtoms* learner, const Place& place)
+        : known_(atoms), learner_(learner), place_(place) {}
+
+    ex operator()(const ex& e) {
+        if (is_a<GiNaC::function>(e)) return function(e);
+        if (is_a<GiNaC::add>(e)) {
+            ex sum = 0;
+            for (const ex& term : operands(e)) sum += (*this)(term);
+            return sum;
+        }
+        if (is_a<GiNaC::mul>(e)) {
+            ex product = 1;
+            for (const ex& factor : operands(e)) product *= (*this)(factor);
+            return product;
+        }
+        if (is_a<GiNaC::power>(e)) return GiNaC::pow((*this)(e.op(0)), e.op(1));
+        return e;
+    }
+
+private:
+    ex function(const ex& e) {
+        const ex u = argument(e.op(0));
+        if (is_named(e)) {
+            const NamedCall call = named_call(e);
+            if (learner_ != nullptr)
+                for (int k = 0; k <= learner_->derivatives_; ++k) named(call.name, k, u);
+            return named(call.name, call.derivative, u);
+        }
+        const std::string name = ex_to<GiNaC::function>(e).get_name();
+        if (name == "exp") return exponential(u);
+        if (name == "sin") return domain().expanded(angle(u).sine);
+        if (name == "cos") return domain().expanded(angle(u).cosine);
+        if (name == "tan") return domain().expanded(angle(u).sine) / domain().expanded(angle(u).cosine);
+        if (name == "sinh" || name == "cosh") {
+            const ex up = exponential(u);
+            return (up + GiNaC::numeric(name == "cosh" ? 1 : -1) / up) / 2;
+        }
+        if (name == "tanh") {
+            const ex square = GiNaC::pow(exponential(u), 2);
+            return (square - 1) / (square + 1);
+        }
+        if (name == "log") return logarithm(u);
+        if (name == "atan") return arc_tangent(u);
+        if (name == "asin" && u.is_zero()) return 0;
+        refuse({"functions of slow variables and parameters are sin cos tan exp log sqrt sinh cosh tanh "
+                "atan and those under [functions]",
+                spell(e), name == "asin" ? "write atan(u/sqrt(1 - u^2)) for asin(u)" : "write it with these",
+                place_});
+    }
+
+    [[nodiscard]] const CoefficientDomain& domain() const { return known_.domain(); }
+
+    // One form for one argument, as far as that is easy: a sum of products of powers of bases that are
+    // always taken with the same sign.
+    ex argument(const ex& e) {
+        const ex inner = (*this)(e).normal();
+        return domain().expanded(with_split_powers(domain().expanded(inner)));
+    }
+
+    ex with_split_powers(const ex& e) const {
+        if (is_a<GiNaC::add>(e)) {
+            ex sum = 0;
+            for (const ex& term : operands(e)) sum += with_split_powers(term);
+            return sum;
+        }
+        if (is_a<GiNaC::mul>(e)) {
+            ex product = 1;
+            for (const ex& factor : operands(e)) product *= with_split_powers(factor);
+            return product;
+        }
+        if (!is_a<GiNaC::power>(e) || e.op(1).info(GiNaC::info_flags::nonnegint)) return e;
+        if (!is_rational_number(e.op(1)))
+            refuse({"exponents are rational numbers", spell(e), "write exp(b*log(a)) for a^b", place_});
+        const PowerProduct split = split_power(e.op(0), to_rational(e.op(1)), domain(), place_);
+        ex product = to_ginac(split.number);
+        for (const PowerFactor& f : split.factors) product *= GiNaC::pow(f.base, to_ginac(f.exponent));
+        return product;
+    }
+
+    const FunctionAtom* find(Function function, const ex& u, const std::string& name = {},
+                             int derivative = 0) const {
+        const auto found =
+            std::find_if(known_.atoms_.begin(), known_.atoms_.end(), [&](const FunctionAtom& a) {
+                return a.function == function && a.argument.is_equal(u) && a.name == name &&
+                       a.derivative == derivative;
+            });
+        return found == known_.atoms_.end() ? nullptr : &*found;
+    }
+
+    // The symbol of an atom, which is made if need be.
+    ex atom(Function function, const ex& meaning, const ex& u, const std::string& name = {},
+            int derivative = 0, std::size_t sine = 0) {
+        if (const FunctionAtom* known = find(function, u, name, derivative)) return known->symbol;
+        if (learner_ == nullptr)
+            refuse({"a coefficient is built from what the equations hold", spell(meaning),
+                    derivative > 0 ? "ask for a lower order" : "write the equations with this function",
+                    place_});
+        FunctionAtom made;
+        made.function = function;
+        made.symbol = GiNaC::symbol(spell(meaning));
+        made.argument = u;
+        made.sine = sine;
+        made.name = name;
+        made.derivative = derivative;
+        made.place = place_;
+        learner_->atoms_.push_back(made);
+        learner_->domain_.add(made.symbol, meaning);
+        return made.symbol;
+    }
+
+    ex named(const std::string& name, int derivative, const ex& u) {
+        return atom(Function::named, named_function(name, derivative, domain().meaning(u)), u, name,
+                    derivative);
+    }
+
+    // Atoms have arguments part/d; factor*part is that many of them.
+    std::pair<ex, int> whole_multiple(const std::string& family, const Multiple& m) {
+        const std::string key = family + spell(m.part);
+        const auto known = known_.denominators_.find(key);
+        Integer d = known == known_.denominators_.end() ? Integer(1) : known->second;
+        if (cln::denominator(m.factor * d) != 1 && learner_ != nullptr) {
+            d = cln::lcm(d, cln::denominator(m.factor));
+            learner_->denominators_[key] = d;
+            learner_->settled_ = false;
+        }
+        const Rational count = m.factor * d;
+        if (cln::denominator(count) != 1 || cln::abs(cln::numerator(count)) > largest_multiple)
+            refuse({fmt::format("the arguments of one function are at most {} times a common part",
+                                largest_multiple),
+                    spell(domain().meaning(m.part)), "use simpler arguments", place_});
+        return {m.part / to_ginac(Rational(d)), cln::cl_I_to_int(cln::numerator(count))};
+    }
+
+    ex exponential(const ex& u) {
+        ex product = 1;
+        for (const Multiple& m : multiples(u)) {
+            if (const FunctionAtom* log = logarithm_atom(m.part)) { // exp(2 log x) = x^2
+                product *= GiNaC::pow(log->argument, to_ginac(m.factor));
+                continue;
+            }
+            const auto [part, count] = whole_multiple("exp ", m);
+            product *=
+                GiNaC::pow(atom(Function::exponential, GiNaC::exp(domain().meaning(part)), part), count);
+        }
+        return product;
+    }
+
+    const FunctionAtom* logarithm_atom(const ex& part) const {
+        const auto found =
+            std::find_if(known_.atoms_.begin(), known_.atoms_.end(), [&](const FunctionAtom& a) {
+                return a.function == Function::logarithm && part.is_equal(a.symbol);
+            });
+        return found == known_.atoms_.end() ? nullptr : &*found;
+    }
+
+    Angle angle(const ex& u) {
+        Angle total{1, 0};
+        for (const Multiple& m : multiples(u)) {
+            const auto [part, count] = whole_multiple("sin ", m);
+            const Angle one = circle(part);
+            Angle multiple{1, 0};
+            for (int k = 0; k < std::abs(count); ++k) {
+                multiple = sum_of(multiple, one);
+                multiple = {domain().expanded(multiple.cosine), domain().expanded(multiple.sine)};
+            }
+            if (count < 0) multiple.sine = -multiple.sine;
+            total = sum_of(total, multiple);
+        }
+        return total;
+    }
+
+    Angle circle(const ex& part) {
+        const ex meaning = domain().meaning(part);
+        const bool known = find(Function::cosine, part) != nullptr;
+        const ex sine = atom(Function::sine, GiNaC::sin(meaning), part);
+        const ex cosine = atom(Function::cosine, GiNaC::cos(meaning), part, {}, 0, known_.atoms_.size() - 1);
+        if (!known && learner_ != nullptr) learner_->domain_.add_circle(sine, cosine);
+        return {cosine, sine};
+    }
+
+    // The logarithm of a product of powers of positive bases.
+    ex logarithm(const ex& u) {
+        if (!domain().positive(u))
+            refuse({"a logarithm is taken only of what is proved to be positive", spell(domain().meaning(u)),
+                    "declare what is positive: " + how_to_declare_positive(domain().meaning(u)), place_});
+        const PowerProduct root = split_power(u, Rational(1) / 2, domain(), place_);
+        ex sum = 2 * logarithm_of_number(root.number);
+        for (const PowerFactor& f : root.factors) {
+            const Rational exponent = 2 * f.exponent;
+            sum +=
+                to_ginac(exponent) * (is_a<GiNaC::numeric>(f.base) ? logarithm_of_number(to_rational(f.base))
+                                                                   : logarithm_of_base(f.base));
+        }
+        return sum;
+    }
+
+    ex logarithm_of_base(const ex& base) {
+        for (const FunctionAtom& a : known_.atoms_)
+            if (a.function == Function::exponential && base.is_equal(a.symbol)) return a.argument;
+        return atom(Function::logarithm, GiNaC::log(domain().meaning(base)), base);
+    }
+
+    ex logarithm_of_number(const Rational& value) {
+        ex sum = 0;
+        const auto add = [&](Integer rest, int sign) {
+            for (Integer p = 2; rest > 1; p = p + 1) {
+                if (p * p > rest) p = rest;
+                if (p > 10000) p = rest; // perhaps not prime, which costs canonical forms only
+                for (; cln::zerop(cln::mod(rest, p)); rest = cln::exquo(rest, p))
+                    sum += sign * atom(Function::logarithm, GiNaC::log(to_ginac(Rational(p))),
+                                       to_ginac(Rational(p)));
+            }
+        };
+        add(cln::numerator(value), 1);
+        add(cln::denominator(value), -1);
+        return sum;
+    }
+
+    ex arc_tangent(const ex& u) {
+        if (u.is_zero()) return 0;
+        const bool turned = !is_a<GiNaC::add>(u) && cln::minusp(multiples(u).front().factor);
+        const ex chosen = is_a<GiNaC::add>(u) ? canonical_sign(u) : turned ? ex(-u) : u;
+        const ex value = atom(Function::arc_tangent, GiNaC::atan(domain().meaning(chosen)), chosen);
+        return chosen.is_equal(u) ? value : -value;
+    }
+
+    const FunctionAtoms& known_;
+    FunctionAtoms* learner_; // null: nothing is learned
+    const Place& place_;
+};
+
+FunctionAtoms::FunctionAtoms(std::shared_ptr<const System> system, int derivatives)
+    : system_(std::move(system)), derivatives_(derivatives), domain_(*system_) {}
+
+void FunctionAtoms::learn(const ex& e, const Place& place) { FunctionRewriter(*this, this, place)(e); }
+
+bool FunctionAtoms::forget_unless_settled() {
+    if (settled_) return true;
+    settled_ = true;
+    atoms_.clear();
+    domain_ = CoefficientDomain(*system_);
+    return false;
+}
+
+ex FunctionAtoms::rewrite(const ex& e, const Place& place) const {
+    return FunctionRewriter(*this, nullptr, place)(e);
+}
+
+} // namespace resonform

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Functions of weight 0 as polynomials in a few of them, the atoms, which become generators of the
+// coefficient ring:
+//
+//   exp(2*tau) + exp(-tau/2)  ->  E^4 + 1/E                 E = exp(tau/2)
+//   sin(tau + 2*alpha)        ->  s (1 - 2 u^2) + 2 c u v   s, c of tau; v, u of alpha
+//   log(4*x^2*y)              ->  2 log(2) + 2 log(x) + log(y)
+//   tanh(tau)                 ->  (E^2 - 1)/(E^2 + 1)       E = exp(tau)
+//
+// The arguments of rationally related exponentials, and of sines and cosines, have one common part, so
+// that atoms are independent of each other where that can be seen; an atom of which it cannot says so.
+#pragma once
+
+#include "algebra/ring.hpp"
+#include "expand/power_product.hpp"
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+struct FunctionAtom {
+    Function function = Function::exponential;
+    GiNaC::symbol symbol; // named as the function is spelled
+    GiNaC::ex argument;   // in parameters, slow variables, earlier atoms, and their roots
+    std::size_t sine = 0; // cosine: index of the sine
+    std::string name;     // named: omega
+    int derivative = 0;   // named
+    bool independent = true;
+    Place place; // where it was met first
+};
+
+class FunctionAtoms {
+public:
+    // derivatives: how many of each function that is known by its name only are needed.
+    FunctionAtoms(std::shared_ptr<const System> system, int derivatives);
+
+    // Learns the atoms of e, an expression of weight 0. The common parts of arguments are known when all
+    // expressions were learned and none of them changed any: until then, learn all again.
+    // Errors (refused): a logarithm of what is not proved positive, and those of split_power.
+    void learn(const GiNaC::ex& e, const Place& place);
+    bool forget_unless_settled(); // false: all atoms are forgotten, learn again
+    void judge_independence();    // of all atoms, when settled
+
+    // e in the symbols of atoms. Errors (refused): a function that was not learned.
+    [[nodiscard]] GiNaC::ex rewrite(const GiNaC::ex& e, const Place& place) const;
+
+    [[nodiscard]] const std::vector<FunctionAtom>& atoms() const { return atoms_; }
+    [[nodiscard]] const CoefficientDomain& domain() const { return domain_; }
+
+private:
+    friend class FunctionRewriter;
+
+    std::shared_ptr<const System> system_;
+    int derivatives_;
+    bool settled_ = true;
+    std::vector<FunctionAtom> atoms_;
+    std::map<std::string, Integer> denominators_; // of the multiples of one argument that occur
+    CoefficientDomain domain_;
+};
+
+} // namespace resonform

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Functions of weight 0 in the equations of the file, by the generators of the ring: each argument is
+// written as a sum of rational multiples of the generators' arguments. Angles are added as powers of
+// c + i s, not by the formulas of the expansion.
+#include "model/canonical.hpp"
+#include "model/named_function.hpp"
+#include "normalize/certificate_equation.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+std::vector<ex> terms_of(const ex& e) {
+    if (e.is_zero()) return {};
+    return is_a<GiNaC::add>(e) ? operands(e) : std::vector<ex>{e};
+}
+
+std::optional<Rational> ratio(const ex& a, const ex& b) {
+    const ex quotient = (a / b).normal();
+    if (!is_a<GiNaC::numeric>(quotient) || !GiNaC::ex_to<GiNaC::numeric>(quotient).is_rational())
+        return std::nullopt;
+    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(quotient).to_cl_N());
+}
+
+// b = factor * a for a whole factor
+std::optional<int> multiple(const ex& b, const ex& a) {
+    const std::optional<Rational> factor = ratio(b, a);
+    if (!factor || cln::denominator(*factor) != 1) return std::nullopt;
+    return cln::cl_I_to_int(cln::numerator(*factor));
+}
+
+[[noreturn]] void refuse_function(const Equation& equation) {
+    refuse_certificate("every function of slow variables and parameters is one of the ring's generators",
+                       equation);
+}
+
+} // namespace
+
+bool CertificateRoots::knows(const std::string& named, int derivative) const {
+    return std::any_of(functions_.begin(), functions_.end(), [&](const FunctionAtom& f) {
+        return f.of.function == Function::named && f.of.symbol == named && f.of.derivative == derivative;
+    });
+}
+
+const CertificateRoots::FunctionAtom& CertificateRoots::atom(GeneratorId id) const {
+    return *std::find_if(functions_.begin(), functions_.end(),
+                         [id](const FunctionAtom& f) { return f.id == id; });
+}
+
+// Expanded, with s^2 = 1 - c^2.
+ex CertificateRoots::lowered(const ex& e) const {
+    ex result = e;
+    for (const FunctionAtom& f : functions_) {
+        if (f.of.function != Function::cosine || !result.has(atom(f.of.sine).symbol)) continue;
+        const ex& sine = atom(f.of.sine).symbol;
+        const ex fraction = result.normal().numer_denom();
+        const ex circle = 1 - GiNaC::pow(f.symbol, 2);
+        const auto lower = [&](const ex& part) {
+            return part.expand().subs(GiNaC::pow(sine, 2) == circle, GiNaC::subs_options::algebraic).expand();
+        };
+        result = lower(fraction.op(0)) / lower(fraction.op(1));
+    }
+    return result.expand();
+}
+
+ex CertificateRoots::function_with_symbols(const ex& e, const Equation& equation) {
+    const ex u = lowered(with_symbols(e.op(0), equation).normal());
+    if (is_named(e)) {
+        const NamedCall call = named_call(e);
+        for (const FunctionAtom& f : functions_)
+            if (f.of.function == Function::named && f.of.symbol == call.name &&
+                f.of.derivative == call.derivative && (f.argument - u).normal().is_zero())
+                return f.symbol;
+        refuse_function(equation);
+    }
+    const auto half_sum = [&](int sign) {
+        const ex up = exponential(u, equation);
+        return ex((up + sign / up) / 2);
+    };
+    switch (elementary_of(e, equation)) {
+    case Elementary::exponential: return exponential(u, equation);
+    case Elementary::sine: return circular(u, false, equation);
+    case Elementary::cosine: return circular(u, true, equation);
+    case Elementary::tangent: return circular(u, false, equation) / circular(u, true, equation);
+    case Elementary::hyperbolic_sine: return half_sum(-1);
+    case Elementary::hyperbolic_cosine: return half_sum(1);
+    case Elementary::hyperbolic_tangent: return half_sum(-1) / half_sum(1);
+    case Elementary::logarithm: return logarithm(u, equation);
+    case Elementary::arc_tangent:
+        if (u.is_zero()) return 0;
+        for (const FunctionAtom& f : functions_)
+            if (f.of.function == Function::arc_tangent)
+                if (const auto sign = multiple(u, f.argument); sign && std::abs(*sign) == 1)
+                    return *sign * f.symbol;
+        break;
+    case Elementary::arc_sine: break;
+    }
+    refuse_function(equation);
+}
+
+ex CertificateRoots::exponential(const ex& u, const Equation& equation) {
+    ex product = 1;
+    for (const ex& term : terms_of(u)) {
+        const auto factor = [&]() -> ex {
+            for (const FunctionAtom& f : functions_) {
+                if (f.of.function == Function::exponential)
+                    if (const auto n = multiple(term, f.argument)) return GiNaC::pow(f.symbol, *n);
+                if (f.of.function == Function::logarithm) // exp(q log x) = x^q
+                    if (const auto q = ratio(term, f.symbol))
+                        return cln::denominator(*q) == 1 ? ex(GiNaC::pow(f.argument, GiNaC::numeric(*q)))
+                                                         : radical_with_symbols(f.argument, *q, equation);
+            }
+            refuse_function(equation);
+        };
+        product *= factor();
+    }
+    return product;
+}
+
+// The cosine of a sum of angles n_k a_k is (p + 1/p)/2 for p = prod (c_k + i s_k)^n_k.
+ex CertificateRoots::circular(const ex& u, bool cosine, const Equation& equation) const {
+    ex turned = 1, back = 1;
+    for (const ex& term : terms_of(u)) {
+        bool found = false;
+        for (const FunctionAtom& f : functions_) {
+            if (found || f.of.function != Function::cosine) continue;
+            const auto n = multiple(term, f.argument);
+            if (!n) continue;
+            found = true;
+            const ex direction = GiNaC::I * (*n < 0 ? -1 : 1) * atom(f.of.sine).symbol;
+            turned *= GiNaC::pow(f.symbol + direction, std::abs(*n));
+            back *= GiNaC::pow(f.symbol - direction, std::abs(*n));
+        }
+        if (!found) refuse_function(equation);
+    }
+    const ex sum = cosine ? turned + back : (turned - back) / GiNaC::I;
+    return (sum.expand() / 2).expand();
+}
+
+// u is a product of powers of the arguments of logarithms, of exponentials and of numbers.
+ex CertificateRoots::logarithm(const ex& u, const Equation& equation) const {
+    ex sum = 0;
+    const ex fraction = u.normal().numer_denom();
+    for (const int side : {0, 1}) {
+        ex rest = fraction.op(static_cast<std::size_t>(side)).expand();
+        const int sign = side == 0 ? 1 : -1;
+        for (const FunctionAtom& f : functions_) {
+            if (f.of.function == Function::exponential) {
+                const int power = rest.ldegree(f.symbol);
+                rest = (rest / GiNaC::pow(f.symbol, power)).expand();
+                sum += sign * power * f.argument;
+            }
+            ex quotient;
+            if (f.of.function != Function::logarithm || is_a<GiNaC::numeric>(f.argument)) continue;
+            while (!is_a<GiNaC::numeric>(rest) && GiNaC::divide(rest, f.argument, quotient)) {
+                rest = quotient.expand();
+                sum += sign * f.symbol;
+            }
+        }
+        for (const FunctionAtom& f : functions_) {
+            if (f.of.function != Function::logarithm || !is_a<GiNaC::numeric>(f.argument)) continue;
+            while (is_a<GiNaC::numeric>(rest) && GiNaC::irem(GiNaC::ex_to<GiNaC::numeric>(rest),
+                                                             GiNaC::ex_to<GiNaC::numeric>(f.argument)) == 0) {
+                rest /= f.argument;
+                sum += sign * f.symbol;
+            }
+        }
+        if (!rest.is_equal(1)) refuse_function(equation);
+    }
+    return sum;
+}
+
+} // namespace resonform

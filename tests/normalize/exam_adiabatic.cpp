@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The oscillator whose frequency is a function of slow time that is known by its name only.
+#include "normalize/certified.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform {
+namespace {
+
+std::shared_ptr<const GradedField> adiabatic(const std::string& force) {
+    return test::field_from(
+        "[system]\nname = \"a\"\n[variables]\npsi = { role = \"fast\" }\n"
+        "tau = { role = \"slow\" }\n[functions]\nomega = { of = [\"tau\"], positive = true }\n"
+        "[equations]\npsi = \"psi'' + omega(tau)^2*psi" +
+        force + " = 0\"\ntau = \"tau' = eps\"\n");
+}
+
+Polynomial gen(const Ring& ring, const std::string& name, int exponent = 1) {
+    return ring.gen(ring.find(name).value(), exponent);
+}
+
+// w' = i omega w - omega'/(2 omega) eps w + ...: |w|^2 omega is the adiabatic invariant, and the next term
+// of the phase is that of the WKB expansion, i (3/8 omega'^2/omega^3 - omega''/(4 omega^2)) eps^2 w.
+TEST(Adiabatic, InvariantAndPhase) {
+    const Normalization n = normalize_poincare(adiabatic(""), 3);
+    const Ring& ring = *n.normal_form.field->ring;
+    const Polynomial w = gen(ring, "z1"), eps = gen(ring, "eps");
+    const Polynomial first = ring.multiply(gen(ring, "omega'(tau)"), gen(ring, "omega(tau)", -1));
+    EXPECT_EQ(n.normal_form.mode[0].part(2), Rational(-1) / 2 * ring.multiply(first, ring.multiply(eps, w)));
+    const Polynomial second =
+        Rational(3) / 8 * ring.multiply(ring.power(first, 2), gen(ring, "omega(tau)", -1)) -
+        Rational(1) / 4 * ring.multiply(gen(ring, "omega''(tau)"), gen(ring, "omega(tau)", -2));
+    EXPECT_EQ(n.normal_form.mode[0].part(3),
+              ring.multiply(ring.multiply(ring.imaginary(), second), ring.multiply(ring.power(eps, 2), w)));
+}
+
+TEST(Adiabatic, WithACubicForceToOrderSeven) {
+    const Normalization n = normalize_poincare(adiabatic(" + psi^3"), 7);
+    const Certificate c = test::certificate_of(n);
+    EXPECT_TRUE(c.holds) << c.complaint;
+    EXPECT_EQ(c.through_weight, 7);
+}
+
+} // namespace
+} // namespace resonform
