@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace resonform {
 namespace {
 
@@ -74,6 +76,69 @@ INSTANTIATE_TEST_SUITE_P(Named, EveryCoefficient,
                                            "x'' + x + b(tau)*x^2 + eps*b'(tau)*x' = 0",
                                            "x'' + (1 + b(tau)^2)*x + omega(tau)*x^3 = 0",
                                            "x'' + x + b(tau + x)*x^2 = 0"));
+
+// Slow variables that fast ones drive, xi = zeta + k, and angles, with functions of them.
+TEST(FunctionCoefficients, OfDrivenSlowVariablesAndAngles) {
+    const std::string variables = "tau = { role = \"slow\" }\nphi = { role = \"angle\" }\n";
+    const std::string functions = "[functions]\nomega = { of = [\"tau\"], positive = true }\n[equations]\n";
+    for (const std::string equation :
+         {"x'' + exp(-tau)*x + x^2 = 0", "x'' + (2 + cos(tau))*x + sin(tau + x)*x^2 = 0",
+          "x'' + omega(tau)^2*x + omega'(tau)*x^2 = 0",
+          "x'' + 2*x + eps*cos(2*phi + tau) + atan(tau)*x^2 = 0",
+          "x'' + 2*x + eps*sin(phi)*log(1 + tau^2)*x + eps*cos(phi - x) = 0"}) {
+        std::string file = test::oscillator_file(
+            equation, variables, "tau = \"tau' = eps*x^2 + eps*x\"\nphi = \"phi' = 1 + eps*exp(tau)\"\n");
+        const std::string heading = "[equations]\n";
+        file.replace(file.find(heading), heading.size(), functions);
+        const Normalization n = normalize_poincare(test::field_from(file), 4);
+        const Certificate c = certificate_of(n);
+        EXPECT_TRUE(c.holds) << equation << ": " << c.complaint;
+    }
+}
+
+// An exponential against its Taylor polynomial about tau_0: through the weight of the truncation the
+// coefficients have the same values at tau = 0, as long as few derivatives are taken.
+TEST(FunctionCoefficients, AgreeWithTaylorPolynomials) {
+    const auto normal_form_at_zero = [](const std::string& exponential, const std::string& sine) {
+        const auto field = test::field_from(
+            test::oscillator_file("x'' + (1 + " + exponential + ")*x + (" + sine + ")*x^2 + x^3 = 0",
+                                  "tau = { role = \"slow\" }\n", "tau = \"tau' = eps\"\n"));
+        const Normalization n = normalize_poincare(field, 4);
+        const Ring& ring = *field->ring;
+        // exp(0) = cos(0) = 1, tau = sin(0) = 0; 1 + exp(tau) = sigma^2 = 2
+        std::vector<std::pair<std::vector<int>, Rational>> values;
+        for (int weight = 1; weight <= 4; ++weight) {
+            std::map<std::vector<int>, Rational> sums; // by exponents of i, z1, z2, eps and parity of sigma
+            for (const auto& [factor, numerator] : ring.expanded_form(n.normal_form.mode[0].part(weight)))
+                for (const Term& t : numerator.terms()) {
+                    std::vector<int> key(5, 0);
+                    Rational value = t.coefficient;
+                    for (GeneratorId id = 0; id < ring.size(); ++id) {
+                        const Generator& g = ring.generator(id);
+                        const int e = ring.exponent(factor + t.monomial, id);
+                        if (e == 0) continue;
+                        if (id <= 3) key[static_cast<std::size_t>(id)] = e;
+                        const bool zero =
+                            g.kind == GeneratorKind::slow ||
+                            (g.kind == GeneratorKind::function && g.of.function == Function::sine);
+                        if (zero) value = 0;
+                        if (g.kind != GeneratorKind::root) continue;
+                        const int half = e >= 0 ? e / g.index : -((g.index - 1 - e) / g.index);
+                        value = value * cln::expt(Rational(2), Integer(half));
+                        key[4] = e - half * g.index;
+                    }
+                    sums[key] = sums[key] + value;
+                }
+            for (const auto& sum : sums)
+                if (!cln::zerop(sum.second)) values.push_back(sum);
+        }
+        return values;
+    };
+    const auto exact = normal_form_at_zero("exp(tau)", "sin(tau)");
+    const auto taylor = normal_form_at_zero("1 + tau + tau^2/2 + tau^3/6 + tau^4/24", "tau - tau^3/6");
+    EXPECT_GT(exact.size(), 3U);
+    EXPECT_EQ(exact, taylor);
+}
 
 } // namespace
 } // namespace resonform
