@@ -34,9 +34,18 @@ std::string unreserved(const std::array<const char*, N>& reserved, const std::st
 
 // What the script imports or sets; the reader of systems accepts no keyword of Python as a name.
 std::string python_symbol(const std::string& name, int primes) {
-    static constexpr std::array<const char*, 11> reserved = {
-        "Rational",    "Symbol",           "prod", "main", "print", "series", "sum", "zip", "variables",
-        "normal_form", "near_identity_map"};
+    static constexpr std::array<const char*, 12> reserved = {"Rational",
+                                                             "Symbol",
+                                                             "prod",
+                                                             "main",
+                                                             "print",
+                                                             "series",
+                                                             "sum",
+                                                             "zip",
+                                                             "variables",
+                                                             "normal_form",
+                                                             "near_identity_map",
+                                                             "Function"};
     return unreserved(reserved, name, primes);
 }
 
@@ -72,11 +81,20 @@ std::string text_derivative(const std::string& function, int order, const std::s
 }
 
 // At an argument that is no name the derivative is taken first and evaluated then.
-std::string sympy_derivative(const std::string& function, int order, const std::string& argument) {
-    const std::string variable = is_name(argument) ? argument : "Symbol('u')";
+std::string sympy_derivative(const std::string& function, int order, const std::string& argument,
+                             const std::string& other_variable) {
+    const std::string variable = is_name(argument) ? argument : other_variable;
     const std::string by = order == 1 ? variable : fmt::format("({}, {})", variable, order);
     const std::string derivative = fmt::format("Derivative({}({}), {})", function, variable, by);
     return is_name(argument) ? derivative : fmt::format("Subs({}, {}, {})", derivative, variable, argument);
+}
+
+std::string json_derivative(const std::string& function, int order, const std::string& argument) {
+    return sympy_derivative(function, order, argument, "_u");
+}
+
+std::string python_derivative(const std::string& function, int order, const std::string& argument) {
+    return sympy_derivative(function, order, argument, "Symbol(\"u\")");
 }
 
 std::string maxima_derivative(const std::string& function, int order, const std::string& argument) {
@@ -176,12 +194,12 @@ const Spelling& text_spelling() {
 }
 
 const Spelling& json_spelling() {
-    static const Spelling spelling{"**", "I", false, false, primed, sympy_derivative, sympy_integral};
+    static const Spelling spelling{"**", "I", false, false, primed, json_derivative, sympy_integral};
     return spelling;
 }
 
 const Spelling& python_spelling() {
-    static const Spelling spelling{"**", "I", true, true, python_symbol, sympy_derivative, sympy_integral};
+    static const Spelling spelling{"**", "I", true, true, python_symbol, python_derivative, sympy_integral};
     return spelling;
 }
 

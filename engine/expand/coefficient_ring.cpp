@@ -101,6 +101,7 @@ void CoefficientRing::collect_function(const ex& e, const ex& u, const Place& pl
         refuse({"a function is regular at the origin", spell(e),
                 "remove the singularity, or expand about another point", place});
     if (!u.is_zero() || is_named(e)) need(with_argument(e, u));
+    expands_named_ = expands_named_ || (is_named(e) && has_weight(e));
     if (name == "log") need(GiNaC::pow(u, -1));
     if (name == "atan") need(GiNaC::pow(1 + u * u, -1));
     if (name == "asin") need(GiNaC::pow(1 - u * u, GiNaC::numeric(-1, 2)));

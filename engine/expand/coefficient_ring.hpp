@@ -52,6 +52,8 @@ public:
     [[nodiscard]] bool has_weight(const GiNaC::ex& e) const;
     // How often functions known by their names only can be differentiated.
     [[nodiscard]] int derivatives() const { return derivatives_; }
+    // Was one collected that is to be expanded, as omega(tau + psi)?
+    [[nodiscard]] bool expands_named() const { return expands_named_; }
 
     // Notes the roots, inverses and functions that a later convert of e, or of the weight-0 part of a power
     // or function of positive weight in e, will need.
@@ -116,6 +118,7 @@ private:
     std::vector<std::pair<GiNaC::ex, GeneratorId>> symbols_; // eps, parameters, slow variables, atoms
     std::vector<GeneratorId> divisors_;
     int derivatives_ = 1;
+    bool expands_named_ = false;
     RingPtr ring_;
 };
 

@@ -59,7 +59,8 @@ std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_or
     for (std::size_t v = 0; v < first_order.system->variables.size(); ++v)
         coefficients.collect(line_expression(first_order, v),
                              place_of(first_order.system->equations[v].source));
-    at_place(whole_file(first_order.system->file), [&] { coefficients.freeze({nullptr, {}, through}); });
+    const int derivatives = coefficients.expands_named() ? through : 0;
+    at_place(whole_file(first_order.system->file), [&] { coefficients.freeze({nullptr, {}, derivatives}); });
     return std::make_shared<const CoefficientRing>(std::move(coefficients));
 }
 

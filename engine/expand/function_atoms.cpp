@@ -25,6 +25,11 @@ bool is_rational_number(const ex& e) {
     return is_a<GiNaC::numeric>(e) && ex_to<GiNaC::numeric>(e).is_rational();
 }
 
+bool has_function(const ex& e) {
+    return std::any_of(e.preorder_begin(), e.preorder_end(),
+                       [](const ex& part) { return is_a<GiNaC::function>(part); });
+}
+
 // factor * part of a sum.
 struct Multiple {
     Rational factor;
@@ -90,7 +95,8 @@ private:
         if (is_named(e)) {
             const NamedCall call = named_call(e);
             if (learner_ != nullptr)
-                for (int k = 0; k <= learner_->derivatives_; ++k) named(call.name, k, u);
+                for (int k = 0; k <= std::max(learner_->derivatives_, call.derivative); ++k)
+                    named(call.name, k, u);
             return named(call.name, call.derivative, u);
         }
         const std::string name = ex_to<GiNaC::function>(e).get_name();
@@ -299,7 +305,9 @@ private:
 FunctionAtoms::FunctionAtoms(std::shared_ptr<const System> system, int derivatives)
     : system_(std::move(system)), derivatives_(derivatives), domain_(*system_) {}
 
-void FunctionAtoms::learn(const ex& e, const Place& place) { FunctionRewriter(*this, this, place)(e); }
+void FunctionAtoms::learn(const ex& e, const Place& place) {
+    if (has_function(e)) FunctionRewriter(*this, this, place)(e);
+}
 
 bool FunctionAtoms::forget_unless_settled() {
     if (settled_) return true;
@@ -310,7 +318,7 @@ bool FunctionAtoms::forget_unless_settled() {
 }
 
 ex FunctionAtoms::rewrite(const ex& e, const Place& place) const {
-    return FunctionRewriter(*this, nullptr, place)(e);
+    return has_function(e) ? FunctionRewriter(*this, nullptr, place)(e) : e;
 }
 
 } // namespace resonform

@@ -20,6 +20,11 @@ Polynomial GradedField::eigenvalue(const Mode& mode) const {
 }
 
 FieldSeries evaluate_field(const GradedField& field, int through) {
+    if (field.coefficients->expands_named() && field.coefficients->derivatives() < through)
+        refuse({"a field is expanded as far as its functions can be differentiated",
+                fmt::format("weight {}, derivatives through {}", through, field.coefficients->derivatives()),
+                "take the field with more derivatives",
+                {}});
     SeriesRun run(*field.program);
     const Ring& ring = *field.ring;
     const auto set = [&](SeriesProgram::Node input, GeneratorId id, int weight) {

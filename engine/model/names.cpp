@@ -16,10 +16,11 @@ constexpr const char* allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstu
 // keywords of Python, and for the names of SymPy that stand in what it reads or makes of it.
 const std::vector<std::string>& python_words() {
     static const std::vector<std::string> words = {
-        "False", "None",     "True",   "and",    "as",    "assert", "async",    "await",   "break",
-        "class", "continue", "def",    "del",    "elif",  "else",   "except",   "finally", "for",
-        "from",  "global",   "if",     "import", "in",    "is",     "nonlocal", "not",     "or",
-        "pass",  "raise",    "return", "try",    "while", "with",   "yield",    "Integer", "Integral"};
+        "False",    "None",  "True",       "and",     "as",       "assert", "async", "await",
+        "break",    "class", "continue",   "def",     "del",      "elif",   "else",  "except",
+        "finally",  "for",   "from",       "global",  "if",       "import", "in",    "is",
+        "nonlocal", "not",   "or",         "pass",    "raise",    "return", "try",   "while",
+        "with",     "yield", "Derivative", "Integer", "Integral", "Subs"};
     return words;
 }
 
