@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/graded_field.hpp"
 
+#include <fmt/format.h>
+
 namespace resonform {
 
 std::vector<GeneratorId> GradedField::outer() const {
