@@ -102,7 +102,9 @@ TEST(FunctionCoefficients, AgreeWithTaylorPolynomials) {
     const auto normal_form_at_zero = [](const std::string& exponential, const std::string& sine) {
         const auto field = test::field_from(
             test::oscillator_file("x'' + (1 + " + exponential + ")*x + (" + sine + ")*x^2 + x^3 = 0",
-                                  "tau = { role = \"slow\" }\n", "tau = \"tau' = eps\"\n"));
+                                  "tau = { role = \"slow\" }\n[domain]\npositive = [\"1 + " +
+                                      exponential + "\"]\n",
+                                  "tau = \"tau' = eps\"\n"));
         const Normalization n = normalize_poincare(field, 4);
         const Ring& ring = *field->ring;
         // exp(0) = cos(0) = 1, tau = sin(0) = 0; 1 + exp(tau) = sigma^2 = 2
