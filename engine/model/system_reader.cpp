@@ -176,7 +176,7 @@ std::string SystemReader::argument_of(const TomlEntry& entry) const {
     if (of == nullptr || of->type != TomlNode::Type::array || of->items.size() != 1)
         bad_input({"a function is declared with the one name that it is a function of", in_quotes(entry.key),
                    mend, of == nullptr ? entry.place : place_of(of->source)});
-    const std::string name = string_of(of->items.front());
+    std::string name = string_of(of->items.front());
     const Variable* variable = system_.variable(name);
     if (system_.parameter(name) == nullptr && (variable == nullptr || variable->role != Role::slow)) {
         std::vector<std::string> known;
