@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(All, Intervals,
                                            Case{"cos", Function::cosine, std::cos},
                                            Case{"log", Function::logarithm, std::log},
                                            Case{"atan", Function::arc_tangent, std::atan}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Interval, OutsideTheDomain) {
     EXPECT_FALSE(function(Function::logarithm, Interval(Rational(0)), 64));
