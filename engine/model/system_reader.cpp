@@ -2,9 +2,7 @@
 #include "model/system_reader.hpp"
 
 #include "model/names.hpp"
-#include "model/positivity.hpp"
 #include "model/toml_values.hpp"
-#include "model/zero_test.hpp"
 
 #include <algorithm>
 
@@ -16,7 +14,6 @@ constexpr int most_variables = 64;
 constexpr int most_parameters = 30; // the coefficient ring has room for 32 with i and eps
 constexpr int most_functions = 30;
 constexpr int most_primes = 9;
-constexpr std::size_t most_declarations = 64;
 
 // Refuses a list that no honest system has.
 void check_count(const TomlNode& table, int most) {
@@ -61,25 +58,6 @@ int weight_of(const TomlNode& table, Role role) {
     refuse({role == Role::fast ? "the weight of a fast variable is 1 (small) or 0 (finite)"
                                : "the weight of a variable that is not fast is 0",
             excerpt(node->text), "remove the key, or scale the variable", place_of(node->source)});
-}
-
-// "amplitude.psi" -> kind and variable, which must fit together.
-Notation notation_of(const TomlEntry& entry, const System& system) {
-    const std::string value = string_of(entry.value);
-    const std::size_t dot = value.find('.');
-    Notation notation{entry.key, value.substr(0, dot), dot == std::string::npos ? "" : value.substr(dot + 1)};
-    std::vector<std::string> known;
-    for (const Variable& variable : system.variables) {
-        for (const std::string& kind : constant_kinds(variable.role))
-            known.push_back(kind + "." + variable.name);
-    }
-    if (std::find(known.begin(), known.end(), value) == known.end()) {
-        bad_value(
-            entry.value,
-            "a notation names amplitude or phase of a fast variable or the constant of a drift variable",
-            suggest(value, known));
-    }
-    return notation;
 }
 
 } // namespace
@@ -274,126 +252,6 @@ void SystemReader::read_equations() {
     }
     for (Equation& equation : system_.equations) {
         equation.residual = read_equation(equation.text, scope, equation.source);
-    }
-}
-
-void SystemReader::read_domain() {
-    const TomlNode* domain = root_.find("domain");
-    if (domain == nullptr) return;
-    check_keys(*domain, {"positive"});
-    const TomlNode* positive = domain->find("positive");
-    if (positive == nullptr) return;
-    if (positive->type != TomlNode::Type::array) {
-        bad_value(*positive, "'domain.positive' is an array of expressions",
-                  "write positive = [\"1 + tau\"]");
-    }
-    if (positive->items.size() > most_declarations) {
-        bad_value(*positive,
-                  "'domain.positive' has at most " + std::to_string(most_declarations) + " expressions",
-                  "declare names positive, or describe a smaller system");
-    }
-    Scope scope;
-    for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
-    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
-    for (const Variable& v : system_.variables) {
-        if (v.role == Role::slow) scope.define(v.name, v.jet.front());
-    }
-    for (const TomlNode& item : positive->items) {
-        const GiNaC::ex value = read_expression(string_of(item), scope, item.source);
-        if (vanishes(value) == Zero::yes || provably_positive(-value, system_)) {
-            bad_value(item, "an expression declared positive can be positive", "correct or remove it");
-        }
-        system_.positive.push_back({value, item.text, item.source});
-        // A name by itself is the same as positive = true.
-        for (Parameter& p : system_.parameters)
-            if (value.is_equal(p.symbol)) p.positive = p.nonzero = true;
-        for (Variable& v : system_.variables)
-            if (value.is_equal(v.jet.front())) v.positive = v.nonzero = true;
-    }
-}
-
-// omega_2 = "2*omega_1 + eps*sigma": an exact resonance at eps = 0 with its detuning.
-void SystemReader::read_relations() {
-    const TomlNode* relations = root_.find("relations");
-    if (relations == nullptr) return;
-    check_table(*relations);
-    std::vector<std::string> names;
-    for (const Parameter& p : system_.parameters) names.push_back(p.name);
-    GiNaC::exmap values;
-    for (const TomlEntry& entry : relations->entries) {
-        const Parameter* parameter = system_.parameter(entry.key);
-        if (parameter == nullptr)
-            bad_input({"a relation gives a parameter by others", in_quotes(entry.key),
-                       suggest(entry.key, names), entry.place});
-        Scope scope;
-        for (const Parameter& p : system_.parameters)
-            if (relations->find(p.name) == nullptr) scope.define(p.name, p.symbol);
-        scope.define("eps", system_.eps);
-        const GiNaC::ex value = read_expression(string_of(entry.value), scope, entry.value.source);
-        const GiNaC::ex at_rest = value.subs(system_.eps == 0, GiNaC::subs_options::no_pattern);
-        if ((parameter->positive && !provably_positive(at_rest, system_)) ||
-            (parameter->nonzero && !provably_nonzero(at_rest, system_)))
-            bad_value(entry.value,
-                      "a relation keeps at eps = 0 what is declared of " + in_quotes(parameter->name),
-                      "declare what its value is made of positive");
-        values.emplace(parameter->symbol, value);
-    }
-    const auto put = [&](GiNaC::ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); };
-    for (Equation& equation : system_.equations) put(equation.residual);
-    for (Declaration& declaration : system_.positive)
-        declaration.value =
-            declaration.value.subs(values, GiNaC::subs_options::no_pattern).subs(system_.eps == 0);
-    system_.parameters.erase(std::remove_if(system_.parameters.begin(), system_.parameters.end(),
-                                            [&](const Parameter& p) { return values.count(p.symbol) != 0; }),
-                             system_.parameters.end());
-}
-
-void SystemReader::read_normal_form() {
-    const TomlNode* node = root_.find("normal_form");
-    if (node == nullptr) return;
-    check_keys(*node, {"near"});
-    const TomlNode* near = node->find("near");
-    if (near == nullptr) return;
-    system_.near = number_of(*near);
-    if (cln::minusp(system_.near) || system_.near >= 1)
-        bad_value(*near, "0 <= near < 1: divisors up to this size are kept", "write for example near = 0.01");
-}
-
-void SystemReader::read_notation() {
-    const TomlNode* notation = root_.find("notation");
-    if (notation == nullptr) return;
-    check_table(*notation);
-    for (const TomlEntry& entry : notation->entries) {
-        claim_name(entry, "a notation");
-        const Notation read = notation_of(entry, system_);
-        for (const Notation& earlier : system_.notation) {
-            if (earlier.kind != read.kind || earlier.variable != read.variable) continue;
-            bad_value(entry.value,
-                      "a constant has one name: " + in_quotes(earlier.name) + " stands for it already",
-                      "remove one of the two");
-        }
-        system_.notation.push_back(read);
-    }
-}
-
-// Results are written with names made from those of the variables: nothing else may have them.
-void SystemReader::check_names_of_results() const {
-    std::map<std::string, std::string> made; // name -> what results call so
-    for (const Variable& variable : system_.variables) {
-        made[variable.name + "_0"] = variable.name + " at t = 0";
-        for (const std::string& kind : constant_kinds(variable.role))
-            made[kind + "_" + variable.name] = kind + "." + variable.name;
-        if (variable.role == Role::drift) made["z_" + variable.name] = "the new variable of " + variable.name;
-    }
-    for (const char* key : {"parameters", "variables", "functions", "notation"}) {
-        const TomlNode* node = root_.find(key);
-        if (node == nullptr) continue;
-        for (const TomlEntry& entry : node->entries) {
-            const auto found = made.find(entry.key);
-            if (found == made.end() || entry.value.text == found->second) continue;
-            bad_input({"results call " + found->second + " " + found->first + ": nothing else has this name",
-                       in_quotes(entry.key), "choose another name", entry.place});
-        }
     }
 }
 

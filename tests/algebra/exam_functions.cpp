@@ -31,7 +31,7 @@ void add_circle(RingBuilder& b, const Polynomial& u, const std::string& of) {
     add_function(b, "cos " + of, {Function::cosine, u, sine});
 }
 
-TEST(Functions, ASineAndItsCosine) {
+TEST(RingFunctions, ASineAndItsCosine) {
     RingBuilder b;
     const Names n = start(b);
     add_circle(b, b.multiply(b.gen(n.tau), b.gen(n.a)), "a tau");
@@ -46,7 +46,7 @@ TEST(Functions, ASineAndItsCosine) {
 }
 
 // sigma^2 = 2 + cos tau eliminates the cosine, and then the sine is ruled by sigma.
-TEST(Functions, ACosineUnderARoot) {
+TEST(RingFunctions, ACosineUnderARoot) {
     RingBuilder b;
     const Names n = start(b);
     add_circle(b, b.gen(n.tau), "tau");
@@ -59,7 +59,7 @@ TEST(Functions, ACosineUnderARoot) {
     EXPECT_EQ(ring->derivative(gen(*ring, "sigma", 2), n.tau), -s);
 }
 
-TEST(Functions, Exponentials) {
+TEST(RingFunctions, Exponentials) {
     RingBuilder b;
     const Names n = start(b);
     add_function(b, "E", {Function::exponential, Rational(1) / 2 * b.gen(n.tau)});
@@ -69,7 +69,7 @@ TEST(Functions, Exponentials) {
     EXPECT_EQ(ring->is_zero(gen(*ring, "E") - gen(*ring, "tau")), Zero::no);
 }
 
-TEST(Functions, LogarithmsAndArcs) {
+TEST(RingFunctions, LogarithmsAndArcs) {
     RingBuilder b;
     const Names n = start(b);
     const Polynomial u = Polynomial(Rational(1)) + b.gen(n.tau, 2);
@@ -84,7 +84,7 @@ TEST(Functions, LogarithmsAndArcs) {
 }
 
 // log(a b) - log a - log b: not zero as a polynomial, zero as a function; it must not be called non-zero.
-TEST(Functions, WhatMayDependIsUnknown) {
+TEST(RingFunctions, WhatMayDependIsUnknown) {
     RingBuilder b;
     const GeneratorId x = b.add(named(GeneratorKind::slow, "x", true));
     const GeneratorId y = b.add(named(GeneratorKind::slow, "y", true));
@@ -104,7 +104,7 @@ TEST(Functions, WhatMayDependIsUnknown) {
     EXPECT_EQ(ring->is_zero(p + ring->one()), Zero::no);
 }
 
-TEST(Functions, KnownByTheirNames) {
+TEST(RingFunctions, KnownByTheirNames) {
     RingBuilder b;
     const Names n = start(b);
     for (int k = 0; k <= 1; ++k)
@@ -118,7 +118,7 @@ TEST(Functions, KnownByTheirNames) {
     EXPECT_EQ(ring->is_zero(gen(*ring, "omega 0") - gen(*ring, "omega 1")), Zero::no);
 }
 
-TEST(Functions, ACosineNeedsItsSine) {
+TEST(RingFunctions, ACosineNeedsItsSine) {
     RingBuilder b;
     const Names n = start(b);
     EXPECT_THROW(add_function(b, "cos", {Function::cosine, b.gen(n.tau)}), Error);
