@@ -55,15 +55,15 @@ Interval exponential(const Interval& u, int bits) {
 // The sine and the cosine of a number, as intervals.
 std::pair<Interval, Interval> circle(const Interval& u, int bits) {
     const auto [x, n] = halved(u);
-    const auto sum = [&](int first) { // of the terms k = first, first + 2, ...
+    const auto sum = [bits](const Interval& small, int first) { // of the terms k = first, first + 2, ...
         Rational factorial = 1;
-        return taylor(x, bits, [&](int k) {
+        return taylor(small, bits, [&](int k) {
             if (k > 0) factorial = factorial * k;
             if (k % 2 != first) return Rational(0);
             return Rational(k % 4 >= 2 ? -1 : 1) / factorial;
         });
     };
-    Interval sine = sum(1), cosine = sum(0);
+    Interval sine = sum(x, 1), cosine = sum(x, 0);
     for (int k = 0; k < n; ++k) {
         const Interval doubled = rounded(scaled(2, sine * cosine), bits);
         cosine = rounded(Interval(Rational(1)) + scaled(-2, sine * sine), bits);

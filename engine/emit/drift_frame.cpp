@@ -11,9 +11,10 @@ namespace resonform {
 namespace {
 
 bool is_taken(const System& system, const std::string& name) {
+    const auto called = [&](const auto& entry) { return entry.name == name; };
     return name == "eps" || system.variable(name) != nullptr || system.parameter(name) != nullptr ||
-           std::any_of(system.notation.begin(), system.notation.end(),
-                       [&](const Notation& entry) { return entry.name == name; });
+           std::any_of(system.functions.begin(), system.functions.end(), called) ||
+           std::any_of(system.notation.begin(), system.notation.end(), called);
 }
 
 std::string capitalised(std::string name) {
