@@ -127,7 +127,8 @@ std::map<std::vector<int>, double> values_at_zero(const std::string& exponential
         if (g.kind == GeneratorKind::slow ||
             (g.kind == GeneratorKind::function && g.of.function == Function::sine))
             value = 0;
-        if (g.kind == GeneratorKind::root) value = std::pow(evaluate(g.radicand).begin()->second, 1.0 / g.index);
+        if (g.kind == GeneratorKind::root)
+            value = std::pow(evaluate(g.radicand).begin()->second, 1.0 / g.index);
     }
     for (int weight = 1; weight <= 4; ++weight)
         for (const auto& [key, value] : evaluate(n.normal_form.mode[0].part(weight)))

@@ -30,9 +30,9 @@ TEST(Adiabatic, InvariantAndPhase) {
     const Polynomial first = ring.multiply(slope, gen(ring, "omega(tau)", -1));
     EXPECT_EQ(n.normal_form.mode[0].part(2), Rational(-1) / 2 * ring.multiply(first, ring.multiply(eps, w)));
     const Polynomial second = ring.multiply(ring.power(slope, 2), gen(ring, "omega(tau)", -3));
-    EXPECT_EQ(n.normal_form.mode[0].part(3),
-              Rational(-1) / 8 * ring.multiply(ring.multiply(ring.imaginary(), second),
-                                               ring.multiply(ring.power(eps, 2), w)));
+    EXPECT_EQ(n.normal_form.mode[0].part(3), Rational(-1) / 8 *
+                                                 ring.multiply(ring.multiply(ring.imaginary(), second),
+                                                               ring.multiply(ring.power(eps, 2), w)));
 }
 
 TEST(Adiabatic, WithACubicForceToOrderSeven) {
