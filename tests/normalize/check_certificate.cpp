@@ -60,6 +60,17 @@ void expect_kernel_terms_found(Normalization& n, Series& map, int shift, int fro
     }
 }
 
+// A real mode, an oscillator that is forced and pushes a slow variable, an angle, a drift.
+TEST(CertificateLies, InEveryKindOfVariableAreFound) {
+    const auto field = test::field_from(test::oscillator_file(
+        "x'' + x + x^2 = eps*cos(p)",
+        "y = { role = \"fast\" }\nJ = { role = \"slow\", positive = true }\np = { role = \"angle\" }\n"
+        "X = { role = \"drift\" }\n",
+        "y = \"y' = -y + x^2\"\nJ = \"J' = eps*sin(p) + x*x'\"\np = \"p' = 2*J + eps*x\"\n"
+        "X = \"X' = x*sin(p)\"\n"));
+    EXPECT_GT(expect_all_lies_found(normalize_poincare(field, 2)), 100);
+}
+
 TEST(CertificateLies, EveryCoefficientOfDuffing) {
     EXPECT_GE(expect_all_lies_found(normalize_poincare(test::duffing(), 7)), 57);
 }
