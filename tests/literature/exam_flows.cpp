@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Published normal forms of first-order flows and resonant oscillators, compared by what is invariant.
-#include "normalize/certificate.hpp"
-#include "normalize/poincare.hpp"
-#include "support/exact.hpp"
+#include "normalize/certified.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,22 +8,14 @@ namespace resonform {
 namespace {
 
 using test::coefficient;
-using test::monomial;
+using test::coefficient_of;
 
 Normalization normalized(const std::string& tables, int through) {
     const Normalization n =
         normalize_poincare(test::field_from("[system]\nname = \"flow\"\n" + tables), through);
-    const Certificate c = certify(n.normal_form, n.map);
+    const Certificate c = test::certificate_of(n);
     EXPECT_TRUE(c.holds) << c.complaint;
     return n;
-}
-
-Polynomial of(const GradedField& field, const Series& series,
-              const std::vector<std::pair<std::string, int>>& powers) {
-    const Monomial wanted = monomial(*field.ring, powers).terms().front().monomial;
-    for (const auto& [key, value] : field.ring->collect(series.total(99), field.outer()))
-        if (key == wanted) return value;
-    return {};
 }
 
 // Guckenheimer and Holmes, Nonlinear Oscillations, (3.4.11), for x' = -w y + f, y' = w x + g:
@@ -41,7 +31,7 @@ TEST(Literature, FirstLyapunovCoefficientOfAHopfPoint) {
         "y = \"y' = w*x + d*x^2 + e*x*y + f*y^2 + r*x^2*y + s*y^3\"\n",
         3);
     const GradedField& field = *n.normal_form.field;
-    const Polynomial cubic = of(field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}});
+    const Polynomial cubic = coefficient_of(field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}});
     const Polynomial real = Rational(1) / 2 * (cubic + field.ring->conjugate(cubic));
     EXPECT_EQ(real, coefficient(field, "(6*p + 2*q + 2*r + 6*s)/16 + (b*(2*a + 2*c) - e*(2*d + 2*f) - 4*a*d "
                                        "+ 4*c*f)/(16*w)"));
@@ -58,7 +48,7 @@ TEST(Literature, CatalanSlowManifold) {
     std::int64_t catalan = 1; // C_1
     for (int k = 2; k <= through; ++k) {
         catalan = catalan * 2 * (2 * k - 3) / k;
-        EXPECT_EQ(of(field, n.map.mode[1], {{"z1", k}}), Polynomial(Rational(catalan))) << k;
+        EXPECT_EQ(coefficient_of(field, n.map.mode[1], {{"z1", k}}), Polynomial(Rational(catalan))) << k;
     }
 }
 
@@ -73,8 +63,9 @@ TEST(Literature, SpringPendulumAtOneToTwo) {
                    4);
     const GradedField& field = *n.normal_form.field;
     const Ring& ring = *field.ring;
-    EXPECT_EQ(of(field, n.normal_form.mode[0], {{"z2", 1}, {"z3", 1}}), coefficient(field, "a/(2*w)", true));
-    EXPECT_EQ(of(field, n.normal_form.mode[1], {{"z1", 2}}), coefficient(field, "a/(8*w)", true));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z2", 1}, {"z3", 1}}),
+              coefficient(field, "a/(2*w)", true));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z1", 2}}), coefficient(field, "a/(8*w)", true));
     // quadratic energy along the normal form through weight 3 in the square
     const auto growth = [&](std::size_t mode) {
         const Polynomial product =
@@ -92,8 +83,10 @@ TEST(Literature, DeclaredResonanceWithDetuning) {
         "x = \"x'' + w1^2*x + 2*a*x*y = 0\"\ny = \"y'' + w2^2*y + a*x^2 = 0\"\n",
         3);
     const GradedField& field = *n.normal_form.field;
-    EXPECT_EQ(of(field, n.normal_form.mode[1], {{"z3", 1}, {"eps", 1}}), coefficient(field, "s", true));
-    EXPECT_EQ(of(field, n.normal_form.mode[1], {{"z1", 2}}), coefficient(field, "a/(8*w1)", true));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z3", 1}, {"eps", 1}}),
+              coefficient(field, "s", true));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z1", 2}}),
+              coefficient(field, "a/(8*w1)", true));
 }
 
 } // namespace

@@ -29,6 +29,15 @@ inline Certificate certificate_of(const Normalization& n, std::uint64_t seed = 1
     return certify(n.normal_form, n.map, seed);
 }
 
+// The coefficient of a monomial of modes, phases and eps: {{"z1", 2}, {"z2", 1}}.
+inline Polynomial coefficient_of(const GradedField& field, const Series& series,
+                                 const std::vector<std::pair<std::string, int>>& powers) {
+    const Monomial wanted = monomial(*field.ring, powers).terms().front().monomial;
+    for (const auto& [key, value] : field.ring->collect(series.total(99), field.outer()))
+        if (key == wanted) return value;
+    return {};
+}
+
 // Every series of a normalisation, with its name in failure messages.
 struct NamedSeries {
     std::string name;

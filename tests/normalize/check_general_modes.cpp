@@ -8,8 +8,8 @@ namespace resonform {
 namespace {
 
 using test::certificate_of;
+using test::coefficient_of;
 using test::field_from;
-using test::monomial;
 
 struct Declared {
     std::string variables, equations, parameters, domain;
@@ -28,15 +28,6 @@ Normalization normalized(const Declared& d, int through) {
     return n;
 }
 
-// The coefficient of a monomial of modes, phases and eps.
-Polynomial of(const GradedField& field, const Series& series,
-              const std::vector<std::pair<std::string, int>>& powers) {
-    const Monomial wanted = monomial(*field.ring, powers).terms().front().monomial;
-    for (const auto& [key, value] : field.ring->collect(series.total(99), field.outer()))
-        if (key == wanted) return value;
-    return {};
-}
-
 Polynomial number(std::int64_t p, std::int64_t q = 1) { return Polynomial(Rational(p) / q); }
 
 // Poincare: x' = x, y' = 2 y + x^2 is resonant (2 = 1 + 1) and cannot be linearised.
@@ -45,7 +36,7 @@ TEST(GeneralModes, ResonantNodeKeepsItsSquare) {
                                         "x = \"x' = x\"\ny = \"y' = 2*y + x^2 + 3*x*y + y^2\"\n", "", ""},
                                        6);
     const GradedField& field = *n.normal_form.field;
-    EXPECT_EQ(of(field, n.normal_form.mode[1], {{"z1", 2}}), number(1));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z1", 2}}), number(1));
     EXPECT_EQ(n.normal_form.mode[1].total(6).size(), 2U);
     EXPECT_EQ(n.normal_form.mode[0].total(6).size(), 1U);
 }
@@ -61,7 +52,8 @@ TEST(GeneralModes, ASaddleHasTheIntegralZ1Z2) {
     EXPECT_TRUE((ring.multiply(n.normal_form.mode[0].total(7), ring.gen(second.z)) +
                  ring.multiply(n.normal_form.mode[1].total(7), ring.gen(first.z)))
                     .empty());
-    EXPECT_EQ(of(*n.normal_form.field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}}), number(-5, 3));
+    EXPECT_EQ(coefficient_of(*n.normal_form.field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}}),
+              number(-5, 3));
 }
 
 // x' = x y, y' = -y + x^2: on the centre manifold y = x^2 + ..., x' = x^3 + ...
@@ -70,10 +62,10 @@ TEST(GeneralModes, ACentreManifoldIsRead) {
                                         "x = \"x' = x*y\"\ny = \"y' = -y + x^2\"\n", "", ""},
                                        5);
     const GradedField& field = *n.normal_form.field;
-    EXPECT_EQ(of(field, n.normal_form.mode[0], {{"z1", 3}}), number(1));
-    EXPECT_EQ(of(field, n.map.mode[1], {{"z1", 2}}), number(1));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 3}}), number(1));
+    EXPECT_EQ(coefficient_of(field, n.map.mode[1], {{"z1", 2}}), number(1));
     // y = x^2 - 2 x^4 + ... on the manifold: h obeys h' x^3... = -h + x^2
-    EXPECT_EQ(of(field, n.map.mode[1], {{"z1", 4}}), number(-2));
+    EXPECT_EQ(coefficient_of(field, n.map.mode[1], {{"z1", 4}}), number(-2));
 }
 
 TEST(GeneralModes, DampedOscillatorIsLinearised) {
@@ -95,7 +87,7 @@ TEST(GeneralModes, CoupledOscillatorsAreDecoupled) {
     EXPECT_EQ(ring.multiply(field.modes[0].omega, field.modes[0].omega), number(2));
     EXPECT_EQ(field.modes[1].omega, number(2));
     // q'' + 4 q + q^3 + 3 q p^2 = 0: frequency 2 + 3 a^2/16 for q alone
-    EXPECT_EQ(of(field, n.normal_form.mode[1], {{"z3", 2}, {"z4", 1}}),
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z3", 2}, {"z4", 1}}),
               ring.multiply(ring.imaginary(), number(3, 16)));
 }
 
@@ -119,14 +111,17 @@ TEST(GeneralModes, VanDerPolCycle) {
         {"x = { role = \"fast\", weight = 0 }\n", "x = \"x'' + x = eps*(1 - x^2)*x'\"\n", "", ""}, 4);
     const GradedField& field = *n.normal_form.field;
     const Polynomial i = field.ring->imaginary();
-    EXPECT_EQ(of(field, n.normal_form.mode[0], {{"z1", 1}, {"eps", 1}}), number(1, 2));
-    EXPECT_EQ(of(field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}, {"eps", 1}}), number(-1, 8));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 1}, {"eps", 1}}), number(1, 2));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}, {"eps", 1}}),
+              number(-1, 8));
     const auto times_i = [&](std::int64_t p, std::int64_t q) {
         return field.ring->multiply(i, number(p, q));
     };
-    EXPECT_EQ(of(field, n.normal_form.mode[0], {{"z1", 1}, {"eps", 2}}), times_i(-1, 8));
-    EXPECT_EQ(of(field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}, {"eps", 2}}), times_i(3, 16));
-    EXPECT_EQ(of(field, n.normal_form.mode[0], {{"z1", 3}, {"z2", 2}, {"eps", 2}}), times_i(-11, 256));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 1}, {"eps", 2}}), times_i(-1, 8));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}, {"eps", 2}}),
+              times_i(3, 16));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 3}, {"z2", 2}, {"eps", 2}}),
+              times_i(-11, 256));
 }
 
 // The fast oscillation pushes its slow parameter: xi' = x x' averages to nothing at weight 2, but xi moves
@@ -139,9 +134,9 @@ TEST(DrivenSlowVariables, AreNormalisedWithTheirMaps) {
                     "r = { positive = true }\n", ""},
                    4);
     const GradedField& field = *n.normal_form.field;
-    EXPECT_EQ(of(field, n.map.slow[0], {{"z1", 2}}), number(1, 8));
-    EXPECT_TRUE(of(field, n.map.slow[0], {{"z1", 1}, {"z2", 1}}).empty());
-    EXPECT_EQ(of(field, n.normal_form.slow[0], {{"eps", 1}}), number(1));
+    EXPECT_EQ(coefficient_of(field, n.map.slow[0], {{"z1", 2}}), number(1, 8));
+    EXPECT_TRUE(coefficient_of(field, n.map.slow[0], {{"z1", 1}, {"z2", 1}}).empty());
+    EXPECT_EQ(coefficient_of(field, n.normal_form.slow[0], {{"eps", 1}}), number(1));
 }
 
 TEST(DrivenSlowVariables, EachCouplingIsCertified) {
@@ -171,11 +166,12 @@ TEST(Angles, PendulumInRotation) {
     const GradedField& field = *n.normal_form.field;
     const Ring& ring = *field.ring;
     EXPECT_TRUE(n.normal_form.slow[0].total(4).empty());
-    EXPECT_EQ(of(field, n.normal_form.angle[0], {}), ring.gen(field.slow[0].generator));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.angle[0], {}), ring.gen(field.slow[0].generator));
     EXPECT_EQ(n.normal_form.angle[0].total(4).size(), 1U);
-    const Polynomial k = of(field, n.map.slow[0], {{"phi", 1}, {"eps", 1}}); // J = zeta + k e^{i theta} + ...
+    const Polynomial k =
+        coefficient_of(field, n.map.slow[0], {{"phi", 1}, {"eps", 1}}); // J = zeta + k e^{i theta} + ...
     const Polynomial m =
-        of(field, n.map.angle[0], {{"phi", 1}, {"eps", 1}}); // phi = theta + m e^{i theta} + ...
+        coefficient_of(field, n.map.angle[0], {{"phi", 1}, {"eps", 1}}); // phi = theta + m e^{i theta} + ...
     EXPECT_EQ(ring.multiply(k, ring.conjugate(k)) - m,
               Rational(3) / 4 * ring.gen(field.slow[0].generator, -2));
 }
@@ -213,7 +209,8 @@ TEST(Angles, AResonantForcingAsLargeAsTheModeIsRefused) {
     const Normalization n = normalized({"x = { role = \"fast\" }\nt1 = { role = \"angle\" }\n",
                                         "x = \"x'' + x + x^3 = eps^3*cos(t1)\"\nt1 = \"t1' = 1\"\n", "", ""},
                                        3);
-    EXPECT_FALSE(of(*n.normal_form.field, n.normal_form.mode[0], {{"t1", 1}, {"eps", 3}}).empty());
+    EXPECT_FALSE(
+        coefficient_of(*n.normal_form.field, n.normal_form.mode[0], {{"t1", 1}, {"eps", 3}}).empty());
 }
 
 } // namespace

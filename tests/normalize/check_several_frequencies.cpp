@@ -10,7 +10,6 @@ namespace {
 using test::certificate_of;
 using test::coefficient;
 using test::field_from;
-using test::monomial;
 
 std::string two_oscillators(const std::string& x, const std::string& y, const std::string& parameters) {
     return "[system]\nname = \"two\"\n\n[parameters]\n" + parameters +
@@ -26,13 +25,7 @@ std::shared_ptr<const GradedField> coupled() {
 
 Polynomial of(const Normalization& n, std::size_t mode,
               const std::vector<std::pair<std::string, int>>& powers) {
-    const GradedField& field = *n.normal_form.field;
-    std::vector<GeneratorId> outer{field.eps};
-    for (const Mode& m : field.modes) outer.insert(outer.end(), {m.z, m.zbar});
-    const Monomial wanted = monomial(*field.ring, powers).terms().front().monomial;
-    for (const auto& [key, value] : field.ring->collect(n.normal_form.mode[mode].total(9), outer))
-        if (key == wanted) return value;
-    return {};
+    return test::coefficient_of(*n.normal_form.field, n.normal_form.mode[mode], powers);
 }
 
 TEST(SeveralFrequencies, RingLearnsToDivideAsDivisorsTurnUp) {
