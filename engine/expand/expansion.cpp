@@ -234,11 +234,10 @@ void Expansion::add_angle_rate(AngleVariable& angle) {
     const State& state = first_order_->states[first_order_->index(angle.variable, 0)];
     const Place place = place_of_equation(angle.variable);
     const ex frequency = coefficients_.at_origin(state.rate, place);
-    for (const State& other : first_order_->states)
-        if (variable_of(other).role == Role::angle && frequency.has(other.symbol))
-            refuse({"the rate of an angle at eps = 0 depends on slow variables and parameters only",
-                    fmt::format("{}' = {}", angle.name, spell(frequency)),
-                    "write the rest with a factor eps, or choose an angle that moves uniformly", place});
+    if (occurs(Role::angle, frequency))
+        refuse({"the rate of an angle at eps = 0 depends on slow variables and parameters only",
+                fmt::format("{}' = {}", angle.name, spell(frequency)),
+                "write the rest with a factor eps, or choose an angle that moves uniformly", place});
     angle.law = frequency;
     angle.frequency = coefficients_.convert(frequency, place);
     angle.rate =

@@ -16,7 +16,7 @@ private:
     // roles (expansion_roles.cpp)
     void check_drifts() const;
     void find_driven();
-    [[nodiscard]] bool occurs(const State& state, Role role) const; // a variable of that role, in its rate
+    [[nodiscard]] bool occurs(Role role, const GiNaC::ex& e) const; // does a variable of that role, in e?
     void check_weights() const;
     void check_slow_rate(const State& state) const;
 

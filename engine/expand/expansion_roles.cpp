@@ -18,9 +18,9 @@ void Expansion::check_drifts() const {
                            fmt::format("give {} the role slow", v.name), place_of_equation(state.variable)});
 }
 
-bool Expansion::occurs(const State& state, Role role) const {
-    for (const State& other : first_order_->states)
-        if (variable_of(other).role == role && state.rate.has(other.symbol)) return true;
+bool Expansion::occurs(Role role, const ex& e) const {
+    for (const State& state : first_order_->states)
+        if (variable_of(state).role == role && e.has(state.symbol)) return true;
     return false;
 }
 
@@ -32,7 +32,7 @@ void Expansion::find_driven() {
         found = false;
         for (const State& state : first_order_->states) {
             if (variable_of(state).role != Role::slow || driven_[state.variable]) continue;
-            bool driven = occurs(state, Role::fast) || occurs(state, Role::angle);
+            bool driven = occurs(Role::fast, state.rate) || occurs(Role::angle, state.rate);
             for (const State& other : first_order_->states)
                 driven = driven || (driven_[other.variable] && state.rate.has(other.symbol));
             driven_[state.variable] = driven;
@@ -66,11 +66,8 @@ void Expansion::check_weights() const {
                     coefficients_.at_origin(at_rest.diff(fast.symbol), place_of_equation(state.variable)) *
                     fast.symbol;
         }
-        bool linear = true;
         rest = rest.normal();
-        for (const State& fast : first_order_->states)
-            linear = linear && (variable_of(fast).role != Role::fast || !rest.has(fast.symbol));
-        if (!linear)
+        if (occurs(Role::fast, rest))
             refuse({"with fast variables of weight 0 the equations are linear in them at eps = 0 "
                     "(and rates of other variables are free of them)",
                     fmt::format("the rest for {} is {}", state.name, spell(rest)),

@@ -93,7 +93,7 @@ Ball function(const std::string& name, const Ball& x) {
 // that differs from zero for some.
 Ball of_named(const NamedCall& call, const GiNaC::exmap& point) {
     int n = 3;
-    for (unsigned char c : call.name) n = (31 * n + c) % 97 + 3;
+    for (const char c : call.name) n = (31 * n + static_cast<unsigned char>(c)) % 97 + 3;
     const Ball slope = rounded(1.0 / n, 0);
     const Ball value = function("exp", multiply(slope, evaluate(call.argument, point)));
     if (call.derivative == 0) return add({1, 0}, value);
