@@ -50,9 +50,24 @@ public:
     // Uniform among 1, ..., p - 1.
     [[nodiscard]] Residue random_unit(std::mt19937_64& random) const;
 
-private:
     __extension__ using Wide = unsigned __int128;
+    // A sum of products, reduced once.
+    class ProductSum {
+    public:
+        explicit ProductSum(const PrimeField& field)
+            : field_(&field), square_(Wide{field.prime_} * field.prime_) {}
+        void add(Residue a, Residue b) {
+            total_ += Wide{a} * b; // below 2 p^2 < 2^125
+            if (total_ >= square_) total_ -= square_;
+        }
+        [[nodiscard]] Residue value() const { return field_->reduce(total_); }
 
+    private:
+        const PrimeField* field_;
+        Wide square_, total_ = 0;
+    };
+
+private:
     // x mod p for x < p^2, by Barrett's method: with n the bits of p and m = floor(2^2n / p), the estimate
     // floor(floor(x / 2^(n-1)) m / 2^(n+1)) of x / p is too small by 2 at most.
     [[nodiscard]] Residue reduce(Wide x) const {

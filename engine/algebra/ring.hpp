@@ -74,11 +74,12 @@ struct Generator {
 };
 
 // factor * left * right
-struct Product {
+template <class Part> struct ProductOf {
     Rational factor;
-    const Polynomial* left;
-    const Polynomial* right;
+    const Part* left;
+    const Part* right;
 };
+using Product = ProductOf<Polynomial>;
 
 class Ring;
 using RingPtr = std::shared_ptr<const Ring>;
@@ -148,6 +149,9 @@ public:
     // and all functions are independent. (Numbers under roots and primitives are taken to be independent,
     // as by vanishes.)
     [[nodiscard]] bool is_canonical() const;
+    // Whether a relation binds the powers of a generator, or it is a function of others: it is not
+    // independent of them then. (The inverse of a polynomial, a root of index 1, counts as a quotient.)
+    [[nodiscard]] bool is_algebraic(GeneratorId id) const;
     // Splits each term into (part in generators selected by `outer`) x (coefficient):
     // outer monomial -> coefficient polynomial in the remaining generators. Sorted by outer key.
     [[nodiscard]] std::vector<std::pair<Monomial, Polynomial>>

@@ -7,8 +7,10 @@
 //   run:      set_input(psi, 1, (z1+z2)/2); advance(1); part(f,1) = i G/sigma (z1+z2)/2; ...
 #pragma once
 
+#include "algebra/ring_domain.hpp"
 #include "algebra/series.hpp"
 
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -72,37 +74,73 @@ private:
     std::vector<std::pair<Node, std::pair<Node, Node>>> trigonometric_; // u -> (sine, cosine)
 };
 
-// One evaluation of a program. Weights are advanced one by one from 0. The program must outlive the run
-// and must not grow meanwhile. Calls out of order throw std::logic_error.
-class SeriesRun {
+// One evaluation of a program, over a domain of coefficients. Weights are advanced one by one from 0. The
+// program must outlive the run and must not grow meanwhile. Calls out of order throw std::logic_error.
+template <class Domain> class BasicSeriesRun {
 public:
-    explicit SeriesRun(const SeriesProgram& program);
+    using Part = typename Domain::Part;
+
+    BasicSeriesRun(const SeriesProgram& program, Domain domain);
+    template <class Own = Domain>
+    requires std::constructible_from<Own, const RingPtr&>
+    explicit BasicSeriesRun(const SeriesProgram& program) : BasicSeriesRun(program, Own(program.ring())) {}
 
     // Sets part `weight` of an input; must happen before advance(weight), or afterwards followed by
     // correct(weight).
-    void set_input(SeriesProgram::Node input, int weight, Polynomial part);
-    // Computes part `weight` of every node; weights must come in order 0, 1, 2, ...
-    // Errors (refused): sine/cosine/exponential/logarithm of a series whose weight-0 part is not 0
-    // (1 for logarithm), power of a series whose weight-0 part is no unit.
+    void set_input(SeriesProgram::Node input, int weight, Part part);
+    // Goes to the next weight; weights must come in order 0, 1, 2, ... A part is computed when it is first
+    // asked for, those of weight 0 at once. Errors (refused): sine/cosine/exponential/logarithm of a series
+    // whose weight-0 part is not 0 (1 for logarithm), power of a series whose weight-0 part is no unit.
     void advance(int weight);
-    // After inputs at the last advanced weight changed: updates part `weight` of every node. By
-    // linearity only weight-0 parts enter: d(a b)_n = a_0 db_n + b_0 da_n, d(sin u)_n = c_0 du_n.
+    // After inputs at the last advanced weight changed: updates the parts of this weight that were asked for.
+    // By linearity only weight-0 parts enter: d(a b)_n = a_0 db_n + b_0 da_n, d(sin u)_n = c_0 du_n.
     // (At weight 0 everything is computed anew.)
     void correct(int weight);
-    [[nodiscard]] const Polynomial& part(SeriesProgram::Node node, int weight) const;
-    [[nodiscard]] const Series& series(SeriesProgram::Node node) const;
+    // 0 <= weight <= the last one advanced to
+    [[nodiscard]] const Part& part(SeriesProgram::Node node, int weight) const;
+    // All parts so far.
+    [[nodiscard]] const BasicSeries<Part>& series(SeriesProgram::Node node) const;
 
 private:
-    [[nodiscard]] Polynomial first_part(SeriesProgram::Node node);
-    [[nodiscard]] Polynomial next_part(SeriesProgram::Node node, int weight) const;
-    [[nodiscard]] Polynomial change(SeriesProgram::Node node, const std::vector<Polynomial>& deltas) const;
+    // The values of a node: complete below `next`.
+    struct Value {
+        BasicSeries<Part> series;
+        int next = 0;
+    };
+    [[nodiscard]] Part first_part(SeriesProgram::Node node);
+    [[nodiscard]] Part next_part(SeriesProgram::Node node, int weight) const;
+    [[nodiscard]] Part change(SeriesProgram::Node node, const std::vector<Part>& deltas) const;
+    // factor * part(left, i) * part(right, j)
+    struct Wanted {
+        Rational factor;
+        SeriesProgram::Node left;
+        int i;
+        SeriesProgram::Node right;
+        int j;
+    };
+    [[nodiscard]] bool vanishes(const Wanted& w) const;
+    [[nodiscard]] std::vector<ProductOf<Part>> present(std::vector<Wanted> wanted) const;
+    [[nodiscard]] Part dot(std::vector<Wanted> wanted) const;
+    // The products that make up part n of a product node.
+    [[nodiscard]] static std::vector<Wanted> factors(const Rational& factor, SeriesProgram::Node u,
+                                                     SeriesProgram::Node v, int n);
+    [[nodiscard]] Part combined(const SeriesProgram::Instruction& sum, int n) const;
+    void find_fused();
+    [[nodiscard]] Part integrated(SeriesProgram::Node u, SeriesProgram::Node v, int n, int sign = 1) const;
     void start();
 
     const SeriesProgram* program_;
-    std::vector<Series> values_;
-    std::vector<Polynomial> reciprocals_; // power: 1/u_0
+    Domain domain_;
+    std::vector<BasicSeries<Part>> constants_; // as elements of the domain, by node
+    mutable std::vector<Value> values_;        // by node: what was asked for is kept
+    // Products that only one sum uses: collected with it, they have no parts of their own.
+    std::vector<bool> fused_;
+    Part one_;
+    std::vector<Part> reciprocals_; // power: 1/u_0
     int weight_ = -1;
-    std::vector<std::pair<SeriesProgram::Node, Polynomial>> changed_; // input deltas since advance
+    std::vector<std::pair<SeriesProgram::Node, Part>> changed_; // input deltas since advance
 };
+
+using SeriesRun = BasicSeriesRun<RingDomain>;
 
 } // namespace resonform

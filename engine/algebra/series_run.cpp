@@ -2,8 +2,10 @@
 // Evaluation of a SeriesProgram, one weight at a time. With the Euler derivation D = sum over weights
 // n (part n), each function obeys a linear equation: D s = c Du, D e = e Du, u Dl = Du, u Dp = a p Du.
 #include "algebra/error.hpp"
+#include "algebra/graph_domain.hpp"
 #include "algebra/series_program.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -16,18 +18,20 @@ using Op = SeriesProgram::Op;
 
 std::size_t at(Node node) { return static_cast<std::size_t>(node); }
 
-// sum_{j=1}^{last} factor(j) u_j v_{n-j}
-template <class Factor>
-Polynomial weighted_product(const Ring& ring, const Series& u, const Series& v, int n, int last,
-                            Factor factor) {
-    std::vector<Product> products;
-    for (int j = 1; j <= last; ++j) products.push_back({factor(j), &u.part(j), &v.part(n - j)});
-    return ring.dot(products);
+template <class Domain, class Part> Part scaled(const Domain& domain, const Rational& factor, const Part& p) {
+    return domain.combination({{factor, &p}});
 }
 
-// (1/n) sum_{j=1}^n j u_j v_{n-j}: part n of f with Df = v Du.
-Polynomial integrated(const Ring& ring, const Series& u, const Series& v, int n) {
-    return weighted_product(ring, u, v, n, n, [n](int j) { return Rational(j) / Rational(n); });
+template <class Domain, class Part> Part difference(const Domain& domain, const Part& a, const Part& b) {
+    return domain.combination({{1, &a}, {-1, &b}});
+}
+
+template <class Domain, class Part> Part sum(const Domain& domain, const Part& a, const Part& b) {
+    return domain.combination({{1, &a}, {1, &b}});
+}
+
+template <class Domain, class Part> Part product(const Domain& domain, const Part& a, const Part& b) {
+    return domain.dot({{1, &a, &b}});
 }
 
 void require_start(bool holds, const std::string& rule) {
@@ -40,55 +44,112 @@ void require_start(bool holds, const std::string& rule) {
 
 } // namespace
 
-SeriesRun::SeriesRun(const SeriesProgram& program)
-    : program_(&program), values_(program.instructions().size()),
-      reciprocals_(program.instructions().size()) {}
+template <class Domain>
+BasicSeriesRun<Domain>::BasicSeriesRun(const SeriesProgram& program, Domain domain)
+    : program_(&program), domain_(std::move(domain)), constants_(program.instructions().size()),
+      values_(program.instructions().size()), fused_(program.instructions().size()), one_(domain_.one()),
+      reciprocals_(program.instructions().size()) {
+    find_fused();
+    for (std::size_t k = 0; k < constants_.size(); ++k) {
+        const std::vector<Polynomial>& parts = program.instructions()[k].parts;
+        for (std::size_t n = 0; n < parts.size(); ++n)
+            constants_[k].set(static_cast<int>(n), domain_.constant(parts[n]));
+    }
+}
 
-void SeriesRun::set_input(Node input, int weight, Polynomial part) {
+template <class Domain> void BasicSeriesRun<Domain>::set_input(Node input, int weight, Part part) {
     if (program_->instructions()[at(input)].op != Op::input || weight < weight_) {
         throw std::logic_error("SeriesRun::set_input: not an input, or a weight that is already settled");
     }
-    part = program_->ring()->reduce(std::move(part));
-    if (weight == weight_) changed_.emplace_back(input, part - values_[at(input)].part(weight));
-    values_[at(input)].set(weight, std::move(part));
+    part = domain_.reduce(std::move(part));
+    if (weight == weight_)
+        changed_.emplace_back(input, difference(domain_, part, values_[at(input)].series.part(weight)));
+    values_[at(input)].series.set(weight, std::move(part));
 }
 
-void SeriesRun::advance(int weight) {
+template <class Domain> void BasicSeriesRun<Domain>::advance(int weight) {
     if (weight != weight_ + 1 || !changed_.empty()) {
         throw std::logic_error("SeriesRun::advance: weights come in order 0, 1, 2, ...; correct() first");
     }
     weight_ = weight;
-    if (weight == 0) return start();
+    if (weight == 0) start();
+}
+
+template <class Domain> void BasicSeriesRun<Domain>::start() {
     for (std::size_t k = 0; k < values_.size(); ++k) {
-        if (program_->instructions()[k].op == Op::input) continue;
-        values_[k].set(weight, next_part(static_cast<Node>(k), weight));
+        if (program_->instructions()[k].op != Op::input)
+            values_[k].series.set(0, first_part(static_cast<Node>(k)));
+        values_[k].next = 1;
     }
 }
 
-void SeriesRun::start() {
-    for (std::size_t k = 0; k < values_.size(); ++k) {
-        if (program_->instructions()[k].op == Op::input) continue;
-        values_[k].set(0, first_part(static_cast<Node>(k)));
-    }
+template <class Domain> auto BasicSeriesRun<Domain>::part(Node node, int weight) const -> const Part& {
+    Value& value = values_[at(node)];
+    for (; value.next <= std::min(weight, weight_); ++value.next)
+        if (program_->instructions()[at(node)].op != Op::input)
+            value.series.set(value.next, next_part(node, value.next));
+    return value.series.part(weight);
 }
 
-Polynomial SeriesRun::first_part(Node node) {
+template <class Domain> auto BasicSeriesRun<Domain>::series(Node node) const -> const BasicSeries<Part>& {
+    static_cast<void>(part(node, weight_));
+    return values_[at(node)].series;
+}
+
+// The lighter part is asked for first: if it is zero, the heavier may never be needed.
+template <class Domain> bool BasicSeriesRun<Domain>::vanishes(const Wanted& w) const {
+    if (w.i <= w.j) return part(w.left, w.i).empty() || part(w.right, w.j).empty();
+    return part(w.right, w.j).empty() || part(w.left, w.i).empty();
+}
+
+// Products of parts that are all there, and stay where they are until another one is asked for.
+template <class Domain>
+auto BasicSeriesRun<Domain>::present(std::vector<Wanted> wanted) const -> std::vector<ProductOf<Part>> {
+    std::erase_if(wanted, [&](const Wanted& w) { return vanishes(w); });
+    std::vector<ProductOf<Part>> products;
+    for (const Wanted& w : wanted) products.push_back({w.factor, &part(w.left, w.i), &part(w.right, w.j)});
+    return products;
+}
+
+template <class Domain> auto BasicSeriesRun<Domain>::dot(std::vector<Wanted> wanted) const -> Part {
+    return domain_.dot(present(std::move(wanted)));
+}
+
+// [u v]_n = sum_j u_j v_{n-j}; of a square each product of two different parts once, doubled.
+template <class Domain>
+auto BasicSeriesRun<Domain>::factors(const Rational& factor, Node u, Node v, int n) -> std::vector<Wanted> {
+    std::vector<Wanted> wanted;
+    for (int j = 0; j <= (u == v ? n / 2 : n); ++j)
+        wanted.push_back({u == v && 2 * j != n ? 2 * factor : factor, u, j, v, n - j});
+    return wanted;
+}
+
+// (sign/n) sum_{j=1}^n j u_j v_{n-j}: part n of f with Df = sign v Du.
+template <class Domain>
+auto BasicSeriesRun<Domain>::integrated(Node u, Node v, int n, int sign) const -> Part {
+    std::vector<Wanted> wanted;
+    for (int j = 1; j <= n; ++j) wanted.push_back({Rational(sign * j) / Rational(n), u, j, v, n - j});
+    return dot(std::move(wanted));
+}
+
+template <class Domain> auto BasicSeriesRun<Domain>::first_part(Node node) -> Part {
     const SeriesProgram::Instruction& in = program_->instructions()[at(node)];
-    const Ring& ring = *program_->ring();
-    const auto u = [&]() -> const Polynomial& { return part(in.left, 0); };
+    const auto u = [&]() -> const Part& { return part(in.left, 0); };
     switch (in.op) {
     case Op::sine:
     case Op::antiderivative:
         require_start(in.op != Op::sine || u().empty(), "a sine is expanded about zero");
         return {};
-    case Op::cosine: require_start(u().empty(), "a cosine is expanded about zero"); return ring.one();
+    case Op::cosine: require_start(u().empty(), "a cosine is expanded about zero"); return domain_.one();
     case Op::exponential:
         require_start(u().empty(), "an exponential is expanded about exp(0)");
-        return ring.one();
-    case Op::logarithm: require_start(u() == ring.one(), "a logarithm is expanded about log(1)"); return {};
+        return domain_.one();
+    case Op::logarithm:
+        require_start(u() == domain_.one(), "a logarithm is expanded about log(1)");
+        return {};
     case Op::power: {
-        const std::optional<Polynomial> reciprocal = ring.inverse(u());
-        const std::optional<Polynomial> power = ring.rational_power(u(), in.exponent);
+        const std::optional<Part> reciprocal = domain_.inverse(u());
+        const std::optional<Part> power = domain_.rational_power(u(), in.exponent);
         require_start(
             reciprocal && power,
             "a negative or broken power is expanded about a unit whose power the coefficients hold");
@@ -99,81 +160,113 @@ Polynomial SeriesRun::first_part(Node node) {
     }
 }
 
-Polynomial SeriesRun::next_part(Node node, int weight) const {
+template <class Domain> auto BasicSeriesRun<Domain>::next_part(Node node, int weight) const -> Part {
     const SeriesProgram::Instruction& in = program_->instructions()[at(node)];
-    const Ring& ring = *program_->ring();
     const int n = weight;
-    const auto value = [&](Node operand) -> const Series& { return values_[at(operand)]; };
     switch (in.op) {
-    case Op::input: return value(node).part(n);
-    case Op::constant: return at(n) < in.parts.size() ? in.parts[at(n)] : Polynomial();
-    case Op::sum: {
-        std::vector<std::pair<Rational, const Polynomial*>> addends;
-        for (const auto& [factor, addend] : in.addends) addends.emplace_back(factor, &part(addend, n));
-        return combination(addends);
-    }
-    case Op::product: return product_part(ring, value(in.left), value(in.right), n);
+    case Op::input: return values_[at(node)].series.part(n);
+    case Op::constant: return constants_[at(node)].part(n);
+    case Op::sum: return combined(in, n);
+    case Op::product: return dot(factors(1, in.left, in.right, n));
     case Op::sine:
-    case Op::antiderivative: return integrated(ring, value(in.left), value(in.right), n);
-    case Op::cosine: return -integrated(ring, value(in.left), value(in.right), n);
-    case Op::exponential: return integrated(ring, value(in.left), value(node), n);
-    case Op::logarithm: // n u_n = n l_n + sum_{j=1}^{n-1} j l_j u_{n-j}, as u_0 = 1
-        return part(in.left, n) - weighted_product(ring, value(node), value(in.left), n, n - 1,
-                                                   [n](int j) { return Rational(j) / Rational(n); });
+    case Op::antiderivative: return integrated(in.left, in.right, n);
+    case Op::cosine: return integrated(in.left, in.right, n, -1);
+    case Op::exponential: return integrated(in.left, node, n);
+    case Op::logarithm: { // n u_n = n l_n + sum_{j=1}^{n-1} j l_j u_{n-j}, as u_0 = 1
+        std::vector<Wanted> wanted;
+        for (int j = 1; j < n; ++j) wanted.push_back({Rational(j) / Rational(n), node, j, in.left, n - j});
+        return difference(domain_, part(in.left, n), dot(std::move(wanted)));
+    }
     case Op::power: { // u_0 n p_n = sum_{j=1}^n (a j - (n - j)) u_j p_{n-j}
-        const Polynomial sum = weighted_product(ring, value(in.left), value(node), n, n, [&](int j) {
-            return (in.exponent * Rational(j) - Rational(n - j)) / Rational(n);
-        });
-        return ring.multiply(sum, reciprocals_[at(node)]);
+        std::vector<Wanted> wanted;
+        for (int j = 1; j <= n; ++j)
+            wanted.push_back(
+                {(in.exponent * Rational(j) - Rational(n - j)) / Rational(n), in.left, j, node, n - j});
+        return resonform::product(domain_, dot(std::move(wanted)), reciprocals_[at(node)]);
     }
     }
     throw std::logic_error("SeriesRun: unknown operation");
 }
 
-void SeriesRun::correct(int weight) {
+template <class Domain>
+auto BasicSeriesRun<Domain>::combined(const SeriesProgram::Instruction& sum, int n) const -> Part {
+    std::vector<Wanted> wanted;
+    for (const auto& [factor, addend] : sum.addends) {
+        if (fused_[at(addend)]) {
+            const SeriesProgram::Instruction& product = program_->instructions()[at(addend)];
+            const std::vector<Wanted> more = factors(factor, product.left, product.right, n);
+            wanted.insert(wanted.end(), more.begin(), more.end());
+        } else {
+            static_cast<void>(part(addend, n)); // what is asked for later may move what is there
+        }
+    }
+    std::vector<ProductOf<Part>> products = present(std::move(wanted));
+    std::vector<std::pair<Rational, const Part*>> addends;
+    for (const auto& [factor, addend] : sum.addends)
+        if (!fused_[at(addend)] && !part(addend, n).empty()) addends.emplace_back(factor, &part(addend, n));
+    if (products.empty()) return domain_.combination(addends);
+    for (const auto& [factor, addend] : addends) products.push_back({factor, addend, &one_});
+    return domain_.dot(products);
+}
+
+template <class Domain> void BasicSeriesRun<Domain>::find_fused() {
+    const auto& instructions = program_->instructions();
+    std::vector<int> uses(instructions.size(), 0);
+    for (const SeriesProgram::Instruction& in : instructions) {
+        for (const Node operand : {in.left, in.right})
+            if (operand >= 0) uses[at(operand)] += 2; // not by a sum
+        for (const auto& addend : in.addends) ++uses[at(addend.second)];
+    }
+    for (std::size_t k = 0; k < instructions.size(); ++k)
+        fused_[k] = instructions[k].op == Op::product && uses[k] == 1;
+}
+
+template <class Domain> void BasicSeriesRun<Domain>::correct(int weight) {
     if (weight != weight_)
         throw std::logic_error("SeriesRun::correct: only the last weight can be corrected");
-    std::vector<Polynomial> deltas(values_.size());
+    std::vector<Part> deltas(values_.size());
     for (auto& entry : std::exchange(changed_, {})) {
-        deltas[at(entry.first)] = deltas[at(entry.first)] + entry.second;
+        deltas[at(entry.first)] = sum(domain_, deltas[at(entry.first)], entry.second);
     }
     if (weight == 0) return start();
     for (std::size_t k = 0; k < values_.size(); ++k) {
-        if (program_->instructions()[k].op == Op::input) continue;
+        Value& value = values_[k];
+        if (program_->instructions()[k].op == Op::input || value.next <= weight) continue;
         deltas[k] = change(static_cast<Node>(k), deltas);
-        if (!deltas[k].empty()) values_[k].set(weight, values_[k].part(weight) + deltas[k]);
+        if (!deltas[k].empty()) value.series.set(weight, sum(domain_, value.series.part(weight), deltas[k]));
     }
 }
 
 // The change of part n >= 1 of a node, given those of its operands; parts below n are settled.
-Polynomial SeriesRun::change(Node node, const std::vector<Polynomial>& deltas) const {
+template <class Domain>
+auto BasicSeriesRun<Domain>::change(Node node, const std::vector<Part>& deltas) const -> Part {
     const SeriesProgram::Instruction& in = program_->instructions()[at(node)];
-    const Ring& ring = *program_->ring();
     switch (in.op) {
     case Op::input:
     case Op::constant:
     case Op::cosine: return {}; // d(cos u)_n = -s_0 du_n, s_0 = 0
     case Op::sum: {
-        std::vector<std::pair<Rational, const Polynomial*>> addends;
+        std::vector<std::pair<Rational, const Part*>> addends;
         for (const auto& [factor, addend] : in.addends) addends.emplace_back(factor, &deltas[at(addend)]);
-        return combination(addends);
+        return domain_.combination(addends);
     }
     case Op::product:
-        return ring.dot(
-            {{&part(in.left, 0), &deltas[at(in.right)]}, {&part(in.right, 0), &deltas[at(in.left)]}});
+        return domain_.dot(
+            {{1, &part(in.left, 0), &deltas[at(in.right)]}, {1, &part(in.right, 0), &deltas[at(in.left)]}});
     case Op::sine:
     case Op::exponential:
     case Op::logarithm: return deltas[at(in.left)]; // c_0 = e_0 = u_0 = 1
-    case Op::antiderivative: return ring.multiply(part(in.right, 0), deltas[at(in.left)]);
+    case Op::antiderivative: return resonform::product(domain_, part(in.right, 0), deltas[at(in.left)]);
     case Op::power:
-        return in.exponent *
-               ring.multiply(ring.multiply(part(node, 0), reciprocals_[at(node)]), deltas[at(in.left)]);
+        return scaled(domain_, in.exponent,
+                      resonform::product(domain_,
+                                         resonform::product(domain_, part(node, 0), reciprocals_[at(node)]),
+                                         deltas[at(in.left)]));
     }
     throw std::logic_error("SeriesRun: unknown operation");
 }
 
-const Polynomial& SeriesRun::part(Node node, int weight) const { return values_[at(node)].part(weight); }
-
-const Series& SeriesRun::series(Node node) const { return values_[at(node)]; }
+template class BasicSeriesRun<RingDomain>;
+template class BasicSeriesRun<GraphDomain>;
 
 } // namespace resonform

@@ -152,6 +152,14 @@ bool Ring::is_canonical() const {
                         [&](const Relation& r) { return !r.total && generator(r.lead).invertible; });
 }
 
+bool Ring::is_algebraic(GeneratorId id) const {
+    if (generator(id).kind == GeneratorKind::primitive) return true;
+    if (generator(id).kind == GeneratorKind::root && generator(id).index == 1) return false;
+    return std::any_of(relations_.begin(), relations_.end(), [&](const Relation& r) {
+        return r.lead == id && (r.degree > 1 || (!r.total && generator(id).invertible));
+    });
+}
+
 // Roots that were not eliminated: with sigma^-1 left, sigma^k and its radicand differ in form. Later
 // roots first, as their radicands may hold earlier ones.
 Polynomial Ring::cleared(const Polynomial& p) const {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The graph as a domain of coefficients for the series of a ring: fast variables, eps and phases stand in
+// keys, parameters, slow variables and roots are leaves.
+//
+//   ring: z1, z2, eps, w1, w2      part:  w1^2/(w1 + w2) z1 z2  ->  {key(z1 z2): node}
+#pragma once
+
+#include "algebra/graph_derivative.hpp"
+#include "algebra/graph_part.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace resonform {
+
+// Copies share one graph.
+class GraphDomain {
+public:
+    using Part = GraphPart;
+
+    // Series have exponents up to `largest`. Errors (refused): a monomial does not fit into a word.
+    GraphDomain(RingPtr ring, int largest, std::uint64_t seed = CoefficientGraph::usual_seed);
+
+    [[nodiscard]] CoefficientGraph& graph() const { return arithmetic_.graph(); }
+    [[nodiscard]] const GraphArithmetic& arithmetic() const { return arithmetic_; }
+    [[nodiscard]] const RingPtr& ring() const { return state_->ring; }
+
+    // --- as every domain -----------------------------------------------------------------------
+    // Errors (refused): a coefficient that is no rational function of independent symbols.
+    [[nodiscard]] Part constant(const Polynomial& p) const;
+    [[nodiscard]] Part one() const { return arithmetic_.constant(graph().number(1)); }
+    [[nodiscard]] Part reduce(Part p) const { return p; }
+    [[nodiscard]] Part dot(const std::vector<ProductOf<Part>>& products) const {
+        return arithmetic_.dot(products);
+    }
+    [[nodiscard]] Part combination(const std::vector<std::pair<Rational, const Part*>>& addends) const {
+        return arithmetic_.combination(addends);
+    }
+    [[nodiscard]] std::optional<Part> inverse(const Part& p) const;
+    [[nodiscard]] std::optional<Part> rational_power(const Part& p, const Rational& exponent) const;
+    [[nodiscard]] Part conjugate(const Part& p) const { return arithmetic_.conjugate(p); }
+    // d/d(id) of a fast, small or slow generator.
+    [[nodiscard]] Part derivative(const Part& p, GeneratorId id) const;
+
+    // --- between ring and graph ----------------------------------------------------------------
+    [[nodiscard]] OuterKey key(const Monomial& m) const;                     // of the outer generators in m
+    [[nodiscard]] Monomial monomial(OuterKey key) const;                     // i included
+    [[nodiscard]] Coefficient coefficient(const Polynomial& p) const;        // real, without outer generators
+    [[nodiscard]] LeafPolynomial leaf_polynomial(const Polynomial& p) const; // exponents >= 0
+    [[nodiscard]] Polynomial polynomial(const LeafPolynomial& p) const;      // back in the ring
+    [[nodiscard]] std::optional<LeafId> leaf_of(GeneratorId id) const;       // if it has become one
+
+private:
+    struct State {
+        RingPtr ring;
+        std::vector<int> fields; // by generator; -1: none
+        std::map<GeneratorId, LeafId> leaves;
+        std::vector<GeneratorId> generators;                // by leaf
+        std::map<GeneratorId, GraphDerivation> derivations; // by slow variable
+    };
+    [[nodiscard]] static OuterKeys keys_of(const Ring& ring, int largest);
+    [[nodiscard]] LeafId leaf(GeneratorId id) const;
+    [[nodiscard]] Coefficient power(GeneratorId id, int exponent) const;
+
+    std::shared_ptr<State> state_;
+    GraphArithmetic arithmetic_;
+};
+
+} // namespace resonform

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Montgomery's form of residues, for long sums of products: x is held as x 2^64 mod p.
+#pragma once
+
+#include "algebra/modular.hpp"
+
+namespace resonform {
+
+class Montgomery {
+public:
+    explicit Montgomery(const PrimeField& field) : prime_(field.prime()) {
+        std::uint64_t inverse =
+            prime_; // Newton's iteration: each step doubles the correct bits of 1/p mod 2^64
+        for (int step = 0; step < 6; ++step) inverse *= 2 - prime_ * inverse;
+        minus_inverse_ = ~inverse + 1;
+        const Residue base = field.from(std::int64_t{1} << 32);
+        const Residue once = field.multiply(base, base); // 2^64
+        square_ = field.multiply(once, once);
+    }
+
+    [[nodiscard]] Residue enter(Residue x) const { return multiply(x, square_); }
+    [[nodiscard]] Residue leave(Residue x) const { return reduce(x); }
+    [[nodiscard]] Residue multiply(Residue a, Residue b) const { return reduce(Wide{a} * b); }
+    [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : prime_ - a; }
+
+    __extension__ using Wide = unsigned __int128;
+    // Adds a b to a sum that stays below p 2^64, which reduce() takes.
+    void accumulate(Wide& sum, Residue a, Residue b) const {
+        sum += Wide{a} * b;
+        if (static_cast<std::uint64_t>(sum >> 64) >= prime_) sum -= Wide{prime_} << 64;
+    }
+    // x 2^-64 mod p for x < p 2^64.
+    [[nodiscard]] Residue reduce(Wide x) const {
+        const std::uint64_t multiple = static_cast<std::uint64_t>(x) * minus_inverse_;
+        const auto rest = static_cast<std::uint64_t>((x + Wide{multiple} * prime_) >> 64);
+        return rest >= prime_ ? rest - prime_ : rest;
+    }
+
+private:
+    std::uint64_t prime_;
+    std::uint64_t minus_inverse_; // -1/p mod 2^64
+    Residue square_;              // 2^128 mod p
+};
+
+} // namespace resonform
