@@ -138,7 +138,7 @@ private:
     Part one_;
     std::vector<Part> reciprocals_; // power: 1/u_0
     int weight_ = -1;
-    std::vector<std::pair<SeriesProgram::Node, Part>> changed_; // input deltas since advance
+    std::vector<std::pair<SeriesProgram::Node, Part>> changed_; // inputs since advance
 };
 
 using SeriesRun = BasicSeriesRun<RingDomain>;

@@ -62,9 +62,10 @@ template <class Domain> void BasicSeriesRun<Domain>::set_input(Node input, int w
         throw std::logic_error("SeriesRun::set_input: not an input, or a weight that is already settled");
     }
     part = domain_.reduce(std::move(part));
-    if (weight == weight_)
-        changed_.emplace_back(input, difference(domain_, part, values_[at(input)].series.part(weight)));
-    values_[at(input)].series.set(weight, std::move(part));
+    if (weight == weight_) // parts that are asked for before correct() must not know it yet
+        changed_.emplace_back(input, std::move(part));
+    else
+        values_[at(input)].series.set(weight, std::move(part));
 }
 
 template <class Domain> void BasicSeriesRun<Domain>::advance(int weight) {
@@ -225,8 +226,10 @@ template <class Domain> void BasicSeriesRun<Domain>::correct(int weight) {
     if (weight != weight_)
         throw std::logic_error("SeriesRun::correct: only the last weight can be corrected");
     std::vector<Part> deltas(values_.size());
-    for (auto& entry : std::exchange(changed_, {})) {
-        deltas[at(entry.first)] = sum(domain_, deltas[at(entry.first)], entry.second);
+    for (auto& [input, part] : std::exchange(changed_, {})) {
+        BasicSeries<Part>& series = values_[at(input)].series;
+        deltas[at(input)] = sum(domain_, deltas[at(input)], difference(domain_, part, series.part(weight)));
+        series.set(weight, std::move(part));
     }
     if (weight == 0) return start();
     for (std::size_t k = 0; k < values_.size(); ++k) {
