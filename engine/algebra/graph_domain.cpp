@@ -101,16 +101,34 @@ Coefficient GraphDomain::coefficient(const Polynomial& p) const {
     return graph().dot(terms);
 }
 
+// A root of index 1 is a quotient, unless a relation eliminates another generator in favour of it.
 Coefficient GraphDomain::power(GeneratorId id, int exponent) const {
-    const Generator& g = state_->ring->generator(id);
-    if (g.kind == GeneratorKind::root && g.index == 1) { // a quotient
-        const LeafPolynomial value = leaf_polynomial(g.radicand);
-        return graph().power(exponent < 0 ? graph().inverse(value) : graph().polynomial(value),
-                             std::abs(exponent));
-    }
-    const LeafId own = leaf(id);
-    return graph().power(exponent < 0 ? graph().inverse(LeafPolynomial::leaf(own)) : graph().leaf(own),
+    const Ring& ring = *state_->ring;
+    const Generator& g = ring.generator(id);
+    LeafPolynomial value;
+    if (g.kind == GeneratorKind::root && g.index == 1 && ring.reduce(g.radicand) != ring.gen(id))
+        value = leaf_polynomial(ring.reduce(g.radicand));
+    else
+        value = LeafPolynomial::leaf(leaf(id));
+    return graph().power(exponent < 0 ? graph().inverse(value) : graph().polynomial(value),
                          std::abs(exponent));
+}
+
+// 1/(m q) with a monomial m such that q has no negative exponent
+Coefficient GraphDomain::reciprocal(const Polynomial& p) const {
+    const Ring& ring = *state_->ring;
+    Monomial common;
+    Coefficient inverse = graph().number(1);
+    for (GeneratorId id = 1; id < ring.size(); ++id) {
+        const int least = ring.lowest_exponent(p, id);
+        if (least >= 0) continue;
+        common = common + ring.monomial(id, least);
+        inverse = graph().product(inverse, power(id, -least));
+    }
+    std::vector<Term> terms;
+    for (const Term& t : p.terms()) terms.push_back({t.monomial - common, t.coefficient});
+    const LeafPolynomial value = leaf_polynomial(Polynomial::from_terms(std::move(terms)));
+    return graph().product(inverse, graph().inverse(value));
 }
 
 LeafId GraphDomain::leaf(GeneratorId id) const {
@@ -151,6 +169,21 @@ Polynomial GraphDomain::polynomial(const LeafPolynomial& p) const {
         terms.push_back({m, coefficient});
     }
     return Polynomial::from_terms(std::move(terms));
+}
+
+GraphPart GraphDomain::angle_derivative(const Part& p, GeneratorId phase) const {
+    const int field = state_->fields[static_cast<std::size_t>(phase)];
+    std::vector<Part> parts;
+    for (std::size_t k = 0; k < p.size(); ++k) { // e^{i k theta} becomes i k e^{i k theta}
+        OuterKey key = p.keys[k] + OuterKeys::imaginary;
+        const int exponent = arithmetic_.keys().exponent(p.keys[k], field);
+        const bool minus = OuterKeys::take_square_of_i(key);
+        const RationalId factor = graph().rationals().intern(minus ? -exponent : exponent);
+        parts.push_back(arithmetic_.constant(graph().scaled(factor, p.coefficients[k]), key));
+    }
+    std::vector<std::pair<Rational, const Part*>> addends;
+    for (const Part& part : parts) addends.emplace_back(1, &part);
+    return combination(addends);
 }
 
 GraphPart GraphDomain::derivative(const Part& p, GeneratorId id) const {

@@ -43,11 +43,19 @@ public:
     [[nodiscard]] Part conjugate(const Part& p) const { return arithmetic_.conjugate(p); }
     // d/d(id) of a fast, small or slow generator.
     [[nodiscard]] Part derivative(const Part& p, GeneratorId id) const;
+    [[nodiscard]] Part angle_derivative(const Part& p, GeneratorId phase) const;
+    [[nodiscard]] Part without_vanishing(Part p, const std::vector<GeneratorId>& /*outer*/) const {
+        return p;
+    }
+    template <class ShareOf>
+    [[nodiscard]] std::vector<Part> split(const Part& p, const std::vector<GeneratorId>& outer,
+                                          ShareOf share_of) const;
 
     // --- between ring and graph ----------------------------------------------------------------
     [[nodiscard]] OuterKey key(const Monomial& m) const;                     // of the outer generators in m
     [[nodiscard]] Monomial monomial(OuterKey key) const;                     // i included
     [[nodiscard]] Coefficient coefficient(const Polynomial& p) const;        // real, without outer generators
+    [[nodiscard]] Coefficient reciprocal(const Polynomial& p) const;         // likewise, not zero
     [[nodiscard]] LeafPolynomial leaf_polynomial(const Polynomial& p) const; // exponents >= 0
     [[nodiscard]] Polynomial polynomial(const LeafPolynomial& p) const;      // back in the ring
     [[nodiscard]] std::optional<LeafId> leaf_of(GeneratorId id) const;       // if it has become one
@@ -67,5 +75,18 @@ private:
     std::shared_ptr<State> state_;
     GraphArithmetic arithmetic_;
 };
+
+template <class ShareOf>
+std::vector<GraphPart> GraphDomain::split(const Part& p, const std::vector<GeneratorId>& outer,
+                                          ShareOf share_of) const {
+    std::vector<Part> parts;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+        const std::size_t share = share_of(state_->ring->restricted(monomial(p.keys[k]), outer));
+        if (share >= parts.size()) parts.resize(share + 1, Part{{}, {}, false});
+        parts[share].keys.push_back(p.keys[k]);
+        parts[share].coefficients.push_back(p.coefficients[k]);
+    }
+    return parts;
+}
 
 } // namespace resonform

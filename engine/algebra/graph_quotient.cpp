@@ -9,7 +9,7 @@ namespace resonform {
 namespace {
 
 // 1/c
-Coefficient reciprocal(CoefficientGraph& graph, Coefficient c) {
+Coefficient reciprocal_of(CoefficientGraph& graph, Coefficient c) {
     const ExpandedCoefficient quotient = expand(graph, c);
     Coefficient result = graph.inverse(quotient.numerator);
     for (const auto& [divisor, times] : quotient.denominator)
@@ -24,7 +24,7 @@ std::optional<GraphPart> GraphDomain::inverse(const Part& p) const {
     if (p.empty() || p.keys.back() > OuterKeys::imaginary) return std::nullopt;
     Coefficient norm;
     for (const Coefficient c : p.coefficients) norm = graph().sum(norm, graph().product(c, c));
-    const Coefficient inverse = reciprocal(graph(), norm);
+    const Coefficient inverse = reciprocal_of(graph(), norm);
     GraphPart result{p.keys, {}, p.real};
     for (std::size_t k = 0; k < p.size(); ++k) {
         const Coefficient c = graph().product(p.coefficients[k], inverse);

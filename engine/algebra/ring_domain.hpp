@@ -3,6 +3,7 @@
 // for: a type of homogeneous parts, and the operations below on them (GraphDomain has them too).
 #pragma once
 
+#include "algebra/fractions.hpp"
 #include "algebra/ring.hpp"
 
 #include <optional>
@@ -32,8 +33,39 @@ public:
         return ring_->rational_power(p, exponent);
     }
 
+    [[nodiscard]] Part conjugate(const Part& p) const { return ring_->conjugate(p); }
+    // d/d(id), and of a phase e^{i theta} by theta.
+    [[nodiscard]] Part derivative(const Part& p, GeneratorId id) const { return ring_->derivative(p, id); }
+    [[nodiscard]] Part angle_derivative(const Part& p, GeneratorId phase) const;
+    // Without coefficients over `outer` that vanish though they are not empty, as in a ring that is not
+    // canonical.
+    [[nodiscard]] Part without_vanishing(const Part& p, const std::vector<GeneratorId>& outer) const;
+    // The terms of p by the number that `share_of` gives the monomial of their outer generators.
+    template <class ShareOf>
+    [[nodiscard]] std::vector<Part> split(const Part& p, const std::vector<GeneratorId>& outer,
+                                          ShareOf share_of) const;
+
 private:
     const Ring* ring_;
 };
+
+template <class ShareOf>
+std::vector<Polynomial> RingDomain::split(const Part& p, const std::vector<GeneratorId>& outer,
+                                          ShareOf share_of) const {
+    std::vector<Fractions> shares;
+    Monomial last;
+    std::size_t share = 0;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+        const Monomial& m = p.fractions().monomials[k];
+        const Monomial monomial = ring_->restricted(m, outer);
+        if (k == 0 || monomial != last) share = share_of(monomial);
+        last = monomial;
+        if (share >= shares.size()) shares.resize(share + 1);
+        shares[share].append(m, p.fractions(), k);
+    }
+    std::vector<Polynomial> parts;
+    for (Fractions& f : shares) parts.push_back(Polynomial::from_fractions(std::move(f)));
+    return parts;
+}
 
 } // namespace resonform

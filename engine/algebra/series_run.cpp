@@ -234,9 +234,11 @@ template <class Domain> void BasicSeriesRun<Domain>::correct(int weight) {
     if (weight == 0) return start();
     for (std::size_t k = 0; k < values_.size(); ++k) {
         Value& value = values_[k];
-        if (program_->instructions()[k].op == Op::input || value.next <= weight) continue;
+        const bool known = value.next > weight;
+        if (program_->instructions()[k].op == Op::input || (!known && !fused_[k])) continue;
         deltas[k] = change(static_cast<Node>(k), deltas);
-        if (!deltas[k].empty()) value.series.set(weight, sum(domain_, value.series.part(weight), deltas[k]));
+        if (known && !deltas[k].empty())
+            value.series.set(weight, sum(domain_, value.series.part(weight), deltas[k]));
     }
 }
 

@@ -18,9 +18,32 @@ const char* to_string(DivisorVerdict verdict) {
     return "ambiguous";
 }
 
-DivisorTable::DivisorTable(const GradedField& field, int mode) : field_(field), mode_(mode) {}
+namespace {
 
-const Divisor& DivisorTable::of(const Monomial& monomial) {
+// 1/(a + i b), given that it is not zero and the norm a^2 + b^2 (a or b where the other vanishes); nullopt
+// where the ring has no inverse of that.
+struct Complex {
+    Polynomial numerator, norm;
+};
+
+std::optional<Polynomial> reciprocal(const RingDomain&, const Ring& ring, const Complex& c) {
+    const auto inverse = ring.inverse(c.norm);
+    return inverse ? std::optional(ring.multiply(c.numerator, *inverse)) : std::nullopt;
+}
+
+std::optional<GraphPart> reciprocal(const GraphDomain& domain, const Ring&, const Complex& c) {
+    const GraphPart numerator = domain.constant(c.numerator);
+    const GraphPart inverse = domain.arithmetic().constant(domain.reciprocal(c.norm));
+    return domain.dot({{1, &numerator, &inverse}});
+}
+
+} // namespace
+
+template <class Domain>
+DivisorTable<Domain>::DivisorTable(const GradedField& field, Domain domain, int mode)
+    : field_(field), domain_(std::move(domain)), mode_(mode) {}
+
+template <class Domain> auto DivisorTable<Domain>::of(const Monomial& monomial) -> const Divisor<Part>& {
     const Multiples multiples = multiples_of(monomial);
     const auto known = known_.find(multiples);
     if (known != known_.end()) return known->second;
@@ -28,7 +51,7 @@ const Divisor& DivisorTable::of(const Monomial& monomial) {
 }
 
 // Multiples of what is zero are left out, so that equal divisors have one entry.
-DivisorTable::Multiples DivisorTable::multiples_of(const Monomial& monomial) const {
+template <class Domain> auto DivisorTable<Domain>::multiples_of(const Monomial& monomial) const -> Multiples {
     const Ring& ring = *field_.ring;
     Multiples multiples;
     for (std::size_t m = 0; m < field_.modes.size(); ++m) {
@@ -44,7 +67,7 @@ DivisorTable::Multiples DivisorTable::multiples_of(const Monomial& monomial) con
     return multiples;
 }
 
-Divisor DivisorTable::make(const Multiples& multiples) {
+template <class Domain> auto DivisorTable<Domain>::make(const Multiples& multiples) -> Divisor<Part> {
     const Ring& ring = *field_.ring;
     Polynomial growth, frequency;
     for (std::size_t m = 0; m < field_.modes.size(); ++m) {
@@ -61,15 +84,15 @@ Divisor DivisorTable::make(const Multiples& multiples) {
     const Polynomial norm = real        ? growth
                             : imaginary ? frequency
                                         : ring.multiply(growth, growth) + ring.multiply(frequency, frequency);
-    if (const auto inverse = ring.inverse(norm)) {
+    const bool nonzero = ring.inverse(norm) || (!real && ring.is_zero(frequency) == Zero::no) ||
+                         (!imaginary && ring.is_zero(growth) == Zero::no);
+    if (nonzero) {
         const Polynomial numerator = real        ? ring.one()
                                      : imaginary ? -i
                                                  : growth - ring.multiply(i, frequency);
-        return {value, DivisorVerdict::removed, ring.multiply(numerator, *inverse)};
-    }
-    if ((!real && ring.is_zero(frequency) == Zero::no) || (!imaginary && ring.is_zero(growth) == Zero::no)) {
-        missing_.push_back(norm);
-        return {value, DivisorVerdict::removed, {}};
+        const std::optional<Part> inverse = reciprocal(domain_, ring, {numerator, norm});
+        if (!inverse) missing_.push_back(norm);
+        return {value, DivisorVerdict::removed, inverse.value_or(Part())};
     }
     refuse({"a divisor is proved to be zero or to be non-zero before anything is divided by it",
             spell(multiples),
@@ -77,7 +100,7 @@ Divisor DivisorTable::make(const Multiples& multiples) {
             {}});
 }
 
-bool DivisorTable::is_near(const Multiples& multiples) const {
+template <class Domain> bool DivisorTable<Domain>::is_near(const Multiples& multiples) const {
     const Rational& near = field_.system().near;
     if (cln::zerop(near)) return false;
     GiNaC::ex growth = 0, frequency = 0;
@@ -98,7 +121,7 @@ bool DivisorTable::is_near(const Multiples& multiples) const {
             {}});
 }
 
-std::string DivisorTable::spell(const Multiples& multiples) const {
+template <class Domain> std::string DivisorTable<Domain>::spell(const Multiples& multiples) const {
     std::string growth, frequency;
     const auto add = [](std::string& text, int k, const std::string& name) {
         if (k != 0) text += fmt::format("{}{}*{}", text.empty() ? "" : " + ", k, name);
@@ -113,5 +136,8 @@ std::string DivisorTable::spell(const Multiples& multiples) const {
     if (!frequency.empty()) frequency = "i*(" + frequency + ")";
     return growth.empty() ? frequency : frequency.empty() ? growth : growth + " + " + frequency;
 }
+
+template class DivisorTable<RingDomain>;
+template class DivisorTable<GraphDomain>;
 
 } // namespace resonform

@@ -7,6 +7,7 @@
 // with harmonics k_l of the angles; 1/D = (a - i b)/(a^2 + b^2).
 #pragma once
 
+#include "algebra/ring_domain.hpp"
 #include "normalize/normal_form.hpp"
 
 #include <map>
@@ -14,22 +15,24 @@
 
 namespace resonform {
 
-struct Divisor {
+template <class Part> struct Divisor {
     Polynomial value;
     DivisorVerdict verdict;
-    Polynomial inverse; // only where the verdict is removed; empty: the ring does not hold it yet
+    Part inverse; // only where the verdict is removed; empty: the ring does not hold it yet
 };
 
-// The divisors of one equation. This is the only place where the normaliser divides: a divisor has an
-// inverse only if the ring proves that it is a unit.
-class DivisorTable {
+// The divisors of one equation. This is the only place where the normaliser divides: a divisor has an inverse
+// only if the ring proves that it is a unit, or, in a graph, that it does not vanish identically.
+template <class Domain> class DivisorTable {
 public:
+    using Part = typename Domain::Part;
+
     // mode: index of the mode whose equation it is, or -1 for another variable (lambda = 0).
-    DivisorTable(const GradedField& field, int mode);
+    DivisorTable(const GradedField& field, Domain domain, int mode);
 
     // The divisor of a monomial in GradedField::outer() (other exponents zero).
     // Errors (refused): proved neither to vanish nor not to vanish identically (ambiguous).
-    const Divisor& of(const Monomial& monomial);
+    const Divisor<Part>& of(const Monomial& monomial);
     // What the ring would have to divide by for the divisors that were asked for and have no inverse in it:
     // a or b where the other vanishes, else a^2 + b^2.
     [[nodiscard]] const std::vector<Polynomial>& missing() const { return missing_; }
@@ -38,14 +41,15 @@ private:
     // Multiples of the growth and of the frequency of each mode, of the frequency of each angle.
     using Multiples = std::vector<int>;
     [[nodiscard]] Multiples multiples_of(const Monomial& monomial) const;
-    [[nodiscard]] Divisor make(const Multiples& multiples);
+    [[nodiscard]] Divisor<Part> make(const Multiples& multiples);
     [[nodiscard]] std::string spell(const Multiples& multiples) const;
     // |D| <= near, where D is a number. Errors (refused): that cannot be told (ambiguous).
     [[nodiscard]] bool is_near(const Multiples& multiples) const;
 
     const GradedField& field_;
+    Domain domain_;
     int mode_;
-    std::map<Multiples, Divisor> known_;
+    std::map<Multiples, Divisor<Part>> known_;
     std::vector<Polynomial> missing_;
 };
 

@@ -9,11 +9,9 @@
 // frequencies of the angles are in D, not in the sum.
 #pragma once
 
-#include "algebra/fractions.hpp"
 #include "normalize/divisor.hpp"
 #include "normalize/normal_form.hpp"
 
-#include <deque>
 #include <set>
 #include <vector>
 
@@ -30,44 +28,43 @@ std::vector<Carrier> carriers_of(const GradedField& field);
 
 // Their rates, without the linear part of the modes and the frequencies of the angles. Weights below the
 // current one are complete.
-using Transport = std::vector<Series>;
+template <class Part> using Transport = std::vector<BasicSeries<Part>>;
 
-class HomologicalEquation {
+template <class Domain> class HomologicalEquation {
 public:
+    using Part = typename Domain::Part;
+
     // mode: index of the mode, or -1 for another variable.
-    HomologicalEquation(const GradedField& field, int mode, std::string variable, Place place);
+    HomologicalEquation(const GradedField& field, Domain domain, int mode, std::string variable, Place place);
 
     // What solve() has to divide by and cannot (DivisorTable): what it left is not the solution.
     [[nodiscard]] const std::vector<Polynomial>& missing_divisors() const { return divisors_.missing(); }
 
     // Solves weight n, given [F]_n of the composed field; weights must come in order.
-    void solve(int weight, const Polynomial& field_part, const Transport& transport);
+    void solve(int weight, const Part& field_part, const Transport<Part>& transport);
 
-    [[nodiscard]] const Series& correction() const { return correction_; } // c
-    [[nodiscard]] const Series& rate() const { return rate_; } // N without linear part and frequency
+    [[nodiscard]] const BasicSeries<Part>& correction() const { return correction_; } // c
+    [[nodiscard]] const BasicSeries<Part>& rate() const {
+        return rate_;
+    } // N without linear part and frequency
     [[nodiscard]] std::vector<DivisorRecord>& records() { return records_; }
 
 private:
-    [[nodiscard]] Polynomial right_hand_side(int weight, const Polynomial& field_part,
-                                             const Transport& transport) const;
-    // The terms of one weight that one divisor belongs to.
-    struct Share {
-        const Divisor* divisor;
-        Fractions part;
-    };
-    using Shares = std::deque<Share>;
-    Share& share_of(const Monomial& outer, int weight, Shares& shares);
-    [[nodiscard]] Polynomial without_vanishing(const Polynomial& p) const;
+    [[nodiscard]] Part right_hand_side(int weight, const Part& field_part,
+                                       const Transport<Part>& transport) const;
+    const Divisor<Part>& divisor_of(const Monomial& outer, int weight);
     void remember_derivatives(int weight);
 
     const GradedField& field_;
+    Domain domain_;
     std::string variable_;
     Place place_; // of the equation of the variable
-    DivisorTable divisors_;
+    DivisorTable<Domain> divisors_;
     std::vector<GeneratorId> outer_; // what a monomial is made of
-    Series correction_, rate_;
+    BasicSeries<Part> correction_, rate_;
     std::vector<Carrier> carriers_;
-    std::vector<Series> slopes_; // the derivatives of the correction by each carrier, computed once
+    std::vector<BasicSeries<Part>>
+        slopes_; // the derivatives of the correction by each carrier, computed once
     std::vector<DivisorRecord> records_;
     std::set<Monomial> seen_; // monomials that have a record
 };

@@ -7,6 +7,7 @@
 // h, m, k, l, N in (w, wbar, e^{i theta}, eps; zeta): the generators stand for the new variables.
 #pragma once
 
+#include "algebra/graph_domain.hpp"
 #include "expand/graded_field.hpp"
 
 #include <cstdint>
@@ -27,25 +28,27 @@ struct DivisorRecord {
 };
 
 // rates[...] through weight `through`, the linear part of modes and the frequencies of angles included.
-struct NormalForm {
+template <class Part> struct NormalFormOf {
     std::shared_ptr<const GradedField> field;
     int through = 0; // M
     std::string style = "poincare";
-    std::vector<Series> mode; // N of each mode (of a conjugate pair only the first)
-    std::vector<Series> angle;
-    std::vector<Series> slow; // as given where they are not driven
-    std::vector<Series> drift;
+    std::vector<BasicSeries<Part>> mode; // N of each mode (of a conjugate pair only the first)
+    std::vector<BasicSeries<Part>> angle;
+    std::vector<BasicSeries<Part>> slow; // as given where they are not driven
+    std::vector<BasicSeries<Part>> drift;
 };
+using NormalForm = NormalFormOf<Polynomial>;
 
 // The old variable minus the new one.
-struct NearIdentityMap {
+template <class Part> struct NearIdentityMapOf {
     int through = 0;
     // h, above the weight of the modes; at it a term without modes may stand (forcing eps e^{i k phi})
-    std::vector<Series> mode;
-    std::vector<Series> angle; // m, weights 1 ... through
-    std::vector<Series> slow;  // k, likewise; zero where it is not driven
-    std::vector<Series> drift; // l, likewise
+    std::vector<BasicSeries<Part>> mode;
+    std::vector<BasicSeries<Part>> angle; // m, weights 1 ... through
+    std::vector<BasicSeries<Part>> slow;  // k, likewise; zero where it is not driven
+    std::vector<BasicSeries<Part>> drift; // l, likewise
 };
+using NearIdentityMap = NearIdentityMapOf<Polynomial>;
 
 struct Certificate {
     bool holds = false;            // substitution and scan
@@ -59,11 +62,18 @@ struct Certificate {
     std::string complaint; // empty when it holds: which equation, which weight
 };
 
-struct Normalization {
-    NormalForm normal_form;
-    NearIdentityMap map;
+template <class Part> struct NormalizationOf {
+    NormalFormOf<Part> normal_form;
+    NearIdentityMapOf<Part> map;
     std::vector<DivisorRecord> divisors;
     Certificate certificate; // filled by certify()
+};
+using Normalization = NormalizationOf<Polynomial>;
+
+// The same with coefficients in a graph (algebra/coefficient_graph.hpp).
+struct GraphNormalization {
+    GraphDomain domain;
+    NormalizationOf<GraphPart> result;
 };
 
 } // namespace resonform

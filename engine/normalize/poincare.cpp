@@ -17,10 +17,12 @@ constexpr int largest_weight = 99;
 // fast variables of weight 1 -> slow -> fast variables of weight 0 -> angles -> drift. (k_n reaches the
 // angles at weight n as omega' k_n, and finite fast variables as A' k_n w; small ones reach slow rates as g_u
 // h_n.)
-class Normalizer {
+template <class Domain> class Normalizer {
 public:
-    Normalizer(std::shared_ptr<const GradedField> field, int through)
-        : field_(std::move(field)), through_(through), run_(*field_->program) {
+    using Part = typename Domain::Part;
+
+    Normalizer(std::shared_ptr<const GradedField> field, const Domain& domain, int through)
+        : field_(std::move(field)), domain_(domain), through_(through), run_(*field_->program, domain) {
         for (std::size_t m = 0; m < field_->modes.size(); ++m)
             modes_.push_back(equation(static_cast<int>(m), field_->modes[m].name, field_->modes[m].variable));
         for (const SlowVariable& s : field_->slow) slow_.push_back(equation(-1, s.name, s.variable));
@@ -31,7 +33,7 @@ public:
             if (!m.is_real()) transport_.emplace_back();
         }
         for (const SlowVariable& s : field_->slow)
-            transport_.push_back(s.driven ? Series() : Series::split(*field_->ring, s.rate, through));
+            transport_.push_back(s.driven ? BasicSeries<Part>() : split(s.rate));
         transport_.resize(transport_.size() + angles_.size());
     }
 
@@ -57,7 +59,7 @@ public:
     [[nodiscard]] std::vector<Polynomial> missing_divisors() const {
         std::vector<Polynomial> missing;
         for (const auto* equations : {&modes_, &slow_, &angles_, &drifts_})
-            for (const HomologicalEquation& e : *equations)
+            for (const HomologicalEquation<Domain>& e : *equations)
                 missing.insert(missing.end(), e.missing_divisors().begin(), e.missing_divisors().end());
         return missing;
     }
@@ -65,14 +67,14 @@ public:
     [[nodiscard]] std::size_t terms() const {
         std::size_t count = 0;
         for (const auto* equations : {&modes_, &slow_, &angles_, &drifts_})
-            for (const HomologicalEquation& e : *equations)
+            for (const HomologicalEquation<Domain>& e : *equations)
                 for (int n = 0; n <= e.correction().through(); ++n)
                     count += e.correction().part(n).size() + e.rate().part(n).size();
         return count;
     }
 
-    Normalization result() {
-        Normalization n;
+    NormalizationOf<Part> result() {
+        NormalizationOf<Part> n;
         n.normal_form.field = field_;
         n.normal_form.through = through_;
         n.map.through = through_;
@@ -80,16 +82,17 @@ public:
         for (std::size_t m = 0; m < modes_.size(); ++m) {
             const Mode& mode = field_->modes[m];
             const int weight = ring.generator(mode.z).weight;
-            Series rate = modes_[m].rate();
-            rate.set(weight, rate.part(weight) + ring.multiply(field_->eigenvalue(mode), ring.gen(mode.z)));
+            BasicSeries<Part> rate = modes_[m].rate();
+            rate.set(weight,
+                     plus(rate.part(weight), ring.multiply(field_->eigenvalue(mode), ring.gen(mode.z))));
             n.normal_form.mode.push_back(std::move(rate));
             n.map.mode.push_back(modes_[m].correction());
             n.divisors.push_back(kept(mode.name, ring.monomial(mode.z), weight));
             append(n.divisors, modes_[m].records());
         }
         for (std::size_t a = 0; a < angles_.size(); ++a) {
-            Series rate = angles_[a].rate();
-            rate.set(0, rate.part(0) + field_->angles[a].frequency);
+            BasicSeries<Part> rate = angles_[a].rate();
+            rate.set(0, plus(rate.part(0), field_->angles[a].frequency));
             n.normal_form.angle.push_back(std::move(rate));
             n.map.angle.push_back(angles_[a].correction());
             n.divisors.push_back(kept(field_->angles[a].name, {}, 0));
@@ -110,9 +113,22 @@ public:
     }
 
 private:
-    [[nodiscard]] HomologicalEquation equation(int mode, const std::string& name,
-                                               std::size_t variable) const {
-        return {*field_, mode, name, place_of(field_->system().equations[variable].source)};
+    [[nodiscard]] HomologicalEquation<Domain> equation(int mode, const std::string& name,
+                                                       std::size_t variable) const {
+        return {*field_, domain_, mode, name, place_of(field_->system().equations[variable].source)};
+    }
+
+    [[nodiscard]] Part plus(const Part& part, const Polynomial& p) const {
+        const Part addend = domain_.constant(p);
+        return domain_.combination({{1, &part}, {1, &addend}});
+    }
+
+    [[nodiscard]] BasicSeries<Part> split(const Polynomial& p) const {
+        BasicSeries<Part> series;
+        const std::vector<Polynomial> parts = field_->ring->by_weight(p, through_);
+        for (int n = 0; n <= through_; ++n)
+            series.set(n, domain_.constant(parts[static_cast<std::size_t>(n)]));
+        return series;
     }
 
     [[nodiscard]] std::size_t first_angle() const { return transport_.size() - angles_.size(); }
@@ -121,9 +137,9 @@ private:
     // z = w + h: part `weight` as far as h is known.
     void set_mode(std::size_t m, int weight) {
         const Mode& mode = field_->modes[m];
-        Polynomial z = modes_[m].correction().part(weight);
-        if (weight == field_->ring->generator(mode.z).weight) z = z + field_->ring->gen(mode.z);
-        if (!mode.is_real()) run_.set_input(mode.input_conjugate, weight, field_->ring->conjugate(z));
+        Part z = modes_[m].correction().part(weight);
+        if (weight == field_->ring->generator(mode.z).weight) z = plus(z, field_->ring->gen(mode.z));
+        if (!mode.is_real()) run_.set_input(mode.input_conjugate, weight, domain_.conjugate(z));
         run_.set_input(mode.input, weight, std::move(z));
     }
 
@@ -132,7 +148,8 @@ private:
         const SlowVariable& slow = field_->slow[s];
         if (!slow.driven) return;
         run_.set_input(slow.input, weight,
-                       weight == 0 ? field_->ring->gen(slow.generator) : slow_[s].correction().part(weight));
+                       weight == 0 ? domain_.constant(field_->ring->gen(slow.generator))
+                                   : slow_[s].correction().part(weight));
     }
 
     void solve_modes(int weight, int weight_of_modes) {
@@ -146,9 +163,9 @@ private:
         if (!any) return;
         std::size_t carrier = 0;
         for (std::size_t m = 0; m < modes_.size(); ++m) {
-            const Polynomial& rate = modes_[m].rate().part(weight);
+            const Part& rate = modes_[m].rate().part(weight);
             transport_[carrier++].set(weight, rate);
-            if (!field_->modes[m].is_real()) transport_[carrier++].set(weight, field_->ring->conjugate(rate));
+            if (!field_->modes[m].is_real()) transport_[carrier++].set(weight, domain_.conjugate(rate));
             set_mode(m, weight);
         }
         run_.correct(weight);
@@ -156,7 +173,7 @@ private:
 
     // What moves a mode at its own weight must be removable: lambda w is the whole linear part.
     void check_start(std::size_t m, int weight) const {
-        const Polynomial& rate = modes_[m].rate().part(weight);
+        const Part& rate = modes_[m].rate().part(weight);
         if (rate.empty()) return;
         const Mode& mode = field_->modes[m];
         refuse({"a forcing as large as the fast variables themselves is not resonant with them",
@@ -198,14 +215,16 @@ private:
     }
 
     std::shared_ptr<const GradedField> field_;
+    Domain domain_;
     int through_;
-    SeriesRun run_;
-    std::vector<HomologicalEquation> modes_, slow_, angles_, drifts_;
-    Transport transport_; // by carrier: modes with their conjugates, slow variables, angles
+    BasicSeriesRun<Domain> run_;
+    std::vector<HomologicalEquation<Domain>> modes_, slow_, angles_, drifts_;
+    Transport<Part> transport_; // by carrier: modes with their conjugates, slow variables, angles
 };
 
 // Returns the divisors that are missing at the first weight that needs any.
-std::vector<Polynomial> advance_through(Normalizer& normalizer, int through,
+template <class Domain>
+std::vector<Polynomial> advance_through(Normalizer<Domain>& normalizer, int through,
                                         const NormalizeOptions& options) {
     for (int weight = 0; weight <= through; ++weight) {
         normalizer.advance(weight);
@@ -215,24 +234,40 @@ std::vector<Polynomial> advance_through(Normalizer& normalizer, int through,
     return {};
 }
 
-} // namespace
-
-Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
-                                 const NormalizeOptions& options) {
+void check_order(int through) {
     if (through < 1 || through > largest_weight)
         bad_input({fmt::format("the order of a normal form is from 1 to {}", largest_weight),
                    fmt::format("{}", through),
                    "choose an order in this range",
                    {}});
+}
+
+} // namespace
+
+Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
+                                 const NormalizeOptions& options) {
+    check_order(through);
     // With several frequencies, divisors turn up as the weights go by: the ring is built anew with their
     // inverses, and the few weights below are done again.
     field = with_derivatives(field, through + 1);
     while (true) {
-        Normalizer normalizer(field, through);
+        Normalizer<RingDomain> normalizer(field, RingDomain(field->ring), through);
         const std::vector<Polynomial> missing = advance_through(normalizer, through, options);
         if (missing.empty()) return normalizer.result();
         field = std::make_shared<const GradedField>(with_divisors(*field, missing));
     }
+}
+
+GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
+                                      const NormalizeOptions& options) {
+    check_order(through);
+    const GraphDomain domain(field->ring, through + 1);
+    Normalizer<GraphDomain> normalizer(field, domain, through);
+    NormalizeOptions counted;
+    if (options.progress)
+        counted.progress = [&](int weight, std::size_t) { options.progress(weight, domain.graph().terms()); };
+    static_cast<void>(advance_through(normalizer, through, counted)); // a graph divides by everything
+    return {domain, normalizer.result()};
 }
 
 } // namespace resonform

@@ -17,4 +17,9 @@ struct NormalizeOptions {
 Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
                                  const NormalizeOptions& options = {});
 
+// The same with coefficients in a graph, in which no divisor has to be learned: for several symbolic
+// frequencies. Errors (refused): coefficients that are no rational functions of independent symbols.
+GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
+                                      const NormalizeOptions& options = {});
+
 } // namespace resonform
