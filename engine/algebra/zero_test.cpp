@@ -153,10 +153,12 @@ bool Ring::is_canonical() const {
 }
 
 bool Ring::is_algebraic(GeneratorId id) const {
-    if (generator(id).kind == GeneratorKind::primitive) return true;
-    if (generator(id).kind == GeneratorKind::root && generator(id).index == 1) return false;
+    const Generator& g = generator(id);
+    if (g.kind == GeneratorKind::primitive) return true;
+    if (g.kind == GeneratorKind::function && g.of.function != Function::named) return true;
+    if (g.kind == GeneratorKind::root && g.index == 1) return false;
     return std::any_of(relations_.begin(), relations_.end(), [&](const Relation& r) {
-        return r.lead == id && (r.degree > 1 || (!r.total && generator(id).invertible));
+        return r.lead == id && (r.degree > 1 || (!r.total && g.invertible));
     });
 }
 

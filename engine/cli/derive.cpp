@@ -16,7 +16,7 @@ namespace resonform {
 namespace {
 
 struct Request {
-    std::string system, order, stage, truncation, format;
+    std::string system, order, stage, truncation, format, coefficients;
     std::vector<std::string> settings;
     DerivationLimits limits;
 };
@@ -53,13 +53,25 @@ std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalizatio
     }
 }
 
+// Coefficients of a normal form are written from a graph as JSON only: a page of text would need all of them
+// in one ring.
+bool in_graph(const GradedField& field, int order, Stage stage, Format format, const std::string& asked) {
+    const bool possible = stage == Stage::normal_form && format == Format::json;
+    if (asked == "graph" && !possible)
+        bad_argument("--coefficients", "coefficients in a graph go with --stage normal_form --format json",
+                     asked, "give --format json, or leave the option out");
+    return asked == "graph" || (asked == "auto" && possible && suits_graph(field, order));
+}
+
 std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
-                     Format format, Watch& watch) {
+                     Format format, const std::string& coefficients, Watch& watch) {
     if (stage == Stage::equations) return print_equations(*expanded.first_order->system, format);
     if (stage == Stage::solution) {
         const int through = truncation_of(*expanded.field, order, truncation);
         return print_solution(solve(normalize_certified(expanded, through, watch), {order, through}), format);
     }
+    if (in_graph(*expanded.field, order, stage, format, coefficients))
+        return print_normal_form(normalize_in_graph_certified(expanded, order, watch), order);
     const auto normalization = normalize_certified(expanded, order, watch);
     const bool shortened = format == Format::text || format == Format::latex;
     const auto solution = shortened ? solution_if_any(normalization, order) : std::nullopt;
@@ -76,11 +88,13 @@ int run_derive(const Request& request) {
                      "leave it out: normal form and map reach --order");
     const Format format = parse_format(request.format);
     require_printable(stage, format);
+    const std::string coefficients =
+        read_choice("--coefficients", request.coefficients, {"auto", "ring", "graph"});
     const auto file = find_system(request.system, find_home().systems());
     const auto settings = read_settings(request.settings);
     put("{}", watched(request.limits, [&](Watch& watch) {
             return document(expand_system(file, settings, watch), order, stage, request.truncation, format,
-                            watch);
+                            coefficients, watch);
         }));
     return done;
 }
@@ -99,11 +113,17 @@ void add_derive(CLI::App& app, Action& action) {
                                      "not below the order; default: what the order needs on t = 1/eps");
     const Text format = add_text(*command, "--format", "text|latex|json|sympy|maxima",
                                  "how to print; sympy and maxima for the normal form only", "text");
+    const Text coefficients = add_text(
+        *command, "--coefficients", "auto|ring|graph",
+        "where coefficients are held: a graph is for several symbolic frequencies (JSON of the normal form; "
+        "auto takes it there from order 4 on), the ring for all else",
+        "auto");
     const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, stage, truncation, format, settings, limits] {
-        action = [system, order, stage, truncation, format, settings, limits] {
-            return run_derive({*system, *order, *stage, *truncation, *format, *settings, limits.value()});
+    command->callback([&action, system, order, stage, truncation, format, coefficients, settings, limits] {
+        action = [system, order, stage, truncation, format, coefficients, settings, limits] {
+            return run_derive(
+                {*system, *order, *stage, *truncation, *format, *coefficients, *settings, limits.value()});
         };
     });
 }

@@ -46,32 +46,59 @@ Expanded expand_system(const std::filesystem::path& file, const std::vector<Sett
     return expand_shared(std::make_shared<const System>(std::move(system)), watch);
 }
 
-std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,
-                                                                Watch& watch) {
+namespace {
+
+// derive(options) makes a result, check(result) certifies it.
+template <class Derive, class Check>
+auto derived_and_checked(const Expanded& expanded, int through, Watch& watch, Derive derive, Check check) {
     Laps laps;
     const Place file = whole_file(expanded.first_order->system->file);
     const NormalizeOptions options{[&](int weight, std::size_t terms) {
         laps.done(fmt::format("weight {}: {} terms", weight, terms));
         watch.reached(weight, terms);
     }};
-    auto normalization = at_place(file, [&] {
-        return std::make_shared<Normalization>(normalize_poincare(expanded.field, through, options));
-    });
+    auto result = at_place(file, [&] { return derive(options); });
     watch.enter(fmt::format("weight {} reached, the certificate under way", through));
-    normalization->certificate =
-        at_place(file, [&] { return certify(normalization->normal_form, normalization->map); });
+    at_place(file, [&] { check(*result); });
     laps.done("certificate");
     watch.enter(fmt::format("weight {} reached and certified", through));
-    return normalization;
+    return result;
+}
+
+void require(const Certificate& certificate) {
+    if (!certificate.holds)
+        throw CertificateFailed(
+            fmt::format("the certificate of the normal form does not hold: {}", certificate.complaint));
+}
+
+} // namespace
+
+std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,
+                                                                Watch& watch) {
+    return derived_and_checked(
+        expanded, through, watch,
+        [&](const NormalizeOptions& options) {
+            return std::make_shared<Normalization>(normalize_poincare(expanded.field, through, options));
+        },
+        [](Normalization& n) { n.certificate = certify(n.normal_form, n.map); });
 }
 
 std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through,
                                                          Watch& watch) {
     auto normalization = normalize_with_certificate(expanded, through, watch);
-    if (!normalization->certificate.holds)
-        throw CertificateFailed(fmt::format("the certificate of the normal form does not hold: {}",
-                                            normalization->certificate.complaint));
+    require(normalization->certificate);
     return normalization;
+}
+
+GraphNormalization normalize_in_graph_certified(const Expanded& expanded, int through, Watch& watch) {
+    const auto normalization = derived_and_checked(
+        expanded, through, watch,
+        [&](const NormalizeOptions& options) {
+            return std::make_shared<GraphNormalization>(normalize_in_graph(expanded.field, through, options));
+        },
+        [](GraphNormalization& n) { n.result.certificate = certify(n); });
+    require(normalization->result.certificate);
+    return *normalization;
 }
 
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch) {

@@ -37,6 +37,8 @@ Expanded expand_system(const std::filesystem::path& file, const std::vector<Sett
 // shows it, everybody else calls normalize_certified. What takes half a second or more is told on stderr.
 std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,
                                                                 Watch& watch);
+// With coefficients in a graph.
+GraphNormalization normalize_in_graph_certified(const Expanded& expanded, int through, Watch& watch);
 std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through, Watch& watch);
 
 struct SceneLine {

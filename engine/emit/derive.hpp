@@ -22,6 +22,8 @@ Json expansion_json(const GradedField& field, int order);
 // (20) and the near-identity map. Schema resonform.normal_form/1 (design 6.1).
 Page normal_form_page(const Normalization& normalization, int order, const Solution* solution);
 Json normal_form_json(const Normalization& normalization, int order);
+// Coefficients written out one by one. Errors (refused): one is longer than ExpansionLimits.
+Json normal_form_json(const GraphNormalization& normalization, int order);
 std::string normal_form_sympy(const Normalization& normalization, int order);
 std::string normal_form_maxima(const Normalization& normalization, int order);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The normal form as JSON: schema resonform.normal_form/1 of design 6.1.
 #include "emit/derive.hpp"
+#include "emit/normal_form_json.hpp"
 #include "emit/normal_form_parts.hpp"
 
 #include <fmt/format.h>
@@ -49,10 +50,9 @@ Json terms_json(const GradedField& field, const std::vector<NamedSeries>& list) 
     return terms;
 }
 
-Json divisors_json(const Normalization& normalization, int order) {
-    const GradedField& field = *normalization.normal_form.field;
+Json divisors_json(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order) {
     Json list = Json::array();
-    for (const DivisorRecord& record : normalization.divisors)
+    for (const DivisorRecord& record : divisors)
         if (record.weight <= order)
             list.push_back({{"variable", record.variable},
                             {"exponents", json_exponents(*field.ring, record.monomial, field.outer())},
@@ -75,19 +75,28 @@ Json certificate_json(const Certificate& certificate) {
 
 } // namespace
 
+Json normal_form_document(const GradedField& field, int order, int truncation, const std::string& style,
+                          Json normal_form, Json map, const std::vector<DivisorRecord>& divisors,
+                          const Certificate& certificate) {
+    Json document = json_head("resonform.normal_form/1", field.system());
+    document.update(Json{{"order", order},
+                         {"truncation", truncation},
+                         {"style", style},
+                         {"fast", fast_json(field)},
+                         {"normal_form", std::move(normal_form)},
+                         {"map", std::move(map)},
+                         {"divisors", divisors_json(field, divisors, order)},
+                         {"certificate", certificate_json(certificate)}});
+    return document;
+}
+
 Json normal_form_json(const Normalization& normalization, int order) {
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
-    Json document = json_head("resonform.normal_form/1", field.system());
-    document.update(Json{{"order", order},
-                         {"truncation", normal_form.through},
-                         {"style", normal_form.style},
-                         {"fast", fast_json(field)},
-                         {"normal_form", terms_json(field, rates_through(normal_form, order))},
-                         {"map", terms_json(field, map_through(normalization, order))},
-                         {"divisors", divisors_json(normalization, order)},
-                         {"certificate", certificate_json(normalization.certificate)}});
-    return document;
+    return normal_form_document(field, order, normal_form.through, normal_form.style,
+                                terms_json(field, rates_through(normal_form, order)),
+                                terms_json(field, map_through(normalization, order)), normalization.divisors,
+                                normalization.certificate);
 }
 
 } // namespace resonform

@@ -108,6 +108,11 @@ std::string print_normal_form(const Normalization& normalization, int order, For
     return render(normal_form_page(normalization, order, solution), format);
 }
 
+std::string print_normal_form(const GraphNormalization& normalization, int order) {
+    require_order(order, normalization.result.normal_form.through, "weight of the normal form");
+    return json_document(normal_form_json(normalization, order));
+}
+
 std::string print_solution(const Solution& solution, Format format) {
     require_printable(Stage::solution, format);
     return format == Format::json ? json_document(solution_json(solution))

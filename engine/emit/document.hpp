@@ -44,6 +44,9 @@ std::string print_expansion(const GradedField& field, int order, Format format,
 std::string print_normal_form(const Normalization& normalization, int order, Format format,
                               const Solution* solution = nullptr);
 
+// With coefficients in a graph: JSON, the same schema.
+std::string print_normal_form(const GraphNormalization& normalization, int order);
+
 // Amplitude and phase (21), the drift, and the outputs by powers of eps, (22), (23).
 std::string print_solution(const Solution& solution, Format format);
 

@@ -60,7 +60,9 @@ GradedField with_divisors(const GradedField& field, const std::vector<Polynomial
         refuse({fmt::format("parameters, variables, roots and small divisors are at most {} together",
                             Packing::most_fields),
                 fmt::format("{} small divisors", all.values.size()),
-                "give parameters numeric values with --set NAME=VALUE, or ask for a lower order",
+                "give parameters numeric values with --set NAME=VALUE, ask for a lower order, or for "
+                "--format json "
+                "with --coefficients graph",
                 {}});
     return expand(field.first_order, all);
 }

@@ -4,11 +4,13 @@
 #include "normalize/certificate_bound.hpp"
 #include "normalize/certificate_point.hpp"
 #include "normalize/certificate_scan.hpp"
+#include "normalize/certificate_source.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace resonform {
@@ -149,22 +151,25 @@ int points_needed(double bound) {
 }
 
 // Part (a); the frequencies at the points are kept for part (b).
-std::string residual_complaint(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed,
-                               Certificate& certificate, std::vector<FrequencySample>& samples) {
-    CertificateRoots roots(*normal_form.field);
-    const double bound = point_error_bound(normal_form, map, roots);
+template <class Source>
+std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& certificate,
+                               std::vector<FrequencySample>& samples) {
+    const std::shared_ptr<const GradedField> field = source.normal_form().field;
+    CertificateRoots roots(*field);
+    const double bound = point_error_bound(source.normal_form(), source.map(), roots) + source.error();
     const int points = points_needed(bound);
     // The bound itself follows the shape in which the expression library keeps an equation, which may
     // differ from run to run: what is said is what there are points for.
     certificate.error_probability = wanted_error;
-    PointSampler sampler(*normal_form.field->ring, seed);
+    PointSampler sampler(*field->ring, seed);
     std::string complaint;
     int unlucky = 0;
     while (certificate.points < points) {
         try {
             Point point = sampler.next();
             const std::uint64_t prime = point.field.prime();
-            PointCheck check(normal_form, map, roots, std::move(point));
+            source.go_to(point);
+            PointCheck check(source.normal_form(), source.map(), roots, std::move(point));
             const std::string here = check.complaint();
             if (complaint.empty()) complaint = here;
             samples.push_back(check.frequencies());
@@ -175,7 +180,7 @@ std::string residual_complaint(const NormalForm& normal_form, const NearIdentity
                 refuse(
                     {"at the origin no denominator of the equations vanishes and their highest derivatives "
                      "are determined",
-                     normal_form.field->system().name,
+                     field->system().name,
                      "divide the equations by what vanishes at the origin",
                      {}});
         }
@@ -184,24 +189,46 @@ std::string residual_complaint(const NormalForm& normal_form, const NearIdentity
     return complaint;
 }
 
-} // namespace
-
-Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed) {
+template <class Source> Certificate certified(Source& source, std::uint64_t seed) {
+    const NormalForm& normal_form = source.normal_form();
     if (normal_form.style != "poincare")
         refuse({"the certificate knows the style poincare", normal_form.style, "use style = poincare", {}});
     Certificate certificate;
     certificate.through_weight = normal_form.through;
-    certificate.complaint = shape_complaint(normal_form, map);
+    certificate.complaint = shape_complaint(normal_form, source.map());
     if (!certificate.complaint.empty()) return certificate;
 
     std::vector<FrequencySample> samples;
-    const std::string residual = residual_complaint(normal_form, map, seed, certificate, samples);
-    const std::string scan = scan_complaint(normal_form, map, samples);
+    const std::string residual = residual_complaint(source, seed, certificate, samples);
+    const std::string scan = scan_complaint(normal_form, source.map(), samples);
     certificate.residual_zero = residual.empty();
     certificate.normal_form_scan = scan.empty();
     certificate.holds = certificate.residual_zero && certificate.normal_form_scan;
     certificate.complaint = residual + (residual.empty() || scan.empty() ? "" : "; ") + scan;
     return certificate;
+}
+
+} // namespace
+
+Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed) {
+    RingSource source(normal_form, map);
+    return certified(source, seed);
+}
+
+Certificate certify(const GraphNormalization& normalization, std::uint64_t seed) {
+    GraphSource source(normalization);
+    PointSampler sampler(*source.normal_form().field->ring,
+                         seed + 1); // for the shape; points of its own follow
+    constexpr int tries = 8;
+    for (int n = 0; n < tries; ++n) {
+        try {
+            source.go_to(sampler.next());
+            return certified(source, seed);
+        } catch (const UnluckyPoint&) {
+            continue;
+        }
+    }
+    throw std::logic_error("certify: no random point at which all divisors are non-zero");
 }
 
 } // namespace resonform

@@ -22,4 +22,8 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
 GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
                                       const NormalizeOptions& options = {});
 
+// Whether a graph is the better place for the coefficients: two symbolic frequencies or more, none a multiple
+// of another, an order from which on the inverse divisors multiply, and nothing that a graph refuses.
+bool suits_graph(const GradedField& field, int through);
+
 } // namespace resonform

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The document of a normal form (schema resonform.normal_form/1), whatever its coefficients are held in.
+#pragma once
+
+#include "emit/json.hpp"
+#include "normalize/normal_form.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+Json normal_form_document(const GradedField& field, int order, int truncation, const std::string& style,
+                          Json normal_form, Json map, const std::vector<DivisorRecord>& divisors,
+                          const Certificate& certificate);
+
+} // namespace resonform

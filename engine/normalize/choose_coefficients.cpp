@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/poincare.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+constexpr int first_weight_for_graph = 4; // below, two frequencies cost a ring a few divisors
+
+// Neither is zero.
+bool proportional(const Polynomial& a, const Polynomial& b) {
+    const Rational of_a = 1 / a.terms().front().coefficient, of_b = -1 / b.terms().front().coefficient;
+    return combination({{of_a, &a}, {of_b, &b}}).empty();
+}
+
+bool is_number(const Polynomial& p) { return p.size() == 1 && p.terms().front().monomial == Monomial{}; }
+
+} // namespace
+
+bool suits_graph(const GradedField& field, int through) {
+    if (through < first_weight_for_graph) return false;
+    const Ring& ring = *field.ring;
+    for (GeneratorId id = 1; id < ring.size(); ++id)
+        if (ring.is_algebraic(id)) return false;
+    std::vector<Polynomial> frequencies; // no two proportional
+    const auto add = [&](const Polynomial& frequency) {
+        if (frequency.empty() || is_number(frequency)) return;
+        if (std::none_of(frequencies.begin(), frequencies.end(),
+                         [&](const Polynomial& known) { return proportional(known, frequency); }))
+            frequencies.push_back(frequency);
+    };
+    for (const Mode& m : field.modes) add(m.omega);
+    for (const AngleVariable& a : field.angles) add(a.frequency);
+    return frequencies.size() > 1;
+}
+
+} // namespace resonform
