@@ -84,6 +84,11 @@ std::vector<Setting> read_settings(const std::vector<std::string>& texts) {
     return settings;
 }
 
+std::optional<Style> read_style(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    return style_of(read_choice("--style", text, style_names()));
+}
+
 std::string read_choice(const std::string& option, const std::string& text,
                         const std::vector<std::string>& known) {
     for (const std::string& choice : known)

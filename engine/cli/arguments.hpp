@@ -4,7 +4,9 @@
 
 #include "algebra/error.hpp"
 #include "model/settings.hpp"
+#include "model/style.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@ double read_limit(const std::string& option, const std::string& text);
 std::vector<double> read_times(const std::string& text);
 // NAME=VALUE each.
 std::vector<Setting> read_settings(const std::vector<std::string>& texts);
+// "" is no style: that of the file.
+std::optional<Style> read_style(const std::string& text);
 // One of `known`; the complaint lists them and names the nearest.
 std::string read_choice(const std::string& option, const std::string& text,
                         const std::vector<std::string>& known);

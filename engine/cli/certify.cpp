@@ -44,20 +44,17 @@ void print_text(const System& system, const Certificate& certificate) {
         put("The certificate does NOT hold: {}\n", certificate.complaint);
 }
 
-std::shared_ptr<const Normalization> normalize(const std::string& argument, int through,
-                                               const std::vector<Setting>& settings,
-                                               const DerivationLimits& limits) {
+std::shared_ptr<const Normalization> checked(const std::string& argument, int through,
+                                             const SystemChanges& changes, const DerivationLimits& limits) {
     const auto file = find_system(argument, find_home().systems());
     return watched(limits, [&](Watch& watch) {
-        return normalize_with_certificate(expand_system(file, settings, watch), through, watch);
+        return normalize_with_certificate(expand_system(file, changes, watch), through, watch);
     });
 }
 
-int run_certify(const std::string& argument, const std::string& order,
-                const std::vector<std::string>& settings, const DerivationLimits& limits,
-                const std::string& format) {
-    const auto normalization =
-        normalize(argument, read_order("--order", order), read_settings(settings), limits);
+int run_certify(const std::string& argument, const std::string& order, const SystemChanges& changes,
+                const DerivationLimits& limits, const std::string& format) {
+    const auto normalization = checked(argument, read_order("--order", order), changes, limits);
     const System& system = normalization->normal_form.field->system();
     if (format == "json")
         put("{}\n", to_json(system, normalization->certificate).dump(2));
@@ -73,11 +70,13 @@ void add_certify(CLI::App& app, Action& action) {
     const Text system = add_required(*command, "SYSTEM", "", system_help);
     const Text order = add_required(*command, "--order", order_values, "weight of normal form and map");
     const FormatOption format(*command, {"text", "json"});
+    const Text style = add_style(*command);
     const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, format, settings, limits] {
-        action = [system, order, format, settings, limits] {
-            return run_certify(*system, *order, *settings, limits.value(), format.value());
+    command->callback([&action, system, order, format, style, settings, limits] {
+        action = [system, order, format, style, settings, limits] {
+            return run_certify(*system, *order, {read_settings(*settings), read_style(*style)},
+                               limits.value(), format.value());
         };
     });
 }

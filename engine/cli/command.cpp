@@ -42,6 +42,11 @@ Texts add_settings(CLI::App& command) {
     return texts;
 }
 
+Text add_style(CLI::App& command) {
+    return add_text(command, "--style", fmt::format("{}", fmt::join(style_names(), "|")),
+                    "which normal form, in place of the style of the system file");
+}
+
 FormatOption::FormatOption(CLI::App& command, std::vector<std::string> known)
     : known_(std::move(known)), text_(add_text(command, "--format", fmt::format("{}", fmt::join(known_, "|")),
                                                "how to print", known_.front())) {}

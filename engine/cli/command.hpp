@@ -36,6 +36,9 @@ Text add_output(CLI::App& command, const std::string& name, const std::string& v
 using Texts = std::shared_ptr<std::vector<std::string>>;
 Texts add_settings(CLI::App& command);
 
+// --style, "" by default: that of the system file.
+Text add_style(CLI::App& command);
+
 // --format, the first of `known` by default; value() checks it.
 class FormatOption {
 public:

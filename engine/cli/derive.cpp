@@ -16,7 +16,7 @@ namespace resonform {
 namespace {
 
 struct Request {
-    std::string system, order, stage, truncation, format, coefficients;
+    std::string system, order, stage, truncation, format, coefficients, style;
     std::vector<std::string> settings;
     DerivationLimits limits;
 };
@@ -60,6 +60,11 @@ bool in_graph(const GradedField& field, int order, Stage stage, Format format, c
     if (asked == "graph" && !possible)
         bad_argument("--coefficients", "coefficients in a graph go with --stage normal_form --format json",
                      asked, "give --format json, or leave the option out");
+    if (const Style style = field.system().style; asked == "graph" && style != Style::poincare)
+        refuse({"coefficients in a graph go with style poincare",
+                to_string(style),
+                "leave out --coefficients",
+                {}});
     return asked == "graph" || (asked == "auto" && possible && suits_graph(field, order));
 }
 
@@ -91,9 +96,9 @@ int run_derive(const Request& request) {
     const std::string coefficients =
         read_choice("--coefficients", request.coefficients, {"auto", "ring", "graph"});
     const auto file = find_system(request.system, find_home().systems());
-    const auto settings = read_settings(request.settings);
+    const SystemChanges changes{read_settings(request.settings), read_style(request.style)};
     put("{}", watched(request.limits, [&](Watch& watch) {
-            return document(expand_system(file, settings, watch), order, stage, request.truncation, format,
+            return document(expand_system(file, changes, watch), order, stage, request.truncation, format,
                             coefficients, watch);
         }));
     return done;
@@ -118,14 +123,16 @@ void add_derive(CLI::App& app, Action& action) {
         "where coefficients are held: a graph is for several symbolic frequencies (JSON of the normal form; "
         "auto takes it there from order 4 on), the ring for all else",
         "auto");
+    const Text style = add_style(*command);
     const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, stage, truncation, format, coefficients, settings, limits] {
-        action = [system, order, stage, truncation, format, coefficients, settings, limits] {
-            return run_derive(
-                {*system, *order, *stage, *truncation, *format, *coefficients, *settings, limits.value()});
-        };
-    });
+    command->callback(
+        [&action, system, order, stage, truncation, format, coefficients, style, settings, limits] {
+            action = [system, order, stage, truncation, format, coefficients, style, settings, limits] {
+                return run_derive({*system, *order, *stage, *truncation, *format, *coefficients, *style,
+                                   *settings, limits.value()});
+            };
+        });
 }
 
 } // namespace resonform

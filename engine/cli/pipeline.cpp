@@ -40,9 +40,9 @@ Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
 
 } // namespace
 
-Expanded expand_system(const std::filesystem::path& file, const std::vector<Setting>& settings,
-                       Watch& watch) {
-    System system = with_settings(read_system(file), settings, "--set");
+Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch) {
+    System system = with_settings(read_system(file), changes.settings, "--set");
+    if (changes.style) system.style = *changes.style;
     return expand_shared(std::make_shared<const System>(std::move(system)), watch);
 }
 
@@ -78,7 +78,7 @@ std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& 
     return derived_and_checked(
         expanded, through, watch,
         [&](const NormalizeOptions& options) {
-            return std::make_shared<Normalization>(normalize_poincare(expanded.field, through, options));
+            return std::make_shared<Normalization>(normalize(expanded.field, through, options));
         },
         [](Normalization& n) { n.certificate = certify(n.normal_form, n.map); });
 }

@@ -10,11 +10,12 @@
 #include "model/scene_file.hpp"
 #include "model/settings.hpp"
 #include "normalize/certificate.hpp"
-#include "normalize/poincare.hpp"
+#include "normalize/normalize.hpp"
 #include "solve/solution.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -30,8 +31,12 @@ struct Expanded {
     std::shared_ptr<const FirstOrderSystem> first_order;
     std::shared_ptr<const GradedField> field;
 };
-// With numbers in place of some parameters, as --set gives them.
-Expanded expand_system(const std::filesystem::path& file, const std::vector<Setting>& settings, Watch& watch);
+// What the command line changes of a system file.
+struct SystemChanges {
+    std::vector<Setting> settings; // --set: numbers in place of parameters
+    std::optional<Style> style;    // --style
+};
+Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch);
 
 // Normal form and map through a weight with their certificate, which may fail to hold: `certify`
 // shows it, everybody else calls normalize_certified. What takes half a second or more is told on stderr.

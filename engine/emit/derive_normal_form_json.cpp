@@ -75,13 +75,13 @@ Json certificate_json(const Certificate& certificate) {
 
 } // namespace
 
-Json normal_form_document(const GradedField& field, int order, int truncation, const std::string& style,
-                          Json normal_form, Json map, const std::vector<DivisorRecord>& divisors,
+Json normal_form_document(const GradedField& field, int order, int truncation, Style style, Json normal_form,
+                          Json map, const std::vector<DivisorRecord>& divisors,
                           const Certificate& certificate) {
     Json document = json_head("resonform.normal_form/1", field.system());
     document.update(Json{{"order", order},
                          {"truncation", truncation},
-                         {"style", style},
+                         {"style", to_string(style)},
                          {"fast", fast_json(field)},
                          {"normal_form", std::move(normal_form)},
                          {"map", std::move(map)},

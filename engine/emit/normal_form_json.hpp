@@ -10,8 +10,8 @@
 
 namespace resonform {
 
-Json normal_form_document(const GradedField& field, int order, int truncation, const std::string& style,
-                          Json normal_form, Json map, const std::vector<DivisorRecord>& divisors,
+Json normal_form_document(const GradedField& field, int order, int truncation, Style style, Json normal_form,
+                          Json map, const std::vector<DivisorRecord>& divisors,
                           const Certificate& certificate);
 
 } // namespace resonform

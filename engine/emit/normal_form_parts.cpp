@@ -38,7 +38,7 @@ Substitutes phases(const Ring& ring) {
 
 std::string normal_form_title(const NormalForm& normal_form, int order) {
     return fmt::format("normal form of {} through weight {} (style {})",
-                       normal_form.field->system().name_with_settings(), order, normal_form.style);
+                       normal_form.field->system().name_with_settings(), order, to_string(normal_form.style));
 }
 
 std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order) {

@@ -4,6 +4,7 @@
 
 #include "algebra/number.hpp"
 #include "model/expression.hpp"
+#include "model/style.hpp"
 
 #include <filesystem>
 #include <string>
@@ -75,6 +76,7 @@ struct System {
     std::vector<Notation> notation;
     std::vector<Declaration> positive; // declared positive
     Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
+    Style style = Style::poincare;     // [normal_form] style
     GiNaC::symbol eps{"eps"};
 
     // The name as documents show it: "pendulum", "pendulum with g = 1, r = 4/5".

@@ -109,7 +109,15 @@ void SystemReader::read_relations() {
 void SystemReader::read_normal_form() {
     const TomlNode* node = root_.find("normal_form");
     if (node == nullptr) return;
-    check_keys(*node, {"near"});
+    check_keys(*node, {"near", "style"});
+    if (const TomlNode* style = node->find("style"); style != nullptr) {
+        const std::string name = string_of(*style);
+        const std::optional<Style> known = style_of(name);
+        if (!known)
+            bad_value(*style, "a style is poincare, inner_product or hamiltonian",
+                      suggest(name, style_names()));
+        system_.style = *known;
+    }
     const TomlNode* near = node->find("near");
     if (near == nullptr) return;
     system_.near = number_of(*near);

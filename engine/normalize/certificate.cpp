@@ -191,8 +191,11 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
 
 template <class Source> Certificate certified(Source& source, std::uint64_t seed) {
     const NormalForm& normal_form = source.normal_form();
-    if (normal_form.style != "poincare")
-        refuse({"the certificate knows the style poincare", normal_form.style, "use style = poincare", {}});
+    if (normal_form.style != Style::poincare)
+        refuse({"the certificate knows the style poincare",
+                to_string(normal_form.style),
+                "use style = \"poincare\"",
+                {}});
     Certificate certificate;
     certificate.through_weight = normal_form.through;
     certificate.complaint = shape_complaint(normal_form, source.map());

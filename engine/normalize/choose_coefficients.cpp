@@ -20,7 +20,7 @@ bool is_number(const Polynomial& p) { return p.size() == 1 && p.terms().front().
 } // namespace
 
 bool suits_graph(const GradedField& field, int through) {
-    if (through < first_weight_for_graph) return false;
+    if (through < first_weight_for_graph || field.system().style != Style::poincare) return false;
     const Ring& ring = *field.ring;
     for (GeneratorId id = 1; id < ring.size(); ++id)
         if (ring.is_algebraic(id)) return false;

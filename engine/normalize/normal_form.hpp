@@ -31,7 +31,7 @@ struct DivisorRecord {
 template <class Part> struct NormalFormOf {
     std::shared_ptr<const GradedField> field;
     int through = 0; // M
-    std::string style = "poincare";
+    Style style = Style::poincare;
     std::vector<BasicSeries<Part>> mode; // N of each mode (of a conjugate pair only the first)
     std::vector<BasicSeries<Part>> angle;
     std::vector<BasicSeries<Part>> slow; // as given where they are not driven

@@ -53,6 +53,11 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
              fmt::format("truncation = {}, normal form through {}", options.truncation, normal_form.through),
              "normalise through a higher weight",
              {system.file.string(), 0, 0, "truncation", ""}});
+    if (normal_form.style == Style::hamiltonian)
+        refuse({"the solution by quadratures is for a normal form of style poincare",
+                to_string(normal_form.style),
+                "use style = \"poincare\"",
+                {system.file.string(), 0, 0, "normal_form.style", ""}});
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
         if (field.ring->generator(id).kind == GeneratorKind::function)
             refuse({"the solution by quadratures is for coefficients with powers and roots",

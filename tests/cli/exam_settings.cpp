@@ -58,6 +58,19 @@ TEST_F(Settings, ThatAreWrongAreBadInput) {
     }
 }
 
+TEST_F(Settings, StyleOfTheCommandLineStandsInPlaceOfThatOfTheFile) {
+    EXPECT_EQ(printed("derive two --style poincare"), printed("derive two"));
+    const Outcome wrong = said("derive two --style poincar");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.err.find("did you mean poincare?"), std::string::npos) << wrong.err;
+    for (const char* command :
+         {"derive two --style hamiltonian", "certify two --order 3 --style hamiltonian"}) {
+        const Outcome refused = said(command);
+        EXPECT_EQ(refused.code, 3) << command;
+        EXPECT_NE(refused.err.find("use style = \"poincare\""), std::string::npos) << refused.err;
+    }
+}
+
 TEST_F(Settings, SmallDivisorsOfSymbolsAreNamed) {
     const std::string text = printed("derive two");
     EXPECT_NE(text.find("small divisors, taken to vanish nowhere: "), std::string::npos) << text;

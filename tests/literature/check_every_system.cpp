@@ -4,7 +4,7 @@
 #include "emit/derive.hpp"
 #include "normalize/certificate.hpp"
 #include "normalize/inverse_map.hpp"
-#include "normalize/poincare.hpp"
+#include "normalize/normalize.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::string text_of(const std::string& name) {
 }
 
 Normalization normalized(const std::string& toml) {
-    Normalization n = normalize_poincare(test::field_from(toml), order);
+    Normalization n = normalize(test::field_from(toml), order);
     n.certificate = certify(n.normal_form, n.map);
     return n;
 }

@@ -90,6 +90,12 @@ const BadInput cases[] = {
      "         ^\n"
      "  found: \"eps*g\"\n"
      "  mend:  declare what its value is made of positive"},
+    {"UnknownStyle", "[notation]", "[normal_form]\nstyle = \"innerproduct\"\n[notation]",
+     "2 system.toml:24:10: normal_form.style: a style is poincare, inner_product or hamiltonian\n"
+     "    style = \"innerproduct\"\n"
+     "             ^\n"
+     "  found: \"innerproduct\"\n"
+     "  mend:  did you mean 'inner_product'? Known are: poincare, inner_product, hamiltonian"},
     {"NearTooLarge", "[notation]", "[normal_form]\nnear = 2\n[notation]",
      "2 system.toml:24:8: normal_form.near: 0 <= near < 1: divisors up to this size are kept\n"
      "    near = 2\n"

@@ -138,7 +138,7 @@ TEST(Certificate, RefusesEquationsThatAreDegenerateAtTheOrigin) {
 
 TEST(Certificate, RefusesOtherStyles) {
     Normalization n = duffing_by_hand();
-    n.normal_form.style = "hamiltonian";
+    n.normal_form.style = Style::hamiltonian;
     try {
         test::certificate_of(n);
         FAIL() << "a style without a scan was certified";

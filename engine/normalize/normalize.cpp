@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/normalize.hpp"
+
+namespace resonform {
+
+Normalization normalize(std::shared_ptr<const GradedField> field, int through,
+                        const NormalizeOptions& options) {
+    const Style style = field->system().style;
+    switch (style) {
+    case Style::poincare: return normalize_poincare(std::move(field), through, options);
+    case Style::inner_product:
+    case Style::hamiltonian: break;
+    }
+    refuse({"a normal form has a style that is built",
+            to_string(style),
+            "use style = \"poincare\", the others are not supported yet",
+            {}});
+}
+
+} // namespace resonform
