@@ -33,7 +33,9 @@ void print_text(const System& system, const Certificate& certificate) {
         certificate.through_weight);
     put("  map and normal form put into the original equations   {}\n",
         certificate.residual_zero ? "residual zero" : "RESIDUAL NOT ZERO");
-    put("  every term resonant, no kernel term in the map        {}\n",
+    put("  {}        {}\n",
+        system.style == Style::poincare ? "every term resonant, no kernel term in the map"
+                                        : "normal form and map are those of the style    ",
         certificate.normal_form_scan ? "yes" : "NO");
     put("  route: {}, {} points, primes {}\n", certificate.route, certificate.points,
         fmt::join(certificate.primes, ", "));

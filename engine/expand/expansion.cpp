@@ -188,7 +188,7 @@ void Expansion::add_rates() {
     }
 }
 
-// z' - lambda z with z' = sum_s (row_s u_s' + row_s' u_s); lambda at the new slow variables.
+// z' - lambda z - sum n z_k with z' = sum_s (row_s u_s' + row_s' u_s); lambda at the new slow variables.
 Node Expansion::mode_rate(std::size_t k) {
     const ModeShape& shape = field_.basis.modes[k];
     const Mode& mode = field_.modes[k];
@@ -202,6 +202,8 @@ Node Expansion::mode_rate(std::size_t k) {
         add_frame(addends, row, state, place);
     }
     addends.emplace_back(-1, program_->product(program_->constant(field_.eigenvalue(mode)), mode.input));
+    for (const ModeCoupling& coupling : shape.couplings)
+        addends.emplace_back(-coupling.factor, field_.modes[coupling.mode].input);
     return program_->sum(addends);
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace resonform {
 
 std::vector<GeneratorId> GradedField::outer() const {
@@ -19,6 +21,18 @@ std::vector<GeneratorId> GradedField::outer() const {
 Polynomial GradedField::eigenvalue(const Mode& mode) const {
     if (mode.is_real()) return mode.growth;
     return mode.growth + ring->multiply(ring->imaginary(), mode.omega);
+}
+
+bool GradedField::is_semisimple() const {
+    return std::all_of(basis.modes.begin(), basis.modes.end(),
+                       [](const ModeShape& shape) { return shape.couplings.empty(); });
+}
+
+Polynomial GradedField::linear_part(std::size_t k) const {
+    Polynomial total = ring->multiply(eigenvalue(modes[k]), ring->gen(modes[k].z));
+    for (const ModeCoupling& coupling : couplings(k))
+        total = total + coupling.factor * ring->gen(modes[coupling.mode].z);
+    return total;
 }
 
 FieldSeries evaluate_field(const GradedField& field, int through) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first-order system as graded series in modal coordinates, ready to be normalised.
 //
-//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes.hpp)
+//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes.hpp), which may
+//                                                      hold couplings besides: z' = lambda z + sum n z_k + f
 //   phi' = omega(xi) + f,   xi' = f,   X' = f           angles, slow variables, drift variables
 //
 //   oscillator psi'' + omega^2 psi = ...:  z = psi - i psi'/omega,  psi = (z + zbar)/2        (design 2.2)
@@ -27,7 +28,7 @@ struct Mode {
     bool oscillator;                  // psi'' + omega^2 psi by itself: z = psi - i psi'/omega
     SeriesProgram::Node input;        // z as input of the program
     SeriesProgram::Node input_conjugate;
-    SeriesProgram::Node rate; // z' - lambda z =: f, as a node
+    SeriesProgram::Node rate; // z' - lambda z - sum n z_k =: f, as a node
 
     [[nodiscard]] bool is_real() const { return z == zbar; }
 };
@@ -76,6 +77,12 @@ struct GradedField {
     // What exponents of a monomial are given for: modes with their conjugates, phases, eps.
     [[nodiscard]] std::vector<GeneratorId> outer() const;
     [[nodiscard]] Polynomial eigenvalue(const Mode& mode) const;
+    [[nodiscard]] const std::vector<ModeCoupling>& couplings(std::size_t mode) const {
+        return basis.modes[mode].couplings;
+    }
+    [[nodiscard]] bool is_semisimple() const;
+    // lambda z + sum n z_k
+    [[nodiscard]] Polynomial linear_part(std::size_t mode) const;
 };
 
 // Builds the ring (roots of weight-0 subexpressions), finds the modes, and translates the rates into the

@@ -15,14 +15,14 @@ using GiNaC::ex;
 
 const GiNaC::numeric half(1, 2);
 
-enum class Sign { negative, positive };
+enum class Sign { negative, zero, positive };
 
 [[noreturn]] void refuse_nilpotent(const std::string& value, const BlockName& name) {
-    refuse({"the linear part of the fast variables is semisimple (has as many eigenvectors as variables)",
-            value,
-            "style = \"inner_product\" is for such blocks and is not supported yet: give the variable "
-            "a restoring force, or unfold the block",
-            name.place});
+    refuse(
+        {"the linear part of the fast variables is semisimple (has as many eigenvectors as variables)", value,
+         "write style = \"inner_product\" in [normal_form], give the variable a restoring force, or unfold "
+         "the block",
+         name.place});
 }
 
 // Of what decides whether eigenvalues are real.
@@ -30,7 +30,10 @@ Sign sign_of(const ex& e, const std::string& what, const System& system, const B
     if (provably_positive(e, system)) return Sign::positive;
     if (provably_positive(-e, system)) return Sign::negative;
     const std::string value = fmt::format("{} = {} for {}", what, spell(e), name.variables);
-    if (vanishes(e) == Zero::yes) refuse_nilpotent(value, name);
+    if (vanishes(e) == Zero::yes) {
+        if (system.style == Style::inner_product) return Sign::zero;
+        refuse_nilpotent(value, name);
+    }
     refuse({name.oscillator
                 ? "the square of a frequency is proved to be positive (an oscillator), or negative"
                 : "eigenvalues are proved to be real or to be complex",
@@ -39,7 +42,7 @@ Sign sign_of(const ex& e, const std::string& what, const System& system, const B
 
 struct Eigenvalues {
     ex middle, root; // middle +- root, or middle +- i root
-    bool real;
+    Sign square;     // of the imaginary part: negative where they are real
 };
 
 Eigenvalues eigenvalues_of(const Matrix& a, const System& system, const BlockName& name) {
@@ -47,8 +50,9 @@ Eigenvalues eigenvalues_of(const Matrix& a, const System& system, const BlockNam
     const ex difference = (a[0][0] - a[1][1]) * half;
     const ex square = (-difference * difference - a[0][1] * a[1][0]).normal();
     const std::string what = name.oscillator ? "omega^2" : "the negative discriminant";
-    const bool real = sign_of(square, what, system, name) == Sign::negative;
-    return {middle, GiNaC::pow(real ? (-square).normal() : square, half), real};
+    const Sign sign = sign_of(square, what, system, name);
+    if (sign == Sign::zero) return {middle, 0, sign};
+    return {middle, GiNaC::pow(sign == Sign::negative ? (-square).normal() : square, half), sign};
 }
 
 // lambda = middle + i omega: column (1/2, (lambda - a)/(2 b)), row (1 + i (middle - a)/omega, -i b/omega)
@@ -67,30 +71,43 @@ BlockMode real_mode(const Matrix& a, const Eigenvalues& e, int sign) {
             {{(a[0][0] - mu) / gap, 0}, {a[0][1] / gap, 0}}};
 }
 
+// z1 = u1, z2 = (a - lambda) u1 + b u2: z1' = lambda z1 + z2, z2' = lambda z2
+BlockModes chain(const Matrix& a, const ex& lambda) {
+    const ex shift = (a[0][0] - lambda).normal(), &b = a[0][1];
+    return {{{{lambda, 0}, {{1, 0}, {-shift / b, 0}}, {{1, 0}, {0, 0}}},
+             {{lambda, 0}, {{0, 0}, {1 / b, 0}}, {{shift, 0}, {b, 0}}}},
+            true};
+}
+
+// Of real eigenvalues that of `first` root comes first.
+BlockModes real_modes(const Matrix& a, const Eigenvalues& e, int first) {
+    if (e.square == Sign::zero) return chain(a, e.middle);
+    return {{real_mode(a, e, first), real_mode(a, e, -first)}};
+}
+
 } // namespace
 
-std::vector<BlockMode> modes_of_block(const Matrix& a, const System& system, const BlockName& name) {
-    if (a.size() == 1) return {{{a[0][0], 0}, {{1, 0}}, {{1, 0}}}};
+BlockModes modes_of_block(const Matrix& a, const System& system, const BlockName& name) {
+    if (a.size() == 1) return {{{{a[0][0], 0}, {{1, 0}}, {{1, 0}}}}};
     const Eigenvalues e = eigenvalues_of(a, system, name);
-    if (!e.real) return {complex_pair(a, e)};
-    return {real_mode(a, e, 1), real_mode(a, e, -1)};
+    if (e.square == Sign::positive) return {{complex_pair(a, e)}};
+    return real_modes(a, e, 1);
 }
 
 // With K phi = kappa phi and rho K = kappa rho: positions phi q, q'' = -kappa q, q = rho u.
-std::vector<BlockMode> modes_of_coupled_oscillators(const Matrix& k, const System& system,
-                                                    const BlockName& name) {
+BlockModes modes_of_coupled_oscillators(const Matrix& k, const System& system, const BlockName& name) {
     const Eigenvalues e = eigenvalues_of(k, system, name);
-    if (!e.real)
+    if (e.square == Sign::positive)
         refuse({"coupled oscillators have real squares of their frequencies",
                 fmt::format("those of {} are complex", name.variables), "use other variables", name.place});
-    std::vector<BlockMode> modes;
-    for (const int sign : {-1, 1}) { // the lower frequency first
-        const BlockMode normal_coordinate = real_mode(k, e, sign);
+    const BlockModes normal_coordinates = real_modes(k, e, -1); // the lower frequency first
+    BlockModes modes{{}, normal_coordinates.chained};
+    for (const BlockMode& normal_coordinate : normal_coordinates.modes) {
         BlockName one = name;
         one.oscillator = true;
         const ex kappa = normal_coordinate.eigenvalue.re;
         const Matrix oscillator{{0, 1}, {-kappa, 0}};
-        for (const BlockMode& mode : modes_of_block(oscillator, system, one)) {
+        for (const BlockMode& mode : modes_of_block(oscillator, system, one).modes) {
             BlockMode both{mode.eigenvalue, {}, {}};
             for (std::size_t variable = 0; variable < 2; ++variable) {
                 for (std::size_t state = 0; state < 2; ++state) {
@@ -98,7 +115,7 @@ std::vector<BlockMode> modes_of_coupled_oscillators(const Matrix& k, const Syste
                     both.row.push_back(normal_coordinate.row[variable] * mode.row[state]);
                 }
             }
-            modes.push_back(std::move(both));
+            modes.modes.push_back(std::move(both));
         }
     }
     return modes;

@@ -18,6 +18,11 @@ struct BlockMode {
     std::vector<Complex> column, row;
 };
 
+struct BlockModes {
+    std::vector<BlockMode> modes;
+    bool chained = false; // not semisimple: later modes drive earlier ones, and no first entry is promised
+};
+
 // What a block is called in messages.
 struct BlockName {
     std::string variables; // "x", "x, y"
@@ -26,12 +31,12 @@ struct BlockName {
 };
 
 // The states of a block, of which none can be split off: one, or two.
-// Errors (refused): not semisimple, or the sign of the discriminant is not proved.
-std::vector<BlockMode> modes_of_block(const Matrix& a, const System& system, const BlockName& name);
+// Errors (refused): not semisimple, in a style that is not for that; the sign of the discriminant is not
+// proved.
+BlockModes modes_of_block(const Matrix& a, const System& system, const BlockName& name);
 
 // u'' = -k u for two variables of second order, k of full rank and with real eigenvalues; the states are
 // u1, u1', u2, u2'. Errors: as above.
-std::vector<BlockMode> modes_of_coupled_oscillators(const Matrix& k, const System& system,
-                                                    const BlockName& name);
+BlockModes modes_of_coupled_oscillators(const Matrix& k, const System& system, const BlockName& name);
 
 } // namespace resonform

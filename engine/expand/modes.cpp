@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes.hpp"
 
-#include "expand/mode_blocks.hpp"
+#include "expand/jordan_modes.hpp"
 #include "model/canonical.hpp"
 #include "model/zero_test.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace resonform {
 
@@ -31,8 +32,13 @@ public:
         check_equilibrium();
         fill_linear_part();
         find_blocks();
+        for (const Block& block : blocks_) modes_.push_back(modes_of(block));
+        if (system_.style == Style::inner_product && !is_semisimple()) {
+            basis_.modes = jordan();
+            return std::move(basis_);
+        }
         for (std::size_t b = 0; b < blocks_.size(); ++b)
-            for (const BlockMode& mode : modes_of(blocks_[b])) basis_.modes.push_back(extended(mode, b));
+            for (const BlockMode& mode : modes_[b].modes) basis_.modes.push_back(extended(mode, b));
         return std::move(basis_);
     }
 
@@ -50,7 +56,12 @@ private:
     void fill_linear_part();
     void find_blocks();
     [[nodiscard]] BlockName name_of(const Block& block) const;
-    [[nodiscard]] std::vector<BlockMode> modes_of(const Block& block) const;
+    [[nodiscard]] BlockModes modes_of(const Block& block) const;
+    [[nodiscard]] bool is_semisimple() const; // or not proved not to be
+    [[nodiscard]] std::vector<ModeShape> jordan() const;
+    [[nodiscard]] std::vector<std::size_t> from_driving_block() const; // each before those that it drives
+    // The mode of a block by itself.
+    [[nodiscard]] ModeShape lone(const BlockMode& mode, std::size_t block) const;
     [[nodiscard]] bool are_coupled_oscillators(const Block& block) const;
     [[noreturn]] void refuse_large(const Block& block) const;
     [[nodiscard]] Matrix matrix_of(const Block& block) const;
@@ -68,6 +79,7 @@ private:
     Matrix linear_;
     std::vector<std::vector<bool>> drives_; // [t][s]: t occurs in the rates that lead to s, or t = s
     std::vector<Block> blocks_;             // in the order of their first states
+    std::vector<BlockModes> modes_;         // of each block
 };
 
 void ModeFinder::check_equilibrium() const {
@@ -140,7 +152,7 @@ bool ModeFinder::are_coupled_oscillators(const Block& block) const {
            a(block[3], block[1]).is_zero() && a(block[3], block[3]).is_zero();
 }
 
-std::vector<BlockMode> ModeFinder::modes_of(const Block& block) const {
+BlockModes ModeFinder::modes_of(const Block& block) const {
     if (are_coupled_oscillators(block))
         return modes_of_coupled_oscillators({{-a(block[1], block[0]), -a(block[1], block[2])},
                                              {-a(block[3], block[0]), -a(block[3], block[2])}},
@@ -157,7 +169,55 @@ void ModeFinder::refuse_large(const Block& block) const {
          "use normal coordinates, or write the coupling with a factor eps", place(block.front())});
 }
 
-ModeShape ModeFinder::extended(const BlockMode& mode, std::size_t block) const {
+// No mode drives one of the same eigenvalue, or of one that is not proved to be another.
+bool ModeFinder::is_semisimple() const {
+    const auto may_coincide = [](const BlockMode& a, const BlockMode& b) {
+        return vanishes(a.eigenvalue - b.eigenvalue) != Zero::no ||
+               vanishes(a.eigenvalue - conjugate(b.eigenvalue)) != Zero::no;
+    };
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        if (modes_[b].chained) return false;
+        for (std::size_t c = 0; c < blocks_.size(); ++c) {
+            if (b == c || !drives_[blocks_[b].front()][blocks_[c].front()]) continue;
+            for (const BlockMode& from : modes_[b].modes)
+                for (const BlockMode& to : modes_[c].modes)
+                    if (may_coincide(from, to)) return false;
+        }
+    }
+    return true;
+}
+
+std::vector<ModeShape> ModeFinder::jordan() const {
+    std::vector<LoneMode> modes;
+    std::vector<std::vector<std::size_t>> of_block(blocks_.size());
+    std::vector<bool> chained;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        const std::size_t pivot = blocks_[b].front();
+        chained.push_back(modes_[b].chained);
+        for (const BlockMode& mode : modes_[b].modes) {
+            of_block[b].insert(of_block[b].begin(), modes.size()); // in a chain later ones drive
+            modes.push_back({lone(mode, b), b, state(pivot).name, place(pivot)});
+        }
+    }
+    std::vector<std::size_t> from_driver;
+    for (std::size_t b : from_driving_block())
+        from_driver.insert(from_driver.end(), of_block[b].begin(), of_block[b].end());
+    return jordan_modes(linear_, modes, from_driver, chained);
+}
+
+std::vector<std::size_t> ModeFinder::from_driving_block() const {
+    std::vector<std::size_t> order(blocks_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto drivers = [&](std::size_t b) {
+        return std::count_if(blocks_.begin(), blocks_.end(),
+                             [&](const Block& c) { return drives_[c.front()][blocks_[b].front()]; });
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t p, std::size_t q) { return drivers(p) < drivers(q); });
+    return order;
+}
+
+ModeShape ModeFinder::lone(const BlockMode& mode, std::size_t block) const {
     ModeShape shape{mode.eigenvalue, basis_.states[blocks_[block].front()], {}, {}};
     shape.column.resize(basis_.states.size());
     shape.row.resize(basis_.states.size());
@@ -165,6 +225,11 @@ ModeShape ModeFinder::extended(const BlockMode& mode, std::size_t block) const {
         shape.column[blocks_[block][k]] = mode.column[k];
         shape.row[blocks_[block][k]] = mode.row[k];
     }
+    return shape;
+}
+
+ModeShape ModeFinder::extended(const BlockMode& mode, std::size_t block) const {
+    ModeShape shape = lone(mode, block);
     extend(shape.column, mode.eigenvalue, block, false);
     extend(shape.row, mode.eigenvalue, block, true);
     return shape;
@@ -217,8 +282,9 @@ std::vector<Complex> ModeFinder::solve(const Block& block, const Complex& eigenv
         refuse(
             {"the linear part of the fast variables is semisimple: nothing is driven at its own eigenvalue",
              fmt::format("{} is, or that cannot be excluded", state(block.front()).name),
-             "style = \"inner_product\" is for such linear parts and is not supported yet: give the "
-             "variable a restoring force, or write the coupling with a factor eps",
+             "write style = \"inner_product\" in [normal_form], give the variable a restoring force, or "
+             "write "
+             "the coupling with a factor eps",
              place(block.front())});
     if (one) return {right[0] / determinant};
     return {(right[0] * entry(1, 1) - entry(0, 1) * right[1]) / determinant,

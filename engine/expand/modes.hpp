@@ -3,9 +3,10 @@
 //
 //   u_s = sum_j column_j[s] z_j,   z_j = sum_s row_j[s] u_s,   z_j' = lambda_j z_j     (design 2.2)
 //
+// or, in style inner_product, z_j' = lambda_j z_j + sum_k n_jk z_k where it is not semisimple (jordan_modes),
 // over a complex pair column z + conj(column) zbar. Normalisation: in the pivot, the first state of its
-// block, a pair has the column 1/2 (so u_pivot = (z + zbar)/2) and a real mode the column 1. For
-// psi'' + omega^2 psi this is z = psi - i psi'/omega.
+// block, a pair has the column 1/2 (so u_pivot = (z + zbar)/2) and a real mode the column 1, unless couplings
+// scale it. For psi'' + omega^2 psi this is z = psi - i psi'/omega.
 #pragma once
 
 #include "expand/coefficient_ring.hpp"
@@ -13,10 +14,17 @@
 
 namespace resonform {
 
+// n_jk: a mode that drives another one of the same eigenvalue.
+struct ModeCoupling {
+    std::size_t mode; // k
+    Rational factor;
+};
+
 struct ModeShape {
-    Complex eigenvalue;               // im > 0: the first of a conjugate pair; im = 0: a real mode
-    std::size_t pivot;                // index into FirstOrderSystem::states
-    std::vector<Complex> column, row; // by index in ModalBasis::states
+    Complex eigenvalue;                       // im > 0: the first of a conjugate pair; im = 0: a real mode
+    std::size_t pivot;                        // index into FirstOrderSystem::states
+    std::vector<Complex> column, row;         // by index in ModalBasis::states
+    std::vector<ModeCoupling> couplings = {}; // ascending
 
     [[nodiscard]] bool is_real() const { return eigenvalue.im.is_zero(); }
 };
@@ -33,7 +41,8 @@ struct ModalBasis {
 // in the linear part, and triangular couplings between blocks. Only the vanishing symbols of
 // `coefficients` are used; it need not be frozen.
 // Errors: bad_input: a force at the origin, division by an expression that is zero; refused: a larger
-// block, a block that is not semisimple, a sign that is not proved.
+// block, a sign that is not proved, a linear part that is not semisimple where the style of the system is not
+// inner_product.
 ModalBasis find_modes(const FirstOrderSystem& system, const CoefficientRing& coefficients);
 
 } // namespace resonform

@@ -65,7 +65,7 @@ public:
     }
 
     FrequencySample frequencies() const {
-        FrequencySample sample{algebra_.field(), {}, {}, {}};
+        FrequencySample sample{algebra_.field(), {}, {}, {}, {}};
         for (const Mode& m : normal_form_.field->modes) {
             sample.growth.push_back(value(m.growth)[0]);
             sample.omega.push_back(value(m.omega)[0]);
@@ -104,9 +104,13 @@ private:
         for (std::size_t k = 0; k < normal_form_.mode.size(); ++k) {
             const Mode& m = field.modes[k];
             const auto lambda = algebra_.add(value(m.growth), algebra_.multiply(i, value(m.omega)));
-            check_lead(normal_form_.mode[k], algebra_.multiply(lambda, algebra_.generator(m.z, 1)),
-                       field.ring->generator(m.z).weight,
-                       fmt::format("the linear part of {}' is not lambda*{}", m.name, m.name));
+            auto lead = algebra_.multiply(lambda, algebra_.generator(m.z, 1));
+            for (const ModeCoupling& c : field.couplings(k))
+                lead = algebra_.add(lead, algebra_.multiply(algebra_.number(c.factor),
+                                                            algebra_.generator(field.modes[c.mode].z, 1)));
+            check_lead(normal_form_.mode[k], lead, field.ring->generator(m.z).weight,
+                       fmt::format("the linear part of {}' is not lambda*{}{}", m.name, m.name,
+                                   field.couplings(k).empty() ? "" : " with its couplings"));
         }
         for (std::size_t k = 0; k < normal_form_.angle.size(); ++k)
             check_lead(normal_form_.angle[k], value(field.angles[k].frequency), 0,
@@ -168,11 +172,13 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
         try {
             Point point = sampler.next();
             const std::uint64_t prime = point.field.prime();
+            const std::vector<Residue> generators = point.values;
             source.go_to(point);
             PointCheck check(source.normal_form(), source.map(), roots, std::move(point));
             const std::string here = check.complaint();
             if (complaint.empty()) complaint = here;
             samples.push_back(check.frequencies());
+            samples.back().generators = generators;
             certificate.primes.push_back(prime);
             ++certificate.points;
         } catch (const UnluckyPoint&) {
@@ -191,8 +197,8 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
 
 template <class Source> Certificate certified(Source& source, std::uint64_t seed) {
     const NormalForm& normal_form = source.normal_form();
-    if (normal_form.style != Style::poincare)
-        refuse({"the certificate knows the style poincare",
+    if (normal_form.style == Style::hamiltonian)
+        refuse({"the certificate knows the styles poincare and inner_product",
                 to_string(normal_form.style),
                 "use style = \"poincare\"",
                 {}});

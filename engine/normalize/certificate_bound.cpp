@@ -4,6 +4,7 @@
 #include "algebra/fractions.hpp"
 #include "algebra/modular.hpp"
 #include "normalize/certificate_flow.hpp"
+#include "normalize/certificate_inner_product.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +182,7 @@ double point_error_bound(const NormalForm& normal_form, const NearIdentityMap& m
     for (const Equation& equation : field.system().equations)
         include(EquationEvaluator(algebra, roots, jets.values, equation)(equation.residual));
 
+    bits += inner_product_bits(normal_form, map);
     const double k = algebra.field_degree();
     const double norm_bits = k * (bits + degree * algebra.radicand_bits());
     return 2 * k * (k * degree / std::pow(2.0, 60) + norm_bits / 60 / primes_to_choose_from);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/certificate_scan.hpp"
 
+#include "normalize/certificate_inner_product.hpp"
+#include "normalize/certificate_resonance.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 
 namespace resonform {
@@ -82,66 +84,6 @@ std::string first_complaint(const Ring& ring, const Item& item,
     return "";
 }
 
-// <alpha, lambda> - lambda_mode = growth + i frequency.
-class Resonance {
-public:
-    Resonance(const GradedField& field, const std::vector<FrequencySample>& samples)
-        : field_(field), samples_(samples) {}
-
-    [[nodiscard]] bool resonant(const std::vector<int>& exponents, int mode) const {
-        const auto exponent = [&](GeneratorId id) { return exponents[static_cast<std::size_t>(id)]; };
-        Multiples growth, omega, angle;
-        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
-            const Mode& m = field_.modes[k];
-            const int alpha = exponent(m.z) - (static_cast<int>(k) == mode ? 1 : 0);
-            growth.push_back(m.is_real() ? alpha : alpha + exponent(m.zbar));
-            omega.push_back(m.is_real() ? 0 : alpha - exponent(m.zbar));
-        }
-        for (const AngleVariable& a : field_.angles) angle.push_back(exponent(a.phase));
-        if (is_near(growth, omega, angle)) return true;
-        if (nonzero(angle) == 0 && nonzero(omega) == 1) return false; // omega of an oscillator is a unit
-        return std::all_of(samples_.begin(), samples_.end(), [&](const FrequencySample& sample) {
-            const PrimeField& f = sample.field;
-            const Residue frequency =
-                f.add(combined(f, omega, sample.omega), combined(f, angle, sample.angle));
-            return frequency == 0 && combined(f, growth, sample.growth) == 0;
-        });
-    }
-
-private:
-    using Multiples = std::vector<int>;
-
-    // The user's threshold, for divisors that are numbers.
-    [[nodiscard]] bool is_near(const Multiples& growth, const Multiples& omega,
-                               const Multiples& angle) const {
-        if (cln::zerop(field_.system().near)) return false;
-        GiNaC::ex real = 0, imaginary = 0;
-        for (std::size_t k = 0; k < omega.size(); ++k) {
-            real += growth[k] * field_.basis.modes[k].eigenvalue.re;
-            imaginary += omega[k] * field_.basis.modes[k].eigenvalue.im;
-        }
-        for (std::size_t k = 0; k < angle.size(); ++k) imaginary += angle[k] * field_.angles[k].law;
-        const GiNaC::ex size = GiNaC::sqrt(real * real + imaginary * imaginary).evalf();
-        if (!GiNaC::is_a<GiNaC::numeric>(size)) return false;
-        constexpr double rounding = 1 + 1e-14;
-        return GiNaC::ex_to<GiNaC::numeric>(size).to_double() <=
-               cln::double_approx(field_.system().near) * rounding;
-    }
-
-    static std::ptrdiff_t nonzero(const Multiples& multiples) {
-        return std::count_if(multiples.begin(), multiples.end(), [](int m) { return m != 0; });
-    }
-    static Residue combined(const PrimeField& f, const Multiples& multiples, const std::vector<Residue>& of) {
-        Residue sum = 0;
-        for (std::size_t k = 0; k < multiples.size(); ++k)
-            sum = f.add(sum, f.multiply(f.from(multiples[k]), of[k]));
-        return sum;
-    }
-
-    const GradedField& field_;
-    const std::vector<FrequencySample>& samples_;
-};
-
 } // namespace
 
 std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map) {
@@ -170,16 +112,22 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
 
 std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap& map,
                            const std::vector<FrequencySample>& samples) {
-    const Resonance resonance(*normal_form.field, samples);
+    const GradedField& field = *normal_form.field;
+    const Resonance resonance(field, samples);
+    // In a linear part that is not semisimple, monomials with D = 0 stand in both
+    // (certificate_inner_product).
+    const bool shared = normal_form.style == Style::inner_product && !field.is_semisimple();
     for (const Item& item : items(normal_form, map)) {
         const auto wrong = [&](int /*weight*/, const std::vector<int>& exponents) -> const char* {
-            if (resonance.resonant(exponents, item.mode) != item.is_map) return nullptr;
-            return item.is_map ? "is resonant" : "is not resonant";
+            if (resonance.is_exact(exponents, item.mode))
+                return item.is_map && !shared ? "is resonant" : nullptr;
+            if (resonance.is_near(exponents, item.mode)) return item.is_map ? "is resonant" : nullptr;
+            return item.is_map ? nullptr : "is not resonant";
         };
-        std::string complaint = first_complaint(*normal_form.field->ring, item, wrong);
+        std::string complaint = first_complaint(*field.ring, item, wrong);
         if (!complaint.empty()) return complaint;
     }
-    return "";
+    return shared ? inner_product_complaint(normal_form, map, samples, resonance) : "";
 }
 
 } // namespace resonform

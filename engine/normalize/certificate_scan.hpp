@@ -16,16 +16,18 @@ namespace resonform {
 // 1 on, the map from 1 on; nothing beyond M, no negative power of what may vanish.
 std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map);
 
-// The frequencies at one random point modulo a prime.
+// What the scan knows of one random point modulo a prime.
 struct FrequencySample {
     PrimeField field;
     std::vector<Residue> growth, omega; // of each mode
     std::vector<Residue> angle;         // of each angle
+    std::vector<Residue> generators;    // of the ring
 };
 
 // Every monomial of N is resonant, <alpha, lambda> = lambda_j (0 for other variables), and none of the map
-// is. A multiple of one frequency of an oscillator is decided by the exponents; else a divisor that vanishes
-// at all samples is taken as zero. Precondition: shape_complaint() is empty.
+// is; where the linear part is not semisimple, the condition of the inner product takes its place. A multiple
+// of one frequency of an oscillator is decided by the exponents; else a divisor that vanishes at all samples
+// is taken as zero. Precondition: shape_complaint() is empty.
 std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap& map,
                            const std::vector<FrequencySample>& samples);
 

@@ -20,7 +20,7 @@ std::vector<Carrier> carriers_of(const GradedField& field) {
 template <class Domain>
 HomologicalEquation<Domain>::HomologicalEquation(const GradedField& field, Domain domain, int mode,
                                                  std::string variable, Place place)
-    : field_(field), domain_(domain), variable_(std::move(variable)), place_(std::move(place)),
+    : field_(field), domain_(domain), mode_(mode), variable_(std::move(variable)), place_(std::move(place)),
       divisors_(field, domain, mode), outer_(field.outer()), carriers_(carriers_of(field)),
       slopes_(carriers_.size()) {}
 
@@ -32,16 +32,12 @@ auto HomologicalEquation<Domain>::right_hand_side(int weight, const Part& field_
         for (int j = 0; j <= weight; ++j)
             if (!slopes_[c].part(j).empty() && !transport[c].part(weight - j).empty())
                 products.push_back({-1, &slopes_[c].part(j), &transport[c].part(weight - j)});
-    if (products.empty()) return field_part;
     const Part one = domain_.one();
-    products.push_back({1, &field_part, &one});
-    return domain_.dot(products);
+    if (!products.empty()) products.push_back({1, &field_part, &one});
+    return domain_.without_vanishing(products.empty() ? field_part : domain_.dot(products), outer_);
 }
 
-template <class Domain>
-void HomologicalEquation<Domain>::solve(int weight, const Part& field_part,
-                                        const Transport<Part>& transport) {
-    const Part total = domain_.without_vanishing(right_hand_side(weight, field_part, transport), outer_);
+template <class Domain> auto HomologicalEquation<Domain>::divided(int weight, const Part& part) -> Shares {
     std::vector<const Divisor<Part>*> divisors; // of the shares of the terms
     const auto share_of = [&](const Monomial& outer) {
         const Divisor<Part>* divisor = &divisor_of(outer, weight);
@@ -50,21 +46,24 @@ void HomologicalEquation<Domain>::solve(int weight, const Part& field_part,
         if (known == divisors.end()) divisors.push_back(divisor);
         return place;
     };
-    const std::vector<Part> shares = domain_.split(total, outer_, share_of);
-    std::vector<std::pair<Rational, const Part*>> kept;
+    const std::vector<Part> shares = domain_.split(part, outer_, share_of);
+    std::vector<std::pair<Rational, const Part*>> exact, near;
     std::vector<ProductOf<Part>> quotients;
     for (std::size_t k = 0; k < shares.size(); ++k) {
         if (divisors[k]->verdict == DivisorVerdict::removed)
             quotients.push_back({1, &shares[k], &divisors[k]->inverse});
         else
-            kept.emplace_back(1, &shares[k]);
+            (divisors[k]->verdict == DivisorVerdict::kept_near ? near : exact).emplace_back(1, &shares[k]);
     }
-    rate_.set(weight, domain_.combination(kept));
-    correction_.set(weight, domain_.dot(quotients));
+    return {domain_.combination(exact), domain_.combination(near), domain_.dot(quotients)};
+}
+
+template <class Domain> void HomologicalEquation<Domain>::accept(int weight, Part correction, Part rate) {
+    rate_.set(weight, std::move(rate));
+    correction_.set(weight, std::move(correction));
     remember_derivatives(weight);
 }
 
-// A monomial that is new gets its record.
 template <class Domain>
 auto HomologicalEquation<Domain>::divisor_of(const Monomial& outer, int weight) -> const Divisor<Part>& {
     const Divisor<Part>& divisor =

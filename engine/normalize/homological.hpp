@@ -6,7 +6,7 @@
 //   R_n = [F]_n - sum_j sum_y d_y c_j . y'_{n + weight(y) - j}
 //
 // over the new variables y = w, wbar, zeta, theta, where the linear part lambda w of the modes and the
-// frequencies of the angles are in D, not in the sum.
+// frequencies of the angles are in D, not in the sum. What is c and what is N is up to a HomologicalStyle.
 #pragma once
 
 #include "normalize/divisor.hpp"
@@ -40,9 +40,20 @@ public:
     // What solve() has to divide by and cannot (DivisorTable): what it left is not the solution.
     [[nodiscard]] const std::vector<Polynomial>& missing_divisors() const { return divisors_.missing(); }
 
-    // Solves weight n, given [F]_n of the composed field; weights must come in order.
-    void solve(int weight, const Part& field_part, const Transport<Part>& transport);
+    // R_n, given [F]_n of the composed field.
+    [[nodiscard]] Part right_hand_side(int weight, const Part& field_part,
+                                       const Transport<Part>& transport) const;
+    struct Shares {
+        Part exact, near; // what belongs to D = 0, and to a D that is kept near
+        Part quotient;    // all else, divided by D
+    };
+    [[nodiscard]] Shares divided(int weight, const Part& part);
+    // c_n and N_n; weights must come in order.
+    void accept(int weight, Part correction, Part rate);
+    // A monomial that is new gets its record.
+    const Divisor<Part>& divisor_of(const Monomial& outer, int weight);
 
+    [[nodiscard]] int mode() const { return mode_; }
     [[nodiscard]] const BasicSeries<Part>& correction() const { return correction_; } // c
     [[nodiscard]] const BasicSeries<Part>& rate() const {
         return rate_;
@@ -50,13 +61,11 @@ public:
     [[nodiscard]] std::vector<DivisorRecord>& records() { return records_; }
 
 private:
-    [[nodiscard]] Part right_hand_side(int weight, const Part& field_part,
-                                       const Transport<Part>& transport) const;
-    const Divisor<Part>& divisor_of(const Monomial& outer, int weight);
     void remember_derivatives(int weight);
 
     const GradedField& field_;
     Domain domain_;
+    int mode_;
     std::string variable_;
     Place place_; // of the equation of the variable
     DivisorTable<Domain> divisors_;
@@ -67,6 +76,17 @@ private:
         slopes_; // the derivatives of the correction by each carrier, computed once
     std::vector<DivisorRecord> records_;
     std::set<Monomial> seen_; // monomials that have a record
+};
+
+// What a style makes of the right-hand sides: corrections and normal form, D c + ... = R - N.
+template <class Domain> class HomologicalStyle {
+public:
+    using Part = typename Domain::Part;
+    using Equations = std::vector<HomologicalEquation<Domain>*>;
+
+    virtual ~HomologicalStyle() = default;
+    // Solves weight n of equations that belong together: all modes, or one other variable.
+    virtual void solve(int weight, const Equations& equations, const std::vector<Part>& right) const = 0;
 };
 
 } // namespace resonform

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/normalize.hpp"
 
+#include "normalize/inner_product.hpp"
+
 namespace resonform {
 
 Normalization normalize(std::shared_ptr<const GradedField> field, int through,
@@ -8,12 +10,12 @@ Normalization normalize(std::shared_ptr<const GradedField> field, int through,
     const Style style = field->system().style;
     switch (style) {
     case Style::poincare: return normalize_poincare(std::move(field), through, options);
-    case Style::inner_product:
+    case Style::inner_product: return normalize_inner_product(std::move(field), through, options);
     case Style::hamiltonian: break;
     }
     refuse({"a normal form has a style that is built",
             to_string(style),
-            "use style = \"poincare\", the others are not supported yet",
+            "use style = \"poincare\" or \"inner_product\"",
             {}});
 }
 

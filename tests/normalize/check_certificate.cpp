@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every lie is found: each coefficient of normal form and map in turn is changed, a kernel term of each
 // weight is planted; and every honest normal form of random systems is certified.
-#include "normalize/certified.hpp"
+#include "normalize/lies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,35 +11,7 @@ namespace resonform {
 namespace {
 
 using test::certificate_of;
-
-Polynomial with_coefficient(const Polynomial& p, std::size_t k, const Rational& value) {
-    std::vector<Term> terms = p.terms();
-    terms[k].coefficient = value;
-    return Polynomial::from_terms(std::move(terms));
-}
-
-// Changes every coefficient: + 1, the other sign, dropped.
-int expect_all_lies_found(Normalization n) {
-    int lies = 0;
-    for (const test::NamedSeries& item : test::all_series(n)) {
-        for (int weight = 0; weight <= item.series->through(); ++weight) {
-            const Polynomial truth = item.series->part(weight);
-            for (std::size_t k = 0; k < truth.size(); ++k) {
-                const Rational c = truth.terms()[k].coefficient;
-                for (const Rational& lie : {Rational(c + 1), Rational(-c), Rational(0)}) {
-                    item.series->set(weight, with_coefficient(truth, k, lie));
-                    EXPECT_FALSE(certificate_of(n).holds)
-                        << item.name << ", weight " << weight << ", term " << k << ": " << to_string(c)
-                        << " -> " << to_string(lie);
-                    ++lies;
-                }
-            }
-            item.series->set(weight, truth);
-        }
-    }
-    EXPECT_TRUE(certificate_of(n).holds) << certificate_of(n).complaint;
-    return lies;
-}
+using test::expect_all_lies_found;
 
 // Adds w^(a+shift) wbar^a eps^rest of each weight to one map, shift = 1 for a mode and 0 for a drift.
 void expect_kernel_terms_found(Normalization& n, Series& map, int shift, int from) {

@@ -144,7 +144,7 @@ TEST(Certificate, RefusesOtherStyles) {
         FAIL() << "a style without a scan was certified";
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
-        EXPECT_EQ(e.diagnostic().rule, "the certificate knows the style poincare");
+        EXPECT_EQ(e.diagnostic().rule, "the certificate knows the styles poincare and inner_product");
         EXPECT_EQ(e.diagnostic().value, "hamiltonian");
     }
 }

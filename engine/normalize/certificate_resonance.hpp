@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which monomials are resonant, as the certificate sees it.
+#pragma once
+
+#include "normalize/certificate_scan.hpp"
+
+namespace resonform {
+
+// <alpha, lambda> - lambda_mode = growth + i frequency, of a monomial given by all its exponents.
+class Resonance {
+public:
+    Resonance(const GradedField& field, const std::vector<FrequencySample>& samples)
+        : field_(field), samples_(samples) {}
+
+    // It is zero at all samples.
+    [[nodiscard]] bool is_exact(const std::vector<int>& exponents, int mode) const;
+    // The user's threshold, for divisors that are numbers; those that are zero may be among them.
+    [[nodiscard]] bool is_near(const std::vector<int>& exponents, int mode) const;
+
+private:
+    struct Multiples {
+        std::vector<int> growth, omega, angle;
+    };
+    [[nodiscard]] Multiples multiples_of(const std::vector<int>& exponents, int mode) const;
+
+    const GradedField& field_;
+    const std::vector<FrequencySample>& samples_;
+};
+
+} // namespace resonform
