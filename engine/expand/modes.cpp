@@ -145,7 +145,7 @@ Matrix ModeFinder::matrix_of(const Block& block) const {
 
 bool ModeFinder::are_coupled_oscillators(const Block& block) const {
     if (block.size() != 4) return false;
-    for (std::size_t k : {0, 2})
+    for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
         if (variable(block[k]).order != 2 || state(block[k]).variable != state(block[k + 1]).variable)
             return false;
     return a(block[1], block[1]).is_zero() && a(block[1], block[3]).is_zero() &&
