@@ -108,7 +108,7 @@ std::shared_ptr<const GradedField> with_derivatives(std::shared_ptr<const Graded
 
 // The field in modal coordinates through a weight: f of each mode, each drift rate.
 struct FieldSeries {
-    std::vector<Series> mode; // z' - lambda z
+    std::vector<Series> mode; // z' without its linear part
     std::vector<Series> drift;
 };
 FieldSeries evaluate_field(const GradedField& field, int through);

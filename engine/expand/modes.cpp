@@ -57,7 +57,7 @@ private:
     void find_blocks();
     [[nodiscard]] BlockName name_of(const Block& block) const;
     [[nodiscard]] BlockModes modes_of(const Block& block) const;
-    [[nodiscard]] bool is_semisimple() const; // or not proved not to be
+    [[nodiscard]] bool is_semisimple() const; // false also where it is not proved
     [[nodiscard]] std::vector<ModeShape> jordan() const;
     [[nodiscard]] std::vector<std::size_t> from_driving_block() const; // each before those that it drives
     // The mode of a block by itself.

@@ -63,6 +63,9 @@ TEST_F(Settings, StyleOfTheCommandLineStandsInPlaceOfThatOfTheFile) {
     const Outcome wrong = said("derive two --style poincar");
     EXPECT_EQ(wrong.code, 2);
     EXPECT_NE(wrong.err.find("did you mean poincare?"), std::string::npos) << wrong.err;
+    const Outcome graph = said("derive two --style inner_product --format json --coefficients graph");
+    EXPECT_EQ(graph.code, 3);
+    EXPECT_NE(graph.err.find("leave out --coefficients"), std::string::npos) << graph.err;
     for (const char* command :
          {"derive two --style hamiltonian", "certify two --order 3 --style hamiltonian"}) {
         const Outcome refused = said(command);

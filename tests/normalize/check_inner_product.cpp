@@ -95,6 +95,33 @@ TEST(InnerProduct, UnfoldingByVariables) {
     EXPECT_EQ(n.normal_form.field->couplings(1)[0].factor, 1);
 }
 
+// Graded by eps alone: x' = y, y' = eps (x^2 y - x^3) with finite x and y.
+TEST(InnerProduct, FiniteVariables) {
+    const Normalization n = certified(
+        file("[variables]\nx = { role = \"fast\", weight = 0 }\ny = { role = \"fast\", weight = 0 }\n",
+             "x = \"x' = y + eps*x^2\"\ny = \"y' = eps*(x^2*y - x^3)\"\n"),
+        3);
+    const GradedField& field = *n.normal_form.field;
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z1", 3}, {"eps", 1}}),
+              coefficient(field, "-1"));
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 2}, {"eps", 1}}),
+              coefficient(field, "2/3"));
+}
+
+// A kept small divisor beside a chain; what is zero exactly is not kept for being small.
+TEST(InnerProduct, NearDivisors) {
+    const std::string text =
+        file("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\nu = { role = "
+             "\"fast\" }\n",
+             "x = \"x' = y + x*u\"\ny = \"y' = x^2 + x*y\"\nu = \"u' = 1/10*u + x^2\"\n");
+    const Normalization n = certified(text + "near = 0.2\n", 3);
+    const GradedField& field = *n.normal_form.field;
+    EXPECT_FALSE(coefficient_of(field, n.normal_form.mode[2], {{"z1", 2}}).empty());
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z1", 2}}), coefficient(field, "1"));
+    const Normalization all = certified(text, 3);
+    EXPECT_TRUE(coefficient_of(*all.normal_form.field, all.normal_form.mode[2], {{"z1", 2}}).empty());
+}
+
 struct Case {
     std::string name, declarations, equations;
     int through, couplings;
@@ -109,6 +136,9 @@ const std::vector<Case> cases = {
     {"two_equal_oscillators", "[parameters]\nw = { positive = true }\nc = { nonzero = true }\n",
      "x = \"x'' + w^2*x = c*y + x^2\"\ny = \"y'' + w^2*y + x*y^2 + y*x^2 = 0\"\n", 3, 1},
     {"double_frequency", "", "x = \"x'' + 2*x + y + x^3 = 0\"\ny = \"y'' - x + y^3 = 0\"\n", 3, 1},
+    {"critical_damping_of_a_driven_one", "", "x = \"x' = -x + y\"\ny = \"y'' + 2*y' + y = x*y + eps*x^2\"\n",
+     3, 2},
+    {"oscillator_beside_a_chain", "", "x = \"x' = y' + x*y\"\ny = \"y'' + 2*y = x^2 + x*y\"\n", 3, 0},
     {"reversed", "", "x = \"x' = x*y + y^2\"\ny = \"y' = x - y^2\"\n", 4, 1},
 };
 
