@@ -13,8 +13,6 @@ namespace resonform {
 
 namespace {
 
-using GiNaC::ex;
-
 // A mode or its conjugate.
 struct Coordinate {
     std::size_t mode;
