@@ -95,6 +95,29 @@ TEST(InnerProduct, UnfoldingByVariables) {
     EXPECT_EQ(n.normal_form.field->couplings(1)[0].factor, 1);
 }
 
+// 1:1 resonance of two oscillators, not semisimple (Elphick et al. 1987; Iooss and Adelmeyer): with A = z1, B
+// = z3, u = A conj A, v = A conj B - B conj A,
+//   A' = i w A + B + A P(u, v),   B' = i w B + B P(u, v) + A Q(u, v)
+TEST(InnerProduct, ResonanceOfTwoEqualOscillators) {
+    const Normalization n = certified(file("[parameters]\nw = { positive = true }\n" + std::string(two),
+                                           "x = \"x'' + w^2*x = y + 2*x^3 - x*y*y'\"\ny = \"y'' + w^2*y = "
+                                           "3*x^2*y - y^3 + x'^3 + 5*x*x'*y\"\n"),
+                                      3);
+    const GradedField& field = *n.normal_form.field;
+    const auto c = [&](std::size_t mode, const Powers& powers) {
+        return coefficient_of(field, n.normal_form.mode[mode], powers);
+    };
+    const Powers a2b{{"z1", 2}, {"z4", 1}}, abc{{"z1", 1}, {"z2", 1}, {"z3", 1}}, a2{{"z1", 2}, {"z2", 1}};
+    for (const auto& term : field.ring->collect(n.normal_form.mode[0].part(3), field.outer()))
+        EXPECT_GE(field.ring->exponent(term.first, field.modes[0].z), 1); // A P
+    EXPECT_EQ(c(0, abc), -c(0, a2b));
+    EXPECT_EQ(c(1, {{"z1", 1}, {"z3", 1}, {"z4", 1}}), c(0, a2b));
+    EXPECT_EQ(c(1, {{"z2", 1}, {"z3", 2}}), -c(0, a2b));
+    EXPECT_EQ(c(1, abc), c(0, a2) - c(1, a2b));
+    EXPECT_TRUE(c(1, {{"z3", 2}, {"z4", 1}}).empty());
+    EXPECT_FALSE(c(0, a2b).empty() || c(0, a2).empty() || c(1, a2).empty() || c(1, a2b).empty());
+}
+
 // Graded by eps alone: x' = y, y' = eps (x^2 y - x^3) with finite x and y.
 TEST(InnerProduct, FiniteVariables) {
     const Normalization n = certified(
