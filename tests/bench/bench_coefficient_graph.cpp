@@ -9,31 +9,22 @@
 #include "algebra/graph_bounds.hpp"
 #include "algebra/graph_expansion.hpp"
 #include "algebra/normalizer.hpp"
+#include "bench/measure.hpp"
 
-#include <sys/resource.h>
-
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
 namespace {
 
 using namespace resonform;
+using bench::least_seconds;
+using bench::peak_megabytes;
+using bench::seconds_since;
 using testing::GraphDivision;
 using testing::OscillatorBuilder;
 using testing::OscillatorField;
 using testing::Oscillators;
 using Normalizer = testing::Normalizer<GraphDivision>;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double peak_megabytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 struct Derivation {
     OscillatorField field;
@@ -47,24 +38,13 @@ struct Derivation {
     [[nodiscard]] CoefficientGraph& graph() const { return division.domain.graph(); }
 };
 
-template <class Task> double least_time(Task task) {
-    double least = 1e300, total = 0;
-    for (int run = 0; run < 3 || (total < 1 && run < 30); ++run) {
-        const auto start = std::chrono::steady_clock::now();
-        task();
-        least = std::min(least, seconds_since(start));
-        total += seconds_since(start);
-    }
-    return least;
-}
-
 void derive() {
     fmt::print("\n| oscillators | order | nodes | terms | merged | zeros | time s | peak MB | probability of "
                "an error |\n"
                "|---|---|---|---|---|---|---|---|---|\n");
     for (const auto& [n, order] :
          {std::pair{2, 3}, {2, 5}, {2, 7}, {2, 9}, {3, 3}, {3, 5}, {3, 7}, {4, 5}, {4, 7}}) {
-        const double time = least_time([&] { Derivation({n}, order); });
+        const double time = least_seconds([&] { Derivation({n}, order); });
         const Derivation d({n}, order);
         const CoefficientGraph::Decisions& decisions = d.graph().decisions();
         fmt::print("| {} | {} | {} | {} | {} | {} | {:.4f} | {:.0f} | {:.0e} |\n", n, order, d.graph().size(),
@@ -77,7 +57,7 @@ void derive() {
 void couplings() {
     fmt::print("\n| oscillators | order | symbolic couplings | nodes | time s |\n|---|---|---|---|---|\n");
     for (const int symbolic : {0, 5, 20}) {
-        const double time = least_time([&] { Derivation({3, true, true, symbolic}, 7); });
+        const double time = least_seconds([&] { Derivation({3, true, true, symbolic}, 7); });
         fmt::print("| 3 | 7 | {} | {} | {:.4f} |\n", symbolic,
                    Derivation({3, true, true, symbolic}, 7).graph().size(), time);
     }
@@ -132,7 +112,7 @@ void replay() {
         std::vector<ModularReplay::Block> points(replay.leaves().size());
         for (auto& block : points)
             for (Residue& x : block) x = modular.field().random_unit(random);
-        const double time = least_time([&] { static_cast<void>(modular.evaluate(points)); });
+        const double time = least_seconds([&] { static_cast<void>(modular.evaluate(points)); });
         fmt::print("| {} | {} | {} | {:.2f} |\n", n, order, replay.terms().size(),
                    1e9 * time / static_cast<double>(replay.terms().size() * ModularReplay::block));
     }

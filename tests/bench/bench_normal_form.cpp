@@ -1,102 +1,174 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bench_normal_form SYSTEM_FILE ORDER...: how long the engine takes for a normal form, and how that grows.
+// bench_normal_form [pendulum | cubic | chain | rivals]...      all of them, if none is named
+// bench_normal_form SYSTEM_FILE ORDER...
 //
-// For each order: derivation and certificate (the least of several runs, in milliseconds), terms of map
-// and normal form, resident memory above the bare process, growth exponent against the order before.
+// How long the engine takes for a normal form, and how that grows. For each order: derivation and
+// certificate (the least of several runs), terms of map and normal form, resident memory above the bare
+// process, growth exponent against the order before. With symbolic frequencies coefficients are held in a
+// graph, whose nodes are counted. The rivals (bench/rivals) are programs written by hand for the pendulum
+// alone; they and the engine take turns in one run.
+#include "bench/measure.hpp"
+
 #include "expand/graded_field.hpp"
 #include "model/system_file.hpp"
 #include "normalize/certificate.hpp"
 #include "normalize/poincare.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
+#include <memory>
+#include <optional>
 
 namespace {
 
 using namespace resonform;
+using bench::least_seconds;
+using bench::peak_megabytes;
 
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
+const std::string source = RESONFORM_SOURCE_DIR;
+const std::string pendulum = source + "/systems/almost_holonomic_pendulum/system.toml";
 
-// The least time of at least three runs, and of as many as fit into half a second.
-template <class Task> double least_time(Task task) {
-    double least = 1e300, total = 0;
-    for (int run = 0; run < 3 || (total < 500 && run < 100); ++run) {
-        const auto start = std::chrono::steady_clock::now();
-        task();
-        const double time = milliseconds_since(start);
-        least = std::min(least, time);
-        total += time;
-        if (total > 20000) break;
-    }
-    return least;
-}
-
-double peak_megabytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-std::size_t size_of(const Series& series) {
+template <class Part> std::size_t size_of(const BasicSeries<Part>& series) {
     std::size_t terms = 0;
     for (int n = 0; n <= series.through(); ++n) terms += series.part(n).size();
     return terms;
 }
 
-std::size_t count_terms(const Normalization& n) {
+template <class Part> std::size_t count_terms(const NormalizationOf<Part>& n) {
     std::size_t terms = 0;
-    for (const auto* group : {&n.normal_form.mode, &n.normal_form.drift, &n.map.mode, &n.map.drift})
-        for (const Series& series : *group) terms += size_of(series);
+    for (const auto* group : {&n.normal_form.mode, &n.normal_form.angle, &n.normal_form.slow,
+                              &n.normal_form.drift, &n.map.mode, &n.map.angle, &n.map.slow, &n.map.drift})
+        for (const auto& series : *group) terms += size_of(series);
     return terms;
 }
 
-void run(const std::string& file, const std::vector<int>& orders) {
+std::shared_ptr<const GradedField> field_of(const std::string& file) {
     const auto system = std::make_shared<const System>(read_system(file));
-    const auto first_order = std::make_shared<const FirstOrderSystem>(solve_for_highest(system));
-    double expansion = least_time([&] { static_cast<void>(expand(first_order)); });
-    const auto field = std::make_shared<const GradedField>(expand(first_order));
+    return std::make_shared<const GradedField>(
+        expand(std::make_shared<const FirstOrderSystem>(solve_for_highest(system))));
+}
+
+struct Row {
+    double derive = 0, certify = 0, megabytes = 0;
+    std::size_t terms = 0, nodes = 0;
+};
+
+Row in_ring(const std::shared_ptr<const GradedField>& field, int order) {
+    Row row;
+    Normalization n;
+    row.derive = least_seconds([&] { n = normalize_poincare(field, order); });
+    row.megabytes = peak_megabytes();
+    row.certify = least_seconds([&] { static_cast<void>(certify(n.normal_form, n.map)); });
+    row.terms = count_terms(n);
+    return row;
+}
+
+Row in_graph(const std::shared_ptr<const GradedField>& field, int order) {
+    Row row;
+    std::optional<GraphNormalization> n;
+    row.derive = least_seconds([&] { n.emplace(normalize_in_graph(field, order)); });
+    row.megabytes = peak_megabytes();
+    row.certify = least_seconds([&] { static_cast<void>(certify(*n)); });
+    row.terms = count_terms(n->result);
+    row.nodes = n->domain.graph().size();
+    return row;
+}
+
+void table(const std::string& file, const std::vector<int>& orders) {
+    const auto field = field_of(file);
     const double floor = peak_megabytes();
-    fmt::print("{}: expansion set up in {:.2f} ms\n\n", file, expansion);
-    fmt::print("| order | derivation ms | certificate ms | ratio | terms | MB above {:.0f} | growth |\n",
-               floor);
-    fmt::print("|---|---|---|---|---|---|---|\n");
+    fmt::print("\n{}\n\n| order | derivation ms | certificate ms | ratio | terms | nodes | MB above {:.0f} | "
+               "growth |\n|---|---|---|---|---|---|---|---|\n",
+               file, floor);
     double last_time = 0;
     int last_order = 0;
-    for (int order : orders) {
-        Normalization result;
-        const double derive = least_time([&] { result = normalize_poincare(field, order); });
-        const double memory = peak_megabytes() - floor;
-        const double check = least_time([&] { static_cast<void>(certify(result.normal_form, result.map)); });
+    for (const int order : orders) {
+        const Row row = suits_graph(*field, order) ? in_graph(field, order) : in_ring(field, order);
         const double growth =
-            last_order == 0 ? 0 : std::log(derive / last_time) / std::log(double(order) / last_order);
-        fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {} | {:.1f} | {:.1f} |\n", order, derive, check,
-                   check / derive, count_terms(result), memory, growth);
+            last_order == 0 ? 0 : std::log(row.derive / last_time) / std::log(double(order) / last_order);
+        fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {} | {} | {:.1f} | {:.1f} |\n", order, 1e3 * row.derive,
+                   1e3 * row.certify, row.certify / row.derive, row.terms, row.nodes, row.megabytes - floor,
+                   growth);
         std::fflush(stdout);
-        last_time = derive;
+        last_time = row.derive;
         last_order = order;
     }
+}
+
+// The seconds behind the last `label` in what a shell command prints; none if it fails.
+std::optional<double> seconds_printed(const std::string& command, const std::string& label) {
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return std::nullopt;
+    std::string text;
+    char chunk[4096];
+    while (const std::size_t count = std::fread(chunk, 1, sizeof chunk, pipe)) text.append(chunk, count);
+    if (pclose(pipe) != 0) return std::nullopt;
+    const std::size_t at = text.rfind(label);
+    if (at == std::string::npos) return std::nullopt;
+    return std::strtod(text.c_str() + at + label.size(), nullptr);
+}
+
+void compare_with_rivals() {
+    struct Rival {
+        std::string name;
+        int order;
+        std::string command, label;
+    };
+    const std::string folder = source + "/tests/bench/rivals/";
+    std::vector<Rival> rivals;
+    for (const int order : {5, 7, 9, 11})
+        rivals.push_back(
+            {"pend_plain.py", order, fmt::format("python3 {}pend_plain.py {}", folder, order), "time"});
+    rivals.push_back({"pend_sympy.py", 11, fmt::format("python3 {}pend_sympy.py 11", folder), "time"});
+    rivals.push_back(
+        {"pend_flint.cpp (z only)", 21,
+         fmt::format(
+             "p=$(mktemp) && g++ -O3 {}pend_flint.cpp -lflint -lgmp -o $p && $p; r=$?; rm -f $p; exit $r",
+             folder),
+         "K 21"});
+    const auto field = field_of(pendulum);
+    fmt::print("\n| rival | order | rival s | engine s | ratio |\n|---|---|---|---|---|\n");
+    for (const Rival& rival : rivals) {
+        const double before =
+            least_seconds([&] { static_cast<void>(normalize_poincare(field, rival.order)); });
+        const std::optional<double> theirs = seconds_printed(rival.command + " 2>/dev/null", rival.label);
+        const double after =
+            least_seconds([&] { static_cast<void>(normalize_poincare(field, rival.order)); });
+        const double ours = std::min(before, after);
+        if (theirs)
+            fmt::print("| {} | {} | {:.3f} | {:.5f} | {:.1f} |\n", rival.name, rival.order, *theirs, ours,
+                       *theirs / ours);
+        else
+            fmt::print("| {} | {} | does not run here | {:.5f} | |\n", rival.name, rival.order, ours);
+        std::fflush(stdout);
+    }
+}
+
+void run(const std::string& part) {
+    if (part == "pendulum") table(pendulum, {3, 5, 7, 9, 11, 15, 21, 31});
+    if (part == "cubic") table(source + "/tests/bench/systems/three_cubic.toml", {2, 3, 4, 5, 6, 7});
+    if (part == "chain") table(source + "/tests/bench/systems/chain_of_three.toml", {3, 4, 5, 6, 7, 8, 9});
+    if (part == "rivals") compare_with_rivals();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) {
-        fmt::print(stderr, "usage: bench_normal_form SYSTEM_FILE ORDER...\n");
-        return 2;
-    }
+    const std::vector<std::string> parts{"rivals", "pendulum", "cubic", "chain"};
+    std::vector<std::string> asked(argv + 1, argv + argc);
     try {
+        if (asked.empty()) asked = parts;
+        if (std::find(parts.begin(), parts.end(), asked.front()) != parts.end()) {
+            for (const std::string& part : asked) run(part);
+            return 0;
+        }
         std::vector<int> orders;
-        for (int k = 2; k < argc; ++k) orders.push_back(std::atoi(argv[k]));
-        run(argv[1], orders);
+        for (std::size_t k = 1; k < asked.size(); ++k) orders.push_back(std::atoi(asked[k].c_str()));
+        table(asked.front(), orders);
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 1;
