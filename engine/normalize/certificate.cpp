@@ -39,12 +39,25 @@ bool is_singular(const PrimeField& f, Matrix a) {
     return false;
 }
 
+using Jacobian = std::vector<std::vector<GiNaC::ex>>;
+
+// Of the equations by the highest derivatives.
+Jacobian jacobian_of(const System& system) {
+    Jacobian jacobian;
+    for (const Equation& equation : system.equations) {
+        jacobian.emplace_back();
+        for (const Variable& v : system.variables)
+            jacobian.back().push_back(equation.residual.diff(v.jet[static_cast<std::size_t>(v.order)]));
+    }
+    return jacobian;
+}
+
 // Substitution at one point.
 class PointCheck {
 public:
-    PointCheck(const NormalForm& normal_form, const NearIdentityMap& map, CertificateRoots& roots,
-               Point point)
-        : normal_form_(normal_form), system_(normal_form.field->system()), roots_(roots),
+    PointCheck(const NormalForm& normal_form, const NearIdentityMap& map, const Jacobian& jacobian,
+               CertificateRoots& roots, Point point)
+        : normal_form_(normal_form), system_(normal_form.field->system()), jacobian_(jacobian), roots_(roots),
           algebra_(*normal_form.field->ring, std::move(point), normal_form.through),
           jets_(Flow(algebra_, roots_, normal_form, map).jets()) {}
 
@@ -87,15 +100,13 @@ private:
     // A residual that vanishes through M says that the highest derivatives are right through M only if
     // they are determined at weight 0. A non-zero determinant at one point proves it.
     void require_regular_equations() {
-        Matrix jacobian;
-        for (const Equation& equation : system_.equations) {
-            jacobian.emplace_back();
-            for (const Variable& v : system_.variables) {
-                const GiNaC::symbol& highest = v.jet[static_cast<std::size_t>(v.order)];
-                jacobian.back().push_back(evaluate(equation.residual.diff(highest), equation)[0]);
-            }
+        Matrix here;
+        for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+            here.emplace_back();
+            for (const GiNaC::ex& e : jacobian_[k])
+                here.back().push_back(evaluate(e, system_.equations[k])[0]);
         }
-        if (is_singular(algebra_.field(), std::move(jacobian))) throw UnluckyPoint();
+        if (is_singular(algebra_.field(), std::move(here))) throw UnluckyPoint();
     }
 
     void check_linear_part() {
@@ -138,6 +149,7 @@ private:
 
     const NormalForm& normal_form_;
     const System& system_;
+    const Jacobian& jacobian_;
     CertificateRoots& roots_;
     PointAlgebra algebra_;
     Jets<PointAlgebra::Value> jets_;
@@ -160,6 +172,7 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
                                std::vector<FrequencySample>& samples) {
     const std::shared_ptr<const GradedField> field = source.normal_form().field;
     CertificateRoots roots(*field);
+    const Jacobian jacobian = jacobian_of(field->system());
     const double bound = point_error_bound(source.normal_form(), source.map(), roots) + source.error();
     const int points = points_needed(bound);
     // The bound itself follows the shape in which the expression library keeps an equation, which may
@@ -174,7 +187,7 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
             const std::uint64_t prime = point.field.prime();
             const std::vector<Residue> generators = point.values;
             source.go_to(point);
-            PointCheck check(source.normal_form(), source.map(), roots, std::move(point));
+            PointCheck check(source.normal_form(), source.map(), jacobian, roots, std::move(point));
             const std::string here = check.complaint();
             if (complaint.empty()) complaint = here;
             samples.push_back(check.frequencies());

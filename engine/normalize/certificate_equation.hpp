@@ -9,7 +9,6 @@
 //   at_origin(a): a_0
 #pragma once
 
-#include "model/canonical.hpp"
 #include "model/named_function.hpp"
 #include "normalize/certificate_roots.hpp"
 
@@ -116,18 +115,16 @@ private:
                                  algebra_.multiply(half, difference(turned, back)));
     }
 
+    // Residues do not depend on the order of terms, and sorting them would take longer than adding them.
     Value sum(const GiNaC::ex& e) {
-        const std::vector<GiNaC::ex> terms = operands(e);
-        Value result = (*this)(terms.front());
-        for (std::size_t k = 1; k < terms.size(); ++k) result = algebra_.add(result, (*this)(terms[k]));
+        Value result = (*this)(e.op(0));
+        for (std::size_t k = 1; k < e.nops(); ++k) result = algebra_.add(result, (*this)(e.op(k)));
         return result;
     }
 
     Value product(const GiNaC::ex& e) {
-        const std::vector<GiNaC::ex> factors = operands(e);
-        Value result = (*this)(factors.front());
-        for (std::size_t k = 1; k < factors.size(); ++k)
-            result = algebra_.multiply(result, (*this)(factors[k]));
+        Value result = (*this)(e.op(0));
+        for (std::size_t k = 1; k < e.nops(); ++k) result = algebra_.multiply(result, (*this)(e.op(k)));
         return result;
     }
 

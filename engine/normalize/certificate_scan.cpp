@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <optional>
 
 namespace resonform {
 
@@ -70,12 +71,19 @@ int weight_of(const Ring& ring, const std::vector<int>& exponents) {
     return weight;
 }
 
-// The first term, by weight, that `wrong` calls wrong: its sentence.
-std::string first_complaint(const Ring& ring, const Item& item,
-                            const std::function<const char*(int, const std::vector<int>&)>& wrong) {
+using Judge = std::function<const char*(int weight, const std::vector<int>& exponents)>;
+
+// The first term, by weight, that `wrong` calls wrong: its sentence. It is asked once for neighbours that
+// agree in what `shown` leaves of a monomial.
+template <class Shown>
+std::string first_complaint(const Ring& ring, const Item& item, Shown shown, const Judge& wrong) {
     for (int n = 0; n <= item.series->through(); ++n) {
-        for (const Term& term : item.series->part(n).terms()) {
-            const std::vector<int> exponents = ring.exponents(term.monomial);
+        std::optional<Monomial> last;
+        for (const Monomial& whole : item.series->part(n).fractions().monomials) {
+            const Monomial monomial = shown(whole);
+            if (last == monomial) continue;
+            last = monomial;
+            const std::vector<int> exponents = ring.exponents(monomial);
             if (const char* complaint = wrong(n, exponents); complaint != nullptr)
                 return fmt::format("{}, weight {}: {} {}", item.what, n, spell_monomial(ring, exponents),
                                    complaint);
@@ -105,7 +113,9 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
             if (!powers_allowed(ring, exponents)) return "has a negative power of what may vanish";
             return nullptr;
         };
-        if (std::string complaint = first_complaint(ring, item, wrong); !complaint.empty()) return complaint;
+        const auto all = [](const Monomial& m) { return m; };
+        if (std::string complaint = first_complaint(ring, item, all, wrong); !complaint.empty())
+            return complaint;
     }
     return "";
 }
@@ -117,6 +127,8 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
     // In a linear part that is not semisimple, monomials with D = 0 stand in both
     // (certificate_inner_product).
     const bool shared = normal_form.style == Style::inner_product && !field.is_semisimple();
+    const std::vector<GeneratorId> outer = field.outer();
+    const auto shown = [&](const Monomial& m) { return field.ring->restricted(m, outer); };
     for (const Item& item : items(normal_form, map)) {
         const auto wrong = [&](int /*weight*/, const std::vector<int>& exponents) -> const char* {
             if (resonance.is_exact(exponents, item.mode))
@@ -124,7 +136,7 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
             if (resonance.is_near(exponents, item.mode)) return item.is_map ? "is resonant" : nullptr;
             return item.is_map ? nullptr : "is not resonant";
         };
-        std::string complaint = first_complaint(*field.ring, item, wrong);
+        std::string complaint = first_complaint(*field.ring, item, shown, wrong);
         if (!complaint.empty()) return complaint;
     }
     return shared ? inner_product_complaint(normal_form, map, samples, resonance) : "";
