@@ -56,16 +56,24 @@ std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalizatio
 // Coefficients of a normal form are written from a graph as JSON only: a page of text would need all of them
 // in one ring.
 bool in_graph(const GradedField& field, int order, Stage stage, Format format, const std::string& asked) {
-    const bool possible = stage == Stage::normal_form && format == Format::json;
+    const bool possible = stage == Stage::divisors || (stage == Stage::normal_form && format == Format::json);
     if (asked == "graph" && !possible)
-        bad_argument("--coefficients", "coefficients in a graph go with --stage normal_form --format json",
-                     asked, "give --format json, or leave the option out");
+        bad_argument(
+            "--coefficients",
+            "coefficients in a graph go with --stage normal_form --format json, or with --stage divisors",
+            asked, "give --format json, or leave the option out");
     if (const Style style = field.system().style; asked == "graph" && style != Style::poincare)
         refuse({"coefficients in a graph go with style poincare",
                 to_string(style),
                 "leave out --coefficients",
                 {}});
     return asked == "graph" || (asked == "auto" && possible && suits_graph(field, order));
+}
+
+std::string from_graph(const Expanded& expanded, int order, Stage stage, Format format, Watch& watch) {
+    const GraphNormalization n = normalize_in_graph_certified(expanded, order, watch);
+    return stage == Stage::divisors ? print_divisors(*expanded.field, n.result.divisors, order, format)
+                                    : print_normal_form(n, order);
 }
 
 std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
@@ -76,8 +84,11 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
         return print_solution(solve(normalize_certified(expanded, through, watch), {order, through}), format);
     }
     if (in_graph(*expanded.field, order, stage, format, coefficients))
-        return print_normal_form(normalize_in_graph_certified(expanded, order, watch), order);
+        return from_graph(expanded, order, stage, format, watch);
     const auto normalization = normalize_certified(expanded, order, watch);
+    if (stage == Stage::divisors)
+        return print_divisors(*normalization->normal_form.field, normalization->divisors, order, format);
+    if (stage == Stage::manifold) return print_manifold(*normalization, order, format);
     const bool shortened = format == Format::text || format == Format::latex;
     const auto solution = shortened ? solution_if_any(normalization, order) : std::nullopt;
     const Solution* known = solution ? &*solution : nullptr;
@@ -111,8 +122,9 @@ void add_derive(CLI::App& app, Action& action) {
         app.add_subcommand("derive", "the normal form of a system, or a stage before or after it");
     const Text system = add_required(*command, "SYSTEM", "", system_help);
     const Text order = add_text(*command, "--order", order_values, "weight of normal form and map", "3");
-    const Text stage = add_text(*command, "--stage", "equations|expand|normal_form|solution", "what to print",
-                                "normal_form");
+    const Text stage =
+        add_text(*command, "--stage", "equations|expand|normal_form|divisors|manifold|solution",
+                 "what to print", "normal_form");
     const Text truncation = add_text(*command, "--truncation", order_values,
                                      "for the solution: weight through which normal form and map are used, "
                                      "not below the order; default: what the order needs on t = 1/eps");
@@ -121,7 +133,8 @@ void add_derive(CLI::App& app, Action& action) {
     const Text coefficients = add_text(
         *command, "--coefficients", "auto|ring|graph",
         "where coefficients are held: a graph is for several symbolic frequencies (JSON of the normal form; "
-        "auto takes it there from order 4 on), the ring for all else",
+        "and its divisors; auto takes it there from order 4 on, or 3 with three frequencies), the ring for "
+        "all else",
         "auto");
     const Text style = add_style(*command);
     const Texts settings = add_settings(*command);

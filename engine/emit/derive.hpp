@@ -6,6 +6,7 @@
 #include "emit/json.hpp"
 #include "emit/page.hpp"
 #include "expand/graded_field.hpp"
+#include "normalize/centre_manifold.hpp"
 #include "normalize/normal_form.hpp"
 #include "solve/solution.hpp"
 
@@ -24,6 +25,15 @@ Page normal_form_page(const Normalization& normalization, int order, const Solut
 Json normal_form_json(const Normalization& normalization, int order);
 // Coefficients written out one by one. Errors (refused): one is longer than ExpansionLimits.
 Json normal_form_json(const GraphNormalization& normalization, int order);
+// Of each equation the divisors with their verdicts, and where those that were divided by vanish. Schema
+// resonform.divisors/1; divisors_json is its list, in the document of the normal form too.
+Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order);
+Json divisors_document(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order);
+Json divisors_json(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order);
+// The centre manifold of a normal form. Schema resonform.manifold/1.
+Page manifold_page(const CentreManifold& manifold, const Certificate& certificate, int order);
+Json manifold_json(const CentreManifold& manifold, const Certificate& certificate, int order);
+
 std::string normal_form_sympy(const Normalization& normalization, int order);
 std::string normal_form_maxima(const Normalization& normalization, int order);
 

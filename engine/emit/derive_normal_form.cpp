@@ -13,13 +13,6 @@ namespace resonform {
 
 namespace {
 
-// The parts of a series as groups, one for each weight.
-Side written(const Series& series, int through, const SeriesWriter& write, const Substitutes& substitutes) {
-    Side result;
-    for (int n = 0; n <= through; ++n) result.groups.push_back(write(series.part(n), substitutes));
-    return result;
-}
-
 // The first weight in which a map differs from the identity, as far as it is known.
 int first_weight(const Series& series, int through) {
     int n = 1;
@@ -64,8 +57,8 @@ public:
         Section section{"where", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
-            section.formulas.push_back(
-                {side(symbol_sum(mode.name)), side(old_mode(k), first_weight(map_.mode[k], map_.through))});
+            section.formulas.push_back({side(symbol_sum(mode.name)),
+                                        side(old_mode(field_, k), first_weight(map_.mode[k], map_.through))});
             if (!mode.is_real())
                 section.formulas.push_back(
                     {side(symbol_sum(mode.conjugate_name)),
@@ -89,7 +82,7 @@ public:
     [[nodiscard]] Section map() const {
         Section section{"near-identity map", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
-            add_map(section, old_mode(k), field_.modes[k].name, map_.mode[k]);
+            add_map(section, old_mode(field_, k), field_.modes[k].name, map_.mode[k]);
         for (std::size_t k = 0; k < field_.angles.size(); ++k)
             add_map(section, old_variable(field_.angles[k].name), field_.angles[k].name, map_.angle[k]);
         for (std::size_t k = 0; k < field_.slow.size(); ++k)
@@ -119,26 +112,6 @@ private:
         return factor_sum(function_factor("old", symbol_sum(name)));
     }
 
-    // psi - I*psi'/omega, or the sum of all states that take part.
-    [[nodiscard]] DisplaySum old_mode(std::size_t k) const {
-        if (!field_.modes[k].oscillator) {
-            DisplaySum sum;
-            for (const auto& [state, coefficient] : components(field_, k)) {
-                DisplayTerm term = factored(display(*field_.ring, coefficient));
-                term.tail.push_back(symbol_factor(state->name));
-                sum.terms.push_back(std::move(term));
-            }
-            return sum;
-        }
-        const std::string& variable = field_.system().variables[field_.modes[k].variable].name;
-        DisplaySum rate = symbol_sum(variable + "'");
-        DisplayTerm& term = rate.terms.front();
-        term.coefficient = -1;
-        term.imaginary = true;
-        term.factors.push_back(symbol_factor(frequency_name(field_, k), -1));
-        return symbol_sum(variable) + rate;
-    }
-
     void add_rate(Section& section, const std::string& name, const Series& rate) const {
         section.formulas.push_back({side(symbol_sum(name + "'")), written(rate, order_, write_, phases_)});
     }
@@ -157,14 +130,6 @@ private:
     SeriesWriter write_;
     Substitutes phases_;
 };
-
-std::string certificate_remark(const Certificate& certificate) {
-    if (certificate.through_weight == 0) return "certificate: not made";
-    if (!certificate.holds) return "certificate: DOES NOT HOLD: " + certificate.complaint;
-    return fmt::format("certificate: holds through weight {} ({}; {} points, error probability {:.1e})",
-                       certificate.through_weight, certificate.route, certificate.points,
-                       certificate.error_probability);
-}
 
 // What the result is divided by without a proof that it vanishes nowhere; "" if nothing.
 std::string divisor_remark(const GradedField& field) {

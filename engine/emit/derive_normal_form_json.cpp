@@ -50,16 +50,7 @@ Json terms_json(const GradedField& field, const std::vector<NamedSeries>& list) 
     return terms;
 }
 
-Json divisors_json(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order) {
-    Json list = Json::array();
-    for (const DivisorRecord& record : divisors)
-        if (record.weight <= order)
-            list.push_back({{"variable", record.variable},
-                            {"exponents", json_exponents(*field.ring, record.monomial, field.outer())},
-                            {"divisor", json_expression(*field.ring, record.divisor)},
-                            {"verdict", to_string(record.verdict)}});
-    return list;
-}
+} // namespace
 
 Json certificate_json(const Certificate& certificate) {
     Json json = {{"holds", certificate.holds},
@@ -72,8 +63,6 @@ Json certificate_json(const Certificate& certificate) {
     if (!certificate.holds) json["complaint"] = certificate.complaint;
     return json;
 }
-
-} // namespace
 
 Json normal_form_document(const GradedField& field, int order, int truncation, Style style, Json normal_form,
                           Json map, const std::vector<DivisorRecord>& divisors,

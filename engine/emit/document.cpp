@@ -12,7 +12,8 @@ namespace resonform {
 namespace {
 
 constexpr std::array formats = {Format::text, Format::latex, Format::json, Format::sympy, Format::maxima};
-constexpr std::array stages = {Stage::equations, Stage::expand, Stage::normal_form, Stage::solution};
+constexpr std::array stages = {Stage::equations, Stage::expand,   Stage::normal_form,
+                               Stage::divisors,  Stage::manifold, Stage::solution};
 
 template <class Choice, std::size_t N>
 Choice parse(const char* what, std::string_view name, const std::array<Choice, N>& choices) {
@@ -64,6 +65,8 @@ const char* to_string(Stage stage) {
     case Stage::equations: return "equations";
     case Stage::expand: return "expand";
     case Stage::normal_form: return "normal_form";
+    case Stage::divisors: return "divisors";
+    case Stage::manifold: return "manifold";
     case Stage::solution: return "solution";
     }
     return "";
@@ -111,6 +114,21 @@ std::string print_normal_form(const Normalization& normalization, int order, For
 std::string print_normal_form(const GraphNormalization& normalization, int order) {
     require_order(order, normalization.result.normal_form.through, "weight of the normal form");
     return json_document(normal_form_json(normalization, order));
+}
+
+std::string print_divisors(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order,
+                           Format format) {
+    require_printable(Stage::divisors, format);
+    return format == Format::json ? json_document(divisors_document(field, divisors, order))
+                                  : render(divisors_page(field, divisors, order), format);
+}
+
+std::string print_manifold(const Normalization& normalization, int order, Format format) {
+    require_printable(Stage::manifold, format);
+    const CentreManifold manifold = centre_manifold(normalization);
+    const Certificate& certificate = normalization.certificate;
+    return format == Format::json ? json_document(manifold_json(manifold, certificate, order))
+                                  : render(manifold_page(manifold, certificate, order), format);
 }
 
 std::string print_solution(const Solution& solution, Format format) {

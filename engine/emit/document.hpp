@@ -17,10 +17,10 @@
 namespace resonform {
 
 enum class Format { text, latex, json, sympy, maxima };
-enum class Stage { equations, expand, normal_form, solution };
+enum class Stage { equations, expand, normal_form, divisors, manifold, solution };
 
 const char* to_string(Format format); // "text", "latex", ...
-const char* to_string(Stage stage);   // "equations", "expand", "normal_form", "solution"
+const char* to_string(Stage stage);   // "equations", "expand", "normal_form", ...
 // The inverse of to_string. Errors: bad_input, with the nearest known name.
 Format parse_format(std::string_view name);
 Stage parse_stage(std::string_view name);
@@ -46,6 +46,13 @@ std::string print_normal_form(const Normalization& normalization, int order, For
 
 // With coefficients in a graph: JSON, the same schema.
 std::string print_normal_form(const GraphNormalization& normalization, int order);
+
+// What the homological equations divided by and what they kept, through weight `order`.
+std::string print_divisors(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order,
+                           Format format);
+
+// The centre manifold with its flow and fibres, through weight `order`. Errors: centre_manifold's.
+std::string print_manifold(const Normalization& normalization, int order, Format format);
 
 // Amplitude and phase (21), the drift, and the outputs by powers of eps, (22), (23).
 std::string print_solution(const Solution& solution, Format format);

@@ -14,4 +14,7 @@ Json normal_form_document(const GradedField& field, int order, int truncation, S
                           Json map, const std::vector<DivisorRecord>& divisors,
                           const Certificate& certificate);
 
+// The member "certificate".
+Json certificate_json(const Certificate& certificate);
+
 } // namespace resonform

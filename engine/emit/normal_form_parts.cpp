@@ -25,6 +25,39 @@ std::vector<std::pair<const State*, Polynomial>> components(const GradedField& f
     return list;
 }
 
+DisplaySum old_mode(const GradedField& field, std::size_t mode) {
+    if (!field.modes[mode].oscillator) {
+        DisplaySum sum;
+        for (const auto& [state, coefficient] : components(field, mode)) {
+            DisplayTerm term = factored(display(*field.ring, coefficient));
+            term.tail.push_back(symbol_factor(state->name));
+            sum.terms.push_back(std::move(term));
+        }
+        return sum;
+    }
+    const std::string& variable = field.system().variables[field.modes[mode].variable].name;
+    DisplaySum rate = symbol_sum(variable + "'");
+    DisplayTerm& term = rate.terms.front();
+    term.coefficient = -1;
+    term.imaginary = true;
+    term.factors.push_back(symbol_factor(frequency_name(field, mode), -1));
+    return symbol_sum(variable) + rate;
+}
+
+Side written(const Series& series, int through, const SeriesWriter& write, const Substitutes& substitutes) {
+    Side result;
+    for (int n = 0; n <= through; ++n) result.groups.push_back(write(series.part(n), substitutes));
+    return result;
+}
+
+std::string certificate_remark(const Certificate& certificate) {
+    if (certificate.through_weight == 0) return "certificate: not made";
+    if (!certificate.holds) return "certificate: DOES NOT HOLD: " + certificate.complaint;
+    return fmt::format("certificate: holds through weight {} ({}; {} points, error probability {:.1e})",
+                       certificate.through_weight, certificate.route, certificate.points,
+                       certificate.error_probability);
+}
+
 Substitutes phases(const Ring& ring) {
     Substitutes substitutes;
     for (GeneratorId id = 0; id < ring.size(); ++id) {

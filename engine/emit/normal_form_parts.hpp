@@ -2,7 +2,8 @@
 // What every printer of a normal form asks: its variables in order, its terms through a weight.
 #pragma once
 
-#include "emit/display.hpp"
+#include "emit/page.hpp"
+#include "emit/slow_rate.hpp"
 #include "normalize/normal_form.hpp"
 
 #include <string>
@@ -16,6 +17,15 @@ std::string frequency_name(const GradedField& field, std::size_t mode);
 
 // z = sum of coefficient * state: the fast states that take part in the definition of a mode.
 std::vector<std::pair<const State*, Polynomial>> components(const GradedField& field, std::size_t mode);
+
+// The definition of a mode: psi - I*psi'/omega, or the sum of all states that take part.
+DisplaySum old_mode(const GradedField& field, std::size_t mode);
+
+// The parts of a series as groups, one for each weight.
+Side written(const Series& series, int through, const SeriesWriter& write, const Substitutes& substitutes);
+
+// "certificate: holds through weight 3 (...)"
+std::string certificate_remark(const Certificate& certificate);
 
 // A harmonic e^{i k phi} is shown as exp(k*I*phi).
 Substitutes phases(const Ring& ring);

@@ -9,10 +9,6 @@
 
 namespace resonform {
 
-namespace {
-
-// p without its common factors: numbers, the sign of the first term, and what every term can be divided
-// by; exponents >= 0 are left.
 Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
     Monomial common;
     for (GeneratorId id = 0; id < ring.size(); ++id) {
@@ -31,8 +27,6 @@ Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
         terms.push_back({t.monomial - common, (minus ? -factor : factor) * t.coefficient});
     return Polynomial::from_terms(std::move(terms));
 }
-
-} // namespace
 
 std::vector<Polynomial> small_divisors(const GradedField& field) {
     std::vector<Polynomial> divisors;

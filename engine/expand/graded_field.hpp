@@ -97,6 +97,10 @@ GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisor
 // vanishes identically; on the surfaces where one does the normal form means nothing.
 std::vector<Polynomial> small_divisors(const GradedField& field);
 
+// p without its common factors: numbers, the sign of the first term, and the units that every term can be
+// divided by; exponents >= 0 are left.
+Polynomial primitive_part(const Ring& ring, const Polynomial& p);
+
 // The same field over a ring that divides by more; the divisors it has already are kept. New ones are
 // polynomials of field.ring that are proved not to vanish identically; units are divided out of them.
 // Errors (refused): more generators than a ring holds.

@@ -7,7 +7,8 @@ namespace resonform {
 
 namespace {
 
-constexpr int first_weight_for_graph = 4; // below, two frequencies cost a ring a few divisors
+// Two frequencies cost a ring a few divisors through weight 3, three of them through weight 2, ...
+constexpr int largest_for_ring = 5; // weight + number of frequencies
 
 // Neither is zero.
 bool proportional(const Polynomial& a, const Polynomial& b) {
@@ -20,7 +21,7 @@ bool is_number(const Polynomial& p) { return p.size() == 1 && p.terms().front().
 } // namespace
 
 bool suits_graph(const GradedField& field, int through) {
-    if (through < first_weight_for_graph || field.system().style != Style::poincare) return false;
+    if (field.system().style != Style::poincare) return false;
     const Ring& ring = *field.ring;
     for (GeneratorId id = 1; id < ring.size(); ++id)
         if (ring.is_algebraic(id)) return false;
@@ -33,7 +34,7 @@ bool suits_graph(const GradedField& field, int through) {
     };
     for (const Mode& m : field.modes) add(m.omega);
     for (const AngleVariable& a : field.angles) add(a.frequency);
-    return frequencies.size() > 1;
+    return frequencies.size() > 1 && through + static_cast<int>(frequencies.size()) > largest_for_ring;
 }
 
 } // namespace resonform

@@ -43,7 +43,7 @@ TEST(Commands, ListNamesSystemsAndScenes) {
 }
 
 TEST(Commands, DeriveInEveryStageAndFormat) {
-    for (const char* stage : {"equations", "expand", "normal_form", "solution"})
+    for (const char* stage : {"equations", "expand", "normal_form", "divisors", "solution"})
         for (const char* format : {"text", "latex", "json"})
             EXPECT_NE(output_of(std::string("resonform derive almost_holonomic_pendulum --stage ") + stage +
                                 " --format " + format),

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The divisors of a normal form with their verdicts, and the resonance surfaces, on which one of those that
+// were divided by vanishes.
+#include "emit/derive.hpp"
+#include "emit/normal_form_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace resonform {
+
+namespace {
+
+// Real and imaginary part of a divisor a + i b vanish together on a surface.
+struct Surface {
+    std::vector<Polynomial> vanishing; // primitive parts
+    std::vector<std::pair<std::string, Monomial>> in;
+};
+
+Polynomial part_of(const Ring& ring, const Polynomial& p, int power_of_i) {
+    std::vector<Term> terms;
+    for (const Term& t : p.terms())
+        if (ring.exponent(t.monomial, Ring::imaginary_unit) == power_of_i)
+            terms.push_back({t.monomial - ring.monomial(Ring::imaginary_unit, power_of_i), t.coefficient});
+    return Polynomial::from_terms(std::move(terms));
+}
+
+// What each generator in a monomial is asked for.
+template <class Asked> bool all_of(const Ring& ring, const Monomial& m, Asked asked) {
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        if (const int exponent = ring.exponent(m, id); exponent != 0 && !asked(ring.generator(id), exponent))
+            return false;
+    return true;
+}
+
+// Declared or proved: one term vanishes nowhere and the others, if any, have its sign or are zero.
+bool nowhere_zero(const Ring& ring, const Polynomial& p) {
+    const auto divisor = [](const Generator& g) { return g.kind == GeneratorKind::root && g.index == 1; };
+    const auto positive = [&](const Generator& g) {
+        return g.positive || (g.kind == GeneratorKind::root && !divisor(g));
+    };
+    const auto vanishes_nowhere = [&](const Term& t) {
+        return all_of(ring, t.monomial,
+                      [&](const Generator& g, int) { return positive(g) || (g.invertible && !divisor(g)); });
+    };
+    const bool minus = cln::minusp(p.terms().front().coefficient);
+    const auto of_that_sign = [&](const Term& t) {
+        return cln::minusp(t.coefficient) == minus &&
+               all_of(ring, t.monomial,
+                      [&](const Generator& g, int exponent) { return positive(g) || exponent % 2 == 0; });
+    };
+    return std::any_of(p.terms().begin(), p.terms().end(), vanishes_nowhere) &&
+           (p.size() == 1 || std::all_of(p.terms().begin(), p.terms().end(), of_that_sign));
+}
+
+std::vector<Surface> surfaces(const GradedField& field, const std::vector<DivisorRecord>& divisors,
+                              int order) {
+    const Ring& ring = *field.ring;
+    std::vector<Surface> found;
+    for (const DivisorRecord& record : divisors) {
+        if (record.weight > order || record.verdict != DivisorVerdict::removed) continue;
+        std::vector<Polynomial> vanishing;
+        bool nowhere = false;
+        for (const int power_of_i : {0, 1}) {
+            const Polynomial part = part_of(ring, record.divisor, power_of_i);
+            if (part.empty()) continue;
+            nowhere = nowhere || nowhere_zero(ring, part);
+            vanishing.push_back(primitive_part(ring, part));
+        }
+        if (nowhere) continue;
+        auto known = std::find_if(found.begin(), found.end(),
+                                  [&](const Surface& s) { return s.vanishing == vanishing; });
+        if (known == found.end()) known = found.insert(found.end(), Surface{std::move(vanishing), {}});
+        known->in.emplace_back(record.variable, record.monomial);
+    }
+    return found;
+}
+
+const char* meaning(DivisorVerdict verdict) {
+    switch (verdict) {
+    case DivisorVerdict::removed: return "divided by";
+    case DivisorVerdict::kept_exact: return "resonant";
+    case DivisorVerdict::kept_near: return "below the threshold of [normal_form] near";
+    case DivisorVerdict::ambiguous: return "undecided";
+    }
+    return "";
+}
+
+Json exponents_json(const GradedField& field, const std::string& variable, const Monomial& m) {
+    return {{"variable", variable}, {"exponents", json_exponents(*field.ring, m, field.outer())}};
+}
+
+} // namespace
+
+Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order) {
+    const Ring& ring = *field.ring;
+    const Substitutes harmonics = phases(ring);
+    Page page;
+    page.title =
+        fmt::format("divisors of {} through weight {}: D of a monomial is <alpha, lambda> - lambda_j",
+                    field.system().name_with_settings(), order);
+    std::map<DivisorVerdict, int> count;
+    for (const DivisorRecord& record : divisors) {
+        if (record.weight > order) continue;
+        ++count[record.verdict];
+        const std::string heading =
+            fmt::format("{}, {} ({})", record.variable, to_string(record.verdict), meaning(record.verdict));
+        auto section = std::find_if(page.sections.begin(), page.sections.end(),
+                                    [&](const Section& s) { return s.heading == heading; });
+        if (section == page.sections.end())
+            section = page.sections.insert(page.sections.end(), Section{heading, {}});
+        section->formulas.push_back(
+            {side(factor_sum(function_factor("D", display(ring, Polynomial(record.monomial, 1), harmonics)))),
+             record.divisor.empty() ? zero_side() : side(display(ring, record.divisor))});
+    }
+    Section resonances{"resonance surfaces", {}};
+    for (const Surface& surface : surfaces(field, divisors, order))
+        for (const Polynomial& vanishing : surface.vanishing)
+            resonances.formulas.push_back({side(display(ring, vanishing)), zero_side()});
+    if (resonances.formulas.empty())
+        page.remarks.emplace_back("no divisor that was divided by can vanish");
+    else
+        page.sections.push_back(std::move(resonances));
+    std::string counts;
+    for (const auto& [verdict, times] : count)
+        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", times, to_string(verdict));
+    page.remarks.push_back(counts);
+    return page;
+}
+
+Json divisors_json(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order) {
+    Json list = Json::array();
+    for (const DivisorRecord& record : divisors) {
+        if (record.weight > order) continue;
+        Json entry = exponents_json(field, record.variable, record.monomial);
+        entry["divisor"] = json_expression(*field.ring, record.divisor);
+        entry["verdict"] = to_string(record.verdict);
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+Json divisors_document(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order) {
+    Json list = Json::array();
+    for (const Surface& surface : surfaces(field, divisors, order)) {
+        Json vanishing = Json::array(), in = Json::array();
+        for (const Polynomial& p : surface.vanishing) vanishing.push_back(json_expression(*field.ring, p));
+        for (const auto& [variable, monomial] : surface.in)
+            in.push_back(exponents_json(field, variable, monomial));
+        list.push_back({{"vanishing", std::move(vanishing)}, {"divisors", std::move(in)}});
+    }
+    Json document = json_head("resonform.divisors/1", field.system());
+    document.update(Json{{"order", order},
+                         {"divisors", divisors_json(field, divisors, order)},
+                         {"surfaces", std::move(list)}});
+    return document;
+}
+
+} // namespace resonform

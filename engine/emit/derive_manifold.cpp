@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The centre manifold: the flow on it, the manifold in the old variables, its fibres.
+#include "emit/derive.hpp"
+#include "emit/normal_form_json.hpp"
+#include "emit/normal_form_parts.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+namespace {
+
+DisplaySum called(const std::string& function, const std::string& name) {
+    return factor_sum(function_factor(function, symbol_sum(name)));
+}
+
+class ManifoldPage {
+public:
+    ManifoldPage(const CentreManifold& result, int order)
+        : result_(result), field_(*result.flow.field), order_(order), write_(writer()),
+          phases_(phases(*field_.ring)) {}
+
+    [[nodiscard]] Section flow() const {
+        Section section;
+        for (std::size_t k = 0; k < field_.modes.size(); ++k)
+            if (!result_.slaved[k]) add(section, rate_of(field_.modes[k].name), {}, result_.flow.mode[k]);
+        for (std::size_t k = 0; k < field_.angles.size(); ++k)
+            add(section, rate_of(field_.angles[k].name), {}, result_.flow.angle[k]);
+        for (std::size_t k = 0; k < field_.slow.size(); ++k)
+            add(section, rate_of(field_.slow[k].name), {}, result_.flow.slow[k]);
+        for (std::size_t k = 0; k < field_.drift.size(); ++k)
+            add(section, rate_of(field_.drift[k].name), {}, result_.flow.drift[k]);
+        return section;
+    }
+
+    [[nodiscard]] Section manifold() const {
+        Section section{"manifold", {}};
+        for (std::size_t k = 0; k < field_.modes.size(); ++k)
+            add(section, old_mode(field_, k), result_.slaved[k] ? "" : field_.modes[k].name,
+                result_.manifold.mode[k]);
+        add_others(section, "old", result_.manifold);
+        return section;
+    }
+
+    [[nodiscard]] Section fibres() const {
+        Section section{"base point of a state (z1, ... are the old modes here)", {}};
+        for (std::size_t k = 0; k < field_.modes.size(); ++k)
+            if (!result_.slaved[k])
+                add(section, called("base", field_.modes[k].name), field_.modes[k].name,
+                    result_.fibres.mode[k]);
+        add_others(section, "base", result_.fibres);
+        return section;
+    }
+
+private:
+    static DisplaySum rate_of(const std::string& name) { return symbol_sum(name + "'"); }
+
+    [[nodiscard]] SeriesWriter writer() const {
+        std::vector<Polynomial> all;
+        for (const auto* list : {&result_.flow.mode, &result_.flow.angle, &result_.flow.slow,
+                                 &result_.flow.drift, &result_.manifold.mode, &result_.manifold.angle,
+                                 &result_.manifold.slow, &result_.manifold.drift, &result_.fibres.mode,
+                                 &result_.fibres.angle, &result_.fibres.slow, &result_.fibres.drift})
+            for (const Series& series : *list) all.push_back(series.total(order_));
+        return {field_.ring, field_.eps, field_.outer(), only_rate_with_eps(field_), all};
+    }
+
+    // left = name + series, or the series alone.
+    void add(Section& section, DisplaySum left, const std::string& name, const Series& series) const {
+        Side right = written(series, order_, write_, phases_);
+        if (!name.empty()) right.groups.insert(right.groups.begin(), symbol_sum(name));
+        section.formulas.push_back({side(std::move(left)), std::move(right)});
+    }
+
+    void add_others(Section& section, const std::string& function, const NearIdentityMap& map) const {
+        const auto line = [&](const std::string& name, const Series& series) {
+            add(section, called(function, name), name, series);
+        };
+        for (std::size_t k = 0; k < field_.angles.size(); ++k) line(field_.angles[k].name, map.angle[k]);
+        for (std::size_t k = 0; k < field_.slow.size(); ++k)
+            if (field_.slow[k].driven) line(field_.slow[k].name, map.slow[k]);
+        for (std::size_t k = 0; k < field_.drift.size(); ++k) line(field_.drift[k].name, map.drift[k]);
+    }
+
+    const CentreManifold& result_;
+    const GradedField& field_;
+    int order_;
+    SeriesWriter write_;
+    Substitutes phases_;
+};
+
+} // namespace
+
+Page manifold_page(const CentreManifold& manifold, const Certificate& certificate, int order) {
+    const ManifoldPage parts(manifold, order);
+    Page page;
+    page.title = fmt::format("centre manifold of {} through weight {}",
+                             manifold.flow.field->system().name_with_settings(), order);
+    for (Section section : {parts.flow(), parts.manifold(), parts.fibres()})
+        if (!section.formulas.empty()) page.sections.push_back(std::move(section));
+    page.remarks.push_back(certificate_remark(certificate));
+    return page;
+}
+
+Json manifold_json(const CentreManifold& manifold, const Certificate& certificate, int order) {
+    const GradedField& field = *manifold.flow.field;
+    Json document = json_head("resonform.manifold/1", field.system());
+    Json slaved = Json::array(), flow = Json::array(), map = Json::array(), fibres = Json::array();
+    const auto append = [&](Json& list, const std::string& name, const Series& series) {
+        append_json_terms(list, *field.ring, name, series.total(order), field.outer());
+    };
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
+        const std::string& name = field.modes[k].name;
+        append(map, name, manifold.manifold.mode[k]);
+        if (manifold.slaved[k]) {
+            slaved.push_back(name);
+            continue;
+        }
+        append(flow, name, manifold.flow.mode[k]);
+        append(fibres, name, manifold.fibres.mode[k]);
+    }
+    const auto append_others = [&](Json& list, const auto& from, bool is_map) {
+        for (std::size_t k = 0; k < field.angles.size(); ++k)
+            append(list, field.angles[k].name, from.angle[k]);
+        for (std::size_t k = 0; k < field.slow.size(); ++k)
+            if (!is_map || field.slow[k].driven) append(list, field.slow[k].name, from.slow[k]);
+        for (std::size_t k = 0; k < field.drift.size(); ++k) append(list, field.drift[k].name, from.drift[k]);
+    };
+    append_others(flow, manifold.flow, false);
+    append_others(map, manifold.manifold, true);
+    append_others(fibres, manifold.fibres, true);
+    document.update(Json{{"order", order},
+                         {"slaved", std::move(slaved)},
+                         {"flow", std::move(flow)},
+                         {"manifold", std::move(map)},
+                         {"fibres", std::move(fibres)},
+                         {"certificate", certificate_json(certificate)}});
+    return document;
+}
+
+} // namespace resonform

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/centre_manifold.hpp"
+
+#include "normalize/inverse_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+// A series where the slaved modes vanish.
+Series restricted(const Ring& ring, const Series& series, const std::vector<GeneratorId>& slaved) {
+    Series result;
+    for (int n = 0; n <= series.through(); ++n) {
+        std::vector<Term> terms;
+        for (const Term& t : series.part(n).terms())
+            if (std::all_of(slaved.begin(), slaved.end(),
+                            [&](GeneratorId id) { return ring.exponent(t.monomial, id) == 0; }))
+                terms.push_back(t);
+        result.set(n, Polynomial::from_terms(std::move(terms)));
+    }
+    return result;
+}
+
+void restrict_all(const Ring& ring, std::vector<Series>& list, const std::vector<GeneratorId>& slaved) {
+    for (Series& series : list) series = restricted(ring, series, slaved);
+}
+
+void require_invariance(const GradedField& field, const Mode& mode, const Series& rate) {
+    for (int n = 0; n <= rate.through(); ++n)
+        if (!rate.part(n).empty())
+            refuse({"a mode that is slaved is not driven by resonant terms of the others",
+                    fmt::format("in the rate of {} at weight {}", mode.name, n),
+                    "take back the threshold [normal_form] near or the relation that keeps the term",
+                    place_of(field.system().equations[mode.variable].source)});
+}
+
+} // namespace
+
+CentreManifold centre_manifold(const Normalization& normalization) {
+    const GradedField& field = *normalization.normal_form.field;
+    CentreManifold result{{}, normalization.normal_form, normalization.map, {}};
+    std::vector<GeneratorId> slaved;
+    for (const Mode& mode : field.modes) {
+        result.slaved.push_back(!mode.growth.empty());
+        if (mode.growth.empty()) continue;
+        slaved.push_back(mode.z);
+        if (!mode.is_real()) slaved.push_back(mode.zbar);
+    }
+    if (slaved.empty())
+        refuse({"a centre manifold is for systems with modes that decay or grow at eps = 0",
+                fmt::format("no mode of {} does", field.system().name),
+                "damping with a factor eps belongs to the normal form: leave out --stage manifold",
+                {}});
+    for (auto* list :
+         {&result.flow.mode, &result.flow.angle, &result.flow.slow, &result.flow.drift, &result.manifold.mode,
+          &result.manifold.angle, &result.manifold.slow, &result.manifold.drift})
+        restrict_all(*field.ring, *list, slaved);
+    result.fibres = invert(normalization.normal_form, normalization.map);
+    for (std::size_t m = 0; m < field.modes.size(); ++m) {
+        if (!result.slaved[m]) continue;
+        require_invariance(field, field.modes[m], result.flow.mode[m]);
+        result.fibres.mode[m] = Series();
+    }
+    return result;
+}
+
+} // namespace resonform

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of divisors: verdicts, and the surfaces on which one that was divided by vanishes.
+#include "emit/document.hpp"
+#include "normalize/poincare.hpp"
+#include "support/exact.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace resonform::test {
+
+namespace {
+
+const std::string two_oscillators = R"(
+[system]
+name = "test"
+[parameters]
+w1 = { positive = true }
+w2 = { positive = true }
+a = {}
+[variables]
+x = { role = "fast" }
+y = { role = "fast" }
+[equations]
+x = "x'' + w1^2*x + a*x*y = 0"
+y = "y'' + w2^2*y + a*x^2 = 0"
+)";
+
+std::string printed(const std::string& file, int order, Format format) {
+    const Normalization n = normalize_poincare(field_from(file), order);
+    return print_divisors(*n.normal_form.field, n.divisors, order, format);
+}
+
+} // namespace
+
+TEST(Divisors, TellWhereTheNormalFormMeansNothing) {
+    const std::string text = printed(two_oscillators, 2, Format::text);
+    EXPECT_NE(text.find("z1, removed (divided by):"), std::string::npos) << text;
+    EXPECT_NE(text.find("D(z2*z3) = -2*I*w1 + I*w2\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("z1, kept exact (resonant):\n  D(z1) = 0\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("resonance surfaces:\n  2*w1 - w2 = 0\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("2 kept exact"), std::string::npos) << text;
+}
+
+// w1 + w2 is no surface, since both are positive; -2 w1 + w2 and 2 w1 - w2 are one.
+TEST(Divisors, OneSurfaceForAllMultiplesOfADivisor) {
+    const auto json = nlohmann::ordered_json::parse(printed(two_oscillators, 2, Format::json));
+    EXPECT_EQ(json["schema"], "resonform.divisors/1");
+    ASSERT_EQ(json["surfaces"].size(), 1u) << json;
+    EXPECT_EQ(json["surfaces"][0]["vanishing"], nlohmann::ordered_json({"2*w1 - w2"}));
+    const auto in = json["surfaces"][0]["divisors"];
+    ASSERT_EQ(in.size(), 2u) << in;
+    EXPECT_EQ(in[0].dump(), R"({"variable":"z1","exponents":{"z2":1,"z3":1}})");
+    EXPECT_EQ(in[1].dump(), R"({"variable":"z3","exponents":{"z1":2}})");
+}
+
+// a + i b vanishes where both do: here nowhere, as b = w does not.
+TEST(Divisors, OfDampedModesVanishWhereBothPartsDo) {
+    const std::string text = printed(R"(
+[system]
+name = "test"
+[parameters]
+k = {}
+w = { positive = true }
+[variables]
+x = { role = "fast" }
+y = { role = "fast" }
+s = { role = "fast" }
+[equations]
+x = "x' = -w*y + x*s"
+y = "y' = w*x + y*s"
+s = "s' = k*s + x^2"
+)",
+                                     2, Format::text);
+    EXPECT_NE(text.find("D(z1*z2) = -k\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("resonance surfaces:\n  k = 0\n"), std::string::npos) << text;
+}
+
+TEST(Divisors, OfNumbersHaveNoSurface) {
+    const std::string text = printed(R"(
+[system]
+name = "test"
+[variables]
+x = { role = "fast" }
+[equations]
+x = "x'' + x + x^3 = 0"
+)",
+                                     3, Format::text);
+    EXPECT_NE(text.find("D(z1^2*z2) = 0\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("no divisor that was divided by can vanish\n"), std::string::npos) << text;
+}
+
+} // namespace resonform::test
