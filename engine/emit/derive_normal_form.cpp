@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (20): the normal form with the definitions of its variables, and the near-identity map.
 #include "emit/derive.hpp"
+#include "emit/derive_hamiltonian.hpp"
 #include "emit/drift_frame.hpp"
 #include "emit/normal_form_parts.hpp"
 #include "emit/slow_rate.hpp"
@@ -145,7 +146,11 @@ Page normal_form_page(const Normalization& normalization, int order, const Solut
     const NormalFormPage parts(normalization, order, solution);
     Page page;
     page.title = normal_form_title(normalization.normal_form, order);
-    for (Section section : {parts.rates(), parts.definitions(), parts.map()})
+    std::vector<Section> sections{parts.rates(), parts.definitions(), parts.map()};
+    if (normalization.normal_form.hamiltonian)
+        for (Section& section : hamiltonian_sections(normalization.normal_form, order))
+            sections.push_back(std::move(section));
+    for (Section& section : sections)
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));
     const std::string divisors = divisor_remark(*normalization.normal_form.field);
     if (!divisors.empty()) page.remarks.push_back(divisors);

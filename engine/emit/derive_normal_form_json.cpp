@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The normal form as JSON: schema resonform.normal_form/1 of design 6.1.
 #include "emit/derive.hpp"
+#include "emit/derive_hamiltonian.hpp"
 #include "emit/normal_form_json.hpp"
 #include "emit/normal_form_parts.hpp"
 
@@ -82,10 +83,12 @@ Json normal_form_document(const GradedField& field, int order, int truncation, S
 Json normal_form_json(const Normalization& normalization, int order) {
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
-    return normal_form_document(field, order, normal_form.through, normal_form.style,
-                                terms_json(field, rates_through(normal_form, order)),
-                                terms_json(field, map_through(normalization, order)), normalization.divisors,
-                                normalization.certificate);
+    Json document = normal_form_document(field, order, normal_form.through, normal_form.style,
+                                         terms_json(field, rates_through(normal_form, order)),
+                                         terms_json(field, map_through(normalization, order)),
+                                         normalization.divisors, normalization.certificate);
+    if (normal_form.hamiltonian) document["hamiltonian"] = hamiltonian_json(normal_form, order);
+    return document;
 }
 
 } // namespace resonform

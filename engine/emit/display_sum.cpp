@@ -110,8 +110,8 @@ DisplayFactor function_factor(const std::string& name, DisplaySum argument) {
 }
 
 bool is_elementary(const DisplayFactor& function) {
-    static constexpr const char* names[] = {"sin",  "cos",  "tan",  "exp",  "log",  "sinh",
-                                            "cosh", "tanh", "asin", "acos", "atan", "conj"};
+    static constexpr const char* names[] = {"sin",  "cos",  "tan",  "exp",  "log",  "sinh", "cosh",
+                                            "tanh", "asin", "acos", "atan", "conj", "Re",   "Im"};
     return std::find(std::begin(names), std::end(names), function.name) != std::end(names);
 }
 

@@ -35,6 +35,7 @@ GradedField Expansion::build() {
     add_inputs();
     bind_states();
     add_rates();
+    add_energy();
     field_.program = program_;
     field_.coefficients = std::make_shared<const CoefficientRing>(std::move(coefficients_));
     return std::move(field_);
@@ -60,6 +61,8 @@ void Expansion::build_ring() {
         coefficients_.collect(state.rate, place_of_equation(state.variable));
     for (const Equation& equation : system_.equations)
         coefficients_.collect(equation.residual, place_of(equation.source));
+    if (system_.hamiltonian)
+        coefficients_.collect(system_.hamiltonian->energy, place_of(system_.hamiltonian->source));
     for (const ModeShape& shape : field_.basis.modes) {
         const Place place = place_of_equation(first_order_->states[shape.pivot].variable);
         const auto collect = [&](const Complex& c) {
@@ -186,6 +189,12 @@ void Expansion::add_rates() {
         field_.drift.push_back({state.variable, variable_of(state).name,
                                 at_place(place, [&] { return (*translate_)(state.rate, place); })});
     }
+}
+
+void Expansion::add_energy() {
+    if (!system_.hamiltonian) return;
+    const Place place = place_of(system_.hamiltonian->source);
+    field_.energy = at_place(place, [&] { return (*translate_)(system_.hamiltonian->energy, place); });
 }
 
 // z' - lambda z - sum n z_k with z' = sum_s (row_s u_s' + row_s' u_s); lambda at the new slow variables.

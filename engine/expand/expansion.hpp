@@ -30,6 +30,7 @@ private:
     void add_mode_input(std::size_t k);
     void bind_states();
     void add_rates();
+    void add_energy();
     void add_angle_rate(AngleVariable& angle);
     [[nodiscard]] SeriesProgram::Node mode_rate(std::size_t k);
     [[nodiscard]] SeriesProgram::Node moving(const Complex& c, const Place& place);

@@ -72,6 +72,7 @@ struct GradedField {
     std::vector<SlowVariable> slow;
     std::vector<DriftVariable> drift;
     std::shared_ptr<const SeriesProgram> program;
+    SeriesProgram::Node energy = -1; // of a Hamiltonian system, in modal coordinates
 
     [[nodiscard]] const System& system() const { return *first_order->system; }
     // What exponents of a monomial are given for: modes with their conjugates, phases, eps.

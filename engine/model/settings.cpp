@@ -85,6 +85,9 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     }
     for (Equation& equation : system.equations)
         equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
+    if (system.hamiltonian)
+        system.hamiltonian->energy =
+            system.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
     put_into_domain(system, values, option);
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
     system.settings.insert(system.settings.end(), settings.begin(), settings.end());

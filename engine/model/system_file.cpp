@@ -63,6 +63,11 @@ std::string System::constant_name(const std::string& kind, const std::string& of
     return kind + "_" + of;
 }
 
+bool Hamiltonian::has(std::size_t variable) const {
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [&](const auto& pair) { return pair.first == variable || pair.second == variable; });
+}
+
 Scope System::constants() const {
     Scope scope;
     scope.define("eps", eps);

@@ -7,7 +7,9 @@
 #include "model/style.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -60,6 +62,17 @@ struct NamedFunction { // [functions] omega = { of = ["tau"], positive = true }
     bool nonzero = false; // implied by positive
 };
 
+// [hamiltonian]: x' = dH/dp, p' = -dH/dx for each pair
+struct Hamiltonian {
+    GiNaC::ex energy; // in variables, parameters and eps
+    std::string text;
+    SourceText source;
+    // coordinate and momentum: indices into System::variables, in the order of the file
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+
+    [[nodiscard]] bool has(std::size_t variable) const; // is it one of a pair?
+};
+
 // A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
 struct Setting {
     std::string parameter, value;
@@ -71,7 +84,8 @@ struct System {
     std::vector<Parameter> parameters;
     std::vector<Setting> settings; // of parameters that are no longer among them
     std::vector<Variable> variables;
-    std::vector<Equation> equations; // one per variable, in the order of variables
+    std::vector<Equation> equations;        // one per variable, in the order of variables
+    std::optional<Hamiltonian> hamiltonian; // the equations of its pairs are among the equations
     std::vector<NamedFunction> functions;
     std::vector<Notation> notation;
     std::vector<Declaration> positive; // declared positive

@@ -67,15 +67,17 @@ SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file) : r
 }
 
 System SystemReader::read() {
-    check_keys(root_, {"system", "parameters", "variables", "functions", "equations", "domain", "relations",
-                       "normal_form", "notation"});
+    check_keys(root_, {"system", "parameters", "variables", "functions", "hamiltonian", "equations", "domain",
+                       "relations", "normal_form", "notation"});
     read_header();
     read_parameters();
     read_variables();
     read_functions();
+    read_pairs();
     read_equation_texts();
     set_orders();
     read_equations();
+    read_energy();
     read_domain();
     read_relations();
     read_normal_form();
@@ -188,7 +190,12 @@ Variable SystemReader::variable_of(const TomlEntry& entry) {
 }
 
 void SystemReader::read_equation_texts() {
-    const TomlNode& equations = table("equations", "write one equation per variable under [equations]");
+    static const TomlNode none;
+    const bool derived = std::all_of(system_.variables.begin(), system_.variables.end(),
+                                     [&](const Variable& v) { return is_canonical(v); });
+    const TomlNode& equations = derived && root_.find("equations") == nullptr
+                                    ? none
+                                    : table("equations", "write one equation per variable under [equations]");
     for (const TomlEntry& entry : equations.entries) {
         if (system_.variable(entry.key) != nullptr) continue;
         bad_input({"an equation belongs to a variable", in_quotes(entry.key),
@@ -196,6 +203,10 @@ void SystemReader::read_equation_texts() {
     }
     for (const Variable& variable : system_.variables) {
         const TomlNode* node = equations.find(variable.name);
+        if (node == nullptr && is_canonical(variable)) {
+            system_.equations.push_back({variable.name, "", 0, system_.hamiltonian->source});
+            continue; // read_energy() derives it
+        }
         if (node == nullptr) {
             bad_input({"a variable has an equation", in_quotes(variable.name),
                        "write " + variable.name + " = \"" + variable.name + "' = ...\" under [equations]",
@@ -211,6 +222,8 @@ void SystemReader::read_equation_texts() {
 
 void SystemReader::set_orders() {
     std::map<std::string, int> highest;
+    for (const Variable& variable : system_.variables)
+        if (is_canonical(variable)) highest[variable.name] = 1;
     for (const Equation& equation : system_.equations) {
         for (const auto& [name, primes] : highest_primes(equation.text, equation.source)) {
             highest[name] = std::max(highest[name], primes);
@@ -227,6 +240,9 @@ void SystemReader::set_orders() {
 
 void SystemReader::check_order(const Variable& variable, int highest) const {
     const std::string found = in_quotes(variable.name) + " with " + std::to_string(highest) + " primes";
+    if (highest > 1 && is_canonical(variable))
+        bad_input({"the equation of a canonical variable is of first order", found,
+                   "leave it out: it follows from the energy", variable.place});
     if (highest == 0) {
         bad_input({"the derivative of a variable occurs in the equations",
                    "no " + variable.name + "' in any equation",
@@ -251,6 +267,7 @@ void SystemReader::read_equations() {
         }
     }
     for (Equation& equation : system_.equations) {
+        if (equation.text.empty() && is_canonical(*system_.variable(equation.variable))) continue;
         equation.residual = read_equation(equation.text, scope, equation.source);
     }
 }

@@ -19,9 +19,11 @@ private:
     void read_parameters();
     void read_variables();
     void read_functions();
+    void read_pairs();          // of a Hamiltonian, whose variables need no equations
     void read_equation_texts(); // one per variable; finds the order of each variable
     void set_orders();
     void read_equations();
+    void read_energy(); // completes the equations, checks those that were given
     void read_domain();
     void read_relations(); // puts the values into equations and domain
     void read_normal_form();
@@ -29,6 +31,10 @@ private:
     void check_names_of_results() const;
 
     Variable variable_of(const TomlEntry& entry);
+    [[nodiscard]] std::size_t canonical_variable(const std::string& name, const TomlNode& node,
+                                                 const Place& place) const;
+    [[nodiscard]] bool is_canonical(const Variable& variable) const; // one of a pair
+    void check_canonical(const Equation& equation, const GiNaC::exmap& rates) const;
     [[nodiscard]] std::string argument_of(const TomlEntry& entry) const;
     void check_order(const Variable& variable, int highest) const;
     [[nodiscard]] const TomlNode& table(const std::string& key, const std::string& mend) const;

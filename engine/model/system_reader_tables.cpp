@@ -98,6 +98,7 @@ void SystemReader::read_relations() {
     }
     const auto put = [&](GiNaC::ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); };
     for (Equation& equation : system_.equations) put(equation.residual);
+    if (system_.hamiltonian) put(system_.hamiltonian->energy);
     for (Declaration& declaration : system_.positive)
         declaration.value =
             declaration.value.subs(values, GiNaC::subs_options::no_pattern).subs(system_.eps == 0);

@@ -2,6 +2,7 @@
 #include "normalize/certificate.hpp"
 
 #include "normalize/certificate_bound.hpp"
+#include "normalize/certificate_hamiltonian.hpp"
 #include "normalize/certificate_point.hpp"
 #include "normalize/certificate_scan.hpp"
 #include "normalize/certificate_source.hpp"
@@ -187,8 +188,10 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
             const std::uint64_t prime = point.field.prime();
             const std::vector<Residue> generators = point.values;
             source.go_to(point);
-            PointCheck check(source.normal_form(), source.map(), jacobian, roots, std::move(point));
-            const std::string here = check.complaint();
+            PointCheck check(source.normal_form(), source.map(), jacobian, roots, point);
+            std::string here = check.complaint();
+            if (here.empty() && source.normal_form().hamiltonian)
+                here = canonical_complaint(source.normal_form(), source.map(), roots, point);
             if (complaint.empty()) complaint = here;
             samples.push_back(check.frequencies());
             samples.back().generators = generators;
@@ -210,11 +213,6 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
 
 template <class Source> Certificate certified(Source& source, std::uint64_t seed) {
     const NormalForm& normal_form = source.normal_form();
-    if (normal_form.style == Style::hamiltonian)
-        refuse({"the certificate knows the styles poincare and inner_product",
-                to_string(normal_form.style),
-                "use style = \"poincare\"",
-                {}});
     Certificate certificate;
     certificate.through_weight = normal_form.through;
     certificate.complaint = shape_complaint(normal_form, source.map());

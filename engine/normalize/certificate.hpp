@@ -7,6 +7,8 @@
 //   (b) every monomial of N is resonant, none of h and l is; N = i omega w + weights 2 ... M
 //       (style inner_product: N = lambda w + n w + ..., and N and h obey certificate_inner_product.hpp)
 //
+// Style hamiltonian: (b) of N and of the generator instead of h, and what certificate_hamiltonian.hpp says.
+//
 // (a) and (b) have one solution, so that any wrong coefficient through M is found. Only exponents and
 // coefficients are read from the ring; no product, relation, derivative or conjugation of it is used.
 #pragma once
@@ -23,7 +25,7 @@ namespace resonform {
 // certificate_bound.hpp), to 1e-30. Cost: linear in the number of terms.
 //
 // A normal form that fails is no error: holds = false, and `complaint` says where.
-// Errors (refused): the style hamiltonian; an equation with constructs that cannot be substituted;
+// Errors (refused): an equation with constructs that cannot be substituted;
 // roots in the ring that are not proved independent; equations whose highest derivatives are not
 // determined by them at weight 0, so that a residual says less than its weight.
 Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed = 1);

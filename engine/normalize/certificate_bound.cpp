@@ -4,6 +4,7 @@
 #include "algebra/fractions.hpp"
 #include "algebra/modular.hpp"
 #include "normalize/certificate_flow.hpp"
+#include "normalize/certificate_hamiltonian.hpp"
 #include "normalize/certificate_inner_product.hpp"
 
 #include <algorithm>
@@ -169,9 +170,63 @@ private:
 
 } // namespace
 
+namespace {
+
+int weight_of_modes(const GradedField& field) { return field.ring->generator(field.modes.front().z).weight; }
+
+// The largest of some sizes, over the common denominator of all.
+Size together(const std::vector<Size>& sizes) {
+    Size all;
+    for (const Size& s : sizes) {
+        all.degree = std::max(all.degree + s.denominator, s.degree + all.denominator);
+        all.denominator += s.denominator;
+        all.bits += s.bits + 1;
+    }
+    return all;
+}
+
+// What canonical_complaint() compares. With {w_a, chi} = P/Q, Q free of w, the k-th iterate of the Lie
+// series is a polynomial over Q^k, whose degree grows by that of P and whose norm by that of P, times the
+// degree, for each of the 2n coordinates.
+std::vector<Size> canonical_sizes(const SizeAlgebra& algebra, const NormalForm& normal_form,
+                                  const NearIdentityMap& map) {
+    const HamiltonianForm& form = *normal_form.hamiltonian;
+    const auto slopes_of = [&](const std::vector<const Series*>& list) {
+        std::vector<Size> slopes;
+        for (const Series* s : list)
+            for (const auto& [id, slope] : algebra.gradient(*s, Side::itself).slopes) slopes.push_back(slope);
+        return together(slopes);
+    };
+    std::vector<Size> values;
+    std::vector<const Series*> maps;
+    for (const HamiltonianForm::Bracket& b : form.brackets)
+        values.push_back(algebra.gradient(Series({b.value}), Side::itself).value);
+    for (const Series& s : map.mode) maps.push_back(&s);
+    const Size brackets = together(values), jacobian = slopes_of(maps);
+    const Size vector = algebra.multiply(brackets, slopes_of({&form.generator}));
+    const double coordinates = 2 * static_cast<double>(form.brackets.size());
+    const double orders = normal_form.through;
+    const double degree = orders * std::max(vector.degree, vector.denominator) + 1;
+    const Size flow{degree, orders * vector.denominator,
+                    orders * (vector.bits + std::log2(coordinates * degree) + std::log2(orders + 1)) +
+                        std::log2(orders + 1)};
+    const Size products = algebra.multiply(brackets, algebra.multiply(jacobian, jacobian));
+    const Size rates = algebra.multiply(brackets, slopes_of({&form.energy}));
+    std::vector<Size> sizes{algebra.add(products, brackets)};
+    sizes.back().bits += std::log2(2 * coordinates);
+    for (const Series& s : normal_form.mode)
+        sizes.push_back(algebra.add(algebra.gradient(s, Side::itself).value, rates));
+    for (const Series& s : map.mode)
+        sizes.push_back(algebra.add(algebra.gradient(s, Side::itself).value, flow));
+    return sizes;
+}
+
+} // namespace
+
 double point_error_bound(const NormalForm& normal_form, const NearIdentityMap& map, CertificateRoots& roots) {
     const GradedField& field = *normal_form.field;
-    SizeAlgebra algebra(*field.ring, normal_form.through);
+    SizeAlgebra algebra(*field.ring,
+                        normal_form.through + (normal_form.hamiltonian ? weight_of_modes(field) : 0));
     const Jets<Size> jets = Flow(algebra, roots, normal_form, map).jets();
     double degree = 0, bits = 0;
     const auto include = [&](const Size& s) {
@@ -181,6 +236,12 @@ double point_error_bound(const NormalForm& normal_form, const NearIdentityMap& m
     for (const auto& [variable, defect] : jets.velocity_defects) include(defect);
     for (const Equation& equation : field.system().equations)
         include(EquationEvaluator(algebra, roots, jets.values, equation)(equation.residual));
+    if (normal_form.hamiltonian) {
+        const Equation energy = energy_as_equation(field.system());
+        include(algebra.add(EquationEvaluator(algebra, roots, jets.values, energy)(energy.residual),
+                            algebra.gradient(normal_form.hamiltonian->energy, Side::itself).value));
+        for (const Size& s : canonical_sizes(algebra, normal_form, map)) include(s);
+    }
 
     bits += inner_product_bits(normal_form, map);
     const double k = algebra.field_degree();

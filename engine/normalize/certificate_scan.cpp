@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -17,24 +18,36 @@ namespace {
 struct Item {
     const Series* series;
     std::string what; // "normal form of z1"
-    int from;         // the first weight that may occur
-    int mode;         // index of the mode whose equation it belongs to, -1 for slow and drift
-    bool is_map;
+    int from, to;     // weights that may occur
+    int mode;         // index of the mode whose equation it belongs to, -1 for slow, drift and energy
+    bool in_kernel;   // normal form; else: map, or generator
+    bool scanned = true;
 };
 
+// A canonical map may hold resonant monomials: those of its generator are looked at.
 std::vector<Item> items(const NormalForm& normal_form, const NearIdentityMap& map) {
     const GradedField& field = *normal_form.field;
+    const int through = normal_form.through;
+    const bool scan_map = !normal_form.hamiltonian;
     std::vector<Item> result;
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const Mode& mode = field.modes[k];
         result.push_back({&normal_form.mode[k], "normal form of " + mode.name,
-                          field.ring->generator(mode.z).weight, static_cast<int>(k), false});
-        result.push_back({&map.mode[k], "map of " + mode.name, 1, static_cast<int>(k), true});
+                          field.ring->generator(mode.z).weight, through, static_cast<int>(k), true});
+        result.push_back(
+            {&map.mode[k], "map of " + mode.name, 1, through, static_cast<int>(k), false, scan_map});
     }
     const auto add = [&](const std::string& name, const Series& rate, const Series& shift, int from) {
-        result.push_back({&rate, "normal form of " + name, from, -1, false});
-        result.push_back({&shift, "map of " + name, 1, -1, true});
+        result.push_back({&rate, "normal form of " + name, from, through, -1, true});
+        result.push_back({&shift, "map of " + name, 1, through, -1, false});
     };
+    if (normal_form.hamiltonian) {
+        const int weight = field.ring->generator(field.modes.front().z).weight;
+        result.push_back(
+            {&normal_form.hamiltonian->energy, "energy of the normal form", 0, through + weight, -1, true});
+        result.push_back({&normal_form.hamiltonian->generator, "generator of the map", 2 * weight + 1,
+                          through + weight, -1, false});
+    }
     for (std::size_t k = 0; k < field.angles.size(); ++k)
         add(field.angles[k].name, normal_form.angle[k], map.angle[k], 0);
     for (std::size_t k = 0; k < field.slow.size(); ++k)
@@ -92,6 +105,24 @@ std::string first_complaint(const Ring& ring, const Item& item, Shown shown, con
     return "";
 }
 
+// In the style hamiltonian each modal coordinate has one partner.
+std::string brackets_complaint(const NormalForm& normal_form) {
+    if ((normal_form.style == Style::hamiltonian) != normal_form.hamiltonian.has_value())
+        return "energy and generator go with the style hamiltonian";
+    if (!normal_form.hamiltonian) return "";
+    if (!normal_form.field->system().hamiltonian) return "the system is not given by an energy";
+    std::vector<GeneratorId> found, wanted;
+    for (const HamiltonianForm::Bracket& b : normal_form.hamiltonian->brackets)
+        for (const GeneratorId id : {b.left, b.right}) found.push_back(id);
+    for (const Mode& mode : normal_form.field->modes) {
+        wanted.push_back(mode.z);
+        if (!mode.is_real()) wanted.push_back(mode.zbar);
+    }
+    std::sort(found.begin(), found.end());
+    std::sort(wanted.begin(), wanted.end());
+    return found == wanted ? "" : "the brackets are not those of the modes, each with one partner";
+}
+
 } // namespace
 
 std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map) {
@@ -106,9 +137,10 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
     };
     if (!complete(normal_form) || !complete(map))
         return "normal form and map do not have one series for each variable";
+    if (std::string complaint = brackets_complaint(normal_form); !complaint.empty()) return complaint;
     for (const Item& item : items(normal_form, map)) {
         const auto wrong = [&](int n, const std::vector<int>& exponents) -> const char* {
-            if (n < item.from || n > normal_form.through) return "stands outside the weights of the series";
+            if (n < item.from || n > item.to) return "stands outside the weights of the series";
             if (weight_of(ring, exponents) != n) return "has another weight";
             if (!powers_allowed(ring, exponents)) return "has a negative power of what may vanish";
             return nullptr;
@@ -130,11 +162,12 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
     const std::vector<GeneratorId> outer = field.outer();
     const auto shown = [&](const Monomial& m) { return field.ring->restricted(m, outer); };
     for (const Item& item : items(normal_form, map)) {
+        if (!item.scanned) continue;
         const auto wrong = [&](int /*weight*/, const std::vector<int>& exponents) -> const char* {
             if (resonance.is_exact(exponents, item.mode))
-                return item.is_map && !shared ? "is resonant" : nullptr;
-            if (resonance.is_near(exponents, item.mode)) return item.is_map ? "is resonant" : nullptr;
-            return item.is_map ? nullptr : "is not resonant";
+                return item.in_kernel || shared ? nullptr : "is resonant";
+            if (resonance.is_near(exponents, item.mode)) return item.in_kernel ? nullptr : "is resonant";
+            return item.in_kernel ? "is not resonant" : nullptr;
         };
         std::string complaint = first_complaint(*field.ring, item, shown, wrong);
         if (!complaint.empty()) return complaint;

@@ -11,6 +11,7 @@
 #include "expand/graded_field.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,18 @@ struct DivisorRecord {
     DivisorVerdict verdict;
 };
 
+// What the style hamiltonian keeps besides (normalize/hamiltonian.hpp). With the weight w of the modes:
+//   K = H(old variables), {w_a, K} = rates;   old = exp(L_chi) new,  L_chi f = {f, chi}
+struct HamiltonianForm {
+    struct Bracket { // {left, right} = value of modal coordinates, a constant; each has one partner
+        GeneratorId left, right;
+        Polynomial value;
+    };
+    std::vector<Bracket> brackets;
+    Series energy;    // K, weights 2 w ... M + w; below stand constants only
+    Series generator; // chi, weights 2 w + 1 ... M + w
+};
+
 // rates[...] through weight `through`, the linear part of modes and the frequencies of angles included.
 template <class Part> struct NormalFormOf {
     std::shared_ptr<const GradedField> field;
@@ -36,6 +49,7 @@ template <class Part> struct NormalFormOf {
     std::vector<BasicSeries<Part>> angle;
     std::vector<BasicSeries<Part>> slow; // as given where they are not driven
     std::vector<BasicSeries<Part>> drift;
+    std::optional<HamiltonianForm> hamiltonian; // style hamiltonian
 };
 using NormalForm = NormalFormOf<Polynomial>;
 

@@ -7,7 +7,7 @@
 namespace resonform {
 
 // 1 <= through <= 99. The certificate is left empty.
-// Errors: those of the style; refused: a style that is not built yet.
+// Errors: those of the style.
 Normalization normalize(std::shared_ptr<const GradedField> field, int through,
                         const NormalizeOptions& options = {});
 

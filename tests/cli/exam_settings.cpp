@@ -69,8 +69,8 @@ TEST_F(Settings, StyleOfTheCommandLineStandsInPlaceOfThatOfTheFile) {
     for (const char* command :
          {"derive two --style hamiltonian", "certify two --order 3 --style hamiltonian"}) {
         const Outcome refused = said(command);
-        EXPECT_EQ(refused.code, 3) << command;
-        EXPECT_NE(refused.err.find("use style = \"poincare\""), std::string::npos) << refused.err;
+        EXPECT_EQ(refused.code, 2) << command;
+        EXPECT_NE(refused.err.find("take style = \"poincare\""), std::string::npos) << refused.err;
     }
 }
 

@@ -24,8 +24,8 @@ const BadInput cases[] = {
      "    [notations] # the paper's names for the constants of the solution\n"
      "     ^\n"
      "  found: notations\n"
-     "  mend:  did you mean 'notation'? Known are: system, parameters, variables, functions, equations, "
-     "domain, relations, normal_form, notation"},
+     "  mend:  did you mean 'notation'? Known are: system, parameters, variables, functions, hamiltonian, "
+     "equations, domain, relations, normal_form, notation"},
     {"NotToml", "[parameters]", "[parameters",
      "2 system.toml:6:12: the file is TOML\n"
      "    [parameters\n"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a normal form of style hamiltonian shows besides rates and map. Precondition: it is one.
+#pragma once
+
+#include "emit/json.hpp"
+#include "emit/page.hpp"
+#include "normalize/normal_form.hpp"
+
+#include <vector>
+
+namespace resonform {
+
+// The energy in actions and resonant parts, and what these are.
+std::vector<Section> hamiltonian_sections(const NormalForm& normal_form, int order);
+
+// { "brackets", "actions", "energy", "invariants", "generator" } (docs/file_formats.md)
+Json hamiltonian_json(const NormalForm& normal_form, int order);
+
+} // namespace resonform

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [hamiltonian]: the equations that follow from an energy, and every bad one.
+#include "messages.hpp"
+
+namespace resonform {
+namespace {
+
+const std::string oscillator = "[system]\n"
+                               "name = \"oscillator\"\n"
+                               "[parameters]\n"
+                               "g = { positive = true }\n"
+                               "[variables]\n"
+                               "x = { role = \"fast\" }\n"
+                               "p = { role = \"fast\" }\n"
+                               "[hamiltonian]\n"
+                               "energy = \"p^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n"
+                               "momenta = { x = \"p\" }\n";
+
+TEST(HamiltonianSystem, EquationsAreDerived) {
+    const System system = read_system_text(oscillator, "system.toml");
+    ASSERT_EQ(system.equations.size(), 2U);
+    EXPECT_EQ(system.equations[0].text, "x' = eps*x^2 + p");
+    EXPECT_EQ(system.equations[1].text, "p' = -2*eps*p*x -g*sin(x)");
+    ASSERT_TRUE(system.hamiltonian);
+    ASSERT_EQ(system.hamiltonian->pairs.size(), 1U);
+    EXPECT_EQ(system.hamiltonian->pairs[0].first, 0U);
+    EXPECT_EQ(system.hamiltonian->pairs[0].second, 1U);
+}
+
+TEST(HamiltonianSystem, EquationsMayBeGivenAsWell) {
+    EXPECT_EQ(system_message(oscillator + "[equations]\nx = \"2*x' - 2*p = 2*eps*x^2\"\n"), "");
+}
+
+TEST(HamiltonianSystem, OtherVariablesHaveTheirEquations) {
+    const std::string swinging =
+        edited(edited(oscillator, "p = {", "tau = { role = \"slow\" }\np = {"), "g*(1", "(1 + tau^2)*(1");
+    EXPECT_EQ(system_message(swinging + "[equations]\ntau = \"tau' = eps\"\n"), "");
+    EXPECT_NE(system_message(swinging), "");
+}
+
+class BadHamiltonian : public testing::TestWithParam<BadInput> {};
+
+TEST_P(BadHamiltonian, IsRefusedInOneMessage) {
+    const BadInput& bad = GetParam();
+    EXPECT_EQ(system_message(edited(oscillator, bad.from, bad.to)), bad.message);
+}
+
+const BadInput cases[] = {
+    {"NoEnergy", "energy = \"p^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n", "",
+     "2 system.toml:8:1: hamiltonian: a Hamiltonian system has an energy\n"
+     "    [hamiltonian]\n"
+     "    ^\n"
+     "  found: [hamiltonian]\n"
+     "  mend:  write energy = \"p^2/2 + ...\" under [hamiltonian]"},
+    {"NoPairs", "momenta = { x = \"p\" }\n", "",
+     "2 system.toml:8:1: hamiltonian: each coordinate of a Hamiltonian system has its momentum\n"
+     "    [hamiltonian]\n"
+     "    ^\n"
+     "  found: no pairs\n"
+     "  mend:  write momenta = { x = \"p\" } under [hamiltonian]"},
+    {"UnknownMomentum", "x = \"p\"", "x = \"q\"",
+     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate and its momentum are declared variables\n"
+     "    momenta = { x = \"q\" }\n"
+     "                     ^\n"
+     "  found: 'q'\n"
+     "  mend:  did you mean 'x'? Known are: x, p"},
+    {"OwnMomentum", "x = \"p\"", "x = \"x\"",
+     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate is not its own momentum\n"
+     "    momenta = { x = \"x\" }\n"
+     "                     ^\n"
+     "  found: \"x\"\n"
+     "  mend:  name another variable, or declare one"},
+    {"PairedTwice", "x = \"p\"", "x = \"p\", p = \"x\"",
+     "2 system.toml:10:22: hamiltonian.momenta.p: a variable belongs to one canonical pair\n"
+     "    momenta = { x = \"p\", p = \"x\" }\n"
+     "                         ^\n"
+     "  found: 'p'\n"
+     "  mend:  correct one of the pairs"},
+    {"SlowMomentum", "p = { role = \"fast\"", "p = { role = \"slow\"",
+     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate and its momentum are fast variables\n"
+     "    momenta = { x = \"p\" }\n"
+     "                     ^\n"
+     "  found: 'p' is slow\n"
+     "  mend:  give it role = \"fast\", or leave it out of hamiltonian.momenta and write its equation under "
+     "[equations]"},
+    {"CyclicCoordinate", "g*(1 - cos(x)) + eps*x^2*p", "g",
+     "2 system.toml:9:11: hamiltonian.energy: the energy depends on every coordinate and every momentum\n"
+     "    energy = \"p^2/2 + g\"\n"
+     "              ^\n"
+     "  found: it does not depend on x\n"
+     "  mend:  a constant momentum is a parameter: leave the pair out, and write the equation of the "
+     "coordinate under [equations]"},
+    {"VelocityInTheEnergy", "p^2/2", "x'^2/2",
+     "2 system.toml:9:11: hamiltonian.energy: 'x' has no derivative here\n"
+     "    energy = \"x'^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n"
+     "              ^\n"
+     "  found: x'\n"
+     "  mend:  remove the primes"},
+    {"OtherEquation", "[hamiltonian]", "[equations]\np = \"p' = -g*x\"\n[hamiltonian]",
+     "2 system.toml:9:6: equations.p: the equation of a canonical variable is the one that the energy gives\n"
+     "    p = \"p' = -g*x\"\n"
+     "         ^\n"
+     "  found: lhs - rhs becomes -2*eps*p*x -g*sin(x) + g*x\n"
+     "  mend:  leave the equation out, or correct it or the energy"},
+    {"SecondOrder", "[hamiltonian]", "[equations]\nx = \"x'' = -g*x\"\n[hamiltonian]",
+     "2 system.toml:6:1: variables.x: the equation of a canonical variable is of first order\n"
+     "    x = { role = \"fast\" }\n"
+     "    ^\n"
+     "  found: 'x' with 2 primes\n"
+     "  mend:  leave it out: it follows from the energy"},
+    {"UnknownKey", "momenta", "momentum",
+     "2 system.toml:10:1: hamiltonian.momentum: a key is one of the known ones\n"
+     "    momentum = { x = \"p\" }\n"
+     "    ^\n"
+     "  found: momentum\n"
+     "  mend:  did you mean 'momenta'? Known are: energy, momenta"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, BadHamiltonian, testing::ValuesIn(cases), name_of);
+
+} // namespace
+} // namespace resonform
