@@ -19,7 +19,7 @@ bool is_lead(const std::vector<Relation>& relations, GeneratorId id) {
     return std::any_of(relations.begin(), relations.end(), [id](const Relation& r) { return r.lead == id; });
 }
 
-// Whether m is invertible, the generator `except` left out.
+// Whether m is invertible, the generator `except` left out (-1: none).
 bool invertible_but(const Ring& ring, const Monomial& m, GeneratorId except) {
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         if (id != except && ring.exponent(m, id) != 0 && !ring.generator(id).invertible) return false;
@@ -81,7 +81,9 @@ std::optional<Relation> of_one_term(const Ring& ring, const std::vector<Relation
     relation.lead = root;
     relation.degree = b.index;
     relation.value = Polynomial(b.monomial, b.coefficient);
-    if (b.index == 1 || b.monomial == Monomial{}) return relation;
+    // A divisor that is a symbol not declared to be non-zero stands in its place, and is invertible.
+    const bool known_unit = b.index == 1 && invertible_but(ring, b.monomial, -1);
+    if (known_unit || b.monomial == Monomial{}) return relation;
     const GeneratorId x = eliminated_by(ring, before, b);
     if (x < 0) {
         relation.total = false;

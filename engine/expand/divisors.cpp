@@ -41,14 +41,39 @@ std::shared_ptr<const GradedField> with_derivatives(std::shared_ptr<const Graded
         expand(field->first_order, {field->ring, small_divisors(*field), count}));
 }
 
+namespace {
+
+// A product of generators and a polynomial that none of them divides: where each has an inverse, p has.
+std::vector<Polynomial> factors_to_invert(const Ring& ring, const Polynomial& p) {
+    Polynomial rest = primitive_part(ring, p);
+    std::vector<Polynomial> factors;
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const int exponent = ring.lowest_exponent(rest, id);
+        if (exponent <= 0) continue;
+        factors.push_back(ring.gen(id));
+        std::vector<Term> terms;
+        for (const Term& t : rest.terms())
+            terms.push_back({t.monomial - ring.monomial(id, exponent), t.coefficient});
+        rest = Polynomial::from_terms(std::move(terms));
+    }
+    if (rest.size() > 1) factors.push_back(std::move(rest));
+    return factors;
+}
+
+} // namespace
+
 GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors) {
     Divisors all{field.ring, small_divisors(field), field.coefficients->derivatives()};
     const std::size_t held = all.values.size();
-    for (const Polynomial& divisor : divisors) {
-        const Polynomial primitive = primitive_part(*field.ring, divisor);
-        if (std::find(all.values.begin(), all.values.end(), primitive) == all.values.end())
-            all.values.push_back(primitive);
-    }
+    for (const Polynomial& divisor : divisors)
+        for (Polynomial& factor : factors_to_invert(*field.ring, divisor))
+            if (std::find(all.values.begin(), all.values.end(), factor) == all.values.end())
+                all.values.push_back(std::move(factor));
+    if (all.values.size() == held)
+        refuse({"small divisors are polynomials that the ring can learn to divide by",
+                field.system().name,
+                "declare the parameters in it nonzero or positive, or give them numbers with --set",
+                {}});
     const std::size_t needed = static_cast<std::size_t>(field.ring->size()) - held + all.values.size();
     if (needed > static_cast<std::size_t>(Packing::most_fields))
         refuse({fmt::format("parameters, variables, roots and small divisors are at most {} together",
