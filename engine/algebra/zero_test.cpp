@@ -21,8 +21,9 @@ bool is_free(GeneratorKind kind) {
 // Sample points of the domain: small rationals from a fixed sequence, so that answers repeat.
 class Points {
 public:
-    // One value for each generator, or nothing if the point lies outside the domain.
-    std::optional<std::vector<Interval>> next(const Ring& ring, int bits);
+    // One value for each generator, of this order of magnitude, or nothing if the point lies outside the
+    // domain.
+    std::optional<std::vector<Interval>> next(const Ring& ring, int bits, const Rational& magnitude);
 
 private:
     std::optional<Interval> root_at(const Ring& ring, const Generator& g, const std::vector<Interval>& point,
@@ -31,7 +32,7 @@ private:
                                         const std::vector<Interval>& point, int bits);
     Interval any(bool positive) {
         const bool negative = !positive && integer() > 30;
-        const Rational size = fraction();
+        const Rational size = magnitude_ * fraction();
         return Interval(negative ? -size : size);
     }
     Rational fraction() { return Rational(integer()) / Rational(integer()); }
@@ -40,6 +41,7 @@ private:
         return static_cast<int>((state_ >> 33) % 60) + 1;
     }
     std::uint64_t state_ = 20;
+    Rational magnitude_ = 1;
     std::vector<std::pair<const Generator*, Interval>> named_; // of this point, with their arguments
 };
 
@@ -91,8 +93,9 @@ std::optional<Interval> Points::function_at(const Ring& ring, const Generator& g
     return any(g.positive);
 }
 
-std::optional<std::vector<Interval>> Points::next(const Ring& ring, int bits) {
+std::optional<std::vector<Interval>> Points::next(const Ring& ring, int bits, const Rational& magnitude) {
     std::vector<Interval> point;
+    magnitude_ = magnitude;
     named_.clear();
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
@@ -121,9 +124,11 @@ bool holds_primitive(const Ring& ring, const Polynomial& p) {
 // Whether one of the real coefficients is proved non-zero somewhere in the domain.
 bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Polynomial>>& coefficients) {
     constexpr int tries = 40;
+    const Rational magnitudes[] = {1, Rational(1) / 20, Rational(1) / 400}; // domains may be narrow
     Points points;
     for (int n = 0; n < tries; ++n) {
-        const auto point = points.next(ring, 64 << (n / 10)); // 64 to 512 bits
+        const int bits = 64 << (n / 10); // 64 to 512
+        const auto point = points.next(ring, bits, magnitudes[n % 3]);
         if (!point) continue;
         for (const auto& coefficient : coefficients) {
             if (holds_primitive(ring, coefficient.second)) continue;

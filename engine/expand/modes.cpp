@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes.hpp"
 
+#include "expand/given_modes.hpp"
 #include "expand/jordan_modes.hpp"
+#include "expand/large_blocks.hpp"
+#include "expand/matrix_inverse.hpp"
 #include "model/canonical.hpp"
 #include "model/zero_test.hpp"
 
@@ -31,6 +34,8 @@ public:
     ModalBasis find() {
         check_equilibrium();
         fill_linear_part();
+        if (!system_.modes.empty())
+            return given_modal_basis(first_order_, basis_.states, linear_, coefficients_);
         find_blocks();
         for (const Block& block : blocks_) modes_.push_back(modes_of(block));
         if (system_.style == Style::inner_product && !is_semisimple()) {
@@ -63,7 +68,7 @@ private:
     // The mode of a block by itself.
     [[nodiscard]] ModeShape lone(const BlockMode& mode, std::size_t block) const;
     [[nodiscard]] bool are_coupled_oscillators(const Block& block) const;
-    [[noreturn]] void refuse_large(const Block& block) const;
+    [[noreturn]] void refuse_driven(const Block& block) const;
     [[nodiscard]] Matrix matrix_of(const Block& block) const;
 
     // Continues an eigenvector of a block to the blocks that it drives (column), or that drive it (row).
@@ -158,15 +163,7 @@ BlockModes ModeFinder::modes_of(const Block& block) const {
                                              {-a(block[3], block[0]), -a(block[3], block[2])}},
                                             system_, name_of(block));
     if (block.size() <= largest_block) return modes_of_block(matrix_of(block), system_, name_of(block));
-    refuse_large(block);
-}
-
-void ModeFinder::refuse_large(const Block& block) const {
-    refuse(
-        {"modes are found in closed form for blocks of two states that drive each other in a triangle, and "
-         "for two coupled variables of second order by themselves",
-         fmt::format("{} are coupled: {} states", name_of(block).variables, block.size()),
-         "use normal coordinates, or write the coupling with a factor eps", place(block.front())});
+    return {modes_of_large_block(matrix_of(block), system_, name_of(block))};
 }
 
 // No mode drives one of the same eigenvalue, or of one that is not proved to be another.
@@ -218,7 +215,7 @@ std::vector<std::size_t> ModeFinder::from_driving_block() const {
 }
 
 ModeShape ModeFinder::lone(const BlockMode& mode, std::size_t block) const {
-    ModeShape shape{mode.eigenvalue, basis_.states[blocks_[block].front()], {}, {}};
+    ModeShape shape{mode.eigenvalue, basis_.states[blocks_[block][mode.pivot]], {}, {}};
     shape.column.resize(basis_.states.size());
     shape.row.resize(basis_.states.size());
     for (std::size_t k = 0; k < blocks_[block].size(); ++k) {
@@ -269,26 +266,31 @@ std::vector<Complex> ModeFinder::solve(const Block& block, const Complex& eigenv
                                        const std::vector<Complex>& right, bool rows) const {
     if (std::all_of(right.begin(), right.end(), [](const Complex& c) { return normal(c).is_zero(); }))
         return right;
-    if (block.size() > largest_block) refuse_large(block);
-    const auto entry = [&](std::size_t j, std::size_t k) {
-        const Complex value{rows ? a(block[k], block[j]) : a(block[j], block[k]), 0};
-        return j == k ? value - eigenvalue : value;
-    };
-    const bool one = block.size() == 1;
-    const Complex determinant =
-        normal(one ? entry(0, 0) : entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0));
-    const bool singular = vanishes(determinant.re) != Zero::no && vanishes(determinant.im) != Zero::no;
-    if (singular)
-        refuse(
-            {"the linear part of the fast variables is semisimple: nothing is driven at its own eigenvalue",
-             fmt::format("{} is, or that cannot be excluded", state(block.front()).name),
-             "write style = \"inner_product\" in [normal_form], give the variable a restoring force, or "
-             "write "
-             "the coupling with a factor eps",
-             place(block.front())});
-    if (one) return {right[0] / determinant};
-    return {(right[0] * entry(1, 1) - entry(0, 1) * right[1]) / determinant,
-            (entry(0, 0) * right[1] - entry(1, 0) * right[0]) / determinant};
+    const std::size_t n = block.size();
+    std::vector<std::vector<Complex>> m(n, std::vector<Complex>(n));
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t k = 0; k < n; ++k)
+            m[j][k] = {rows ? a(block[k], block[j]) : a(block[j], block[k]), 0};
+        m[j][j] = m[j][j] - eigenvalue;
+    }
+    if (n > largest_block) {
+        const auto solution = solve_linear(std::move(m), right);
+        if (!solution) refuse_driven(block);
+        return *solution;
+    }
+    const Complex determinant = normal(n == 1 ? m[0][0] : m[0][0] * m[1][1] - m[0][1] * m[1][0]);
+    if (vanishes(determinant.re) != Zero::no && vanishes(determinant.im) != Zero::no) refuse_driven(block);
+    if (n == 1) return {right[0] / determinant};
+    return {(right[0] * m[1][1] - m[0][1] * right[1]) / determinant,
+            (m[0][0] * right[1] - m[1][0] * right[0]) / determinant};
+}
+
+void ModeFinder::refuse_driven(const Block& block) const {
+    refuse({"the linear part of the fast variables is semisimple: nothing is driven at its own eigenvalue",
+            fmt::format("{} is, or that cannot be excluded", state(block.front()).name),
+            "write style = \"inner_product\" in [normal_form], give the variable a restoring force, or "
+            "write the coupling with a factor eps",
+            place(block.front())});
 }
 
 } // namespace

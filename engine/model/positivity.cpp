@@ -3,6 +3,7 @@
 
 #include "model/bounds.hpp"
 #include "model/named_function.hpp"
+#include "model/zero_test.hpp"
 
 #include <algorithm>
 
@@ -18,10 +19,17 @@ enum class Sign { unknown, nonnegative, positive };
 
 // Comparing with declared expressions divides polynomials; no honest one is larger than this.
 constexpr std::size_t largest_compared = 60;
+constexpr std::size_t largest_divided = 10;
 constexpr int deepest_comparison = 4;
 // Each comparison may lead to one with every declaration again: many are compared less deeply.
 constexpr std::size_t few_declarations = 6;
 constexpr int deepest_among_many = 2;
+
+// Is e, a sum of numbers and roots of numbers, positive?  2 - sqrt(2)
+bool is_positive_number(const ex& e) {
+    const Ball value = evaluate(e, {});
+    return value.middle > value.radius;
+}
 
 class Prover {
 public:
@@ -43,6 +51,7 @@ private:
     Sign of_negative(const ex& part, int comparisons) const;
     Sign by_structure(const ex& e, int comparisons) const;
     Sign by_declaration(const ex& e, int comparisons) const;
+    Sign by_division(const ex& e, const ex& declared, int comparisons) const;
     Sign by_bounds(const ex& e, int comparisons) const;
     bool declared_nonzero(const ex& symbol) const;
 
@@ -159,6 +168,7 @@ Sign Prover::by_structure(const ex& e, int comparisons) const {
     Sign strongest = Sign::unknown;
     for (const ex& part : e) {
         const Sign s = sign(part, comparisons);
+        if (s == Sign::unknown && is_positive_number(e)) return Sign::positive;
         if (s == Sign::unknown) return by_bounds(e, comparisons);
         strongest = std::max(strongest, s);
     }
@@ -195,6 +205,32 @@ Sign Prover::by_declaration(const ex& e, int comparisons) const {
         const Sign s = sign(quotient, comparisons - 1);
         if (s != Sign::unknown) return s;
     }
+    for (const Declaration& declared : system_.positive) {
+        const Sign s = by_division(expanded, declared.value.expand(), comparisons - 2);
+        if (s != Sign::unknown) return s;
+    }
+    return Sign::unknown;
+}
+
+// e = quotient d + rest, divided with respect to one symbol: 13 + 12*mu - 12*mu^2 = 12*mu (1 - mu) + 13.
+Sign Prover::by_division(const ex& e, const ex& declared, int comparisons) const {
+    if (comparisons < 0 || e.nops() > largest_divided || !e.info(GiNaC::info_flags::rational_polynomial) ||
+        !declared.info(GiNaC::info_flags::rational_polynomial))
+        return Sign::unknown;
+    const auto divided_by = [&](const ex& symbol) {
+        if (declared.degree(symbol) == 0 || e.degree(symbol) < declared.degree(symbol) ||
+            !GiNaC::is_a<numeric>(declared.lcoeff(symbol)))
+            return Sign::unknown;
+        const ex quotient = GiNaC::quo(e, declared, symbol).expand();
+        const ex rest = GiNaC::rem(e, declared, symbol).expand();
+        const Sign s = sign(quotient, comparisons);
+        const Sign t = s == Sign::unknown ? s : sign(rest, comparisons);
+        return t == Sign::unknown ? t : std::max(s, t);
+    };
+    for (const Parameter& p : system_.parameters)
+        if (const Sign s = divided_by(p.symbol); s != Sign::unknown) return s;
+    for (const Variable& v : system_.variables)
+        if (const Sign s = divided_by(v.jet.front()); s != Sign::unknown) return s;
     return Sign::unknown;
 }
 

@@ -88,6 +88,8 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     if (system.hamiltonian)
         system.hamiltonian->energy =
             system.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
+    for (GivenMode& mode : system.modes)
+        for_each_part(mode, [&](ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); });
     put_into_domain(system, values, option);
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
     system.settings.insert(system.settings.end(), settings.begin(), settings.end());

@@ -73,6 +73,37 @@ struct Hamiltonian {
     [[nodiscard]] bool has(std::size_t variable) const; // is it one of a pair?
 };
 
+// A complex number in parameters and slow variables, as the user wrote it.
+struct GivenNumber {
+    GiNaC::ex re = 0, im = 0;
+    std::string text;
+    SourceText source;
+};
+
+// [modes] z1 = { eigenvalue = "I*w", u = { x = "1/2", "x'" = "I*w/2" } }: the first of a conjugate pair
+// (im != 0), or a real mode.
+struct GivenMode {
+    struct Entry {
+        std::size_t variable; // index into System::variables
+        std::size_t primes;
+        GivenNumber value;
+    };
+    std::string name;
+    GivenNumber eigenvalue;
+    std::vector<Entry> column; // entries that are not given are 0
+    Place place;
+};
+// Calls change(GiNaC::ex&) for real and imaginary part of the eigenvalue and of each entry.
+template <class Change>
+void for_each_part(GivenMode& mode, const Change& change) {
+    change(mode.eigenvalue.re);
+    change(mode.eigenvalue.im);
+    for (GivenMode::Entry& entry : mode.column) {
+        change(entry.value.re);
+        change(entry.value.im);
+    }
+}
+
 // A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
 struct Setting {
     std::string parameter, value;
@@ -89,6 +120,7 @@ struct System {
     std::vector<NamedFunction> functions;
     std::vector<Notation> notation;
     std::vector<Declaration> positive; // declared positive
+    std::vector<GivenMode> modes;      // empty: they are to be found
     Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
     Style style = Style::poincare;     // [normal_form] style
     GiNaC::symbol eps{"eps"};

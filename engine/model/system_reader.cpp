@@ -68,7 +68,7 @@ SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file) : r
 
 System SystemReader::read() {
     check_keys(root_, {"system", "parameters", "variables", "functions", "hamiltonian", "equations", "domain",
-                       "relations", "normal_form", "notation"});
+                       "relations", "modes", "normal_form", "notation"});
     read_header();
     read_parameters();
     read_variables();
@@ -79,6 +79,7 @@ System SystemReader::read() {
     read_equations();
     read_energy();
     read_domain();
+    read_modes();
     read_relations();
     read_normal_form();
     read_notation();

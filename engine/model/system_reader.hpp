@@ -26,6 +26,7 @@ private:
     void read_energy(); // completes the equations, checks those that were given
     void read_domain();
     void read_relations(); // puts the values into equations and domain
+    void read_modes(); // modes_reader.cpp
     void read_normal_form();
     void read_notation();
     void check_names_of_results() const;

@@ -102,6 +102,11 @@ void SystemReader::read_relations() {
     for (Declaration& declaration : system_.positive)
         declaration.value =
             declaration.value.subs(values, GiNaC::subs_options::no_pattern).subs(system_.eps == 0);
+    const auto put_at_rest = [&](GiNaC::ex& e) {
+        put(e);
+        e = e.subs(system_.eps == 0, GiNaC::subs_options::no_pattern);
+    };
+    for (GivenMode& mode : system_.modes) for_each_part(mode, put_at_rest);
     system_.parameters.erase(std::remove_if(system_.parameters.begin(), system_.parameters.end(),
                                             [&](const Parameter& p) { return values.count(p.symbol) != 0; }),
                              system_.parameters.end());

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expand/large_blocks.hpp"
+
+#include "expand/closed_roots.hpp"
+#include "expand/eigen_field.hpp"
+#include "model/canonical.hpp"
+#include "model/zero_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using Rows = EigenField::Rows;
+
+const numeric half(1, 2);
+
+struct Factor { // irreducible in lambda, monic
+    std::vector<ex> lower;
+    std::size_t multiplicity;
+};
+
+class LargeBlock {
+public:
+    LargeBlock(const Matrix& a, const System& system, const BlockName& name)
+        : a_(a), system_(system), name_(name) {
+        name_symbols();
+    }
+
+    std::vector<BlockMode> modes() {
+        for (const Factor& factor : factors()) {
+            if (!has_closed_roots(factor)) refuse_factor(factor);
+            add_modes(factor);
+        }
+        sort();
+        return std::move(modes_);
+    }
+
+private:
+    void name_symbols() {
+        std::size_t count = 0;
+        const auto add = [&](const ex& symbol) {
+            indexed_[symbol] = GiNaC::symbol(fmt::format("p{:03}", count));
+            near_one_[symbol] = 1 + numeric(static_cast<long>(++count), 64);
+        };
+        for (const Parameter& p : system_.parameters) add(p.symbol);
+        for (const Variable& v : system_.variables) add(v.jet.front());
+    }
+
+    [[nodiscard]] std::vector<Factor> factors() const;
+    [[nodiscard]] ex polynomial(const Factor& factor, const ex& variable) const;
+    static bool has_closed_roots(const Factor& factor);
+    [[noreturn]] void refuse_factor(const Factor& factor) const;
+    [[noreturn]] void refuse_unknown() const;
+    [[noreturn]] void refuse_nilpotent(const Factor& factor) const;
+
+    void add_modes(const Factor& factor);
+    [[nodiscard]] Rows shifted(const EigenField& field, bool transposed) const;
+    [[nodiscard]] BlockMode mode_of(const EigenRoot& root, const EigenField::Row& column,
+                                    const EigenField::Row& row) const;
+    void sort();
+
+    const Matrix& a_;
+    const System& system_;
+    const BlockName& name_;
+    GiNaC::exmap indexed_, near_one_; // the symbols by their places in the file
+    GiNaC::symbol lambda_{"lambda"};
+    std::vector<BlockMode> modes_;
+};
+
+std::vector<Factor> LargeBlock::factors() const {
+    const auto n = static_cast<unsigned>(a_.size());
+    GiNaC::matrix matrix(n, n);
+    for (unsigned i = 0; i < n; ++i)
+        for (unsigned j = 0; j < n; ++j) matrix(i, j) = a_[i][j];
+    GiNaC::exmap atoms;
+    const ex characteristic = matrix.charpoly(lambda_).normal().numer().to_polynomial(atoms).expand();
+    const ex factored = GiNaC::factor(characteristic);
+    std::vector<Factor> found;
+    for (const ex& f : GiNaC::is_a<GiNaC::mul>(factored) ? operands(factored) : std::vector<ex>{factored}) {
+        const bool power = GiNaC::is_a<GiNaC::power>(f);
+        const ex base = (power ? f.op(0) : f).subs(atoms, GiNaC::subs_options::no_pattern).expand();
+        if (!base.has(lambda_)) continue;
+        const int degree = base.degree(lambda_);
+        Factor factor{{}, 1};
+        if (power) factor.multiplicity = static_cast<std::size_t>(GiNaC::ex_to<numeric>(f.op(1)).to_int());
+        for (int k = 0; k < degree; ++k)
+            factor.lower.push_back((base.coeff(lambda_, k) / base.lcoeff(lambda_)).normal());
+        found.push_back(std::move(factor));
+    }
+    const auto key = [&](const Factor& f) {
+        const ex named = polynomial(f, lambda_).subs(indexed_, GiNaC::subs_options::no_pattern);
+        return std::make_tuple(f.lower.size(), spell(named));
+    };
+    std::sort(found.begin(), found.end(), [&](const Factor& p, const Factor& q) { return key(p) < key(q); });
+    return found;
+}
+
+ex LargeBlock::polynomial(const Factor& factor, const ex& variable) const {
+    ex sum = GiNaC::pow(variable, factor.lower.size());
+    for (std::size_t k = 0; k < factor.lower.size(); ++k) sum += factor.lower[k] * GiNaC::pow(variable, k);
+    return sum;
+}
+
+bool LargeBlock::has_closed_roots(const Factor& factor) {
+    const std::size_t degree = factor.lower.size();
+    return degree <= 2 || (degree == 4 && factor.lower[1].is_zero() && factor.lower[3].is_zero());
+}
+
+void LargeBlock::refuse_factor(const Factor& factor) const {
+    refuse({"eigenvalues in closed form are roots of factors of degree 1 or 2 in lambda or in lambda^2",
+            fmt::format("{} of the characteristic polynomial of {}", spell(polynomial(factor, lambda_)),
+                        name_.variables),
+            "give the modes in [modes] with their frequencies as parameters, or write the coupling with a "
+            "factor "
+            "eps",
+            name_.place});
+}
+
+void LargeBlock::refuse_unknown() const {
+    refuse({"entries of eigenvectors are proved to be zero or nonzero",
+            fmt::format("not all of those of {}", name_.variables),
+            "write the coefficients with fewer roots, or give the modes in [modes]", name_.place});
+}
+
+void LargeBlock::refuse_nilpotent(const Factor& factor) const {
+    refuse({"the linear part of the fast variables is semisimple (has as many eigenvectors as variables)",
+            fmt::format(
+                "{} is a {}-fold factor of the characteristic polynomial of {}, and has fewer eigenvectors",
+                spell(polynomial(factor, lambda_)), factor.multiplicity, name_.variables),
+            "give the variable "
+            "a restoring force, or unfold the block",
+            name_.place});
+}
+
+// A - lambda.
+Rows LargeBlock::shifted(const EigenField& field, bool transposed) const {
+    Rows rows;
+    for (std::size_t i = 0; i < a_.size(); ++i) {
+        rows.emplace_back();
+        for (std::size_t j = 0; j < a_.size(); ++j) {
+            const auto entry = field.constant(transposed ? a_[j][i] : a_[i][j]);
+            rows.back().push_back(i == j ? field.minus(entry, field.root()) : entry);
+        }
+    }
+    return rows;
+}
+
+// Columns from the null space, rows from that of the transpose, paired to one another.
+void LargeBlock::add_modes(const Factor& factor) {
+    const EigenField field(factor.lower);
+    const auto columns = field.null_space(shifted(field, false), a_.size());
+    const auto rows = field.null_space(shifted(field, true), a_.size());
+    if (!columns || !rows) refuse_unknown();
+    const std::size_t m = factor.multiplicity;
+    if (columns->size() != m || rows->size() != m) refuse_nilpotent(factor);
+    Rows paired; // P | rows with P = rows columns: the echelon form is 1 | P^-1 rows
+    for (const EigenField::Row& row : *rows) {
+        paired.emplace_back();
+        for (const EigenField::Row& column : *columns) {
+            EigenField::Element product = field.constant(0);
+            for (std::size_t s = 0; s < a_.size(); ++s)
+                product = field.minus(product, field.times(row[s], column[s]));
+            paired.back().push_back(field.minus(field.constant(0), product));
+        }
+        paired.back().insert(paired.back().end(), row.begin(), row.end());
+    }
+    const auto inverted = field.echelon(std::move(paired));
+    if (!inverted) refuse_unknown();
+    for (const EigenRoot& root : closed_roots(factor.lower, system_, name_))
+        for (std::size_t k = 0; k < m; ++k) {
+            if (EigenField::vanishes((*inverted)[k][k]) != Zero::no) refuse_nilpotent(factor);
+            const EigenField::Row row((*inverted)[k].begin() + static_cast<std::ptrdiff_t>(m),
+                                      (*inverted)[k].end());
+            modes_.push_back(mode_of(root, (*columns)[k], row));
+        }
+}
+
+BlockMode LargeBlock::mode_of(const EigenRoot& root, const EigenField::Row& column,
+                              const EigenField::Row& row) const {
+    const ex scale = root.value.im.is_zero() ? ex(1) : ex(half);
+    const auto at_root = [&](const EigenField::Element& e, const ex& factor) {
+        Complex sum;
+        for (std::size_t k = 0; k < e.size(); ++k)
+            if (!e[k].is_zero()) sum = sum + Complex{factor * e[k], 0} * root.powers[k];
+        return sum;
+    };
+    BlockMode mode{root.value, {}, {}};
+    for (std::size_t s = 0; s < a_.size(); ++s) {
+        if (mode.pivot == s && EigenField::vanishes(column[s]) == Zero::yes) ++mode.pivot;
+        mode.column.push_back(at_root(column[s], scale));
+        mode.row.push_back(at_root(row[s], 1 / scale));
+    }
+    return mode;
+}
+
+// By frequency and growth at parameters near one, if all have values there.
+void LargeBlock::sort() {
+    const auto value = [&](const ex& e) { return evaluate(e, near_one_); };
+    if (std::any_of(modes_.begin(), modes_.end(), [&](const BlockMode& m) {
+            return !std::isfinite(value(m.eigenvalue.re).radius) ||
+                   !std::isfinite(value(m.eigenvalue.im).radius);
+        }))
+        return;
+    const auto before = [&](const BlockMode& p, const BlockMode& q) {
+        const double omega = value(p.eigenvalue.im).middle - value(q.eigenvalue.im).middle;
+        const double growth = value(p.eigenvalue.re).middle - value(q.eigenvalue.re).middle;
+        constexpr double equal = 1e-9;
+        return std::abs(omega) > equal ? omega < 0 : growth < -equal;
+    };
+    std::stable_sort(modes_.begin(), modes_.end(), before);
+}
+
+} // namespace
+
+std::vector<BlockMode> modes_of_large_block(const Matrix& a, const System& system, const BlockName& name) {
+    return LargeBlock(a, system, name).modes();
+}
+
+} // namespace resonform
