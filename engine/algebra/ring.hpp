@@ -119,8 +119,8 @@ public:
     [[nodiscard]] Polynomial dot(const std::vector<Product>& products) const; // with factors
     // exponent < 0: refused unless p is a unit (inverse below).
     [[nodiscard]] Polynomial power(const Polynomial& p, int exponent) const;
-    // 1/p if p is a unit of the ring, that is one monomial in invertible generators (or i) times a
-    // number times powers of radicands of roots (recognised after reduction); nullopt otherwise.
+    // 1/p if p is one monomial in invertible generators (or i) times a number times powers of radicands
+    // of roots (recognised after reduction) or a sum of numeric roots; nullopt otherwise.
     [[nodiscard]] std::optional<Polynomial> inverse(const Polynomial& p) const;
     // The positive p^exponent where p is a positive number times a monomial (or a product of
     // radicands) and the result is again one: (4 r^2 sigma^4)^(-1/2) = 1/(2 r sigma^2). An integer

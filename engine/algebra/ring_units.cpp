@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units of a Ring: which elements may be divided by, and which have roots in the ring.
 #include "algebra/division.hpp"
+#include "algebra/number_field.hpp"
 #include "algebra/ring.hpp"
 
 #include <cstddef>
@@ -27,7 +28,9 @@ GeneratorId divide_by_radicand(const Ring& ring, Polynomial& p) {
         if (ring.generator(id).kind != GeneratorKind::root) continue;
         const Polynomial radicand = ring.reduce(ring.generator(id).radicand);
         if (radicand.size() < 2) continue;
-        if (const std::optional<Polynomial> quotient = divide_exactly(ring, p, radicand)) {
+        const std::optional<Polynomial> quotient = divide_exactly(ring, p, radicand);
+        // By a sum of numbers every other one can be divided, again and again.
+        if (quotient && (quotient->size() == 1 || !is_numeric_root(ring, id))) {
             p = *quotient;
             return id;
         }
@@ -94,7 +97,7 @@ std::optional<Polynomial> number_root(const Ring& ring, const Rational& value, i
 
 std::optional<Polynomial> Ring::inverse(const Polynomial& p) const {
     const std::optional<Unit> unit = as_unit(*this, p);
-    if (!unit) return std::nullopt;
+    if (!unit) return inverse_in_number_field(*this, reduce(p));
     return reduce(Polynomial(packing_.scaled(unit->monomial, -1), cln::recip(unit->coefficient)));
 }
 

@@ -25,7 +25,7 @@ const BadInput cases[] = {
      "     ^\n"
      "  found: notations\n"
      "  mend:  did you mean 'notation'? Known are: system, parameters, variables, functions, hamiltonian, "
-     "equations, domain, relations, normal_form, notation"},
+     "equations, domain, relations, modes, normal_form, notation"},
     {"NotToml", "[parameters]", "[parameters",
      "2 system.toml:6:12: the file is TOML\n"
      "    [parameters\n"
