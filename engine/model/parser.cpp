@@ -243,7 +243,8 @@ Parser::Piece Parser::reciprocal(const Piece& denominator) {
 }
 
 Parser::Piece Parser::raise(const Piece& base, const Piece& exponent) {
-    const numeric n = checked_exponent(base, exponent);
+    if (!GiNaC::is_a<numeric>(exponent.value)) return raise_by_symbols(base, exponent);
+    const numeric n = checked_exponent(exponent);
     Piece piece;
     piece.begin = base.begin;
     piece.end = exponent.end;
@@ -259,6 +260,17 @@ Parser::Piece Parser::raise(const Piece& base, const Piece& exponent) {
                  "write the real value meant");
     }
     piece.value = evaluate(piece.begin, piece.end, [&] { return GiNaC::pow(base.value, n); });
+    return piece;
+}
+
+// a^b = exp(b log a)
+Parser::Piece Parser::raise_by_symbols(const Piece& base, const Piece& exponent) {
+    check_argument("log", base);
+    Piece piece = base;
+    piece.end = exponent.end;
+    piece.growth = {1, 1, std::max(base.growth.bits, exponent.growth.bits), 0}; // one factor, as a function
+    piece.value =
+        evaluate(piece.begin, piece.end, [&] { return GiNaC::exp(exponent.value * GiNaC::log(base.value)); });
     return piece;
 }
 

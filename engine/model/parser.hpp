@@ -39,7 +39,8 @@ private:
 
     Piece reciprocal(const Piece& denominator);
     Piece raise(const Piece& base, const Piece& exponent);
-    GiNaC::numeric checked_exponent(const Piece& base, const Piece& exponent);
+    Piece raise_by_symbols(const Piece& base, const Piece& exponent);
+    GiNaC::numeric checked_exponent(const Piece& exponent);
     void check_growth(const Growth& growth, std::size_t begin, std::size_t end);
     void check_argument(const std::string& function, const Piece& argument);
     void expect_end(bool equation);

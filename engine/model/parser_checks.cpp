@@ -22,11 +22,7 @@ void Parser::expect_end(bool equation) {
     complain(token.begin, token.end, "every ')' closes a '('", "remove it or add the '('");
 }
 
-numeric Parser::checked_exponent(const Piece& base, const Piece& exponent) {
-    if (!GiNaC::is_a<numeric>(exponent.value)) {
-        complain(exponent.begin, exponent.end, "an exponent is a rational number",
-                 "write exp(b*log(a)) for a^b with " + excerpt(text_, base.begin, base.end) + " as a");
-    }
+numeric Parser::checked_exponent(const Piece& exponent) {
     numeric n = GiNaC::ex_to<numeric>(exponent.value);
     const numeric limit(limits_.exponent);
     if (GiNaC::abs(n.numer()) > limit || n.denom() > limit) {

@@ -14,6 +14,7 @@ constexpr int most_variables = 64;
 constexpr int most_parameters = 30; // the coefficient ring has room for 32 with i and eps
 constexpr int most_functions = 30;
 constexpr int most_primes = 9;
+constexpr int most_weight = 9;
 
 // Refuses a list that no honest system has.
 void check_count(const TomlNode& table, int most) {
@@ -81,6 +82,7 @@ System SystemReader::read() {
     read_domain();
     read_modes();
     read_relations();
+    scale_small_parameters();
     read_normal_form();
     read_notation();
     check_names_of_results();
@@ -109,13 +111,16 @@ void SystemReader::read_parameters() {
     check_count(*parameters, most_parameters);
     for (const TomlEntry& entry : parameters->entries) {
         claim_name(entry, "a parameter");
-        check_keys(entry.value, {"positive", "nonzero", "unit"});
+        check_keys(entry.value, {"positive", "nonzero", "unit", "weight"});
         Parameter parameter;
         parameter.name = entry.key;
         parameter.positive = flag(entry.value, "positive");
         parameter.nonzero = parameter.positive || flag(entry.value, "nonzero");
         parameter.unit = text(entry.value, "unit");
         parameter.symbol = GiNaC::symbol(parameter.name);
+        const TomlNode* weight = entry.value.find("weight");
+        const int power = weight == nullptr ? 0 : integer_of(*weight, 0, most_weight);
+        if (power > 0) small_.emplace_back(parameter.symbol, power);
         system_.parameters.push_back(std::move(parameter));
     }
 }

@@ -88,9 +88,9 @@ void SystemReader::read_relations() {
             if (relations->find(p.name) == nullptr) scope.define(p.name, p.symbol);
         scope.define("eps", system_.eps);
         const GiNaC::ex value = read_expression(string_of(entry.value), scope, entry.value.source);
-        const GiNaC::ex at_rest = value.subs(system_.eps == 0, GiNaC::subs_options::no_pattern);
-        if ((parameter->positive && !provably_positive(at_rest, system_)) ||
-            (parameter->nonzero && !provably_nonzero(at_rest, system_)))
+        const GiNaC::ex rest = at_rest(value);
+        if ((parameter->positive && !provably_positive(rest, system_)) ||
+            (parameter->nonzero && !provably_nonzero(rest, system_)))
             bad_value(entry.value,
                       "a relation keeps at eps = 0 what is declared of " + in_quotes(parameter->name),
                       "declare what its value is made of positive");
@@ -102,14 +102,33 @@ void SystemReader::read_relations() {
     for (Declaration& declaration : system_.positive)
         declaration.value =
             declaration.value.subs(values, GiNaC::subs_options::no_pattern).subs(system_.eps == 0);
-    const auto put_at_rest = [&](GiNaC::ex& e) {
-        put(e);
-        e = e.subs(system_.eps == 0, GiNaC::subs_options::no_pattern);
-    };
-    for (GivenMode& mode : system_.modes) for_each_part(mode, put_at_rest);
+    for (GivenMode& mode : system_.modes) for_each_part(mode, put);
     system_.parameters.erase(std::remove_if(system_.parameters.begin(), system_.parameters.end(),
                                             [&](const Parameter& p) { return values.count(p.symbol) != 0; }),
                              system_.parameters.end());
+}
+
+// The value where eps and all small parameters vanish.
+GiNaC::ex SystemReader::at_rest(const GiNaC::ex& e) const {
+    GiNaC::exmap zero{{system_.eps, 0}};
+    for (const auto& small : small_) zero[small.first] = 0;
+    return e.subs(zero, GiNaC::subs_options::no_pattern);
+}
+
+// d = { weight = 2 } is small: it stands for eps^2*d.
+void SystemReader::scale_small_parameters() {
+    GiNaC::exmap values;
+    for (const auto& [symbol, weight] : small_) {
+        values[symbol] = GiNaC::pow(system_.eps, weight) * symbol;
+        for (const Declaration& declaration : system_.positive)
+            if (declaration.value.has(symbol) && !declaration.value.is_equal(symbol))
+                bad_input({"what is declared positive holds at eps = 0, without small parameters",
+                           in_quotes(declaration.text), "leave " + symbol.get_name() + " out",
+                           place_of(declaration.source)});
+    }
+    for (Equation& equation : system_.equations)
+        equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
+    for (GivenMode& mode : system_.modes) for_each_part(mode, [&](GiNaC::ex& e) { e = at_rest(e); });
 }
 
 void SystemReader::read_normal_form() {

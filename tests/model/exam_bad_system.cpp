@@ -18,7 +18,7 @@ const BadInput cases[] = {
      "    v = { unti = \"m/s\" }\n"
      "          ^\n"
      "  found: unti\n"
-     "  mend:  did you mean 'unit'? Known are: positive, nonzero, unit"},
+     "  mend:  did you mean 'unit'? Known are: positive, nonzero, unit, weight"},
     {"UnknownTable", "[notation]", "[notations]",
      "2 system.toml:23:2: notations: a key is one of the known ones\n"
      "    [notations] # the paper's names for the constants of the solution\n"
@@ -78,6 +78,12 @@ const BadInput cases[] = {
      "                                    ^\n"
      "  found: 2\n"
      "  mend:  remove the key, or scale the variable"},
+    {"WeightOfAParameter", "v = { unit = \"m/s\" }", "v = { unit = \"m/s\", weight = -1 }",
+     "2 system.toml:9:32: parameters.v.weight: 'parameters.v.weight' is an integer in 0 ... 9\n"
+     "    v = { unit = \"m/s\", weight = -1 }\n"
+     "                               ^\n"
+     "  found: -1\n"
+     "  mend:  write an integer in 0 ... 9"},
     {"RelationOfNoParameter", "[notation]", "[relations]\nq = \"2*g\"\n[notation]",
      "2 system.toml:24:1: relations.q: a relation gives a parameter by others\n"
      "    q = \"2*g\"\n"

@@ -69,6 +69,8 @@ TEST_F(Expression, PrecedenceIsTheUsualOne) {
     EXPECT_EQ(read("12/2/3"), numeric(2));
     EXPECT_EQ(read("x - r - xi"), x - r - xi);
     EXPECT_EQ(read("x/r*xi"), x * xi / r);
+    EXPECT_EQ(read("-r^xi^2"), -exp(pow(xi, 2) * log(r)));
+    EXPECT_EQ(read("2^(r - r)"), numeric(1));
 }
 
 TEST_F(Expression, PrimesAreDerivatives) {
@@ -183,8 +185,8 @@ TEST_F(Expression, LimitsAreCheckedBeforeAnythingIsComputed) {
               "(1+x+xi+r)^900 | use smaller exponents or fewer products of sums");
     EXPECT_EQ(complaint("((x^100)^100)^2"), "1: an expression is at most of degree 10000 | ((x^100)^100)^2 | "
                                             "use smaller exponents");
-    EXPECT_EQ(complaint("x^r"),
-              "3: an exponent is a rational number | r | write exp(b*log(a)) for a^b with x as a");
+    EXPECT_EQ(complaint("0^r"), "1: log has no value at zero | 0 | correct the argument");
+    EXPECT_EQ(complaint("(-2)^r"), "1: log of this number is not real | (-2) | write the real value meant");
 }
 
 std::string repeated(const std::string& text, int times) {

@@ -66,6 +66,28 @@ TEST(SystemFile, DeclaredExpressionsAreKept) {
     EXPECT_EQ(system.positive[0].value, 1 + system.variable("xi")->jet[0] / system.parameter("r")->symbol);
 }
 
+TEST(SystemFile, SmallParametersStandForPowersOfEps) {
+    const auto file = [](const std::string& domain) {
+        return "[system]\nname = \"s\"\n[parameters]\nmu = { weight = 2, positive = true }\nd = { weight = 1 "
+               "}\n"
+               "k = {}\n[relations]\nk = \"1 + d\"\n[variables]\nx = { role = \"fast\" }\n"
+               "[equations]\nx = \"x'' + k*x - mu*x' = 0\"\n[domain]\npositive = [\"" +
+               domain + "\"]\n";
+    };
+    const System system = read_system_text(file("mu"), "system.toml");
+    const auto& jet = system.variables[0].jet;
+    const GiNaC::ex mu = system.parameters[0].symbol, d = system.parameters[1].symbol, eps = system.eps;
+    const GiNaC::ex expected = jet[2] + (1 + eps * d) * jet[0] - eps * eps * mu * jet[1];
+    EXPECT_TRUE((system.equations[0].residual - expected).expand().is_zero());
+    try {
+        read_system_text(file("3 - d"), "system.toml");
+        ADD_FAILURE() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.diagnostic().mend, "leave d out");
+        EXPECT_EQ(error.diagnostic().place.line, 13);
+    }
+}
+
 TEST(SystemFile, IsFoundByFolderFileOrName) {
     const std::filesystem::path systems = source_dir() / "systems";
     const std::filesystem::path file = systems / "almost_holonomic_pendulum" / "system.toml";
