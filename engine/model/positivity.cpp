@@ -52,6 +52,7 @@ private:
     Sign by_structure(const ex& e, int comparisons) const;
     Sign by_declaration(const ex& e, int comparisons) const;
     Sign by_division(const ex& e, const ex& declared, int comparisons) const;
+    Sign by_squares(const ex& e, int comparisons) const;
     Sign by_bounds(const ex& e, int comparisons) const;
     bool declared_nonzero(const ex& symbol) const;
 
@@ -169,10 +170,24 @@ Sign Prover::by_structure(const ex& e, int comparisons) const {
     for (const ex& part : e) {
         const Sign s = sign(part, comparisons);
         if (s == Sign::unknown && is_positive_number(e)) return Sign::positive;
-        if (s == Sign::unknown) return by_bounds(e, comparisons);
+        if (s == Sign::unknown) return std::max(by_squares(e, comparisons), by_bounds(e, comparisons));
         strongest = std::max(strongest, s);
     }
     return strongest;
+}
+
+// a - b for positive a and b has the sign of a^2 - b^2: sqrt(tau^2 + r) - tau.
+Sign Prover::by_squares(const ex& e, int comparisons) const {
+    if (e.nops() != 2 || comparisons == 0) return Sign::unknown;
+    for (const std::size_t k : {0U, 1U}) {
+        const ex a = e.op(k), b = -e.op(1 - k);
+        const bool root = std::any_of(a.preorder_begin(), a.preorder_end(), [](const ex& part) {
+            return GiNaC::is_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer);
+        });
+        if (root && sign(a, comparisons) == Sign::positive && sign(b, comparisons) != Sign::unknown)
+            return sign((a * a - b * b).expand(), comparisons - 1);
+    }
+    return Sign::unknown;
 }
 
 // 2 + cos(tau), 3/2 + xi^2 - tanh(tau)

@@ -128,6 +128,9 @@ void SystemReader::scale_small_parameters() {
     }
     for (Equation& equation : system_.equations)
         equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
+    if (system_.hamiltonian)
+        system_.hamiltonian->energy =
+            system_.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
     for (GivenMode& mode : system_.modes) for_each_part(mode, [&](GiNaC::ex& e) { e = at_rest(e); });
 }
 

@@ -43,6 +43,8 @@ TEST_F(Positivity, Proves) {
                              "r/sqrt(tau^2 + r^2)",
                              "2 + tau^2",
                              "2 - sqrt(2)",
+                             "sqrt(tau^2 + r) - sqrt(tau^2)",
+                             "sqrt(p^2 + r) - p",
                              "sqrt(5) - sqrt(3)",
                              "13 + 12*q - 4*q^2",
                              "c^2",
