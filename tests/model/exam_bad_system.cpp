@@ -79,9 +79,9 @@ const BadInput cases[] = {
      "  found: 2\n"
      "  mend:  remove the key, or scale the variable"},
     {"WeightOfAParameter", "v = { unit = \"m/s\" }", "v = { unit = \"m/s\", weight = -1 }",
-     "2 system.toml:9:32: parameters.v.weight: 'parameters.v.weight' is an integer in 0 ... 9\n"
+     "2 system.toml:9:30: parameters.v.weight: 'parameters.v.weight' is an integer in 0 ... 9\n"
      "    v = { unit = \"m/s\", weight = -1 }\n"
-     "                               ^\n"
+     "                                 ^\n"
      "  found: -1\n"
      "  mend:  write an integer in 0 ... 9"},
     {"RelationOfNoParameter", "[notation]", "[relations]\nq = \"2*g\"\n[notation]",

@@ -84,7 +84,7 @@ TEST(SystemFile, SmallParametersStandForPowersOfEps) {
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.diagnostic().mend, "leave d out");
-        EXPECT_EQ(error.diagnostic().place.line, 13);
+        EXPECT_EQ(error.diagnostic().place.line, 14);
     }
 }
 
