@@ -12,7 +12,8 @@ namespace resonform {
 using Matrix = std::vector<std::vector<GiNaC::ex>>;
 
 // A row of the inverse of the matrix of columns belongs to each column; of a conjugate pair only the
-// first is listed. The pivot of a column, mostly its first entry, is 1 (real eigenvalue) or 1/2 (complex pair).
+// first is listed. The pivot of a column, mostly its first entry, is 1 (real eigenvalue) or 1/2 (complex
+// pair).
 struct BlockMode {
     Complex eigenvalue;
     std::vector<Complex> column, row;

@@ -86,8 +86,7 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     for (Equation& equation : system.equations)
         equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
     if (system.hamiltonian)
-        system.hamiltonian->energy =
-            system.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
+        system.hamiltonian->energy = system.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
     for (GivenMode& mode : system.modes)
         for_each_part(mode, [&](ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); });
     put_into_domain(system, values, option);

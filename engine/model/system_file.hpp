@@ -94,8 +94,7 @@ struct GivenMode {
     Place place;
 };
 // Calls change(GiNaC::ex&) for real and imaginary part of the eigenvalue and of each entry.
-template <class Change>
-void for_each_part(GivenMode& mode, const Change& change) {
+template <class Change> void for_each_part(GivenMode& mode, const Change& change) {
     change(mode.eigenvalue.re);
     change(mode.eigenvalue.im);
     for (GivenMode::Entry& entry : mode.column) {

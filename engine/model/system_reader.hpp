@@ -26,7 +26,7 @@ private:
     void read_energy(); // completes the equations, checks those that were given
     void read_domain();
     void read_relations(); // puts the values into equations and domain
-    void read_modes(); // modes_reader.cpp
+    void read_modes();     // modes_reader.cpp
     void scale_small_parameters();
     [[nodiscard]] GiNaC::ex at_rest(const GiNaC::ex& e) const;
     void read_normal_form();
@@ -48,7 +48,7 @@ private:
     TomlNode root_;
     System system_;
     std::vector<std::pair<GiNaC::symbol, int>> small_; // parameters of positive weight
-    std::map<std::string, std::string> taken_; // name -> what it names
+    std::map<std::string, std::string> taken_;         // name -> what it names
 };
 
 } // namespace resonform
