@@ -35,15 +35,17 @@ template <class Asked> bool all_of(const Ring& ring, const Monomial& m, Asked as
     return true;
 }
 
+bool is_divisor(const Generator& g) { return g.kind == GeneratorKind::root && g.index == 1; }
+
 // Declared or proved: one term vanishes nowhere and the others, if any, have its sign or are zero.
 bool nowhere_zero(const Ring& ring, const Polynomial& p) {
-    const auto divisor = [](const Generator& g) { return g.kind == GeneratorKind::root && g.index == 1; };
     const auto positive = [&](const Generator& g) {
-        return g.positive || (g.kind == GeneratorKind::root && !divisor(g));
+        return g.positive || (g.kind == GeneratorKind::root && !is_divisor(g));
     };
     const auto vanishes_nowhere = [&](const Term& t) {
-        return all_of(ring, t.monomial,
-                      [&](const Generator& g, int) { return positive(g) || (g.invertible && !divisor(g)); });
+        return all_of(ring, t.monomial, [&](const Generator& g, int) {
+            return positive(g) || (g.invertible && !is_divisor(g));
+        });
     };
     const bool minus = cln::minusp(p.terms().front().coefficient);
     const auto of_that_sign = [&](const Term& t) {
@@ -55,25 +57,45 @@ bool nowhere_zero(const Ring& ring, const Polynomial& p) {
            (p.size() == 1 || std::all_of(p.terms().begin(), p.terms().end(), of_that_sign));
 }
 
+// What p is a product of, as far as it may vanish: divisors that the ring has learned, and the rest.
+std::vector<Polynomial> vanishing_factors(const Ring& ring, const Polynomial& p) {
+    std::vector<Polynomial> factors;
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        if (is_divisor(ring.generator(id)) && ring.lowest_exponent(p, id) > 0)
+            factors.push_back(ring.generator(id).radicand);
+    Polynomial rest = primitive_part(ring, p);
+    if (!nowhere_zero(ring, rest)) factors.push_back(std::move(rest));
+    return factors;
+}
+
+// One polynomial for each surface of a real divisor, or two that vanish together.
+std::vector<std::vector<Polynomial>> surfaces_of(const Ring& ring, const Polynomial& divisor) {
+    std::vector<std::vector<Polynomial>> result{{}};
+    for (const int power_of_i : {0, 1}) {
+        const Polynomial part = part_of(ring, divisor, power_of_i);
+        if (part.empty()) continue;
+        std::vector<std::vector<Polynomial>> longer;
+        for (const std::vector<Polynomial>& vanishing : result)
+            for (const Polynomial& factor : vanishing_factors(ring, part)) {
+                longer.push_back(vanishing);
+                longer.back().push_back(factor);
+            }
+        result = std::move(longer);
+    }
+    return result;
+}
+
 std::vector<Surface> surfaces(const GradedField& field, const std::vector<DivisorRecord>& divisors,
                               int order) {
-    const Ring& ring = *field.ring;
     std::vector<Surface> found;
     for (const DivisorRecord& record : divisors) {
         if (record.weight > order || record.verdict != DivisorVerdict::removed) continue;
-        std::vector<Polynomial> vanishing;
-        bool nowhere = false;
-        for (const int power_of_i : {0, 1}) {
-            const Polynomial part = part_of(ring, record.divisor, power_of_i);
-            if (part.empty()) continue;
-            nowhere = nowhere || nowhere_zero(ring, part);
-            vanishing.push_back(primitive_part(ring, part));
+        for (std::vector<Polynomial>& vanishing : surfaces_of(*field.ring, record.divisor)) {
+            auto known = std::find_if(found.begin(), found.end(),
+                                      [&](const Surface& s) { return s.vanishing == vanishing; });
+            if (known == found.end()) known = found.insert(found.end(), Surface{std::move(vanishing), {}});
+            known->in.emplace_back(record.variable, record.monomial);
         }
-        if (nowhere) continue;
-        auto known = std::find_if(found.begin(), found.end(),
-                                  [&](const Surface& s) { return s.vanishing == vanishing; });
-        if (known == found.end()) known = found.insert(found.end(), Surface{std::move(vanishing), {}});
-        known->in.emplace_back(record.variable, record.monomial);
     }
     return found;
 }

@@ -28,8 +28,11 @@ DisplayFactor display_function(const Ring& ring, const FunctionOf& f) {
     return factor;
 }
 
-// c * x^a * y^b with c > 0 and positive symbols: its root is the product of the roots.
-bool splits_under_root(const Ring& ring, const Polynomial& radicand) {
+// c * x^a * y^b with c > 0 and positive symbols: its root is the product of the roots. (A divisor is no
+// root.)
+bool splits_under_root(const Ring& ring, const Generator& root) {
+    const Polynomial& radicand = root.radicand;
+    if (radicand.size() == 1 && root.index == 1) return true;
     if (radicand.size() != 1 || cln::minusp(radicand.terms().front().coefficient)) return false;
     const Exponents exponents = ring.exponents(radicand.terms().front().monomial);
     for (GeneratorId id = 0; id < ring.size(); ++id)
@@ -68,7 +71,7 @@ public:
 private:
     void multiply_root(GeneratorId id, const Rational& exponent) {
         const Polynomial& radicand = ring_.generator(id).radicand;
-        if (!splits_under_root(ring_, radicand)) {
+        if (!splits_under_root(ring_, ring_.generator(id))) {
             DisplayFactor factor;
             factor.kind = DisplayFactor::Kind::sum;
             factor.arguments = {display_radicand(ring_, radicand)};

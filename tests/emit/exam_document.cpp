@@ -27,7 +27,7 @@ TEST(Document, NamesAreReadBack) {
     EXPECT_EQ(message_of([] { parse_format("latx"); }),
               message({"a format is one of text, latex, json, sympy, maxima", "latx", "write latex", {}}));
     EXPECT_EQ(message_of([] { parse_stage("zzzzzz"); }),
-              message({"a stage is one of equations, expand, normal_form, solution",
+              message({"a stage is one of equations, expand, normal_form, divisors, manifold, solution",
                        "zzzzzz",
                        "name one of these",
                        {}}));

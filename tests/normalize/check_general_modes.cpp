@@ -68,6 +68,18 @@ TEST(GeneralModes, ACentreManifoldIsRead) {
     EXPECT_EQ(coefficient_of(field, n.map.mode[1], {{"z1", 4}}), number(-2));
 }
 
+// s' = k s + s^2 has h_2 = s^2/k for any k that is not zero, declared so or not.
+TEST(GeneralModes, SymbolsOfUnknownSignAreDividedBy) {
+    for (const std::string rate : {"k", "k*m", "-2*k^2*m", "k*(k + m)"}) {
+        const Normalization n = normalized(
+            {"s = { role = \"fast\" }\n", "s = \"s' = " + rate + "*s + s^2\"\n", "k = {}\nm = {}\n", ""}, 4);
+        const GradedField& field = *n.normal_form.field;
+        EXPECT_EQ(n.normal_form.mode[0].total(4).size(), field.modes[0].growth.size()) << rate;
+        const Polynomial square = coefficient_of(field, n.map.mode[0], {{"z1", 2}});
+        EXPECT_EQ(field.ring->multiply(square, field.modes[0].growth), number(1)) << rate;
+    }
+}
+
 TEST(GeneralModes, DampedOscillatorIsLinearised) {
     const Normalization n =
         normalized({"x = { role = \"fast\" }\n", "x = \"x'' + 2*d*x' + w2*x + x^3 + x^2*x' = 0\"\n",
