@@ -172,6 +172,12 @@ Polynomial Ring::conjugate(const Polynomial& p) const {
     return reduce(Polynomial::from_fractions(std::move(f)));
 }
 
+int Ring::weights_in_one() const {
+    for (const Generator& g : generators_)
+        if (g.kind == GeneratorKind::small && g.index > 0) return g.index;
+    return 1;
+}
+
 std::vector<Polynomial> Ring::by_weight(const Polynomial& p, int through) const {
     std::vector<Fractions> parts(static_cast<std::size_t>(through + 1));
     const Polynomial reduced = reduce(p);

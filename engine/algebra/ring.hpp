@@ -27,7 +27,7 @@ using GeneratorId = int; // index into the ring's generators
 enum class GeneratorKind {
     imaginary, // i with i^2 = -1; every ring has it, always generator 0
     fast,      // a mode z or its conjugate, weight >= 0
-    small,     // eps, weight 1
+    small,     // eps^(1/index), weight 1: weights count in units of 1/index
     parameter, // weight 0
     slow,      // weight 0, with a derivation
     root,      // sigma with sigma^index = radicand, weight 0, invertible; positive, but for an index 1:
@@ -61,7 +61,7 @@ struct Generator {
     bool invertible = false;    // negative exponents are allowed (proved non-zero)
     bool positive = false;      // proved positive
     GeneratorId conjugate = -1; // fast: the partner. -1: itself (real); phase: its inverse
-    int index = 0;              // root: sigma^index = radicand
+    int index = 0;              // root: sigma^index = radicand; small: eps = generator^index
     Polynomial radicand;        // root: a polynomial in parameters and slow variables, non-negative exponents
     // primitive: d/d(slow) = polynomial; slow variables not listed have derivative zero. It may contain
     // the primitive itself (an exponential). root, function: filled in by RingBuilder::freeze.
@@ -103,6 +103,13 @@ public:
     [[nodiscard]] int exponent(const Monomial& m, GeneratorId id) const { return packing_.exponent(m, id); }
     [[nodiscard]] std::vector<int> exponents(const Monomial& m) const;
     [[nodiscard]] int weight(const Monomial& m) const;
+    // How many of these weights a power of eps has: the index of the small generator, or 1.
+    [[nodiscard]] int weights_in_one() const;
+    // The exponent, of the small generator as that of eps.
+    [[nodiscard]] Rational exponent_of_named(const Monomial& m, GeneratorId id) const {
+        return Rational(exponent(m, id)) /
+               (generator(id).kind == GeneratorKind::small ? weights_in_one() : 1);
+    }
     [[nodiscard]] const Packing& packing() const { return packing_; }
 
     // --- polynomials ---------------------------------------------------------------------------

@@ -17,7 +17,7 @@ namespace {
 Json to_json(const System& system, const Certificate& certificate) {
     Json document = json_head("resonform.certificate/1", system);
     document.update(Json{{"holds", certificate.holds},
-                         {"through_weight", certificate.through_weight},
+                         {"through_weight", json_rational(certificate.through_weight)},
                          {"residual_zero", certificate.residual_zero},
                          {"normal_form_scan", certificate.normal_form_scan},
                          {"route", certificate.route},
@@ -30,7 +30,7 @@ Json to_json(const System& system, const Certificate& certificate) {
 
 void print_text(const System& system, const Certificate& certificate) {
     put("{}: normal form and map through weight {}\n", system.name_with_settings(),
-        certificate.through_weight);
+        to_string(certificate.through_weight));
     put("  map and normal form put into the original equations   {}\n",
         certificate.residual_zero ? "residual zero" : "RESIDUAL NOT ZERO");
     put("  {}        {}\n",
@@ -46,11 +46,12 @@ void print_text(const System& system, const Certificate& certificate) {
         put("The certificate does NOT hold: {}\n", certificate.complaint);
 }
 
-std::shared_ptr<const Normalization> checked(const std::string& argument, int through,
+std::shared_ptr<const Normalization> checked(const std::string& argument, int order,
                                              const SystemChanges& changes, const DerivationLimits& limits) {
     const auto file = find_system(argument, find_home().systems());
     return watched(limits, [&](Watch& watch) {
-        return normalize_with_certificate(expand_system(file, changes, watch), through, watch);
+        const Expanded expanded = expand_system(file, changes, watch);
+        return normalize_with_certificate(expanded, order * expanded.first_order->system->eps_root, watch);
     });
 }
 

@@ -80,20 +80,22 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
                      Format format, const std::string& coefficients, Watch& watch) {
     if (stage == Stage::equations) return print_equations(*expanded.first_order->system, format);
     if (stage == Stage::solution) {
+        require_whole_weights(*expanded.first_order->system);
         const int through = truncation_of(*expanded.field, order, truncation);
         return print_solution(solve(normalize_certified(expanded, through, watch), {order, through}), format);
     }
-    if (in_graph(*expanded.field, order, stage, format, coefficients))
-        return from_graph(expanded, order, stage, format, watch);
-    const auto normalization = normalize_certified(expanded, order, watch);
+    const int weight = order * expanded.first_order->system->eps_root;
+    if (in_graph(*expanded.field, weight, stage, format, coefficients))
+        return from_graph(expanded, weight, stage, format, watch);
+    const auto normalization = normalize_certified(expanded, weight, watch);
     if (stage == Stage::divisors)
-        return print_divisors(*normalization->normal_form.field, normalization->divisors, order, format);
-    if (stage == Stage::manifold) return print_manifold(*normalization, order, format);
+        return print_divisors(*normalization->normal_form.field, normalization->divisors, weight, format);
+    if (stage == Stage::manifold) return print_manifold(*normalization, weight, format);
     const bool shortened = format == Format::text || format == Format::latex;
-    const auto solution = shortened ? solution_if_any(normalization, order) : std::nullopt;
+    const auto solution = shortened ? solution_if_any(normalization, weight) : std::nullopt;
     const Solution* known = solution ? &*solution : nullptr;
-    return stage == Stage::expand ? print_expansion(*expanded.field, order, format, known)
-                                  : print_normal_form(*normalization, order, format, known);
+    return stage == Stage::expand ? print_expansion(*expanded.field, weight, format, known)
+                                  : print_normal_form(*normalization, weight, format, known);
 }
 
 int run_derive(const Request& request) {

@@ -53,15 +53,17 @@ template <class Derive, class Check>
 auto derived_and_checked(const Expanded& expanded, int through, Watch& watch, Derive derive, Check check) {
     Laps laps;
     const Place file = whole_file(expanded.first_order->system->file);
+    const System& system = *expanded.first_order->system;
+    const std::string last = to_string(system.weight(through));
     const NormalizeOptions options{[&](int weight, std::size_t terms) {
-        laps.done(fmt::format("weight {}: {} terms", weight, terms));
-        watch.reached(weight, terms);
+        laps.done(fmt::format("weight {}: {} terms", to_string(system.weight(weight)), terms));
+        watch.reached(system.weight(weight), system.weight(weight + 1), terms);
     }};
     auto result = at_place(file, [&] { return derive(options); });
-    watch.enter(fmt::format("weight {} reached, the certificate under way", through));
+    watch.enter(fmt::format("weight {} reached, the certificate under way", last));
     at_place(file, [&] { check(*result); });
     laps.done("certificate");
-    watch.enter(fmt::format("weight {} reached and certified", through));
+    watch.enter(fmt::format("weight {} reached and certified", last));
     return result;
 }
 

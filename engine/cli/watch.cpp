@@ -62,13 +62,13 @@ void Watch::enter(const std::string& step) {
     step_ = step;
 }
 
-void Watch::reached(int weight, std::size_t terms) {
-    const std::string step = fmt::format("weight {} reached with {} terms", weight, terms);
+void Watch::reached(const Rational& weight, const Rational& next, std::size_t terms) {
+    const std::string step = fmt::format("weight {} reached with {} terms", to_string(weight), terms);
     if (static_cast<double>(terms) > limits_.terms)
         refuse(exceeded("--term-limit",
                         fmt::format("normal form and map have at most {:.0f} terms", limits_.terms), step,
                         fmt::format("{:.0f}", 10 * limits_.terms)));
-    enter(step + fmt::format(", weight {} under way", weight + 1));
+    enter(step + fmt::format(", weight {} under way", to_string(next)));
 }
 
 bool Watch::must_end(std::string& message) {

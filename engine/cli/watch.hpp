@@ -5,6 +5,8 @@
 // output are written when no Watch stands any more.
 #pragma once
 
+#include "algebra/number.hpp"
+
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -30,8 +32,8 @@ public:
 
     // What is under way, for the message: "the expansion".
     void enter(const std::string& step);
-    // A weight is complete. Errors (refused): more terms than the limit.
-    void reached(int weight, std::size_t terms);
+    // A weight is complete, and `next` is the one under way. Errors (refused): more terms than the limit.
+    void reached(const Rational& weight, const Rational& next, std::size_t terms);
 
 private:
     void run();

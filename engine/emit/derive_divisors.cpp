@@ -122,7 +122,7 @@ Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& d
     Page page;
     page.title =
         fmt::format("divisors of {} through weight {}: D of a monomial is <alpha, lambda> - lambda_j",
-                    field.system().name_with_settings(), order);
+                    field.system().name_with_settings(), to_string(field.system().weight(order)));
     std::map<DivisorVerdict, int> count;
     for (const DivisorRecord& record : divisors) {
         if (record.weight > order) continue;
@@ -174,7 +174,7 @@ Json divisors_document(const GradedField& field, const std::vector<DivisorRecord
         list.push_back({{"vanishing", std::move(vanishing)}, {"divisors", std::move(in)}});
     }
     Json document = json_head("resonform.divisors/1", field.system());
-    document.update(Json{{"order", order},
+    document.update(Json{{"order", json_rational(field.system().weight(order))},
                          {"divisors", divisors_json(field, divisors, order)},
                          {"surfaces", std::move(list)}});
     return document;

@@ -73,7 +73,7 @@ private:
                     write_(removed ? without_known_drift(*equations_.ring, equations_.eps, part) : part,
                            phases(*equations_.ring)));
         }
-        series.remainder = line.next_weight;
+        series.remainder = field_.system().weight(line.next_weight);
         if (line.implicit) return {std::move(series), zero_side()};
         return {side(symbol_sum((removed ? frame->name : variable) + "'")), std::move(series)};
     }
@@ -89,7 +89,7 @@ Page expansion_page(const GradedField& field, int order, const Solution* solutio
     const ExpansionPage expansion(field, order);
     Page page;
     page.title = "equations of " + field.system().name_with_settings() + ", expanded through weight " +
-                 std::to_string(order);
+                 to_string(field.system().weight(order));
     page.sections.push_back(expansion.section("", {}));
     const std::vector<DriftFrame> frames = drift_frames(field, solution);
     bool removed = false;
@@ -109,10 +109,13 @@ Json expansion_json(const GradedField& field, int order) {
         lines.push_back({{"variable", variable},
                          {"form", line.implicit ? "series = 0" : "rate = series"},
                          {"terms", std::move(terms)},
-                         {"next_weight", line.next_weight == 0 ? Json(nullptr) : Json(line.next_weight)}});
+                         {"next_weight", line.next_weight == 0
+                                             ? Json(nullptr)
+                                             : json_rational(field.system().weight(line.next_weight))}});
     }
     Json document = json_head("resonform.expansion/1", field.system());
-    document.update(Json{{"order", order}, {"equations", std::move(lines)}});
+    document.update(
+        Json{{"order", json_rational(field.system().weight(order))}, {"equations", std::move(lines)}});
     return document;
 }
 

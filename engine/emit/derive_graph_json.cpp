@@ -41,7 +41,7 @@ private:
         for (const auto& [m, count] : collect_in_order(ring, sum(monomials), field_.outer()))
             list.push_back({{"variable", variable},
                             {"exponents", json_exponents(ring, m, field_.outer())},
-                            {"weight", ring.weight(m)},
+                            {"weight", json_weight(ring, m)},
                             {"coefficient", expression(entries.at(m))}});
     }
 

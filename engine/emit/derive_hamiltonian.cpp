@@ -20,7 +20,7 @@ DisplayTerm product_of(const Ring& ring, const Monomial& monomial, const std::ve
 
 DisplayTerm written(const GradedField& field, const RealInvariants& invariants, const InvariantTerm& t) {
     DisplayTerm term = factored(display(*field.ring, t.coefficient));
-    if (t.eps != 0) term.tail.push_back(symbol_factor("eps", t.eps));
+    if (t.eps != 0) term.tail.push_back(symbol_factor("eps", field.system().weight(t.eps)));
     for (std::size_t k = 0; k < invariants.actions.size(); ++k)
         if (t.powers[k] != 0) term.tail.push_back(symbol_factor(invariants.actions[k].name, t.powers[k]));
     DisplayTerm resonant = product_of(*field.ring, t.resonant, field.outer());
@@ -78,13 +78,13 @@ Json invariants_json(const GradedField& field, const RealInvariants& invariants)
         Json actions = Json::object();
         for (std::size_t k = 0; k < invariants.actions.size(); ++k)
             if (t.powers[k] != 0) actions[invariants.actions[k].name] = t.powers[k];
-        if (t.eps != 0) actions["eps"] = t.eps;
+        if (t.eps != 0) actions["eps"] = json_rational(field.system().weight(t.eps));
         Json term{{"exponents", std::move(actions)}};
         if (t.resonant != Monomial{}) {
             term["resonant"] = json_exponents(*field.ring, t.resonant, field.outer());
             term["part"] = name_of(t.part);
         }
-        term["weight"] = t.weight;
+        term["weight"] = json_rational(field.system().weight(t.weight));
         term["coefficient"] = json_expression(*field.ring, t.coefficient);
         list.push_back(std::move(term));
     }

@@ -94,8 +94,9 @@ private:
 Page manifold_page(const CentreManifold& manifold, const Certificate& certificate, int order) {
     const ManifoldPage parts(manifold, order);
     Page page;
-    page.title = fmt::format("centre manifold of {} through weight {}",
-                             manifold.flow.field->system().name_with_settings(), order);
+    const System& system = manifold.flow.field->system();
+    page.title = fmt::format("centre manifold of {} through weight {}", system.name_with_settings(),
+                             to_string(system.weight(order)));
     for (Section section : {parts.flow(), parts.manifold(), parts.fibres()})
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));
     page.remarks.push_back(certificate_remark(certificate));
@@ -129,7 +130,7 @@ Json manifold_json(const CentreManifold& manifold, const Certificate& certificat
     append_others(flow, manifold.flow, false);
     append_others(map, manifold.manifold, true);
     append_others(fibres, manifold.fibres, true);
-    document.update(Json{{"order", order},
+    document.update(Json{{"order", json_rational(field.system().weight(order))},
                          {"slaved", std::move(slaved)},
                          {"flow", std::move(flow)},
                          {"manifold", std::move(map)},

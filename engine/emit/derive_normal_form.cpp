@@ -15,10 +15,10 @@ namespace resonform {
 namespace {
 
 // The first weight in which a map differs from the identity, as far as it is known.
-int first_weight(const Series& series, int through) {
+Rational first_weight(const System& system, const Series& series, int through) {
     int n = 1;
     while (n <= through && series.part(n).empty()) ++n;
-    return n;
+    return system.weight(n);
 }
 
 class NormalFormPage {
@@ -58,8 +58,9 @@ public:
         Section section{"where", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
-            section.formulas.push_back({side(symbol_sum(mode.name)),
-                                        side(old_mode(field_, k), first_weight(map_.mode[k], map_.through))});
+            section.formulas.push_back(
+                {side(symbol_sum(mode.name)),
+                 side(old_mode(field_, k), first_weight(field_.system(), map_.mode[k], map_.through))});
             if (!mode.is_real())
                 section.formulas.push_back(
                     {side(symbol_sum(mode.conjugate_name)),
@@ -72,7 +73,7 @@ public:
             const DriftFrame& frame = frames_[k];
             section.formulas.push_back(
                 {side(symbol_sum(frame.normal)),
-                 side(symbol_sum(frame.name), first_weight(map_.drift[k], map_.through))});
+                 side(symbol_sum(frame.name), first_weight(field_.system(), map_.drift[k], map_.through))});
             if (frame.removed)
                 section.formulas.push_back(
                     {side(symbol_sum(frame.name)), side(symbol_sum(frame.variable) + -frame.primitive)});

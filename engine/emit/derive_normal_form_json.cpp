@@ -55,7 +55,7 @@ Json terms_json(const GradedField& field, const std::vector<NamedSeries>& list) 
 
 Json certificate_json(const Certificate& certificate) {
     Json json = {{"holds", certificate.holds},
-                 {"through_weight", certificate.through_weight},
+                 {"through_weight", json_rational(certificate.through_weight)},
                  {"normal_form_scan", certificate.normal_form_scan},
                  {"route", certificate.route},
                  {"error_probability", json_number(certificate.error_probability)},
@@ -69,8 +69,8 @@ Json normal_form_document(const GradedField& field, int order, int truncation, S
                           Json map, const std::vector<DivisorRecord>& divisors,
                           const Certificate& certificate) {
     Json document = json_head("resonform.normal_form/1", field.system());
-    document.update(Json{{"order", order},
-                         {"truncation", truncation},
+    document.update(Json{{"order", json_rational(field.system().weight(order))},
+                         {"truncation", json_rational(field.system().weight(truncation))},
                          {"style", to_string(style)},
                          {"fast", fast_json(field)},
                          {"normal_form", std::move(normal_form)},

@@ -96,6 +96,8 @@ private:
         const auto substitute = substitutes_.find(id);
         if (substitute != substitutes_.end()) return substitute->second;
         const Generator& g = ring_.generator(id);
+        if (g.kind == GeneratorKind::small)
+            return symbol_factor(g.name, Rational(1) / ring_.weights_in_one());
         return g.kind == GeneratorKind::function ? display_function(ring_, g.of) : symbol_factor(g.name);
     }
 

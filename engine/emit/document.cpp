@@ -93,7 +93,7 @@ std::string print_equations(const System& system, Format format) {
 
 std::string print_expansion(const GradedField& field, int order, Format format, const Solution* solution) {
     require_printable(Stage::expand, format);
-    require_order(order, 99, "weights of an expansion");
+    require_order(order, 99 * field.system().eps_root, "weights of an expansion");
     return format == Format::json ? json_document(expansion_json(field, order))
                                   : render(expansion_page(field, order, solution), format);
 }

@@ -32,6 +32,11 @@ Json json_numbers(const std::vector<double>& values) {
     return list;
 }
 
+Json json_rational(const Rational& value) {
+    if (cln::denominator(value) != 1) return to_string(value);
+    return cln::cl_I_to_int(cln::numerator(value));
+}
+
 std::string json_document(const Json& value) {
     if (!value.is_object()) return value.dump() + "\n";
     std::string text = "{";
@@ -53,9 +58,13 @@ std::string json_expression(const Ring& ring, const Polynomial& p) {
 Json json_exponents(const Ring& ring, const Monomial& monomial, const std::vector<GeneratorId>& outer) {
     Json exponents = Json::object();
     for (GeneratorId id : outer)
-        if (const int exponent = ring.exponent(monomial, id); exponent != 0)
-            exponents[ring.generator(id).name] = exponent;
+        if (const Rational exponent = ring.exponent_of_named(monomial, id); !cln::zerop(exponent))
+            exponents[ring.generator(id).name] = json_rational(exponent);
     return exponents;
+}
+
+Json json_weight(const Ring& ring, const Monomial& monomial) {
+    return json_rational(Rational(ring.weight(monomial)) / ring.weights_in_one());
 }
 
 void append_json_terms(Json& list, const Ring& ring, const std::string& variable, const Polynomial& p,
@@ -63,7 +72,7 @@ void append_json_terms(Json& list, const Ring& ring, const std::string& variable
     for (const auto& [monomial, coefficient] : collect_in_order(ring, p, outer)) {
         list.push_back({{"variable", variable},
                         {"exponents", json_exponents(ring, monomial, outer)},
-                        {"weight", ring.weight(monomial)},
+                        {"weight", json_weight(ring, monomial)},
                         {"coefficient", json_expression(ring, coefficient)}});
     }
 }

@@ -18,6 +18,8 @@ using Json = nlohmann::ordered_json;
 // NaN and infinities -> null.
 Json json_number(double value);
 Json json_numbers(const std::vector<double>& values);
+// A weight or an exponent of eps: 2, or "3/2" where it is no integer.
+Json json_rational(const Rational& value);
 
 // One member of the outermost object per line, arrays of objects with one element per line, everything
 // deeper on that line; ends with a newline. Parses to the same value; same bytes on every run.
@@ -31,6 +33,9 @@ std::string json_expression(const Ring& ring, const Polynomial& p);
 
 // { "z1": 1, "eps": 2 }: the exponents of `outer` in a monomial, zeros left out.
 Json json_exponents(const Ring& ring, const Monomial& monomial, const std::vector<GeneratorId>& outer);
+
+// As the user counts it.
+Json json_weight(const Ring& ring, const Monomial& monomial);
 
 // Appends { variable, exponents, weight, coefficient } for every monomial of p in `outer`, by weight, then
 // by exponents ascending.

@@ -54,7 +54,7 @@ std::string certificate_remark(const Certificate& certificate) {
     if (certificate.through_weight == 0) return "certificate: not made";
     if (!certificate.holds) return "certificate: DOES NOT HOLD: " + certificate.complaint;
     return fmt::format("certificate: holds through weight {} ({}; {} points, error probability {:.1e})",
-                       certificate.through_weight, certificate.route, certificate.points,
+                       to_string(certificate.through_weight), certificate.route, certificate.points,
                        certificate.error_probability);
 }
 
@@ -70,8 +70,9 @@ Substitutes phases(const Ring& ring) {
 }
 
 std::string normal_form_title(const NormalForm& normal_form, int order) {
-    return fmt::format("normal form of {} through weight {} (style {})",
-                       normal_form.field->system().name_with_settings(), order, to_string(normal_form.style));
+    const System& system = normal_form.field->system();
+    return fmt::format("normal form of {} through weight {} (style {})", system.name_with_settings(),
+                       to_string(system.weight(order)), to_string(normal_form.style));
 }
 
 std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order) {

@@ -40,8 +40,8 @@ void append_pieces(std::vector<std::string>& pieces, const DisplaySum& group) {
 std::vector<std::string> text_pieces(const Side& s) {
     std::vector<std::string> pieces;
     for (const DisplaySum& group : without_empty(s.groups)) append_pieces(pieces, group);
-    if (s.remainder == 1) pieces.emplace_back("O(eps)");
-    if (s.remainder > 1) pieces.push_back("O(eps^" + std::to_string(s.remainder) + ")");
+    if (!cln::zerop(s.remainder))
+        pieces.push_back("O(" + spell(symbol_factor("eps", s.remainder), text_spelling()) + ")");
     if (pieces.empty()) pieces.emplace_back("0");
     return pieces;
 }
@@ -80,8 +80,8 @@ std::vector<std::string> latex_lines(const Side& s) {
     std::vector<std::string> result;
     result.reserve(lines.size());
     for (const DisplaySum& line : lines) result.push_back(latex(line));
-    if (s.remainder > 0) {
-        const std::string power = s.remainder == 1 ? "" : "^{" + std::to_string(s.remainder) + "}";
+    if (!cln::zerop(s.remainder)) {
+        const std::string power = s.remainder == 1 ? "" : "^{" + to_string(s.remainder) + "}";
         const std::string order = "O\\left(\\varepsilon" + power + "\\right)";
         if (result.empty())
             result.push_back(order);
@@ -106,7 +106,7 @@ std::string latex_formula(const Formula& formula) {
 
 } // namespace
 
-Side side(DisplaySum sum, int remainder) {
+Side side(DisplaySum sum, const Rational& remainder) {
     Side result;
     result.groups.push_back(std::move(sum));
     result.remainder = remainder;

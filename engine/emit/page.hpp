@@ -13,7 +13,7 @@ namespace resonform {
 // the order of what is left out: + O(eps^remainder), 0 for nothing.
 struct Side {
     std::vector<DisplaySum> groups;
-    int remainder = 0;
+    Rational remainder = 0;
 };
 
 struct Formula {
@@ -31,7 +31,7 @@ struct Page {
     std::vector<std::string> remarks; // plain text, at the end
 };
 
-Side side(DisplaySum sum, int remainder = 0); // one group
+Side side(DisplaySum sum, const Rational& remainder = 0); // one group
 Side zero_side();
 
 std::string page_text(const Page& page);  // lines of about 100 columns, broken between groups

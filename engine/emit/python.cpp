@@ -99,9 +99,13 @@ std::string dictionary(const GradedField& field, const std::string& name,
     for (const NamedSeries& series : list) {
         text += fmt::format("    \"{}\": {{\n", series.variable);
         for (const auto& [monomial, coefficient] : collect_in_order(ring, series.total, outer)) {
-            std::vector<int> powers;
-            powers.reserve(outer.size());
-            for (GeneratorId id : outer) powers.push_back(ring.exponent(monomial, id));
+            std::vector<std::string> powers;
+            for (GeneratorId id : outer) {
+                const Rational power = ring.exponent_of_named(monomial, id);
+                powers.push_back(cln::denominator(power) == 1
+                                     ? to_string(power)
+                                     : fmt::format("Rational(\"{}\")", to_string(power)));
+            }
             text += fmt::format("        {}: {},\n",
                                 tuple(fmt::format("{}", fmt::join(powers, ", ")), powers.size()),
                                 spell(display(ring, coefficient), python_spelling()));

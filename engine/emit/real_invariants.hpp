@@ -28,7 +28,7 @@ struct InvariantTerm {
     std::vector<int> powers;                    // of the actions
     Monomial resonant;                          // powers of modes
     Part part;
-    int eps; // power of eps
+    int eps; // power of the small generator
     int weight;
 };
 

@@ -223,6 +223,7 @@ void CoefficientRing::add_symbols(RingBuilder& builder) {
         g.kind = kind;
         g.name = name;
         g.weight = kind == GeneratorKind::small ? 1 : 0;
+        g.index = kind == GeneratorKind::small ? system_->eps_root : 0;
         g.invertible = invertible;
         g.positive = positive;
         symbols_.emplace_back(symbol, builder.add(std::move(g)));

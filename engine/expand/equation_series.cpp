@@ -8,8 +8,8 @@ namespace {
 
 using GiNaC::ex;
 
-// How many weights past the last printed one are searched for the first neglected term.
-constexpr int search_ahead = 4;
+// How many weights, of the user, past the last printed one are searched for the first neglected term.
+constexpr int searched_ahead = 4;
 
 // The residual of a fast equation with the rates of slow variables put in; the rate of the others.
 ex line_expression(const FirstOrderSystem& first_order, std::size_t variable) {
@@ -83,7 +83,8 @@ EquationSeries expand_equations(const GradedField& field, int through) {
     const FirstOrderSystem& first_order = *field.first_order;
     const System& system = *first_order.system;
     const auto jets = fast_jets(system);
-    const auto shared = jet_ring(first_order, jets, through + search_ahead);
+    const int last = through + searched_ahead * system.eps_root;
+    const auto shared = jet_ring(first_order, jets, last);
     const CoefficientRing& coefficients = *shared;
 
     SeriesProgram program(coefficients.ring());
@@ -103,7 +104,7 @@ EquationSeries expand_equations(const GradedField& field, int through) {
     }
 
     SeriesRun run(program);
-    for (int n = 0; n <= through + search_ahead; ++n) {
+    for (int n = 0; n <= last; ++n) {
         for (std::size_t k = 0; k < jets.size(); ++k)
             run.set_input(inputs[k], n,
                           n == jets[k].weight ? coefficients.ring()->gen(coefficients.fast(k))

@@ -23,7 +23,7 @@ GradedField Expansion::build() {
     }
     check_drifts();
     field_.basis = find_modes(*first_order_, coefficients_);
-    check_weights();
+    check_finite();
     name_generators();
     build_ring();
     field_.first_order = first_order_;
@@ -35,6 +35,7 @@ GradedField Expansion::build() {
     add_inputs();
     bind_states();
     add_rates();
+    check_leading_terms();
     add_energy();
     field_.program = program_;
     field_.coefficients = std::make_shared<const CoefficientRing>(std::move(coefficients_));

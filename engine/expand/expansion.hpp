@@ -17,8 +17,15 @@ private:
     void check_drifts() const;
     void find_driven();
     [[nodiscard]] bool occurs(Role role, const GiNaC::ex& e) const; // does a variable of that role, in e?
-    void check_weights() const;
     void check_slow_rate(const State& state) const;
+
+    // weights (expansion_weights.cpp)
+    void check_finite() const;
+    void check_leading_terms() const;
+    [[nodiscard]] bool holds_mode(const Polynomial& p, int weight) const; // one of that weight?
+    [[noreturn]] void refuse_leading_term(const State& state, int weight) const;
+    [[nodiscard]] const State& last_state(std::size_t variable) const; // its highest derivative
+    [[nodiscard]] int lowest_weight(const GiNaC::ex& e) const;
 
     // ring
     void name_generators();

@@ -41,40 +41,6 @@ void Expansion::find_driven() {
     }
 }
 
-// Fast variables have one weight. With weight 0 they are not small: nothing but the linear part is left of
-// their rates at eps = 0.
-void Expansion::check_weights() const {
-    const Variable* first = nullptr;
-    for (const Variable& v : system_.variables) {
-        if (v.role != Role::fast) continue;
-        if (first == nullptr) first = &v;
-        if (v.weight != first->weight)
-            refuse({"all fast variables have the same weight",
-                    fmt::format("{} has weight {}, {} has weight {}", first->name, first->weight, v.name,
-                                v.weight),
-                    "give them one weight", v.place});
-    }
-    if (first == nullptr || first->weight != 0) return;
-    for (const State& state : first_order_->states) {
-        const ex at_rest = state.rate.subs(system_.eps == 0, GiNaC::subs_options::no_pattern);
-        const Role role = variable_of(state).role;
-        ex rest = at_rest;
-        for (const State& fast : first_order_->states) {
-            if (variable_of(fast).role != Role::fast || !at_rest.has(fast.symbol)) continue;
-            if (role == Role::fast)
-                rest -=
-                    coefficients_.at_origin(at_rest.diff(fast.symbol), place_of_equation(state.variable)) *
-                    fast.symbol;
-        }
-        rest = rest.normal();
-        if (occurs(Role::fast, rest))
-            refuse({"with fast variables of weight 0 the equations are linear in them at eps = 0 "
-                    "(and rates of other variables are free of them)",
-                    fmt::format("the rest for {} is {}", state.name, spell(rest)),
-                    "write the rest with a factor eps, or use weight 1", place_of_equation(state.variable)});
-    }
-}
-
 void Expansion::check_slow_rate(const State& state) const {
     const Place place = place_of_equation(state.variable);
     const Variable& variable = variable_of(state);

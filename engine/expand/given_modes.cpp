@@ -50,7 +50,23 @@ private:
             bad_input({"the column of a mode is not zero", mode.name,
                        "give its entries as u = { x = \"1/2\" }", mode.place});
         shape.pivot = basis_.states[static_cast<std::size_t>(pivot - shape.column.begin())];
+        check_weights(mode, shape);
         return shape;
+    }
+
+    void check_weights(const GivenMode& mode, const ModeShape& shape) const {
+        const auto variable_of = [&](std::size_t state) -> const Variable& {
+            return system_.variables[first_order_.states[state].variable];
+        };
+        const Variable& first = variable_of(shape.pivot);
+        for (std::size_t s = 0; s < shape.column.size(); ++s)
+            if (const Variable& other = variable_of(basis_.states[s]);
+                !shape.column[s].is_zero() && other.weight != first.weight)
+                bad_input({"the fast variables in the column of a mode have one weight",
+                           fmt::format("{} has weight {}, {} has weight {}", first.name,
+                                       to_string(system_.weight(first.weight)), other.name,
+                                       to_string(system_.weight(other.weight))),
+                           "give modes of each weight by themselves", mode.place});
     }
 
     void check_frequency(const GivenMode& mode) const {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 namespace resonform {
 
@@ -26,6 +28,12 @@ Polynomial GradedField::eigenvalue(const Mode& mode) const {
 bool GradedField::is_semisimple() const {
     return std::all_of(basis.modes.begin(), basis.modes.end(),
                        [](const ModeShape& shape) { return shape.couplings.empty(); });
+}
+
+std::vector<int> GradedField::mode_weights() const {
+    std::set<int, std::greater<>> weights;
+    for (const Mode& mode : modes) weights.insert(ring->generator(mode.z).weight);
+    return {weights.begin(), weights.end()};
 }
 
 Polynomial GradedField::linear_part(std::size_t k) const {

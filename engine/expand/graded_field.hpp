@@ -82,6 +82,8 @@ struct GradedField {
         return basis.modes[mode].couplings;
     }
     [[nodiscard]] bool is_semisimple() const;
+    // The different weights of the modes, the largest first.
+    [[nodiscard]] std::vector<int> mode_weights() const;
     // lambda z + sum n z_k
     [[nodiscard]] Polynomial linear_part(std::size_t mode) const;
 };
@@ -90,7 +92,8 @@ struct GradedField {
 // program. The ring gets an inverse for each of the divisors.
 // Errors: bad_input: a force at the origin, a rate of a slow or drift variable that does not vanish with
 // eps (and the fast variables), division by an expression that is zero; refused: what find_modes refuses,
-// fast variables of weight 0 that are not linear at eps = 0, an angle that occurs outside of sin and cos, a
+// fast variables of weight 0 that are not linear at eps = 0, a term of lower weight than the fast variable
+// in whose rate it stands, an angle that occurs outside of sin and cos, a
 // coefficient function that the ring cannot hold.
 GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors = {});
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The modes of the linear part u' = A(xi) u of the fast variables at eps = 0, the slow ones frozen:
+// The modes of the linear part u' = A(xi) u of the fast variables at eps = 0, the slow ones frozen; A
+// connects variables of one weight:
 //
 //   u_s = sum_j column_j[s] z_j,   z_j = sum_s row_j[s] u_s,   z_j' = lambda_j z_j     (design 2.2)
 //

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/canonical.hpp"
 
+#include "model/eps_powers.hpp"
 #include "model/named_function.hpp"
 
 #include <algorithm>
@@ -51,7 +52,12 @@ std::pair<std::string, bool> spell_power(const ex& e) {
     const ex &base = e.op(0), exponent = e.op(1);
     const std::string index =
         exponent.info(GiNaC::info_flags::nonnegint) ? spell(exponent) : "(" + spell(exponent) + ")";
-    if (is_a<GiNaC::symbol>(base)) return {spell(base) + "^" + index, false};
+    if (is_a<GiNaC::symbol>(base)) {
+        if (exponent.info(GiNaC::info_flags::rational))
+            if (auto text = spell_eps_power(ex_to<GiNaC::symbol>(base), ex_to<GiNaC::numeric>(exponent)))
+                return {*text, false};
+        return {spell(base) + "^" + index, false};
+    }
     const bool whole = is_a<GiNaC::add>(base) && exponent.info(GiNaC::info_flags::integer);
     const ex shown = whole ? canonical_sign(base) : base;
     return {"(" + spell(shown) + ")^" + index,

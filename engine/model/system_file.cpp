@@ -70,7 +70,7 @@ bool Hamiltonian::has(std::size_t variable) const {
 
 Scope System::constants() const {
     Scope scope;
-    scope.define("eps", eps);
+    scope.define("eps", GiNaC::pow(eps, eps_root));
     for (const Parameter& p : parameters) scope.define(p.name, p.symbol);
     return scope;
 }

@@ -30,7 +30,7 @@ struct Variable {
     Role role = Role::fast;
     std::string unit;
     bool positive = false, nonzero = false; // slow variables: their domain
-    int weight = 0;                         // fast: 1 (small) or 0 (finite), others: 0
+    int weight = 0;                         // as System::weight() reads it; 0 of what is not fast
     int order = 1;                          // highest derivative in the equations
     std::vector<GiNaC::symbol> jet;         // x, x', ..., x^(order)
     Place place;
@@ -122,8 +122,14 @@ struct System {
     std::vector<GivenMode> modes;      // empty: they are to be found
     Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
     Style style = Style::poincare;     // [normal_form] style
+    // Weights are held as integers, in units of 1/eps_root, and the symbol `eps` stands for
+    // eps^(1/eps_root), whose weight is that unit: 1 if the file has no weight and no power of eps that is
+    // not an integer.
+    int eps_root = 1;
     GiNaC::symbol eps{"eps"};
 
+    // A weight as the user counts it.
+    [[nodiscard]] Rational weight(int held) const { return Rational(held) / eps_root; }
     // The name as documents show it: "pendulum", "pendulum with g = 1, r = 4/5".
     [[nodiscard]] std::string name_with_settings() const;
     // nullptr if there is none of that name.
@@ -141,7 +147,7 @@ struct System {
 std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems);
 
 // Reads and checks a system file (docs/file_formats.md). Errors: bad_input for what breaks a rule
-// there, refused for what the format foresees and the engine does not do yet (angles, weights).
+// there, refused for what the format foresees and the engine does not do yet.
 System read_system(const std::filesystem::path& file);
 System read_system_text(std::string_view toml, const std::filesystem::path& file);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/system_reader.hpp"
 
+#include "model/eps_powers.hpp"
 #include "model/names.hpp"
 #include "model/toml_values.hpp"
 
@@ -14,7 +15,6 @@ constexpr int most_variables = 64;
 constexpr int most_parameters = 30; // the coefficient ring has room for 32 with i and eps
 constexpr int most_functions = 30;
 constexpr int most_primes = 9;
-constexpr int most_weight = 9;
 
 // Refuses a list that no honest system has.
 void check_count(const TomlNode& table, int most) {
@@ -50,15 +50,16 @@ Role role_of(const TomlEntry& entry) {
               suggest(role, {"fast", "angle", "slow", "drift"}));
 }
 
-// Fast variables are small, of weight 1, or finite, of weight 0; the others have weight 0 (design 2.1).
-int weight_of(const TomlNode& table, Role role) {
+// A fast variable is of the size of eps^weight.
+Rational weight_of(const TomlNode& table, Role role) {
     const TomlNode* node = table.find("weight");
-    const int standard = role == Role::fast ? 1 : 0;
-    if (node == nullptr || number_of(*node) == standard) return standard;
-    if (role == Role::fast && number_of(*node) == 0) return 0;
-    refuse({role == Role::fast ? "the weight of a fast variable is 1 (small) or 0 (finite)"
-                               : "the weight of a variable that is not fast is 0",
-            excerpt(node->text), "remove the key, or scale the variable", place_of(node->source)});
+    const Rational standard = role == Role::fast ? 1 : 0;
+    if (node == nullptr) return standard;
+    const Rational weight = weight_of(*node);
+    if (role != Role::fast && weight != standard)
+        refuse({"the weight of a variable that is not fast is 0", excerpt(node->text),
+                "remove the key, or scale the variable", place_of(node->source)});
+    return weight;
 }
 
 } // namespace
@@ -83,6 +84,7 @@ System SystemReader::read() {
     read_modes();
     read_relations();
     scale_small_parameters();
+    refine_weights();
     read_normal_form();
     read_notation();
     check_names_of_results();
@@ -119,8 +121,8 @@ void SystemReader::read_parameters() {
         parameter.unit = text(entry.value, "unit");
         parameter.symbol = GiNaC::symbol(parameter.name);
         const TomlNode* weight = entry.value.find("weight");
-        const int power = weight == nullptr ? 0 : integer_of(*weight, 0, most_weight);
-        if (power > 0) small_.emplace_back(parameter.symbol, power);
+        if (weight != nullptr && !cln::zerop(weight_of(*weight)))
+            small_.emplace_back(parameter.symbol, weight_of(*weight));
         system_.parameters.push_back(std::move(parameter));
     }
 }
@@ -181,7 +183,7 @@ Variable SystemReader::variable_of(const TomlEntry& entry) {
     variable.name = entry.key;
     variable.place = entry.place;
     variable.role = role_of(entry);
-    variable.weight = weight_of(entry.value, variable.role);
+    weights_.push_back(weight_of(entry.value, variable.role));
     variable.unit = text(entry.value, "unit");
     for (const std::string key : {"positive", "nonzero"}) {
         const TomlNode* node = entry.value.find(key);

@@ -28,6 +28,7 @@ private:
     void read_relations(); // puts the values into equations and domain
     void read_modes();     // modes_reader.cpp
     void scale_small_parameters();
+    void refine_weights(); // to integers, with a root of eps
     [[nodiscard]] GiNaC::ex at_rest(const GiNaC::ex& e) const;
     void read_normal_form();
     void read_notation();
@@ -47,8 +48,9 @@ private:
 
     TomlNode root_;
     System system_;
-    std::vector<std::pair<GiNaC::symbol, int>> small_; // parameters of positive weight
-    std::map<std::string, std::string> taken_;         // name -> what it names
+    std::vector<std::pair<GiNaC::symbol, Rational>> small_; // parameters of positive weight
+    std::vector<Rational> weights_;                         // of the variables
+    std::map<std::string, std::string> taken_;              // name -> what it names
 };
 
 } // namespace resonform

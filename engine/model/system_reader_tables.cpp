@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of a system.toml that say more about what is declared: domain, relations, normal form, notation.
+#include "model/eps_powers.hpp"
 #include "model/names.hpp"
 #include "model/positivity.hpp"
 #include "model/system_reader.hpp"
@@ -119,7 +120,7 @@ GiNaC::ex SystemReader::at_rest(const GiNaC::ex& e) const {
 void SystemReader::scale_small_parameters() {
     GiNaC::exmap values;
     for (const auto& [symbol, weight] : small_) {
-        values[symbol] = GiNaC::pow(system_.eps, weight) * symbol;
+        values[symbol] = GiNaC::pow(system_.eps, GiNaC::numeric(cln::cl_N(weight))) * symbol;
         for (const Declaration& declaration : system_.positive)
             if (declaration.value.has(symbol) && !declaration.value.is_equal(symbol))
                 bad_input({"what is declared positive holds at eps = 0, without small parameters",
@@ -132,6 +133,26 @@ void SystemReader::scale_small_parameters() {
         system_.hamiltonian->energy =
             system_.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
     for (GivenMode& mode : system_.modes) for_each_part(mode, [&](GiNaC::ex& e) { e = at_rest(e); });
+}
+
+// The least unit of which all weights and all powers of eps are multiples.
+void SystemReader::refine_weights() {
+    EpsPowers powers(system_.eps);
+    for (std::size_t v = 0; v < system_.variables.size(); ++v)
+        powers.note(weights_[v], system_.variables[v].place);
+    for (Equation& equation : system_.equations)
+        equation.residual = powers.taken_out(equation.residual, place_of(equation.source));
+    if (system_.hamiltonian)
+        system_.hamiltonian->energy =
+            powers.taken_out(system_.hamiltonian->energy, place_of(system_.hamiltonian->source));
+    system_.eps_root = powers.root();
+    for (std::size_t v = 0; v < system_.variables.size(); ++v)
+        system_.variables[v].weight = cln::cl_I_to_int(cln::numerator(weights_[v] * system_.eps_root));
+    if (system_.eps_root == 1) return;
+    const GiNaC::symbol root = symbol_of_eps_root(system_.eps_root);
+    for (Equation& equation : system_.equations) equation.residual = powers.held(equation.residual, root);
+    if (system_.hamiltonian) system_.hamiltonian->energy = powers.held(system_.hamiltonian->energy, root);
+    system_.eps = root;
 }
 
 void SystemReader::read_normal_form() {

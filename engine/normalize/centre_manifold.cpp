@@ -33,7 +33,8 @@ void require_invariance(const GradedField& field, const Mode& mode, const Series
     for (int n = 0; n <= rate.through(); ++n)
         if (!rate.part(n).empty())
             refuse({"a mode that is slaved is not driven by resonant terms of the others",
-                    fmt::format("in the rate of {} at weight {}", mode.name, n),
+                    fmt::format("in the rate of {} at weight {}", mode.name,
+                                to_string(field.system().weight(n))),
                     "take back the threshold [normal_form] near or the relation that keeps the term",
                     place_of(field.system().equations[mode.variable].source)});
 }

@@ -75,7 +75,7 @@ public:
                         fmt::format("the residual of the equation of {} is not zero", equation.variable));
         return lowest_weight_ > normal_form_.through
                    ? ""
-                   : fmt::format("weight {}: {}", lowest_weight_, sentence_);
+                   : fmt::format("weight {}: {}", to_string(system_.weight(lowest_weight_)), sentence_);
     }
 
     FrequencySample frequencies() const {
@@ -214,7 +214,7 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
 template <class Source> Certificate certified(Source& source, std::uint64_t seed) {
     const NormalForm& normal_form = source.normal_form();
     Certificate certificate;
-    certificate.through_weight = normal_form.through;
+    certificate.through_weight = normal_form.field->system().weight(normal_form.through);
     certificate.complaint = shape_complaint(normal_form, source.map());
     if (!certificate.complaint.empty()) return certificate;
 

@@ -56,7 +56,7 @@ private:
     void must_be_equal(const Value& a, const Value& b, int through, const std::string& sentence) {
         for (int n = 0; n <= through && sentence_.empty(); ++n)
             if (a[static_cast<std::size_t>(n)] != b[static_cast<std::size_t>(n)])
-                sentence_ = fmt::format("weight {}: {}", n, sentence);
+                sentence_ = fmt::format("weight {}: {}", to_string(field_.system().weight(n)), sentence);
     }
 
     // sum over the brackets of B (left_l right_r - left_r right_l)

@@ -227,11 +227,11 @@ private:
 std::string inner_product_complaint(const NormalForm& normal_form, const NearIdentityMap& map,
                                     const std::vector<FrequencySample>& samples, const Resonance& resonance) {
     const GradedField& field = *normal_form.field;
-    const int weight_of_modes = field.ring->generator(field.modes.front().z).weight;
     for (const FrequencySample& sample : samples) {
         const PointScan scan(field, sample, resonance);
-        const auto complaint = [&](const std::string& what, int weight, const Vector& rate,
+        const auto complaint = [&](const std::string& what, int n, const Vector& rate,
                                    const Vector& shift) -> std::string {
+            const std::string weight = to_string(field.system().weight(n));
             if (!scan.adjoint_vanishes(rate))
                 return fmt::format("normal form of {}, weight {}: not in the kernel of the adjoint", what,
                                    weight);
@@ -242,7 +242,8 @@ std::string inner_product_complaint(const NormalForm& normal_form, const NearIde
         for (int n = 0; n <= normal_form.through; ++n) {
             Vector rates, shifts;
             for (std::size_t k = 0; k < field.modes.size(); ++k) {
-                if (n > weight_of_modes) scan.add(rates, static_cast<int>(k), normal_form.mode[k], n);
+                if (n > field.ring->generator(field.modes[k].z).weight)
+                    scan.add(rates, static_cast<int>(k), normal_form.mode[k], n);
                 scan.add(shifts, static_cast<int>(k), map.mode[k], n);
             }
             std::string found = complaint("the modes", n, rates, shifts);

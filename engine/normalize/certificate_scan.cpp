@@ -65,8 +65,14 @@ std::string spell_monomial(const Ring& ring, const std::vector<int>& exponents) 
         if (exponents[k] == 0 || (g.kind != GeneratorKind::fast && g.kind != GeneratorKind::small &&
                                   g.kind != GeneratorKind::phase))
             continue;
+        const Rational exponent =
+            Rational(exponents[k]) / (g.kind == GeneratorKind::small ? ring.weights_in_one() : 1);
         text += (text.empty() ? "" : "*") + g.name;
-        if (exponents[k] != 1) text += fmt::format("^{}", exponents[k]);
+        const std::string power = to_string(exponent);
+        if (cln::denominator(exponent) != 1)
+            text += "^(" + power + ")";
+        else if (exponent != 1)
+            text += "^" + power;
     }
     return text.empty() ? "1" : text;
 }
@@ -98,8 +104,9 @@ std::string first_complaint(const Ring& ring, const Item& item, Shown shown, con
             last = monomial;
             const std::vector<int> exponents = ring.exponents(monomial);
             if (const char* complaint = wrong(n, exponents); complaint != nullptr)
-                return fmt::format("{}, weight {}: {} {}", item.what, n, spell_monomial(ring, exponents),
-                                   complaint);
+                return fmt::format("{}, weight {}: {} {}", item.what,
+                                   to_string(Rational(n) / ring.weights_in_one()),
+                                   spell_monomial(ring, exponents), complaint);
         }
     }
     return "";
@@ -129,8 +136,9 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
     const GradedField& field = *normal_form.field;
     const Ring& ring = *field.ring;
     if (normal_form.through < 1 || map.through != normal_form.through)
-        return fmt::format("the normal form goes through weight {}, the map through {}", normal_form.through,
-                           map.through);
+        return fmt::format("the normal form goes through weight {}, the map through {}",
+                           to_string(field.system().weight(normal_form.through)),
+                           to_string(field.system().weight(map.through)));
     const auto complete = [&](const auto& n) {
         return n.mode.size() == field.modes.size() && n.angle.size() == field.angles.size() &&
                n.slow.size() == field.slow.size() && n.drift.size() == field.drift.size();

@@ -34,7 +34,8 @@ bool suits_graph(const GradedField& field, int through) {
     };
     for (const Mode& m : field.modes) add(m.omega);
     for (const AngleVariable& a : field.angles) add(a.frequency);
-    return frequencies.size() > 1 && through + static_cast<int>(frequencies.size()) > largest_for_ring;
+    const int weight = through / field.system().eps_root;
+    return frequencies.size() > 1 && weight + static_cast<int>(frequencies.size()) > largest_for_ring;
 }
 
 } // namespace resonform

@@ -128,7 +128,7 @@ private:
 
 Normalization normalize_hamiltonian(std::shared_ptr<const GradedField> field, int through,
                                     const NormalizeOptions& options) {
-    check_order(through);
+    check_order(*field, through);
     field = with_derivatives(field, through + 1);
     while (true) {
         HamiltonianNormalizer normalizer(field, through);

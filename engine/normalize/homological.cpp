@@ -79,6 +79,7 @@ template <class Domain> void HomologicalEquation<Domain>::remember_derivatives(i
     if (c.empty()) return;
     for (std::size_t k = 0; k < carriers_.size(); ++k) {
         const Carrier& carrier = carriers_[k];
+        if (carrier.weight > weight) continue; // too heavy to stand in c
         slopes_[k].set(weight - carrier.weight, carrier.angle ? domain_.angle_derivative(c, carrier.id)
                                                               : domain_.derivative(c, carrier.id));
     }

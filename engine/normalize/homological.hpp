@@ -85,7 +85,7 @@ public:
     using Equations = std::vector<HomologicalEquation<Domain>*>;
 
     virtual ~HomologicalStyle() = default;
-    // Solves weight n of equations that belong together: all modes, or one other variable.
+    // Solves weight n of equations that belong together: all modes of one weight, or one other variable.
     virtual void solve(int weight, const Equations& equations, const std::vector<Part>& right) const = 0;
 };
 

@@ -164,7 +164,7 @@ private:
 
 Normalization normalize_inner_product(std::shared_ptr<const GradedField> field, int through,
                                       const NormalizeOptions& options) {
-    check_order(through);
+    check_order(*field, through);
     Normalization n = field->is_semisimple()
                           ? normalize_poincare(std::move(field), through, options)
                           : normalize_in_ring(std::move(field), through, options, [](const GradedField& f) {

@@ -25,12 +25,17 @@ NearIdentityMap invert(const NormalForm& normal_form, const NearIdentityMap& map
     const auto take = [&](std::vector<Series>& to, const std::vector<SeriesProgram::Node>& nodes, int n) {
         for (std::size_t k = 0; k < nodes.size(); ++k) to[k].set(n, -run.part(nodes[k], n));
     };
+    const std::vector<int> weights = field.mode_weights();
     for (int n = 0; n <= map.through; ++n) {
         shifted.set(run, inverse, n);
         run.advance(n);
-        take(inverse.mode, modes, n);
-        shifted.set(run, inverse, n);
-        run.correct(n);
+        for (const int weight : weights) {
+            for (std::size_t k = 0; k < modes.size(); ++k)
+                if (field.ring->generator(field.modes[k].z).weight == weight)
+                    inverse.mode[k].set(n, -run.part(modes[k], n));
+            shifted.set(run, inverse, n);
+            run.correct(n);
+        }
         take(inverse.angle, angles, n);
         take(inverse.slow, slow, n);
         take(inverse.drift, drift, n);

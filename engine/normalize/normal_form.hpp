@@ -23,8 +23,8 @@ const char* to_string(DivisorVerdict verdict);
 struct DivisorRecord {
     std::string variable; // "z1", "x"
     Monomial monomial;    // powers of modes, phases and eps
-    int weight;
-    Polynomial divisor; // <alpha, lambda> - lambda_j
+    int weight;           // as all here, to be read by System::weight()
+    Polynomial divisor;   // <alpha, lambda> - lambda_j
     DivisorVerdict verdict;
 };
 
@@ -68,7 +68,7 @@ struct Certificate {
     bool holds = false;            // substitution and scan
     bool residual_zero = false;    // (a)
     bool normal_form_scan = false; // (b)
-    int through_weight = 0;
+    Rational through_weight = 0;   // as the user counts it
     std::string route = "substitution, modular";
     int points = 0;
     std::vector<std::uint64_t> primes;

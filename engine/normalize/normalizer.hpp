@@ -12,9 +12,9 @@
 namespace resonform {
 
 // Goes through the weights once, at each in an order in which what an equation needs is known:
-// fast variables of weight 1 -> slow -> fast variables of weight 0 -> angles -> drift. (k_n reaches the
-// angles at weight n as omega' k_n, and finite fast variables as A' k_n w; small ones reach slow rates as g_u
-// h_n.)
+// small fast variables, those of larger weight first -> slow -> fast variables of weight 0 -> angles ->
+// drift. (k_n reaches the angles at weight n as omega' k_n, and finite fast variables as A' k_n w; small ones
+// reach slow rates, and those of fast variables of lower weight, as g_u h_n.)
 template <class Domain> class Normalizer {
 public:
     using Part = typename Domain::Part;
@@ -24,7 +24,7 @@ public:
     Normalizer(std::shared_ptr<const GradedField> field, const Domain& domain, std::unique_ptr<Style> style,
                int through)
         : field_(std::move(field)), domain_(domain), style_(std::move(style)), through_(through),
-          run_(*field_->program, domain) {
+          weights_(field_->mode_weights()), run_(*field_->program, domain) {
         for (std::size_t m = 0; m < field_->modes.size(); ++m)
             modes_.push_back(equation(static_cast<int>(m), field_->modes[m].name, field_->modes[m].variable));
         for (const SlowVariable& s : field_->slow) slow_.push_back(equation(-1, s.name, s.variable));
@@ -44,9 +44,10 @@ public:
         for (std::size_t s = 0; s < slow_.size(); ++s) set_slow(s, weight);
         for (std::size_t a = 0; a < angles_.size(); ++a) run_.set_input(field_->angles[a].input, weight, {});
         run_.advance(weight);
-        solve_modes(weight, 1);
+        for (const int of_modes : weights_)
+            if (of_modes > 0) solve_modes(weight, of_modes);
         solve_slow(weight);
-        solve_modes(weight, 0);
+        if (!weights_.empty() && weights_.back() == 0) solve_modes(weight, 0);
         for (std::size_t a = 0; a < angles_.size(); ++a) {
             solve({&angles_[a]}, {field_->angles[a].rate}, weight);
             transport_[first_angle() + a].set(weight, angles_[a].rate().part(weight));
@@ -166,20 +167,24 @@ private:
     void solve_modes(int weight, int weight_of_modes) {
         std::vector<Equation*> equations;
         std::vector<SeriesProgram::Node> rates;
+        const auto is_one = [&](const Mode& mode) {
+            return field_->ring->generator(mode.z).weight == weight_of_modes;
+        };
         for (std::size_t m = 0; m < modes_.size(); ++m) {
-            if (field_->ring->generator(field_->modes[m].z).weight != weight_of_modes) continue;
+            if (!is_one(field_->modes[m])) continue;
             equations.push_back(&modes_[m]);
             rates.push_back(field_->modes[m].rate);
         }
-        if (equations.empty()) return; // else these are all modes
         solve(equations, rates, weight);
-        if (weight == weight_of_modes)
-            for (std::size_t m = 0; m < modes_.size(); ++m) check_start(m, weight);
         std::size_t carrier = 0;
         for (std::size_t m = 0; m < modes_.size(); ++m) {
+            const std::size_t own = carrier;
+            carrier += field_->modes[m].is_real() ? 1 : 2;
+            if (!is_one(field_->modes[m])) continue;
+            if (weight == weight_of_modes) check_start(m, weight);
             const Part& rate = modes_[m].rate().part(weight);
-            transport_[carrier++].set(weight, rate);
-            if (!field_->modes[m].is_real()) transport_[carrier++].set(weight, domain_.conjugate(rate));
+            transport_[own].set(weight, rate);
+            if (!field_->modes[m].is_real()) transport_[own + 1].set(weight, domain_.conjugate(rate));
             set_mode(m, weight);
         }
         run_.correct(weight);
@@ -190,9 +195,14 @@ private:
         const Part& rate = modes_[m].rate().part(weight);
         if (rate.empty()) return;
         const Mode& mode = field_->modes[m];
-        refuse({"a forcing as large as the fast variables themselves is not resonant with them",
-                fmt::format("in the normal form of {} at weight {}", mode.name, weight),
-                "scale the forcing with a higher power of eps",
+        const bool one_weight = weights_.size() == 1;
+        refuse({one_weight ? "a forcing as large as the fast variables themselves is not resonant with them"
+                           : "a term of the weight of the fast variable in whose rate it stands is not "
+                             "resonant with it",
+                fmt::format("in the normal form of {} at weight {}", mode.name,
+                            to_string(field_->system().weight(weight))),
+                one_weight ? "scale the forcing with a higher power of eps"
+                           : "give the variable a lower weight, or scale the term with a power of eps",
                 place_of(field_->system().equations[mode.variable].source)});
     }
 
@@ -232,6 +242,7 @@ private:
     Domain domain_;
     std::unique_ptr<Style> style_;
     int through_;
+    std::vector<int> weights_; // of the modes, descending
     BasicSeriesRun<Domain> run_;
     std::vector<Equation> modes_, slow_, angles_, drifts_;
     Transport<Part> transport_; // by carrier: modes with their conjugates, slow variables, angles

@@ -31,17 +31,25 @@ private:
 
 } // namespace
 
-void check_order(int through) {
-    if (through < 1 || through > largest_weight)
+void check_order(const GradedField& field, int through) {
+    const System& system = field.system();
+    const std::string order = to_string(system.weight(through));
+    if (through < 1 || through > largest_weight * system.eps_root)
         bad_input({fmt::format("the order of a normal form is from 1 to {}", largest_weight),
-                   fmt::format("{}", through),
+                   order,
                    "choose an order in this range",
                    {}});
+    for (const Variable& v : system.variables)
+        if (v.weight > through)
+            bad_input(
+                {"the order of a normal form is not below the weight of a fast variable",
+                 fmt::format("order {}, {} has weight {}", order, v.name, to_string(system.weight(v.weight))),
+                 "choose a higher order, or scale eps", v.place});
 }
 
 Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
                                  const NormalizeOptions& options) {
-    check_order(through);
+    check_order(*field, through);
     return normalize_in_ring(std::move(field), through, options, [](const GradedField& f) {
         return std::make_unique<PoincareStyle<RingDomain>>(RingDomain(f.ring));
     });
@@ -49,7 +57,7 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
 
 GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
                                       const NormalizeOptions& options) {
-    check_order(through);
+    check_order(*field, through);
     const GraphDomain domain(field->ring, through + 1);
     Normalizer<GraphDomain> normalizer(field, domain, std::make_unique<PoincareStyle<GraphDomain>>(domain),
                                        through);

@@ -13,10 +13,12 @@ struct NormalizeOptions {
     std::function<void(int, std::size_t)> progress;
 };
 
-// Errors (bad_input): an order that is not within 1 ... 99.
-void check_order(int through);
+// Errors (bad_input): a weight (System::weight) that is not within 1 ... 99, or below that of a fast
+// variable.
+void check_order(const GradedField& field, int through);
 
-// 1 <= through <= 99. The certificate is left empty: certify() is a second route in its own file.
+// `through` as System::weight() reads it, 1 ... 99. The certificate is left empty: certify() is a second
+// route in its own file.
 Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
                                  const NormalizeOptions& options = {});
 

@@ -25,8 +25,15 @@ void require_pairs(const GradedField& field) {
                    "no [hamiltonian] in " + system.name,
                    "write [hamiltonian] with energy and momenta, or take style = \"poincare\"",
                    whole_file(system.file)});
+    const Variable& first = system.variables[system.hamiltonian->pairs.front().first];
     for (std::size_t v = 0; v < system.variables.size(); ++v) {
         const Variable& variable = system.variables[v];
+        if (system.hamiltonian->has(v) && variable.weight != first.weight)
+            refuse({"in the style hamiltonian all coordinates and momenta have one weight",
+                    fmt::format("{} has weight {}, {} has weight {}", first.name,
+                                to_string(system.weight(first.weight)), variable.name,
+                                to_string(system.weight(variable.weight))),
+                    "give them one weight, or take style = \"poincare\"", variable.place});
         if (system.hamiltonian->has(v)) continue;
         refuse({"in the style hamiltonian every variable is a coordinate or a momentum",
                 fmt::format("'{}' is {} and belongs to no pair", variable.name, to_string(variable.role)),

@@ -42,6 +42,7 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
     const System& system = field.system();
+    require_whole_weights(system);
     if (options.order < 1 || options.truncation < options.order)
         bad_input({"1 <= order <= truncation",
                    fmt::format("order = {}, truncation = {}", options.order, options.truncation),

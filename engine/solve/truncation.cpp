@@ -22,7 +22,16 @@ Place place_of(const Scene& scene, const char* key) {
 
 } // namespace
 
+void require_whole_weights(const System& system) {
+    if (system.eps_root == 1) return;
+    refuse({"a solution is for integer weights and powers of eps",
+            fmt::format("multiples of 1/{}", system.eps_root),
+            "take eps^(1/q) as the small parameter, or print the normal form",
+            {system.file.string(), 0, 0, "equations", ""}});
+}
+
 TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
+    require_whole_weights(field.system());
     const int order = scene.order;
     if (scene.truncation)
         return {*scene.truncation, fmt::format("plain truncation: M = {}", *scene.truncation)};

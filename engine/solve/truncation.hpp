@@ -17,6 +17,9 @@ struct TruncationCount {
     std::string reason;
 };
 
+// Errors (refused): weights or powers of eps that are no integers.
+void require_whole_weights(const System& system);
+
 // The scene's own `truncation` ("plain truncation"); otherwise, for time_scale p,
 //
 //   M = max(N + p, N + 2p - 2)   with an oscillator: what is neglected in rates at weight M + 1 acts
@@ -25,7 +28,7 @@ struct TruncationCount {
 //   M = N + p                    without one.
 //
 // Errors: refused for p >= 2 with a slow variable xi' = eps c, or a drift, which leave every compact
-// set, so that the count does not hold; refused for M > 99.
+// set, so that the count does not hold; refused for M > 99; those of require_whole_weights.
 TruncationCount count_truncation(const GradedField& field, const Scene& scene);
 
 // The part of the count that only the solution shows: for p >= 2 the amplitudes must be constant, since

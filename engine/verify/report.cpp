@@ -54,7 +54,7 @@ Section derived(const Findings& f) {
              "Certificate: map and normal form, put into the original equations at {} random points "
              "modulo {} primes, leave no residual through weight {}; every monomial of the normal form is "
              "resonant and the map has none of them. A wrong result would pass with probability below {}.",
-             certificate.points, certificate.primes.size(), certificate.through_weight,
+             certificate.points, certificate.primes.size(), to_string(certificate.through_weight),
              short_number(certificate.error_probability))}}};
 }
 

@@ -72,18 +72,52 @@ const BadInput cases[] = {
      "    ^\n"
      "  found: 'xi'\n"
      "  mend:  write role = \"fast\", \"angle\", \"slow\" or \"drift\""},
-    {"OtherWeight", "role = \"fast\"", "role = \"fast\", weight = 2",
-     "3 system.toml:12:33: variables.psi.weight: the weight of a fast variable is 1 (small) or 0 (finite)\n"
-     "    psi = { role = \"fast\", weight = 2 }\n"
+    {"NegativeWeight", "role = \"fast\"", "role = \"fast\", weight = -1",
+     "2 system.toml:12:33: variables.psi.weight: 'variables.psi.weight' is a rational number in 0 ... 9, its "
+     "denominator at most 12\n"
+     "    psi = { role = \"fast\", weight = -1 }\n"
      "                                    ^\n"
-     "  found: 2\n"
+     "  found: -1\n"
+     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
+    {"LargeWeight", "role = \"fast\"", "role = \"fast\", weight = 1e30",
+     "2 system.toml:12:33: variables.psi.weight: 'variables.psi.weight' is a rational number in 0 ... 9, its "
+     "denominator at most 12\n"
+     "    psi = { role = \"fast\", weight = 1e30 }\n"
+     "                                    ^\n"
+     "  found: 1e30\n"
+     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
+    {"WeightOfALargeDenominator", "role = \"fast\"", "role = \"fast\", weight = \"1/1000\"",
+     "2 system.toml:12:34: variables.psi.weight: 'variables.psi.weight' is a rational number in 0 ... 9, its "
+     "denominator at most 12\n"
+     "    psi = { role = \"fast\", weight = \"1/1000\" }\n"
+     "                                     ^\n"
+     "  found: \"1/1000\"\n"
+     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
+    {"WeightWithAName", "role = \"fast\"", "role = \"fast\", weight = \"a\"",
+     "2 system.toml:12:34: variables.psi.weight: a symbol is declared before it is used\n"
+     "    psi = { role = \"fast\", weight = \"a\" }\n"
+     "                                     ^\n"
+     "  found: a\n"
+     "  mend:  no name is known here"},
+    {"WeightDividedByZero", "role = \"fast\"", "role = \"fast\", weight = \"1/0\"",
+     "2 system.toml:12:36: variables.psi.weight: a denominator is not zero\n"
+     "    psi = { role = \"fast\", weight = \"1/0\" }\n"
+     "                                       ^\n"
+     "  found: 0\n"
+     "  mend:  this expression is zero for all values: correct it"},
+    {"WeightOfASlowVariable", "role = \"slow\"", "role = \"slow\", weight = 1",
+     "3 system.toml:13:32: variables.xi.weight: the weight of a variable that is not fast is 0\n"
+     "    xi = { role = \"slow\", weight = 1, unit = \"m\" }\n"
+     "                                   ^\n"
+     "  found: 1\n"
      "  mend:  remove the key, or scale the variable"},
     {"WeightOfAParameter", "v = { unit = \"m/s\" }", "v = { unit = \"m/s\", weight = -1 }",
-     "2 system.toml:9:30: parameters.v.weight: 'parameters.v.weight' is an integer in 0 ... 9\n"
+     "2 system.toml:9:30: parameters.v.weight: 'parameters.v.weight' is a rational number in 0 ... 9, its "
+     "denominator at most 12\n"
      "    v = { unit = \"m/s\", weight = -1 }\n"
      "                                 ^\n"
      "  found: -1\n"
-     "  mend:  write an integer in 0 ... 9"},
+     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
     {"RelationOfNoParameter", "[notation]", "[relations]\nq = \"2*g\"\n[notation]",
      "2 system.toml:24:1: relations.q: a relation gives a parameter by others\n"
      "    q = \"2*g\"\n"

@@ -3,6 +3,7 @@
 #include "model/system_file.hpp"
 
 #include "messages.hpp"
+#include "model/canonical.hpp"
 
 namespace resonform {
 namespace {
@@ -86,6 +87,25 @@ TEST(SystemFile, SmallParametersStandForPowersOfEps) {
         EXPECT_EQ(error.diagnostic().mend, "leave d out");
         EXPECT_EQ(error.diagnostic().place.line, 14);
     }
+}
+
+TEST(SystemFile, HoldsFractionsOfWeightsAsIntegers) {
+    const System system = read_system_text(
+        "[system]\nname = \"s\"\n[parameters]\na = { weight = \"2/3\", positive = true }\n"
+        "[variables]\nx = { role = \"fast\", weight = 0.5 }\ny = { role = \"fast\", weight = 2 }\n"
+        "[equations]\nx = \"x' = -x*a\"\ny = \"y' = "
+        "x*sqrt(3*eps*a)\"\n",
+        "system.toml");
+    EXPECT_EQ(system.eps_root, 6);
+    EXPECT_EQ(system.variables[0].weight, 3);
+    EXPECT_EQ(system.variables[1].weight, 12);
+    EXPECT_EQ(system.weight(4), Rational(2) / 3);
+    const auto &x = system.variables[0].jet, &y = system.variables[1].jet;
+    const GiNaC::ex a = system.parameters[0].symbol, root = system.eps;
+    const GiNaC::ex expected = y[1] - x[0] * sqrt(GiNaC::ex(3)) * sqrt(a) * pow(root, 5);
+    EXPECT_TRUE((system.equations[1].residual - expected).expand().is_zero());
+    EXPECT_EQ(spell(pow(root, 5) + root + pow(root, 6) + pow(root, -12)),
+              "eps + eps^(-2) + eps^(1/6) + eps^(5/6)");
 }
 
 TEST(SystemFile, IsFoundByFolderFileOrName) {
