@@ -99,6 +99,11 @@ std::optional<std::vector<Interval>> Points::next(const Ring& ring, int bits, co
     named_.clear();
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
+        if (g.kind == GeneratorKind::parameter && g.name == "pi") { // the number: no parameter has the name
+            point.push_back(Interval(Rational(4)) *
+                            *function(Function::arc_tangent, Interval(Rational(1)), bits));
+            continue;
+        }
         if (g.kind != GeneratorKind::root && g.kind != GeneratorKind::function) {
             point.push_back(any(g.positive));
             continue;

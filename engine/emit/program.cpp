@@ -89,6 +89,8 @@ void ProgramBuilder::define_symbols() {
 }
 
 void ProgramBuilder::define_parameters() {
+    surroundings_.symbols["pi"] = from_expression(program_.graph, GiNaC::Pi, {});
+    surroundings_.positive.insert(surroundings_.symbols["pi"]);
     for (const Parameter& parameter : solution_.system().parameters) {
         const auto fixed = scene_.fix.find(parameter.name);
         const Graph::Node value = fixed == scene_.fix.end() ? -1 : program_.graph.rational(fixed->second);

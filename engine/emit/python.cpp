@@ -45,6 +45,7 @@ std::string real_symbol(const std::string& name, bool positive, bool nonzero) {
 // The functions that stand in the coefficients besides what every script needs.
 std::string imported(const GradedField& field) {
     std::set<std::string> names{"I", "Rational", "Symbol", "exp", "prod", "sqrt"};
+    if (field.ring->find("pi")) names.insert("pi");
     for (GeneratorId id = 0; id < field.ring->size(); ++id) {
         const Generator& g = field.ring->generator(id);
         if (g.kind != GeneratorKind::function) continue;

@@ -50,6 +50,7 @@ std::string python_symbol(const std::string& name, int primes) {
 }
 
 std::string maxima_symbol(const std::string& name, int primes) {
+    if (name == "pi") return "%pi"; // the number: no user has the name
     static constexpr std::array<const char*, 20> reserved = {
         "if",   "then", "else", "elseif", "do", "for", "while", "unless",        "from",   "step",
         "next", "thru", "in",   "and",    "or", "not", "rate",  "old_minus_new", "assume", "sqrt"};

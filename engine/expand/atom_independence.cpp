@@ -3,7 +3,8 @@
 // numbers): exponentials are, if their arguments are linearly independent over the rationals modulo
 // constants, which different products of independent things are; logarithms are, if no product of powers
 // of their arguments and of exponentials is constant, as with different irreducible polynomials. What is
-// known by its name only is independent of everything.
+// known by its name only is independent of everything. The number pi is transcendental, and of a function
+// of numbers beside it nothing is known.
 #include "expand/function_atoms.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct Shape {
     bool circles = false, atoms = false;
 };
 
-Shape shape_of(const ex& e, const std::vector<FunctionAtom>& atoms) {
+Shape shape_of(const ex& e, const std::vector<FunctionAtom>& atoms, const GiNaC::symbol* pi) {
     Shape shape;
     for (auto it = e.preorder_begin(); it != e.preorder_end(); ++it) {
         if (is_a<GiNaC::power>(*it)) {
@@ -30,7 +31,7 @@ Shape shape_of(const ex& e, const std::vector<FunctionAtom>& atoms) {
             shape.sums_inverted = shape.sums_inverted || (!plain && is_a<GiNaC::add>(it->op(0)));
             shape.roots = shape.roots || !it->op(1).info(GiNaC::info_flags::integer);
         }
-        if (!is_a<GiNaC::symbol>(*it)) continue;
+        if (!is_a<GiNaC::symbol>(*it) || (pi != nullptr && it->is_equal(*pi))) continue;
         const auto atom = std::find_if(atoms.begin(), atoms.end(),
                                        [&](const FunctionAtom& a) { return it->is_equal(a.symbol); });
         if (atom == atoms.end()) {
@@ -40,7 +41,7 @@ Shape shape_of(const ex& e, const std::vector<FunctionAtom>& atoms) {
         shape.atoms = true;
         shape.circles =
             shape.circles || atom->function == Function::sine || atom->function == Function::cosine;
-        shape.constant = shape.constant && shape_of(atom->argument, atoms).constant;
+        shape.constant = shape.constant && shape_of(atom->argument, atoms, pi).constant;
     }
     return shape;
 }
@@ -49,7 +50,7 @@ Shape shape_of(const ex& e, const std::vector<FunctionAtom>& atoms) {
 
 void FunctionAtoms::judge_independence() {
     std::vector<Shape> shapes;
-    for (const FunctionAtom& a : atoms_) shapes.push_back(shape_of(a.argument, atoms_));
+    for (const FunctionAtom& a : atoms_) shapes.push_back(shape_of(a.argument, atoms_, pi()));
     const auto count = [&](const auto& is_meant) {
         int n = 0;
         for (std::size_t k = 0; k < atoms_.size(); ++k) n += is_meant(atoms_[k], shapes[k]) ? 1 : 0;
@@ -77,6 +78,7 @@ void FunctionAtoms::judge_independence() {
             break;
         case Function::named: a.independent = plain && !s.roots; break;
         }
+        if (has_pi_ && s.constant && a.function != Function::named) a.independent = false;
     }
 }
 

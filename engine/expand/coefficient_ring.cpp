@@ -82,6 +82,7 @@ void CoefficientRing::collect(const ex& e, const Place& place) {
         collect_function(e, without_angles(at_origin(e.op(0), place)), place);
         return;
     }
+    if (e.is_equal(GiNaC::Pi)) needed_.push_back({e, place});
     for (const ex& operand : operands(e)) collect(operand, place);
 }
 
@@ -229,6 +230,7 @@ void CoefficientRing::add_symbols(RingBuilder& builder) {
         symbols_.emplace_back(symbol, builder.add(std::move(g)));
     };
     add(GeneratorKind::small, "eps", false, true, system_->eps);
+    if (const GiNaC::symbol* pi = functions_->pi()) add(GeneratorKind::parameter, "pi", true, true, *pi);
     for (const auto& p : system_->parameters)
         add(GeneratorKind::parameter, p.name, p.nonzero || p.positive, p.positive, p.symbol);
     for (const auto& v : system_->variables)
@@ -361,8 +363,7 @@ Polynomial CoefficientRing::convert_rewritten(const ex& e, const Place& place) c
         return convert_power(e.op(0), to_rational(e.op(1)), place);
     }
     refuse({"coefficients are built from numbers, parameters, slow variables, powers, roots and functions",
-            spell(functions_->domain().meaning(e)),
-            "write irrational constants such as pi as positive parameters", place});
+            spell(functions_->domain().meaning(e)), "write it as a parameter", place});
 }
 
 Polynomial CoefficientRing::convert(const Complex& e, const Place& place) const {

@@ -30,6 +30,8 @@ bool has_function(const ex& e) {
                        [](const ex& part) { return is_a<GiNaC::function>(part); });
 }
 
+bool has_atom(const ex& e) { return has_function(e) || e.has(GiNaC::Pi); }
+
 // factor * part of a sum.
 struct Multiple {
     Rational factor;
@@ -86,10 +88,21 @@ public:
             return product;
         }
         if (is_a<GiNaC::power>(e)) return GiNaC::pow((*this)(e.op(0)), e.op(1));
-        return e;
+        return e.is_equal(GiNaC::Pi) ? pi() : e;
     }
 
 private:
+    ex pi() {
+        if (learner_ != nullptr) learner_->has_pi_ = true;
+        if (known_.pi() == nullptr) refuse_unlearned(GiNaC::Pi, false);
+        return known_.pi_;
+    }
+
+    [[noreturn]] void refuse_unlearned(const ex& meaning, bool derivative) const {
+        refuse({"a coefficient is built from what the equations hold", spell(meaning),
+                derivative ? "ask for a lower order" : "write the equations with this function", place_});
+    }
+
     ex function(const ex& e) {
         const ex u = argument(e.op(0));
         if (is_named(e)) {
@@ -114,11 +127,10 @@ private:
         }
         if (name == "log") return logarithm(u);
         if (name == "atan") return arc_tangent(u);
-        if (name == "asin" && u.is_zero()) return 0;
+        if (name == "asin") return arc_sine(u);
         refuse({"functions of slow variables and parameters are sin cos tan exp log sqrt sinh cosh tanh "
-                "atan and those under [functions]",
-                spell(e), name == "asin" ? "write atan(u/sqrt(1 - u^2)) for asin(u)" : "write it with these",
-                place_});
+                "asin acos atan and those under [functions]",
+                spell(e), "write it with these", place_});
     }
 
     [[nodiscard]] const CoefficientDomain& domain() const { return known_.domain(); }
@@ -164,10 +176,7 @@ private:
     ex atom(Function function, const ex& meaning, const ex& u, const std::string& name = {},
             int derivative = 0, std::size_t sine = 0) {
         if (const FunctionAtom* known = find(function, u, name, derivative)) return known->symbol;
-        if (learner_ == nullptr)
-            refuse({"a coefficient is built from what the equations hold", spell(meaning),
-                    derivative > 0 ? "ask for a lower order" : "write the equations with this function",
-                    place_});
+        if (learner_ == nullptr) refuse_unlearned(meaning, derivative > 0);
         FunctionAtom made;
         made.function = function;
         made.symbol = GiNaC::symbol(spell(meaning));
@@ -229,6 +238,10 @@ private:
     Angle angle(const ex& u) {
         Angle total{1, 0};
         for (const Multiple& m : multiples(u)) {
+            if (m.part.is_equal(known_.pi_)) {
+                total = sum_of(total, fraction_of_turn(m.factor));
+                continue;
+            }
             const auto [part, count] = whole_multiple("sin ", m);
             const Angle one = circle(part);
             Angle multiple{1, 0};
@@ -240,6 +253,17 @@ private:
             total = sum_of(total, multiple);
         }
         return total;
+    }
+
+    // Where sine and cosine have roots for values.
+    [[nodiscard]] Angle fraction_of_turn(const Rational& factor) const {
+        const ex angle = to_ginac(factor) * GiNaC::Pi;
+        const Angle turn{GiNaC::cos(angle), GiNaC::sin(angle)};
+        if (has_function(turn.cosine) || has_function(turn.sine))
+            refuse({"sines and cosines of multiples of pi are those of multiples of pi/12 and pi/10",
+                    spell(GiNaC::sin(angle)), "write the angle, or its sine and cosine, as a parameter",
+                    place_});
+        return turn;
     }
 
     Angle circle(const ex& part) {
@@ -297,28 +321,46 @@ private:
         return chosen.is_equal(u) ? value : -value;
     }
 
+    // asin(u) = atan(u/sqrt(1 - u^2)) for -1 < u < 1
+    ex arc_sine(const ex& u) {
+        if (u.is_zero()) return 0;
+        const ex square = domain().expanded(1 - u * u);
+        if (!domain().positive(square))
+            refuse({"an arcsine or arccosine is taken only of what is proved to lie between -1 and 1",
+                    spell(domain().meaning(u)),
+                    "declare what is positive: " + how_to_declare_positive(domain().meaning(square)),
+                    place_});
+        return arc_tangent(argument(u * GiNaC::pow(square, GiNaC::numeric(-1, 2))));
+    }
+
     const FunctionAtoms& known_;
     FunctionAtoms* learner_; // null: nothing is learned
     const Place& place_;
 };
 
 FunctionAtoms::FunctionAtoms(std::shared_ptr<const System> system, int derivatives)
-    : system_(std::move(system)), derivatives_(derivatives), domain_(*system_) {}
+    : system_(std::move(system)), derivatives_(derivatives), domain_(new_domain()) {}
+
+CoefficientDomain FunctionAtoms::new_domain() const {
+    CoefficientDomain domain(*system_);
+    domain.add(pi_, GiNaC::Pi);
+    return domain;
+}
 
 void FunctionAtoms::learn(const ex& e, const Place& place) {
-    if (has_function(e)) FunctionRewriter(*this, this, place)(e);
+    if (has_atom(e)) FunctionRewriter(*this, this, place)(e);
 }
 
 bool FunctionAtoms::forget_unless_settled() {
     if (settled_) return true;
     settled_ = true;
     atoms_.clear();
-    domain_ = CoefficientDomain(*system_);
+    domain_ = new_domain();
     return false;
 }
 
 ex FunctionAtoms::rewrite(const ex& e, const Place& place) const {
-    return has_function(e) ? FunctionRewriter(*this, nullptr, place)(e) : e;
+    return has_atom(e) ? FunctionRewriter(*this, nullptr, place)(e) : e;
 }
 
 } // namespace resonform

@@ -6,6 +6,7 @@
 //   sin(tau + 2*alpha)        ->  s (1 - 2 u^2) + 2 c u v   s, c of tau; v, u of alpha
 //   log(4*x^2*y)              ->  2 log(2) + 2 log(x) + log(y)
 //   tanh(tau)                 ->  (E^2 - 1)/(E^2 + 1)       E = exp(tau)
+//   cos(tau + pi/3)           ->  c/2 - 3^(1/2) s/2         pi itself is a symbol
 //
 // The arguments of rationally related exponentials, and of sines and cosines, have one common part, so
 // that atoms are independent of each other where that can be seen; an atom of which it cannot says so.
@@ -51,13 +52,18 @@ public:
 
     [[nodiscard]] const std::vector<FunctionAtom>& atoms() const { return atoms_; }
     [[nodiscard]] const CoefficientDomain& domain() const { return domain_; }
+    // The symbol that stands for the number pi, if that was met.
+    [[nodiscard]] const GiNaC::symbol* pi() const { return has_pi_ ? &pi_ : nullptr; }
 
 private:
     friend class FunctionRewriter;
 
+    [[nodiscard]] CoefficientDomain new_domain() const;
+
     std::shared_ptr<const System> system_;
     int derivatives_;
-    bool settled_ = true;
+    bool settled_ = true, has_pi_ = false;
+    GiNaC::symbol pi_{"pi"};
     std::vector<FunctionAtom> atoms_;
     std::map<std::string, Integer> denominators_; // of the multiples of one argument that occur
     CoefficientDomain domain_;

@@ -94,7 +94,8 @@ bool Prover::real(const ex& e) const {
     if (GiNaC::is_a<GiNaC::function>(e)) {
         const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
         if (name == "log") return sign(e.op(0)) == Sign::positive;
-        if (name == "asin" || name == "acos" || name == "tan") return false;
+        if (name == "asin") return sign((1 - e.op(0) * e.op(0)).expand()) == Sign::positive && real(e.op(0));
+        if (name == "acos" || name == "tan") return false;
     }
     return std::all_of(e.begin(), e.end(), [this](const ex& part) { return real(part); });
 }

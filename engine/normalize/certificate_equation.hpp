@@ -61,7 +61,7 @@ public:
 
     Value operator()(const GiNaC::ex& e) {
         if (GiNaC::is_a<GiNaC::numeric>(e)) return algebra_.number(rational_of(e, equation_));
-        if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(e);
+        if (GiNaC::is_a<GiNaC::symbol>(e) || e.is_equal(GiNaC::Pi)) return symbol(e);
         if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
         if (GiNaC::is_a<GiNaC::mul>(e)) return product(e);
         if (GiNaC::is_a<GiNaC::power>(e)) return power(e.op(0), rational_of(e.op(1), equation_));
@@ -195,7 +195,12 @@ private:
                                                               algebra_.multiply(algebra_.at_origin(u), u)))));
         case Elementary::arc_sine: break;
         }
-        refuse_certificate("the argument of asin vanishes at the origin", equation_);
+        // asin(u_0) + asin(u sqrt(1 - u_0^2) - u_0 sqrt(1 - u^2))
+        const Value root = power(1 - argument * argument, Rational(1) / 2);
+        return algebra_.add(
+            at_origin(GiNaC::asin(argument)),
+            algebra_.function(name, difference(algebra_.multiply(u, algebra_.at_origin(root)),
+                                               algebra_.multiply(algebra_.at_origin(u), root))));
     }
 
     // sum_k f^(k)(u_0) r^k / k!, as far as the ring has derivatives.

@@ -91,14 +91,36 @@ ex CertificateRoots::function_with_symbols(const ex& e, const Equation& equation
     case Elementary::hyperbolic_cosine: return half_sum(1);
     case Elementary::hyperbolic_tangent: return half_sum(-1) / half_sum(1);
     case Elementary::logarithm: return logarithm(u, equation);
-    case Elementary::arc_tangent:
-        if (u.is_zero()) return 0;
-        for (const FunctionAtom& f : functions_)
-            if (f.of.function == Function::arc_tangent)
-                if (const auto sign = multiple(u, f.argument); sign && std::abs(*sign) == 1)
-                    return *sign * f.symbol;
-        break;
+    case Elementary::arc_tangent: return arc_tangent(u, equation);
     case Elementary::arc_sine: break;
+    }
+    if (u.is_zero()) return 0;
+    const ex cosine = radical_with_symbols((1 - u * u).expand(), Rational(1) / 2, equation);
+    return arc_tangent(lowered((u / cosine).normal()), equation);
+}
+
+// With radicands in place of whole powers of their roots.
+ex CertificateRoots::without_whole_powers(const ex& e) const {
+    ex result = e.normal();
+    for (const Root& root : roots_) {
+        if (!result.has(root.symbol)) continue;
+        const ex fraction = result.numer_denom();
+        const auto lower = [&](const ex& part) {
+            return part.expand()
+                .subs(GiNaC::pow(root.symbol, root.index) == root.radicand, GiNaC::subs_options::algebraic)
+                .expand();
+        };
+        result = (lower(fraction.op(0)) / lower(fraction.op(1))).normal();
+    }
+    return result;
+}
+
+ex CertificateRoots::arc_tangent(const ex& u, const Equation& equation) const {
+    if (u.is_zero()) return 0;
+    for (const FunctionAtom& f : functions_) {
+        if (f.of.function != Function::arc_tangent) continue;
+        const ex sign = without_whole_powers(u / f.argument);
+        if (sign.is_equal(1) || sign.is_equal(-1)) return sign * f.symbol;
     }
     refuse_function(equation);
 }
@@ -123,10 +145,18 @@ ex CertificateRoots::exponential(const ex& u, const Equation& equation) {
 }
 
 // The cosine of a sum of angles n_k a_k is (p + 1/p)/2 for p = prod (c_k + i s_k)^n_k.
-ex CertificateRoots::circular(const ex& u, bool cosine, const Equation& equation) const {
+ex CertificateRoots::circular(const ex& u, bool cosine, const Equation& equation) {
     ex turned = 1, back = 1;
     for (const ex& term : terms_of(u)) {
         bool found = false;
+        if (const auto q = ratio(term, pi_)) { // with roots for values
+            const ex angle = GiNaC::numeric(*q) * GiNaC::Pi;
+            const ex c = with_symbols(GiNaC::cos(angle), equation),
+                     s = with_symbols(GiNaC::sin(angle), equation);
+            turned *= c + GiNaC::I * s;
+            back *= c - GiNaC::I * s;
+            continue;
+        }
         for (const FunctionAtom& f : functions_) {
             if (found || f.of.function != Function::cosine) continue;
             const auto n = multiple(term, f.argument);

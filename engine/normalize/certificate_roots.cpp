@@ -52,6 +52,8 @@ CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
         if (const Parameter* p = system.parameter(g.name); p != nullptr && g.kind == GeneratorKind::parameter)
             symbols[static_cast<std::size_t>(id)] = p->symbol;
     }
+    if (const auto pi = ring.find("pi")) symbols[static_cast<std::size_t>(*pi)] = pi_;
+    meanings_[pi_] = GiNaC::Pi;
     for (const SlowVariable& s : field.slow)
         symbols[static_cast<std::size_t>(s.generator)] = system.variables[s.variable].jet.front();
     for (int id = 0; id < ring.size(); ++id) {
@@ -79,6 +81,7 @@ bool CertificateRoots::positive(const ex& e) const {
 }
 
 std::optional<GeneratorId> CertificateRoots::generator_of(const ex& symbol) const {
+    if (symbol.is_equal(pi_) || symbol.is_equal(GiNaC::Pi)) return field_->ring->find("pi");
     for (const Root& r : roots_)
         if (symbol.is_equal(r.symbol)) return r.id;
     for (const FunctionAtom& f : functions_)
@@ -250,6 +253,7 @@ Radical CertificateRoots::collect(const Product& product, const Equation& equati
 
 ex CertificateRoots::with_symbols(const ex& e, const Equation& equation) {
     if (is_a<GiNaC::numeric>(e) || is_a<GiNaC::symbol>(e)) return e;
+    if (e.is_equal(GiNaC::Pi)) return pi_;
     if (is_a<GiNaC::add>(e)) {
         ex result = 0;
         for (const ex& term : operands(e)) result += with_symbols(term, equation);

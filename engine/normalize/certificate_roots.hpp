@@ -36,7 +36,7 @@ public:
     // The weight-0 part of e as a rational expression in the symbols of parameters, slow variables and
     // generators. Errors (refused, with the equation as written): what the ring has no generators for.
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Equation& equation);
-    // The generator that a symbol in this expression stands for.
+    // The generator that a symbol in this expression stands for, or the number pi.
     [[nodiscard]] std::optional<GeneratorId> generator_of(const GiNaC::ex& symbol) const;
     // Has the ring this derivative of a function that is known by its name only?
     [[nodiscard]] bool knows(const std::string& named, int derivative) const;
@@ -86,12 +86,15 @@ private:
     // certificate_functions.cpp
     [[nodiscard]] GiNaC::ex function_with_symbols(const GiNaC::ex& e, const Equation& equation);
     [[nodiscard]] GiNaC::ex exponential(const GiNaC::ex& u, const Equation& equation);
-    [[nodiscard]] GiNaC::ex circular(const GiNaC::ex& u, bool cosine, const Equation& equation) const;
+    [[nodiscard]] GiNaC::ex circular(const GiNaC::ex& u, bool cosine, const Equation& equation);
+    [[nodiscard]] GiNaC::ex arc_tangent(const GiNaC::ex& u, const Equation& equation) const;
+    [[nodiscard]] GiNaC::ex without_whole_powers(const GiNaC::ex& e) const;
     [[nodiscard]] GiNaC::ex logarithm(const GiNaC::ex& u, const Equation& equation) const;
     [[nodiscard]] GiNaC::ex lowered(const GiNaC::ex& e) const;
     [[nodiscard]] const FunctionAtom& atom(GeneratorId id) const;
 
     const GradedField* field_;
+    GiNaC::symbol pi_{"pi"};
     std::vector<Root> roots_; // largest degree first, so that a product is tried before its factors
     std::vector<FunctionAtom> functions_;
     GiNaC::exmap meanings_;                                     // symbols of functions -> the functions

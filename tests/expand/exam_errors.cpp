@@ -123,7 +123,7 @@ TEST(ExpandErrors, FunctionsOfSlowVariables) {
     EXPECT_TRUE(
         has(message(system_with("x'' + x + eps*x/(sin(tau)^2 + cos(tau)^2 - 1) = 0"), Kind::bad_input),
             "divided by an expression that is zero"));
-    EXPECT_TRUE(has(refused("x'' + x + eps*asin(tau)*x = 0"), "write atan(u/sqrt(1 - u^2)) for asin(u)"));
+    EXPECT_TRUE(has(refused("x'' + x + eps*asin(tau)*x = 0"), "is proved to lie between -1 and 1"));
     EXPECT_TRUE(has(message(system_with("x'' + x + eps*log(x) = 0"), Kind::bad_input),
                     "divided by an expression that is zero"));
     EXPECT_TRUE(has(refused("x'' + (1 + cos(tau))*x = 0"), "the square of a frequency is proved"));
@@ -152,12 +152,11 @@ TEST(ExpandErrors, OfSeveralReasonsTheSameOneIsNamed) {
     }
 }
 
-TEST(ExpandErrors, AnArcCosineLeavesPiUnlessItCancels) {
+TEST(ExpandErrors, AnArcCosineLeavesPi) {
     EXPECT_NO_THROW(expand(test::first_order_from(system_with("x'' + x + eps*x*(pi/2 - acos(x)) = 0"))));
-    const std::string m = message(system_with("x'' + x + eps*x*acos(x) = 0"), Kind::refused);
-    EXPECT_TRUE(has(m, "found: pi"));
-    EXPECT_TRUE(has(m, "write irrational constants such as pi as positive parameters"));
-    EXPECT_TRUE(has(m, "equations.x"));
+    EXPECT_NO_THROW(expand(test::first_order_from(system_with("x'' + x + eps*x*acos(x) = 0"))));
+    const std::string m = message(system_with("x'' + x + acos(x) = 0"), Kind::bad_input);
+    EXPECT_TRUE(has(m, "x'' = -1/2*pi there"));
 }
 
 // GiNaC writes (2 - tau)^3 as -(tau - 2)^3 whenever its order of terms has it so.
