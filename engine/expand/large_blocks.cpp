@@ -34,13 +34,13 @@ public:
         name_symbols();
     }
 
-    std::vector<BlockMode> modes() {
+    BlockModes modes() {
         for (const Factor& factor : factors()) {
             if (!has_closed_roots(factor)) refuse_factor(factor);
             add_modes(factor);
         }
         sort();
-        return std::move(modes_);
+        return {std::move(modes_), chained_};
     }
 
 private:
@@ -62,6 +62,10 @@ private:
     [[noreturn]] void refuse_nilpotent(const Factor& factor) const;
 
     void add_modes(const Factor& factor);
+    [[nodiscard]] Rows chain(const Factor& factor, const EigenField& field) const;
+    [[nodiscard]] Rows power_of_shifted(const EigenField& field, bool transposed, std::size_t times) const;
+    [[nodiscard]] static EigenField::Row product(const EigenField& field, const Rows& m,
+                                                 const EigenField::Row& v);
     [[nodiscard]] Rows shifted(const EigenField& field, bool transposed) const;
     [[nodiscard]] BlockMode mode_of(const EigenRoot& root, const EigenField::Row& column,
                                     const EigenField::Row& row) const;
@@ -73,6 +77,7 @@ private:
     GiNaC::exmap indexed_, near_one_; // the symbols by their places in the file
     GiNaC::symbol lambda_{"lambda"};
     std::vector<BlockMode> modes_;
+    bool chained_ = false;
 };
 
 std::vector<Factor> LargeBlock::factors() const {
@@ -135,8 +140,10 @@ void LargeBlock::refuse_nilpotent(const Factor& factor) const {
             fmt::format(
                 "{} is a {}-fold factor of the characteristic polynomial of {}, and has fewer eigenvectors",
                 spell(polynomial(factor, lambda_)), factor.multiplicity, name_.variables),
-            "give the variable "
-            "a restoring force, or unfold the block",
+            system_.style == Style::inner_product
+                ? "give parameters other values, so that a chain less is left, or unfold the block"
+                : "write style = \"inner_product\" in [normal_form], give the variable a restoring force, or "
+                  "unfold the block",
             name_.place});
 }
 
@@ -153,23 +160,65 @@ Rows LargeBlock::shifted(const EigenField& field, bool transposed) const {
     return rows;
 }
 
+EigenField::Row LargeBlock::product(const EigenField& field, const Rows& m, const EigenField::Row& v) {
+    EigenField::Row result;
+    for (const EigenField::Row& row : m) {
+        EigenField::Element sum = field.constant(0);
+        for (std::size_t k = 0; k < v.size(); ++k)
+            sum = field.minus(sum, field.times(field.minus(field.constant(0), row[k]), v[k]));
+        result.push_back(std::move(sum));
+    }
+    return result;
+}
+
+// (A - lambda)^n
+Rows LargeBlock::power_of_shifted(const EigenField& field, bool transposed, std::size_t n) const {
+    const Rows once = shifted(field, !transposed); // its rows are the columns of the factor
+    Rows rows = shifted(field, transposed);
+    for (std::size_t k = 1; k < n; ++k)
+        for (EigenField::Row& row : rows) row = product(field, once, row);
+    return rows;
+}
+
+// Generalised eigenvectors v_1, ..., v_m with (A - lambda) v_{k+1} = v_k, where one eigenvector is all there
+// is.
+Rows LargeBlock::chain(const Factor& factor, const EigenField& field) const {
+    const std::size_t m = factor.multiplicity;
+    const auto all = field.null_space(power_of_shifted(field, false, m), a_.size());
+    if (!all) refuse_unknown();
+    const Rows once = shifted(field, false);
+    for (const EigenField::Row& top : *all) {
+        Rows vectors{top};
+        while (vectors.size() < m) vectors.insert(vectors.begin(), product(field, once, vectors.front()));
+        const auto lead = std::find_if(vectors.front().begin(), vectors.front().end(), [](const auto& entry) {
+            return EigenField::vanishes(entry) != Zero::yes;
+        });
+        if (lead == vectors.front().end()) continue; // of a shorter chain
+        const auto factor_of_all = field.inverse(*lead);
+        if (!factor_of_all) refuse_unknown();
+        for (EigenField::Row& v : vectors)
+            for (EigenField::Element& entry : v) entry = field.times(entry, *factor_of_all);
+        return vectors;
+    }
+    refuse_unknown();
+}
+
 // Columns from the null space, rows from that of the transpose, paired to one another.
 void LargeBlock::add_modes(const Factor& factor) {
     const EigenField field(factor.lower);
-    const auto columns = field.null_space(shifted(field, false), a_.size());
-    const auto rows = field.null_space(shifted(field, true), a_.size());
-    if (!columns || !rows) refuse_unknown();
+    auto columns = field.null_space(shifted(field, false), a_.size());
+    if (!columns) refuse_unknown();
     const std::size_t m = factor.multiplicity;
-    if (columns->size() != m || rows->size() != m) refuse_nilpotent(factor);
+    const bool chained = columns->size() < m;
+    if (chained && (columns->size() > 1 || system_.style != Style::inner_product)) refuse_nilpotent(factor);
+    if (chained) columns = chain(factor, field);
+    chained_ = chained_ || chained;
+    const auto rows = field.null_space(power_of_shifted(field, true, chained ? m : 1), a_.size());
+    if (!rows) refuse_unknown();
+    if (rows->size() != m) refuse_nilpotent(factor);
     Rows paired; // P | rows with P = rows columns: the echelon form is 1 | P^-1 rows
     for (const EigenField::Row& row : *rows) {
-        paired.emplace_back();
-        for (const EigenField::Row& column : *columns) {
-            EigenField::Element product = field.constant(0);
-            for (std::size_t s = 0; s < a_.size(); ++s)
-                product = field.minus(product, field.times(row[s], column[s]));
-            paired.back().push_back(field.minus(field.constant(0), product));
-        }
+        paired.push_back(product(field, *columns, row));
         paired.back().insert(paired.back().end(), row.begin(), row.end());
     }
     const auto inverted = field.echelon(std::move(paired));
@@ -220,7 +269,7 @@ void LargeBlock::sort() {
 
 } // namespace
 
-std::vector<BlockMode> modes_of_large_block(const Matrix& a, const System& system, const BlockName& name) {
+BlockModes modes_of_large_block(const Matrix& a, const System& system, const BlockName& name) {
     return LargeBlock(a, system, name).modes();
 }
 

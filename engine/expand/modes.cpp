@@ -165,7 +165,7 @@ BlockModes ModeFinder::modes_of(const Block& block) const {
                                              {-a(block[3], block[0]), -a(block[3], block[2])}},
                                             system_, name_of(block));
     if (block.size() <= largest_block) return modes_of_block(matrix_of(block), system_, name_of(block));
-    return {modes_of_large_block(matrix_of(block), system_, name_of(block))};
+    return modes_of_large_block(matrix_of(block), system_, name_of(block));
 }
 
 // No mode drives one of the same eigenvalue, or of one that is not proved to be another.
