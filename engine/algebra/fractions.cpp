@@ -162,6 +162,9 @@ void make_canonical(Fractions& f) {
     }
     trim(f);
     sort_by_monomial(f);
+    f.monomials.shrink_to_fit(); // they live long
+    f.magnitudes.shrink_to_fit();
+    f.negative.shrink_to_fit();
 }
 
 } // namespace resonform

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/modular.hpp"
 
+#include "algebra/montgomery.hpp"
+
 #include <cln/integer.h>
 
+#include <algorithm>
 #include <bit>
+#include <span>
 
 namespace resonform {
 
@@ -12,28 +16,35 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 __extension__ using SignedWide = __int128;
 
-std::uint64_t multiply_modulo(std::uint64_t a, std::uint64_t b, std::uint64_t n) {
-    return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % n);
-}
-
-std::uint64_t power_modulo(std::uint64_t a, std::uint64_t exponent, std::uint64_t n) {
-    std::uint64_t result = 1 % n;
-    for (a %= n; exponent != 0; exponent >>= 1) {
-        if ((exponent & 1) != 0) result = multiply_modulo(result, a, n);
-        a = multiply_modulo(a, a, n);
+// Arithmetic modulo any n.
+class Division {
+public:
+    explicit Division(std::uint64_t n) : n_(n) {}
+    [[nodiscard]] std::uint64_t enter(std::uint64_t a) const { return a % n_; }
+    [[nodiscard]] std::uint64_t negate(std::uint64_t a) const { return a == 0 ? 0 : n_ - a; }
+    [[nodiscard]] std::uint64_t multiply(std::uint64_t a, std::uint64_t b) const {
+        return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % n_);
     }
-    return result;
-}
 
-// n - 1 = odd * 2^twos: a^odd is 1, or one of its first `twos` squares is -1.
-bool is_strong_probable_prime(std::uint64_t n, std::uint64_t base, std::uint64_t odd, int twos) {
-    std::uint64_t x = power_modulo(base, odd, n);
-    if (x == 1 || x == n - 1) return true;
-    for (int j = 1; j < twos; ++j) {
-        x = multiply_modulo(x, x, n);
-        if (x == n - 1) return true;
-    }
-    return false;
+private:
+    std::uint64_t n_;
+};
+
+// n - 1 = odd * 2^twos: for each base a^odd is 1, or one of its first `twos` squares is -1.
+template <class Arithmetic>
+bool is_strong_probable_prime(const Arithmetic& modulo, std::uint64_t n,
+                              std::span<const std::uint64_t> bases) {
+    const int twos = std::countr_zero(n - 1);
+    const std::uint64_t one = modulo.enter(1), minus_one = modulo.negate(one);
+    return std::all_of(bases.begin(), bases.end(), [&](std::uint64_t base) {
+        std::uint64_t x = power_of(modulo, modulo.enter(base), (n - 1) >> twos);
+        bool found = x == one || x == minus_one;
+        for (int j = 1; j < twos && !found; ++j) {
+            x = modulo.multiply(x, x);
+            found = x == minus_one;
+        }
+        return found;
+    });
 }
 
 } // namespace
@@ -43,12 +54,8 @@ bool is_prime(std::uint64_t n) {
     if (n < 2) return false;
     for (const std::uint64_t base : bases)
         if (n % base == 0) return n == base;
-    std::uint64_t odd = n - 1;
-    int twos = 0;
-    for (; (odd & 1) == 0; odd >>= 1) ++twos;
-    for (const std::uint64_t base : bases)
-        if (!is_strong_probable_prime(n, base, odd, twos)) return false;
-    return true;
+    if (n >> 62 != 0) return is_strong_probable_prime(Division(n), n, bases);
+    return is_strong_probable_prime(Montgomery(PrimeField(n)), n, bases);
 }
 
 std::uint64_t random_prime(std::mt19937_64& random) {
@@ -77,12 +84,10 @@ Residue PrimeField::power(Residue a, std::int64_t exponent) const {
 }
 
 Residue PrimeField::raise(Residue a, std::uint64_t exponent) const {
-    Residue result = 1;
-    for (; exponent != 0; exponent >>= 1) {
-        if ((exponent & 1) != 0) result = multiply(result, a);
-        a = multiply(a, a);
-    }
-    return result;
+    constexpr std::uint64_t large = 1024; // Montgomery's form is worth while
+    if (exponent < large) return power_of(*this, a, exponent);
+    const Montgomery m(*this);
+    return m.leave(power_of(m, m.enter(a), exponent));
 }
 
 Residue PrimeField::inverse(Residue a) const {
@@ -139,6 +144,7 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
     for (int j = 0; j < times; ++j) q *= factor;
     std::uint64_t cofactor = prime_ - 1, order = 1;
     for (; cofactor % factor == 0; cofactor /= factor) order *= factor;
+    if (raise(a, (prime_ - 1) / std::min(q, order)) != 1) return std::nullopt;
 
     std::uint64_t v = 0;
     while ((1 + static_cast<Wide>(cofactor) * v) % q != 0) ++v;
@@ -156,7 +162,6 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
         const Residue target = raise(remaining, order / digit / factor);
         for (Residue x = 1; x != target; x = multiply(x, of_order_factor)) logarithm += digit;
     }
-    if (logarithm % (q < order ? q : order) != 0) return std::nullopt;
     return multiply(first, raise(generator, logarithm / q));
 }
 

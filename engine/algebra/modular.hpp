@@ -24,6 +24,17 @@ bool is_prime(std::uint64_t n);
 std::uint64_t random_prime(std::mt19937_64& random);
 inline constexpr double primes_to_choose_from = 1.3e16; // (pi(2^61) - pi(2^60)) / 2 = 1.37e16
 
+// a^exponent, of what `modulo` has entered.
+template <class Arithmetic>
+std::uint64_t power_of(const Arithmetic& modulo, std::uint64_t a, std::uint64_t exponent) {
+    std::uint64_t result = modulo.enter(1);
+    for (; exponent != 0; exponent >>= 1) {
+        if ((exponent & 1) != 0) result = modulo.multiply(result, a);
+        a = modulo.multiply(a, a);
+    }
+    return result;
+}
+
 // The field of residues modulo a prime below 2^62. Residues that are handed in must be reduced.
 class PrimeField {
 public:
@@ -36,6 +47,7 @@ public:
     }
     [[nodiscard]] Residue subtract(Residue a, Residue b) const { return a >= b ? a - b : a + prime_ - b; }
     [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : prime_ - a; }
+    [[nodiscard]] static Residue enter(Residue a) { return a; } // residues are held as they are
     [[nodiscard]] Residue multiply(Residue a, Residue b) const { return reduce(Wide{a} * b); }
     // sum of limbs[k] 2^(64 k)
     [[nodiscard]] Residue from_limbs(const std::uint64_t* limbs, std::size_t count) const;

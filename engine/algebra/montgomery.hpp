@@ -8,7 +8,7 @@ namespace resonform {
 
 class Montgomery {
 public:
-    explicit Montgomery(const PrimeField& field) : prime_(field.prime()) {
+    explicit Montgomery(const PrimeField& field) : field_(field), prime_(field.prime()) {
         std::uint64_t inverse =
             prime_; // Newton's iteration: each step doubles the correct bits of 1/p mod 2^64
         for (int step = 0; step < 6; ++step) inverse *= 2 - prime_ * inverse;
@@ -22,6 +22,14 @@ public:
     [[nodiscard]] Residue leave(Residue x) const { return reduce(x); }
     [[nodiscard]] Residue multiply(Residue a, Residue b) const { return reduce(Wide{a} * b); }
     [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : prime_ - a; }
+    [[nodiscard]] Residue add(Residue a, Residue b) const { return field_.add(a, b); }
+    [[nodiscard]] Residue subtract(Residue a, Residue b) const { return field_.subtract(a, b); }
+    [[nodiscard]] Residue from(std::int64_t n) const { return enter(field_.from(n)); }
+    [[nodiscard]] Residue inverse(Residue a) const { return enter(field_.inverse(leave(a))); } // a != 0
+    [[nodiscard]] Residue power(Residue a, std::uint64_t exponent) const {
+        return power_of(*this, a, exponent);
+    }
+    [[nodiscard]] const PrimeField& field() const { return field_; }
 
     __extension__ using Wide = unsigned __int128;
     // Adds a b to a sum that stays below p 2^64, which reduce() takes.
@@ -37,6 +45,7 @@ public:
     }
 
 private:
+    PrimeField field_;
     std::uint64_t prime_;
     std::uint64_t minus_inverse_; // -1/p mod 2^64
     Residue square_;              // 2^128 mod p

@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 namespace resonform {
@@ -11,6 +12,11 @@ namespace resonform {
 Packing::Packing(int fields)
     : per_word_(std::max(4, (fields + 3) / 4)), bits_(64 / per_word_),
       mask_((std::uint64_t{1} << bits_) - 1) {
+    for (std::size_t f = 0; f < words_.size(); ++f) {
+        const auto place = std::div(static_cast<int>(f), per_word_);
+        words_[f] = static_cast<std::uint8_t>(place.quot);
+        shifts_[f] = static_cast<std::uint8_t>(bits_ * place.rem);
+    }
     for (int f = 0; f < per_word_; ++f) {
         half_ |= std::uint64_t{1} << (bits_ * f + bits_ - 1);
         quarter_ |= std::uint64_t{1} << (bits_ * f + bits_ - 2);

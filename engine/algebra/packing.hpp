@@ -12,6 +12,7 @@
 
 #include "algebra/monomial.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,9 @@ public:
 
     explicit Packing(int fields = most_fields); // fields <= most_fields
 
+    [[nodiscard]] int fields_per_word() const {
+        return per_word_;
+    } // field f stands in word f / fields_per_word()
     [[nodiscard]] int largest() const { return (1 << (bits_ - 2)) - 1; }
 
     [[nodiscard]] int exponent(const Monomial& m, int field) const {
@@ -49,12 +53,13 @@ public:
     [[nodiscard]] Monomial scaled(const Monomial& m, long factor) const;
 
 private:
-    [[nodiscard]] std::size_t word_of(int field) const { return static_cast<std::size_t>(field / per_word_); }
-    [[nodiscard]] int shift_of(int field) const { return bits_ * (field % per_word_); }
+    [[nodiscard]] std::size_t word_of(int field) const { return words_[static_cast<std::size_t>(field)]; }
+    [[nodiscard]] int shift_of(int field) const { return shifts_[static_cast<std::size_t>(field)]; }
     [[noreturn]] void overflow() const;
 
     int per_word_;
     int bits_;
+    std::array<std::uint8_t, most_fields> words_, shifts_; // by field: divisions would take longer
     std::uint64_t mask_;
     std::uint64_t half_ = 0;    // 2^(bits-1) in every field
     std::uint64_t quarter_ = 0; // 2^(bits-2) in every field

@@ -3,6 +3,7 @@
 
 #include "normalize/certificate_bound.hpp"
 #include "normalize/certificate_hamiltonian.hpp"
+#include "normalize/certificate_lie.hpp"
 #include "normalize/certificate_point.hpp"
 #include "normalize/certificate_scan.hpp"
 #include "normalize/certificate_source.hpp"
@@ -40,123 +41,46 @@ bool is_singular(const PrimeField& f, Matrix a) {
     return false;
 }
 
-using Jacobian = std::vector<std::vector<GiNaC::ex>>;
-
-// Of the equations by the highest derivatives.
-Jacobian jacobian_of(const System& system) {
-    Jacobian jacobian;
-    for (const Equation& equation : system.equations) {
-        jacobian.emplace_back();
-        for (const Variable& v : system.variables)
-            jacobian.back().push_back(equation.residual.diff(v.jet[static_cast<std::size_t>(v.order)]));
+Matrix at_origin(const PointRun& run, const std::vector<std::vector<Slot>>& slots) {
+    Matrix values;
+    for (const std::vector<Slot>& row : slots) {
+        values.emplace_back();
+        for (const Slot slot : row) values.back().push_back(run.at_origin(slot));
     }
-    return jacobian;
+    return values;
 }
 
-// Substitution at one point.
-class PointCheck {
-public:
-    PointCheck(const NormalForm& normal_form, const NearIdentityMap& map, const Jacobian& jacobian,
-               CertificateRoots& roots, Point point)
-        : normal_form_(normal_form), system_(normal_form.field->system()), jacobian_(jacobian), roots_(roots),
-          algebra_(*normal_form.field->ring, std::move(point), normal_form.through),
-          jets_(Flow(algebra_, roots_, normal_form, map).jets()) {}
+void require_known_rates(const CertificatePlan& plan, const PointRun& run, const Ring& ring, int through) {
+    for (const auto& [id, slope] : plan.unknown)
+        if (std::any_of(run(slope), run(slope) + through + 1, [](Residue r) { return r != 0; }))
+            refuse({"a normal form holds no higher derivatives than its weights can bring",
+                    ring.generator(id).name,
+                    "ask for a lower order",
+                    {}});
+}
 
-    // The lowest weight at which something does not vanish, as a sentence; "" if all vanish.
-    std::string complaint() {
-        require_regular_equations();
-        check_linear_part();
-        for (const auto& [variable, defect] : jets_.velocity_defects) {
-            const std::string& name = system_.variables[variable].name;
-            must_vanish(defect, fmt::format("d/dt of {} along the normal form is not {}'", name, name));
-        }
-        for (const Equation& equation : system_.equations)
-            must_vanish(evaluate(equation.residual, equation),
-                        fmt::format("the residual of the equation of {} is not zero", equation.variable));
-        return lowest_weight_ > normal_form_.through
-                   ? ""
-                   : fmt::format("weight {}: {}", to_string(system_.weight(lowest_weight_)), sentence_);
+// What does not vanish at a point, of the lowest stage and there of the lowest weight; "" if all vanishes.
+std::string complaint_of(const CertificatePlan& plan, const PointRun& run, const System& system, int order) {
+    const VanishingCheck* worst = nullptr;
+    int lowest = 0;
+    for (const VanishingCheck& check : plan.checks) {
+        if (worst != nullptr && worst->stage < check.stage) continue;
+        const Residue* value = run(check.slot);
+        const int last = check.weight + (check.above_order ? order : 0);
+        int weight = 0;
+        while (weight <= last && value[weight] == 0) ++weight;
+        if (weight > last || (worst != nullptr && worst->stage == check.stage && weight >= lowest)) continue;
+        worst = &check;
+        lowest = weight;
     }
+    return worst == nullptr ? ""
+                            : fmt::format("weight {}: {}", to_string(system.weight(lowest)), worst->sentence);
+}
 
-    FrequencySample frequencies() const {
-        FrequencySample sample{algebra_.field(), {}, {}, {}, {}};
-        for (const Mode& m : normal_form_.field->modes) {
-            sample.growth.push_back(value(m.growth)[0]);
-            sample.omega.push_back(value(m.omega)[0]);
-        }
-        for (const AngleVariable& a : normal_form_.field->angles)
-            sample.angle.push_back(value(a.frequency)[0]);
-        return sample;
-    }
-
-private:
-    PointAlgebra::Value value(const Polynomial& p) const {
-        return algebra_.gradient(Series({p}), Side::itself).value;
-    }
-
-    PointAlgebra::Value evaluate(const GiNaC::ex& e, const Equation& equation) {
-        return EquationEvaluator(algebra_, roots_, jets_.values, equation)(e);
-    }
-
-    // A residual that vanishes through M says that the highest derivatives are right through M only if
-    // they are determined at weight 0. A non-zero determinant at one point proves it.
-    void require_regular_equations() {
-        Matrix here;
-        for (std::size_t k = 0; k < jacobian_.size(); ++k) {
-            here.emplace_back();
-            for (const GiNaC::ex& e : jacobian_[k])
-                here.back().push_back(evaluate(e, system_.equations[k])[0]);
-        }
-        if (is_singular(algebra_.field(), std::move(here))) throw UnluckyPoint();
-    }
-
-    void check_linear_part() {
-        const GradedField& field = *normal_form_.field;
-        const PointAlgebra::Value i = algebra_.generator(Ring::imaginary_unit, 1);
-        for (std::size_t k = 0; k < normal_form_.mode.size(); ++k) {
-            const Mode& m = field.modes[k];
-            const auto lambda = algebra_.add(value(m.growth), algebra_.multiply(i, value(m.omega)));
-            auto lead = algebra_.multiply(lambda, algebra_.generator(m.z, 1));
-            for (const ModeCoupling& c : field.couplings(k))
-                lead = algebra_.add(lead, algebra_.multiply(algebra_.number(c.factor),
-                                                            algebra_.generator(field.modes[c.mode].z, 1)));
-            check_lead(normal_form_.mode[k], lead, field.ring->generator(m.z).weight,
-                       fmt::format("the linear part of {}' is not lambda*{}{}", m.name, m.name,
-                                   field.couplings(k).empty() ? "" : " with its couplings"));
-        }
-        for (std::size_t k = 0; k < normal_form_.angle.size(); ++k)
-            check_lead(normal_form_.angle[k], value(field.angles[k].frequency), 0,
-                       fmt::format("{}' does not begin with its frequency", field.angles[k].name));
-    }
-
-    // The weights 0 ... `weight` of a rate are `lead`.
-    void check_lead(const Series& rate, const PointAlgebra::Value& lead, int weight,
-                    const std::string& sentence) {
-        const auto head = static_cast<std::size_t>(weight) + 1;
-        auto difference = algebra_.gradient(rate, Side::itself).value;
-        for (std::size_t n = 0; n < head; ++n)
-            difference[n] = algebra_.field().subtract(difference[n], lead[n]);
-        difference.resize(head);
-        must_vanish(difference, sentence);
-    }
-
-    void must_vanish(const PointAlgebra::Value& value, const std::string& sentence) {
-        for (int n = 0; n < static_cast<int>(value.size()) && n < lowest_weight_; ++n) {
-            if (value[static_cast<std::size_t>(n)] == 0) continue;
-            lowest_weight_ = n;
-            sentence_ = sentence;
-        }
-    }
-
-    const NormalForm& normal_form_;
-    const System& system_;
-    const Jacobian& jacobian_;
-    CertificateRoots& roots_;
-    PointAlgebra algebra_;
-    Jets<PointAlgebra::Value> jets_;
-    int lowest_weight_ = normal_form_.through + 1;
-    std::string sentence_;
-};
+FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, const Point& point) {
+    const Matrix values = at_origin(run, {plan.growth, plan.omega, plan.angle});
+    return {point.field, values[0], values[1], values[2], point.values};
+}
 
 int points_needed(double bound) {
     if (!(bound < 0.1))
@@ -169,40 +93,41 @@ int points_needed(double bound) {
 
 // Part (a); the frequencies at the points are kept for part (b).
 template <class Source>
-std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& certificate,
-                               std::vector<FrequencySample>& samples) {
-    const std::shared_ptr<const GradedField> field = source.normal_form().field;
-    CertificateRoots roots(*field);
-    const Jacobian jacobian = jacobian_of(field->system());
-    const double bound = point_error_bound(source.normal_form(), source.map(), roots) + source.error();
+std::string residual_complaint(const CertificatePlan& plan, Source& source, std::uint64_t seed,
+                               Certificate& certificate, std::vector<FrequencySample>& samples) {
+    const NormalForm& shape = source.normal_form();
+    const GradedField& field = *shape.field;
+    const int through = shape.through + (shape.hamiltonian ? weight_of_modes(field) : 0);
+    const double bound = point_error_bound(plan, shape, source.map()) + source.error();
     const int points = points_needed(bound);
     // The bound itself follows the shape in which the expression library keeps an equation, which may
     // differ from run to run: what is said is what there are points for.
     certificate.error_probability = wanted_error;
-    PointSampler sampler(*field->ring, seed);
+    PointSampler sampler(*field.ring, seed);
     std::string complaint;
     int unlucky = 0;
     while (certificate.points < points) {
         try {
-            Point point = sampler.next();
-            const std::uint64_t prime = point.field.prime();
-            const std::vector<Residue> generators = point.values;
+            const Point point = sampler.next();
             source.go_to(point);
-            PointCheck check(source.normal_form(), source.map(), jacobian, roots, point);
-            std::string here = check.complaint();
-            if (here.empty() && source.normal_form().hamiltonian)
-                here = canonical_complaint(source.normal_form(), source.map(), roots, point);
+            const PointRun run(plan, source.normal_form(), source.map(), point, through);
+            require_known_rates(plan, run, *field.ring, through);
+            // A residual that vanishes through M says that the highest derivatives are right through M only
+            // if they are determined at weight 0. A non-zero determinant at one point proves it.
+            if (is_singular(point.field, at_origin(run, plan.jacobian))) throw UnluckyPoint();
+            std::string here = complaint_of(plan, run, field.system(), shape.through);
+            if (here.empty() && shape.hamiltonian)
+                here = generator_complaint(plan, source.normal_form(), run, point);
             if (complaint.empty()) complaint = here;
-            samples.push_back(check.frequencies());
-            samples.back().generators = generators;
-            certificate.primes.push_back(prime);
+            samples.push_back(frequencies_of(plan, run, point));
+            certificate.primes.push_back(point.field.prime());
             ++certificate.points;
         } catch (const UnluckyPoint&) {
             if (++unlucky > unlucky_points_allowed)
                 refuse(
                     {"at the origin no denominator of the equations vanishes and their highest derivatives "
                      "are determined",
-                     field->system().name,
+                     field.system().name,
                      "divide the equations by what vanishes at the origin",
                      {}});
         }
@@ -211,7 +136,8 @@ std::string residual_complaint(Source& source, std::uint64_t seed, Certificate& 
     return complaint;
 }
 
-template <class Source> Certificate certified(Source& source, std::uint64_t seed) {
+// The plan is asked for when the shape is right.
+template <class Source, class Plan> Certificate certified(Plan plan, Source& source, std::uint64_t seed) {
     const NormalForm& normal_form = source.normal_form();
     Certificate certificate;
     certificate.through_weight = normal_form.field->system().weight(normal_form.through);
@@ -219,7 +145,7 @@ template <class Source> Certificate certified(Source& source, std::uint64_t seed
     if (!certificate.complaint.empty()) return certificate;
 
     std::vector<FrequencySample> samples;
-    const std::string residual = residual_complaint(source, seed, certificate, samples);
+    const std::string residual = residual_complaint(plan(), source, seed, certificate, samples);
     const std::string scan = scan_complaint(normal_form, source.map(), samples);
     certificate.residual_zero = residual.empty();
     certificate.normal_form_scan = scan.empty();
@@ -230,20 +156,33 @@ template <class Source> Certificate certified(Source& source, std::uint64_t seed
 
 } // namespace
 
+Certifier::Certifier(std::shared_ptr<const GradedField> field)
+    : field_(std::move(field)),
+      plan_(std::make_shared<const CertificatePlan>(plan_certificate(*field_, nullptr))) {}
+
+Certificate Certifier::operator()(const NormalForm& normal_form, const NearIdentityMap& map,
+                                  std::uint64_t seed) const {
+    // Brackets are part of what is certified.
+    if (normal_form.field != field_ || normal_form.hamiltonian) return certify(normal_form, map, seed);
+    RingSource source(normal_form, map);
+    return certified([this]() -> const CertificatePlan& { return *plan_; }, source, seed);
+}
+
 Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed) {
     RingSource source(normal_form, map);
-    return certified(source, seed);
+    const HamiltonianForm* form = normal_form.hamiltonian ? &*normal_form.hamiltonian : nullptr;
+    return certified([&] { return plan_certificate(*normal_form.field, form); }, source, seed);
 }
 
 Certificate certify(const GraphNormalization& normalization, std::uint64_t seed) {
     GraphSource source(normalization);
-    PointSampler sampler(*source.normal_form().field->ring,
-                         seed + 1); // for the shape; points of its own follow
+    const GradedField& field = *source.normal_form().field;
+    PointSampler sampler(*field.ring, seed + 1); // for the shape; points of its own follow
     constexpr int tries = 8;
     for (int n = 0; n < tries; ++n) {
         try {
             source.go_to(sampler.next());
-            return certified(source, seed);
+            return certified([&] { return plan_certificate(field, nullptr); }, source, seed);
         } catch (const UnluckyPoint&) {
             continue;
         }

@@ -29,6 +29,20 @@ namespace resonform {
 // roots in the ring that are not proved independent; equations whose highest derivatives are not
 // determined by them at weight 0, so that a residual says less than its weight.
 Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed = 1);
+
+// The same for several normal forms of one field: the equations are read once, when it is made. (Style
+// hamiltonian: each time, as the brackets are part of what is certified.)
+class Certifier {
+public:
+    explicit Certifier(std::shared_ptr<const GradedField> field);
+    Certificate operator()(const NormalForm& normal_form, const NearIdentityMap& map,
+                           std::uint64_t seed = 1) const;
+
+private:
+    std::shared_ptr<const GradedField> field_;
+    std::shared_ptr<const struct CertificatePlan> plan_;
+};
+
 // With coefficients in a graph: they are evaluated at each point. The probability of an error by which the
 // graph took two coefficients for equal is in GraphBounds; nothing of it is trusted here.
 Certificate certify(const GraphNormalization& normalization, std::uint64_t seed = 1);

@@ -14,15 +14,15 @@
 //   (3) points are drawn until all roots exist modulo p, which happens with probability at least
 //       1/(2K) (Lang and Weil; Chebotarev), and conditioning on it multiplies by at most 2K:
 //   Pr(f passes at a point) <= 2 K (K D / 2^60 + bits(F) / 60 / 1.3e16).
-// Points are independent, so the bounds multiply. D and B are found by evaluating the equations over
-// bounds of degree and height instead of numbers.
+// Points are independent, so the bounds multiply. D and B are found by running the program of the
+// certificate with bounds of degree and height instead of numbers.
 #pragma once
 
-#include "normalize/certificate_roots.hpp"
-#include "normalize/normal_form.hpp"
+#include "normalize/certificate_plan.hpp"
 
 namespace resonform {
 
-double point_error_bound(const NormalForm& normal_form, const NearIdentityMap& map, CertificateRoots& roots);
+double point_error_bound(const CertificatePlan& plan, const NormalForm& normal_form,
+                         const NearIdentityMap& map);
 
 } // namespace resonform

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/certificate_hamiltonian.hpp"
 
-#include "normalize/certificate_lie.hpp"
-
 #include <fmt/format.h>
 
 #include <map>
 
 namespace resonform {
 
-Equation energy_as_equation(const System& system) {
-    const Hamiltonian& h = *system.hamiltonian;
-    return {"the energy", h.text, h.energy, h.source};
-}
+int weight_of_modes(const GradedField& field) { return field.ring->generator(field.modes.front().z).weight; }
 
+namespace {
+
+// J: the bracket of two states of the first-order system, 1 for coordinate and momentum.
 int canonical_bracket(const FirstOrderSystem& system, std::size_t left, std::size_t right) {
     const std::size_t a = system.states[left].variable, b = system.states[right].variable;
     for (const auto& [coordinate, momentum] : system.system->hamiltonian->pairs) {
@@ -23,89 +21,75 @@ int canonical_bracket(const FirstOrderSystem& system, std::size_t left, std::siz
     return 0;
 }
 
-namespace {
-
-class CanonicalCheck {
+class CanonicalChecks {
 public:
-    using Value = PointAlgebra::Value;
-    using Row = std::map<GeneratorId, Value>; // dy/dw_b, or a row of T
+    using Row = std::map<GeneratorId, Slot>; // dy/dw_b, or a row of T
 
-    CanonicalCheck(const NormalForm& normal_form, const NearIdentityMap& map, CertificateRoots& roots,
-                   const Point& point)
-        : normal_form_(normal_form), map_(map), form_(*normal_form.hamiltonian), field_(*normal_form.field),
-          weight_(field_.ring->generator(field_.modes.front().z).weight),
-          algebra_(*field_.ring, point, normal_form.through + weight_), roots_(roots),
-          jets_(Flow(algebra_, roots_, normal_form, map).jets()) {}
+    CanonicalChecks(CertificatePlan& plan, const GradedField& field, const HamiltonianForm& form)
+        : plan_(plan), program_(plan.program), field_(field), form_(form), weight_(weight_of_modes(field)) {}
 
-    std::string complaint() {
-        check_structure();
-        check_map();
-        check_rates();
-        check_energy();
-        check_generator();
-        return sentence_;
+    void add(const Jets& jets, CertificateRoots& roots) {
+        add_structure(jets, roots);
+        add_map();
+        add_rates();
+        add_energy(jets, roots);
+        note_coordinates();
     }
 
 private:
-    [[nodiscard]] Value value(const Polynomial& p) const { return gradient(Series({p})).value; }
-    [[nodiscard]] Gradient<Value> gradient(const Series& s, Side side = Side::itself) const {
-        return algebra_.gradient(s, side);
-    }
-    [[nodiscard]] Value minus(const Value& v) const { return algebra_.multiply(algebra_.number(-1), v); }
-
-    void must_be_equal(const Value& a, const Value& b, int through, const std::string& sentence) {
-        for (int n = 0; n <= through && sentence_.empty(); ++n)
-            if (a[static_cast<std::size_t>(n)] != b[static_cast<std::size_t>(n)])
-                sentence_ = fmt::format("weight {}: {}", to_string(field_.system().weight(n)), sentence);
+    void must_be_equal(Slot a, Slot b, int weight, bool above_order, std::string sentence) {
+        plan_.checks.push_back(
+            {program_.difference(a, b), weight, above_order, ++stage_, std::move(sentence)});
     }
 
     // sum over the brackets of B (left_l right_r - left_r right_l)
-    [[nodiscard]] Value bracket(const Row& left, const Row& right) const {
-        Value sum = algebra_.number(0);
+    [[nodiscard]] Slot bracket(const Row& left, const Row& right) const {
+        Slot sum = program_.number(0);
         for (const HamiltonianForm::Bracket& b : form_.brackets) {
-            const Value minor = algebra_.add(algebra_.multiply(left.at(b.left), right.at(b.right)),
-                                             minus(algebra_.multiply(left.at(b.right), right.at(b.left))));
-            sum = algebra_.add(sum, algebra_.multiply(value(b.value), minor));
+            const Slot minor = program_.difference(program_.multiply(left.at(b.left), right.at(b.right)),
+                                                   program_.multiply(left.at(b.right), right.at(b.left)));
+            sum = program_.add(sum, program_.multiply(program_.value(b.value), minor));
         }
         return sum;
     }
 
-    void check_structure() {
+    void add_structure(const Jets& jets, CertificateRoots& roots) {
         const Equation& equation = field_.system().equations.front();
-        EquationEvaluator<PointAlgebra> evaluate(algebra_, roots_, jets_.values, equation);
-        const Value i = algebra_.generator(Ring::imaginary_unit, 1);
+        const Slot i = program_.generator(Ring::imaginary_unit, 1);
         std::vector<Row> rows(field_.basis.states.size());
         for (std::size_t s = 0; s < rows.size(); ++s)
             for (std::size_t m = 0; m < field_.modes.size(); ++m) {
                 const Complex& c = field_.basis.modes[m].column[s];
-                const Value re = evaluate(c.re), im = algebra_.multiply(i, evaluate(c.im));
-                rows[s][field_.modes[m].z] = algebra_.add(re, im);
-                if (!field_.modes[m].is_real()) rows[s][field_.modes[m].zbar] = algebra_.add(re, minus(im));
+                const Slot re = substitute(program_, roots, jets.values, equation, c.re);
+                const Slot im =
+                    program_.multiply(i, substitute(program_, roots, jets.values, equation, c.im));
+                rows[s][field_.modes[m].z] = program_.add(re, im);
+                if (!field_.modes[m].is_real()) rows[s][field_.modes[m].zbar] = program_.difference(re, im);
             }
         for (std::size_t s = 0; s < rows.size(); ++s)
             for (std::size_t t = s + 1; t < rows.size(); ++t) {
                 const int expected =
                     canonical_bracket(*field_.first_order, field_.basis.states[s], field_.basis.states[t]);
-                must_be_equal(bracket(rows[s], rows[t]), algebra_.number(expected), 0,
+                must_be_equal(bracket(rows[s], rows[t]), program_.number(expected), 0, false,
                               "the brackets of the modes are not canonical");
             }
     }
 
     [[nodiscard]] Row map_row(std::size_t m, Side side) const {
         const Mode& mode = field_.modes[m];
+        const GeneratorId own = side == Side::itself ? mode.z : mode.zbar;
         Row row;
         for (const HamiltonianForm::Bracket& b : form_.brackets)
-            for (const GeneratorId id : {b.left, b.right}) row[id] = algebra_.number(0);
-        row[side == Side::itself ? mode.z : mode.zbar] = algebra_.number(1);
-        for (const auto& [id, slope] : gradient(map_.mode[m], side).slopes) {
-            const GeneratorId partner = field_.ring->generator(id).conjugate;
-            const GeneratorId by = side == Side::conjugate && partner >= 0 ? partner : id;
-            if (row.count(by) != 0) row[by] = algebra_.add(row[by], slope);
-        }
+            for (const GeneratorId by : {b.left, b.right}) {
+                const GeneratorId partner = field_.ring->generator(by).conjugate;
+                const GeneratorId id = side == Side::conjugate && partner >= 0 ? partner : by;
+                row[by] = program_.add(program_.number(by == own ? 1 : 0),
+                                       program_.slope({SeriesName::mode_shift, m}, side, id));
+            }
         return row;
     }
 
-    void check_map() {
+    void add_map() {
         std::map<GeneratorId, Row> rows;
         for (std::size_t m = 0; m < field_.modes.size(); ++m) {
             rows[field_.modes[m].z] = map_row(m, Side::itself);
@@ -113,76 +97,68 @@ private:
         }
         for (auto a = rows.begin(); a != rows.end(); ++a)
             for (auto b = std::next(a); b != rows.end(); ++b) {
-                Value expected = algebra_.number(0);
+                Slot expected = program_.number(0);
                 for (const HamiltonianForm::Bracket& known : form_.brackets) {
-                    if (known.left == a->first && known.right == b->first) expected = value(known.value);
+                    if (known.left == a->first && known.right == b->first)
+                        expected = program_.value(known.value);
                     if (known.left == b->first && known.right == a->first)
-                        expected = minus(value(known.value));
+                        expected = program_.minus(program_.value(known.value));
                 }
-                must_be_equal(bracket(a->second, b->second), expected, normal_form_.through - weight_,
+                must_be_equal(bracket(a->second, b->second), expected, -weight_, true,
                               "the map is not canonical");
             }
     }
 
-    void check_rates() {
-        std::map<GeneratorId, Value> slopes;
-        for (auto& [id, slope] : gradient(form_.energy).slopes) slopes[id] = slope;
+    void add_rates() {
         const auto slope = [&](GeneratorId id) {
-            const auto found = slopes.find(id);
-            return found == slopes.end() ? algebra_.number(0) : found->second;
+            return program_.slope({SeriesName::energy}, Side::itself, id);
         };
         for (std::size_t m = 0; m < field_.modes.size(); ++m) {
-            Value rate = algebra_.number(0);
+            Slot rate = program_.number(0);
             for (const HamiltonianForm::Bracket& b : form_.brackets) {
-                const Value factor = value(b.value);
-                if (b.left == field_.modes[m].z) rate = algebra_.multiply(factor, slope(b.right));
-                if (b.right == field_.modes[m].z) rate = minus(algebra_.multiply(factor, slope(b.left)));
+                const Slot factor = program_.value(b.value);
+                if (b.left == field_.modes[m].z) rate = program_.multiply(factor, slope(b.right));
+                if (b.right == field_.modes[m].z)
+                    rate = program_.minus(program_.multiply(factor, slope(b.left)));
             }
-            const std::string& name = field_.modes[m].name;
-            must_be_equal(gradient(normal_form_.mode[m]).value, rate, normal_form_.through,
-                          fmt::format("{0}' is not {{{0}, K}}", name));
+            must_be_equal(program_.value({SeriesName::mode_rate, m}, Side::itself), rate, 0, true,
+                          fmt::format("{0}' is not {{{0}, K}}", field_.modes[m].name));
         }
     }
 
-    void check_energy() {
-        const Equation energy = energy_as_equation(field_.system());
-        EquationEvaluator<PointAlgebra> evaluate(algebra_, roots_, jets_.values, energy);
-        must_be_equal(evaluate(energy.residual), gradient(form_.energy).value, normal_form_.through + weight_,
+    void add_energy(const Jets& jets, CertificateRoots& roots) {
+        const Hamiltonian& h = *field_.system().hamiltonian;
+        const Equation energy{"the energy", h.text, h.energy, h.source}; // it names what a message is about
+        must_be_equal(substitute(program_, roots, jets.values, energy, energy.residual),
+                      program_.value({SeriesName::energy}, Side::itself), weight_, true,
                       "the energy along the map is not K");
     }
 
-    void check_generator() {
-        const FlowAtPoint flow(algebra_, *field_.ring, form_, normal_form_.through - weight_);
+    void note_coordinates() {
         for (std::size_t m = 0; m < field_.modes.size(); ++m) {
             const Mode& mode = field_.modes[m];
-            const auto compare = [&](GeneratorId coordinate, Side side) {
-                must_be_equal(
-                    flow.at_one(coordinate),
-                    algebra_.add(algebra_.generator(coordinate, 1), gradient(map_.mode[m], side).value),
-                    normal_form_.through,
-                    fmt::format("the map of {} is not the Lie series of the generator", mode.name));
+            const auto note = [&](GeneratorId id, Side side) {
+                const Slot shift = program_.value({SeriesName::mode_shift, m}, side);
+                plan_.coordinates.push_back({id, program_.add(program_.generator(id, 1), shift), mode.name});
             };
-            compare(mode.z, Side::itself);
-            if (!mode.is_real()) compare(mode.zbar, Side::conjugate);
+            note(mode.z, Side::itself);
+            if (!mode.is_real()) note(mode.zbar, Side::conjugate);
         }
     }
 
-    const NormalForm& normal_form_;
-    const NearIdentityMap& map_;
-    const HamiltonianForm& form_;
+    CertificatePlan& plan_;
+    CertificateProgram& program_;
     const GradedField& field_;
+    const HamiltonianForm& form_;
     int weight_; // of the modes
-    PointAlgebra algebra_;
-    CertificateRoots& roots_;
-    Jets<Value> jets_;
-    std::string sentence_;
+    int stage_ = 0;
 };
 
 } // namespace
 
-std::string canonical_complaint(const NormalForm& normal_form, const NearIdentityMap& map,
-                                CertificateRoots& roots, const Point& point) {
-    return CanonicalCheck(normal_form, map, roots, point).complaint();
+void add_canonical_checks(CertificatePlan& plan, const GradedField& field, const HamiltonianForm& form,
+                          const Jets& jets, CertificateRoots& roots) {
+    CanonicalChecks(plan, field, form).add(jets, roots);
 }
 
 } // namespace resonform

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a certificate checks of the style hamiltonian besides the equations, at one random point. With the
-// brackets B of the normal form, y all modal coordinates and u = T y the variables of the file:
+// What a certificate checks of the style hamiltonian besides the equations. With the brackets B of the normal
+// form, y all modal coordinates and u = T y the variables of the file:
 //
 //   {q, p} = 1, other brackets of u zero     with y = w: B is the canonical structure in modes
 //   {y_a, y_b} = B_ab for y = w + h(w)       the map is canonical, through M - w
@@ -11,21 +11,16 @@
 // (w in weights: that of the modes.) With a generator that has no kernel component they have one solution.
 #pragma once
 
-#include "normalize/certificate_point.hpp"
-#include "normalize/certificate_roots.hpp"
-
-#include <string>
+#include "normalize/certificate_flow.hpp"
+#include "normalize/certificate_plan.hpp"
 
 namespace resonform {
 
-// Precondition: normal_form.hamiltonian. "" if nothing is wrong, else a sentence.
-std::string canonical_complaint(const NormalForm& normal_form, const NearIdentityMap& map,
-                                CertificateRoots& roots, const Point& point);
+// All but the last, which takes the coordinates that are noted in the plan.
+void add_canonical_checks(CertificatePlan& plan, const GradedField& field, const HamiltonianForm& form,
+                          const Jets& jets, CertificateRoots& roots);
 
-// The energy of the file as the equation evaluator takes it: it names what a message is about.
-Equation energy_as_equation(const System& system);
-
-// J: the bracket of two states of the first-order system, 1 for coordinate and momentum.
-int canonical_bracket(const FirstOrderSystem& system, std::size_t left, std::size_t right);
+// By how much the energy has larger weights than the rates: the weight of the modes.
+int weight_of_modes(const GradedField& field);
 
 } // namespace resonform

@@ -1,206 +1,230 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/certificate_point.hpp"
 
-#include "algebra/fractions.hpp"
+#include "normalize/certificate_reader.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
 namespace resonform {
 
-PointAlgebra::PointAlgebra(const Ring& ring, Point point, int through)
-    : ring_(ring), point_(std::move(point)), through_(through) {}
+// A series that a step needs on its way.
+class PointRun::Scratch {
+public:
+    explicit Scratch(int through) : room_(static_cast<std::size_t>(through) + 1, 0) {}
+    Value value() { return {room_.data(), static_cast<int>(room_.size()), -1}; }
 
-Residue PointAlgebra::residue(const Rational& value) const {
-    const std::optional<Residue> r = field().from(value);
-    if (!r) throw UnluckyPoint();
-    return *r;
-}
+private:
+    std::vector<Residue> room_;
+};
 
-PointAlgebra::Value PointAlgebra::constant(Residue value) const {
-    Value result(static_cast<std::size_t>(through_) + 1, 0);
-    result[0] = value;
-    return result;
-}
-
-PointAlgebra::Value PointAlgebra::number(const Rational& value) const { return constant(residue(value)); }
-
-PointAlgebra::Value PointAlgebra::generator(GeneratorId id, int power) const {
-    Value result(static_cast<std::size_t>(through_) + 1, 0);
-    const int weight = ring_.generator(id).weight * power;
-    if (weight >= 0 && weight <= through_)
-        result[static_cast<std::size_t>(weight)] =
-            field().power(point_.values[static_cast<std::size_t>(id)], power);
-    return result;
-}
-
-PointAlgebra::Value PointAlgebra::add(const Value& a, const Value& b) const {
-    Value result(a.size());
-    for (std::size_t n = 0; n < a.size(); ++n) result[n] = field().add(a[n], b[n]);
-    return result;
-}
-
-PointAlgebra::Value PointAlgebra::multiply(const Value& a, const Value& b) const {
-    Value result(a.size(), 0);
-    for (std::size_t j = 0; j < a.size(); ++j) {
-        if (a[j] == 0) continue;
-        for (std::size_t n = j; n < a.size(); ++n)
-            result[n] = field().add(result[n], field().multiply(a[j], b[n - j]));
+PointRun::PointRun(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map,
+                   const Point& point, int through)
+    : ring_(*normal_form.field->ring), montgomery_(point.field), generators_(point.values), through_(through),
+      one_(montgomery_.enter(1)) {
+    const std::vector<Step>& steps = plan.program.steps();
+    const auto length = static_cast<std::size_t>(through_) + 1;
+    std::size_t room = 0;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        offsets_.push_back(room);
+        if (plan.needed[k]) room += length;
     }
-    return result;
+    values_.assign(room + length, 0);
+    for (const std::size_t offset : offsets_) slots_.push_back({values_.data() + offset, through_ + 1, -1});
+    read(plan, normal_form, map);
+    for (std::size_t k = 0; k < steps.size(); ++k)
+        if (plan.needed[k]) run(steps[k], slots_[k]);
 }
 
-PointAlgebra::Value PointAlgebra::taylor(const std::vector<Residue>& coefficients, const Value& u) const {
-    Value result = constant(coefficients.back());
-    for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
-        result = multiply(result, u);
-        result[0] = field().add(result[0], coefficients[k]);
-    }
-    return result;
-}
-
-std::vector<Residue> PointAlgebra::binomial(const Rational& exponent) const {
-    std::vector<Residue> c{1};
-    for (int k = 1; k <= through_; ++k)
-        c.push_back(field().multiply(c.back(), residue((exponent - (k - 1)) / k)));
-    return c;
-}
-
-std::vector<Residue> PointAlgebra::taylor_coefficients(Elementary function) const {
-    const bool alternating =
-        function == Elementary::sine || function == Elementary::cosine || function == Elementary::arc_tangent;
-    std::vector<Residue> c;
-    Rational factorial = 1, central = 1; // k!, and binomial(2j, j)/4^j with j = (k - 1)/2
-    for (int k = 0; k <= through_; ++k) {
-        const bool odd = k % 2 != 0;
-        if (k > 0) factorial = factorial * k;
-        if (odd && k > 1) central = central * (k - 2) / (k - 1);
-        Rational value = 0;
-        switch (function) {
-        case Elementary::exponential: value = 1 / factorial; break;
-        case Elementary::sine:
-        case Elementary::hyperbolic_sine: value = odd ? 1 / factorial : 0; break;
-        case Elementary::cosine:
-        case Elementary::hyperbolic_cosine: value = odd ? 0 : 1 / factorial; break;
-        case Elementary::arc_tangent: value = odd ? Rational(1) / k : 0; break;
-        case Elementary::arc_sine: value = odd ? central / k : 0; break;
-        case Elementary::logarithm: value = k == 0 ? Rational(0) : Rational(odd ? 1 : -1) / k; break;
-        case Elementary::tangent:
-        case Elementary::hyperbolic_tangent: break; // quotients, see function()
+void PointRun::read(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map) {
+    const auto slot = [&](Slot k) -> Value& { return slots_[static_cast<std::size_t>(k)]; };
+    PointReader reader(ring_, montgomery_, generators_);
+    std::vector<PointReader::Wanted> wanted;
+    for (const CertificatePlan::Reading& reading : plan.readings) {
+        wanted.clear();
+        for (const auto& of : reading.sides) {
+            wanted.emplace_back(ring_, of.side);
+            for (const auto& slope : of.slopes) wanted.back().add_slope(slope.first);
         }
-        c.push_back(residue(alternating && k % 4 >= 2 ? -value : value));
+        const Series& from = series_of(reading.series, plan.program, normal_form, map);
+        for (int n = 0; n <= std::min(through_, from.through()); ++n) {
+            if (from.part(n).empty()) continue;
+            reader.read(from.part(n).fractions(), wanted);
+            for (std::size_t side = 0; side < wanted.size(); ++side) {
+                const auto& of = reading.sides[side];
+                if (of.value >= 0) set(slot(of.value), n, wanted[side].value());
+                for (std::size_t k = 0; k < of.slopes.size(); ++k)
+                    set(slot(of.slopes[k].second), n - ring_.generator(of.slopes[k].first).weight,
+                        wanted[side].slope(k));
+            }
+        }
     }
-    return c;
 }
 
-PointAlgebra::Value PointAlgebra::function(Elementary function, const Value& u) const {
+void PointRun::run(const Step& step, Value& to) {
+    const auto operand = [&](Slot slot) -> const Value& { return slots_[static_cast<std::size_t>(slot)]; };
+    switch (step.operation) {
+    case Operation::number: return set(to, 0, residue(step.number));
+    case Operation::generator: {
+        const int weight = ring_.generator(step.index).weight * step.power;
+        if (weight < 0 || weight > through_) return;
+        return set(to, weight,
+                   power(montgomery_.enter(generators_[static_cast<std::size_t>(step.index)]), step.power));
+    }
+    case Operation::add: return add(to, operand(step.left), operand(step.right));
+    case Operation::multiply: return multiply(to, operand(step.left), operand(step.right), through_);
+    case Operation::function: return function(to, static_cast<Elementary>(step.index), operand(step.left));
+    case Operation::power: return power(to, operand(step.left), step.number, operand(step.right));
+    case Operation::inverse_power: return inverse_power(to, operand(step.left), step.index);
+    case Operation::at_origin: return set(to, 0, operand(step.left).at[0]);
+    case Operation::value:
+    case Operation::slope: return; // read before
+    }
+}
+
+void PointRun::set(Value& to, int weight, Residue coefficient) const {
+    if (coefficient == 0 || weight < 0) return;
+    to.at[weight] = coefficient;
+    to.first = std::min(to.first, weight);
+    to.last = std::max(to.last, weight);
+}
+
+void PointRun::add(Value& to, const Value& a, const Value& b) const {
+    to.first = std::min(a.first, b.first);
+    to.last = std::max(a.last, b.last);
+    for (int n = to.first; n <= to.last; ++n) to.at[n] = montgomery_.add(a.at[n], b.at[n]);
+}
+
+void PointRun::multiply(Value& to, const Value& a, const Value& b, int last) const {
+    if (a.first > a.last || b.first > b.last) return;
+    to.first = std::min(a.first + b.first, through_ + 1);
+    to.last = std::min(a.last + b.last, last);
+    for (int n = to.first; n <= to.last; ++n) {
+        Montgomery::Wide sum = 0;
+        for (int j = std::max(a.first, n - b.last); j <= std::min(a.last, n - b.first); ++j)
+            montgomery_.accumulate(sum, a.at[j], b.at[n - j]);
+        to.at[n] = montgomery_.reduce(sum);
+    }
+}
+
+void PointRun::taylor(Value& to, const std::vector<Residue>& coefficients, const Value& u) const {
+    if (u.first > u.last) return set(to, 0, coefficients.front());
+    const int terms = through_ / u.first; // u^k begins at weight k u.first
+    const int used = std::min(terms, static_cast<int>(coefficients.size()) - 1);
+    Scratch one(through_), other(through_);
+    Value sum = one.value(), next = other.value();
+    set(sum, 0, coefficients[static_cast<std::size_t>(used)]);
+    for (int k = used; k-- > 0;) { // it is multiplied with u^k still
+        std::fill_n(next.at, through_ + 1, 0);
+        next.first = through_ + 1;
+        next.last = -1;
+        multiply(next, sum, u, through_ - k * u.first);
+        set(next, 0, coefficients[static_cast<std::size_t>(k)]);
+        std::swap(sum, next);
+    }
+    for (int n = sum.first; n <= sum.last; ++n) set(to, n, sum.at[n]);
+}
+
+void PointRun::function(Value& to, Elementary function, const Value& u) {
     if (function == Elementary::tangent || function == Elementary::hyperbolic_tangent) {
         const bool circular = function == Elementary::tangent;
-        return multiply(
-            this->function(circular ? Elementary::sine : Elementary::hyperbolic_sine, u),
-            inverse_power(this->function(circular ? Elementary::cosine : Elementary::hyperbolic_cosine, u),
-                          1));
+        Scratch above(through_), below(through_), inverse(through_);
+        Value sine = above.value(), cosine = below.value(), quotient = inverse.value();
+        this->function(sine, circular ? Elementary::sine : Elementary::hyperbolic_sine, u);
+        this->function(cosine, circular ? Elementary::cosine : Elementary::hyperbolic_cosine, u);
+        inverse_power(quotient, cosine, 1);
+        return multiply(to, sine, quotient, through_);
     }
-    Value shifted = u;
-    if (function == Elementary::logarithm) shifted[0] = field().subtract(u[0], 1);
-    if (shifted[0] != 0)
+    if (u.at[0] != (function == Elementary::logarithm ? one_ : 0))
         refuse({"a Taylor sum is taken where its argument vanishes at the origin (is 1 for log)",
                 "weight 0 of an argument",
                 "write the argument so that its value at the origin is plain",
                 {}});
-    return taylor(taylor_coefficients(function), shifted);
+    taylor(to, taylor_coefficients(function), {u.at, std::max(u.first, 1), u.last});
 }
 
-PointAlgebra::Value PointAlgebra::power(const Value& a, const Rational& exponent, const Value& lead) const {
-    if (a[0] == 0) throw UnluckyPoint();
-    Value ratio = multiply(a, constant(field().inverse(a[0])));
-    ratio[0] = 0;
-    return multiply(lead, taylor(binomial(exponent), ratio));
+void PointRun::power(Value& to, const Value& a, const Rational& exponent, const Value& lead) {
+    Scratch quotient(through_), sum(through_);
+    Value ratio = quotient.value(), total = sum.value();
+    const Residue below = inverse(a.at[0]);
+    for (int n = 1; n <= a.last; ++n) set(ratio, n, montgomery_.multiply(below, a.at[n]));
+    taylor(total, binomial(exponent), ratio);
+    multiply(to, lead, total, through_);
 }
 
-PointAlgebra::Value PointAlgebra::inverse_power(const Value& a, int n) const {
-    if (a[0] == 0) throw UnluckyPoint();
-    return power(a, -n, constant(field().power(a[0], -n)));
+void PointRun::inverse_power(Value& to, const Value& a, int n) {
+    Scratch number(through_);
+    Value lead = number.value();
+    set(lead, 0, power(inverse(a.at[0]), n));
+    power(to, a, -n, lead);
 }
 
-Residue PointAlgebra::value_of(GeneratorId id, Side side) const {
-    const GeneratorId partner = ring_.generator(id).conjugate;
-    const bool swapped = side == Side::conjugate && partner >= 0;
-    const Residue value = point_.values[static_cast<std::size_t>(swapped ? partner : id)];
-    if (side == Side::itself) return value;
-    if (ring_.generator(id).kind == GeneratorKind::phase) return field().inverse(value);
-    return id == Ring::imaginary_unit ? field().negate(value) : value;
+Residue PointRun::residue(const Rational& value) const {
+    const std::optional<Residue> r = montgomery_.field().from(value);
+    if (!r) throw UnluckyPoint();
+    return montgomery_.enter(*r);
 }
 
-namespace {
+Residue PointRun::inverse(Residue a) const {
+    if (a == 0) throw UnluckyPoint();
+    return montgomery_.inverse(a);
+}
 
-// Powers of one value, negative ones included, each computed once.
-class Powers {
-public:
-    Powers(const PrimeField& field, Residue value) : field_(field), value_(value) {}
+Residue PointRun::power(Residue a, int exponent) const {
+    return montgomery_.power(exponent < 0 ? inverse(a) : a, static_cast<std::uint64_t>(std::abs(exponent)));
+}
 
-    Residue operator()(int exponent) {
-        std::vector<Residue>& known = exponent < 0 ? negative_ : positive_;
-        const auto n = static_cast<std::size_t>(std::abs(exponent));
-        if (known.empty()) known.push_back(1);
-        if (known.size() <= n && exponent < 0 && known.size() == 1) inverse_ = field_.inverse(value_);
-        while (known.size() <= n)
-            known.push_back(field_.multiply(known.back(), exponent < 0 ? inverse_ : value_));
-        return known[n];
+// p = q k + r: 1/k = -q/r
+Residue PointRun::inverse_of(int k) {
+    if (inverses_.empty()) inverses_ = {0, one_};
+    const std::uint64_t prime = montgomery_.field().prime();
+    while (inverses_.size() <= static_cast<std::size_t>(k)) {
+        const std::uint64_t next = inverses_.size();
+        const Residue quotient = montgomery_.enter(prime / next);
+        inverses_.push_back(montgomery_.negate(montgomery_.multiply(quotient, inverses_[prime % next])));
     }
+    return inverses_[static_cast<std::size_t>(k)];
+}
 
-private:
-    const PrimeField& field_;
-    Residue value_, inverse_ = 0;
-    std::vector<Residue> positive_, negative_;
-};
+std::vector<Residue> PointRun::binomial(const Rational& exponent) {
+    std::vector<Residue> c{one_};
+    Residue factor = residue(exponent); // exponent - (k - 1)
+    for (int k = 1; k <= through_; ++k) {
+        c.push_back(montgomery_.multiply(c.back(), montgomery_.multiply(factor, inverse_of(k))));
+        factor = montgomery_.subtract(factor, one_);
+    }
+    return c;
+}
 
-} // namespace
-
-Gradient<PointAlgebra::Value> PointAlgebra::gradient(const Series& s, Side side) const {
-    const PrimeField& f = field();
-    const auto size = static_cast<std::size_t>(ring_.size());
-    std::vector<Powers> powers;
-    for (GeneratorId id = 0; id < ring_.size(); ++id) powers.emplace_back(f, value_of(id, side));
-    Gradient<Value> result{constant(0), {}};
-    std::vector<Value> slopes(size); // g ds/dg: by weight of the term
-    std::vector<std::pair<std::size_t, int>> present;
-    for (int n = 0; n <= through_; ++n) {
-        const Fractions& part = s.part(n).fractions();
-        const Residue cofactor = inverse_of_denominator(part);
-        for (std::size_t k = 0; k < part.size(); ++k) {
-            Residue value = f.multiply(cofactor, f.from_limbs(part.magnitude(k), part.limbs));
-            if (part.negative[k] != 0) value = f.negate(value);
-            present.clear();
-            for (std::size_t id = 0; id < size; ++id) {
-                const int e = ring_.exponent(part.monomials[k], static_cast<GeneratorId>(id));
-                if (e == 0) continue;
-                present.emplace_back(id, e);
-                value = f.multiply(value, powers[id](e));
-            }
-            Residue& total = result.value[static_cast<std::size_t>(n)];
-            total = f.add(total, value);
-            for (const auto& [id, e] : present) {
-                const int weight = n - ring_.generator(static_cast<GeneratorId>(id)).weight;
-                if (slopes[id].empty()) slopes[id] = constant(0);
-                Residue& slope = slopes[id][static_cast<std::size_t>(weight)];
-                slope = f.add(slope, f.multiply(value, f.from(e)));
-            }
+std::vector<Residue> PointRun::taylor_coefficients(Elementary function) {
+    const bool alternating =
+        function == Elementary::sine || function == Elementary::cosine || function == Elementary::arc_tangent;
+    std::vector<Residue> c;
+    Residue factorial = one_, central = one_; // 1/k!, and binomial(2j, j)/4^j with j = (k - 1)/2
+    for (int k = 0; k <= through_; ++k) {
+        const bool odd = k % 2 != 0;
+        if (k > 0) factorial = montgomery_.multiply(factorial, inverse_of(k));
+        if (odd && k > 1) // (k - 2)/(k - 1) = 1 - 1/(k - 1)
+            central = montgomery_.multiply(central, montgomery_.subtract(one_, inverse_of(k - 1)));
+        Residue value = 0;
+        switch (function) {
+        case Elementary::exponential: value = factorial; break;
+        case Elementary::sine:
+        case Elementary::hyperbolic_sine: value = odd ? factorial : 0; break;
+        case Elementary::cosine:
+        case Elementary::hyperbolic_cosine: value = odd ? 0 : factorial; break;
+        case Elementary::arc_tangent: value = odd ? inverse_of(k) : 0; break;
+        case Elementary::arc_sine: value = odd ? montgomery_.multiply(central, inverse_of(k)) : 0; break;
+        case Elementary::logarithm:
+            if (k > 0) value = odd ? inverse_of(k) : montgomery_.negate(inverse_of(k));
+            break;
+        case Elementary::tangent:
+        case Elementary::hyperbolic_tangent: break; // quotients, see function()
         }
+        c.push_back(alternating && k % 4 >= 2 ? montgomery_.negate(value) : value);
     }
-    for (std::size_t id = 0; id < size; ++id) {
-        if (slopes[id].empty()) continue;
-        result.slopes.emplace_back(static_cast<GeneratorId>(id),
-                                   multiply(slopes[id], constant(powers[id](-1))));
-    }
-    return result;
-}
-
-Residue PointAlgebra::inverse_of_denominator(const Fractions& part) const {
-    const mpz_srcptr denominator = part.denominator.get_mpz_t();
-    const Residue residue = field().from_limbs(mpz_limbs_read(denominator), mpz_size(denominator));
-    if (residue == 0) throw UnluckyPoint();
-    return field().inverse(residue);
+    return c;
 }
 
 } // namespace resonform

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_point.hpp"
+#include "normalize/certificate_sampler.hpp"
+
+#include "algebra/error.hpp"
 
 #include <algorithm>
 
@@ -27,10 +29,13 @@ Residue evaluate_at(const Ring& ring, const Polynomial& p, const Point& point) {
 
 } // namespace
 
-PointSampler::PointSampler(const Ring& ring, std::uint64_t seed) : ring_(ring), random_(seed) {
+PointSampler::PointSampler(const Ring& ring, std::uint64_t seed)
+    : ring_(ring), random_(seed), root_of_(static_cast<std::size_t>(ring.size()), -1) {
+    draw_powers();
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
-        int rest = g.kind == GeneratorKind::root ? g.index : 1;
+        const bool drawn = std::find(root_of_.begin(), root_of_.end(), id) != root_of_.end();
+        int rest = g.kind == GeneratorKind::root && !drawn ? g.index : 1;
         for (int prime = 2; rest > 1; ++prime) {
             if (rest % prime == 0) witnesses_.push_back({id, prime, false});
             while (rest % prime == 0) rest /= prime;
@@ -38,11 +43,28 @@ PointSampler::PointSampler(const Ring& ring, std::uint64_t seed) : ring_(ring), 
     }
 }
 
+void PointSampler::draw_powers() {
+    std::vector<bool> used(root_of_.size(), false); // in radicands so far
+    for (GeneratorId root = 0; root < ring_.size(); ++root) {
+        const Generator& g = ring_.generator(root);
+        if (g.kind != GeneratorKind::root) continue;
+        for (GeneratorId id = 0; id < root; ++id) {
+            const auto k = static_cast<std::size_t>(id);
+            const GeneratorKind kind = ring_.generator(id).kind;
+            const bool free = kind == GeneratorKind::parameter || kind == GeneratorKind::slow;
+            if (free && !used[k] && g.radicand == Polynomial(ring_.monomial(id), 1)) root_of_[k] = root;
+            for (const Term& term : g.radicand.terms())
+                if (ring_.exponent(term.monomial, id) != 0) used[k] = true;
+        }
+    }
+}
+
 Point PointSampler::next() {
     for (int n = 0; n < primes_per_search; ++n) {
         const PrimeField field(random_prime(random_));
+        const Residue i = *field.root(field.prime() - 1, 2);
         for (int k = 0; k < attempts_per_prime; ++k)
-            if (std::optional<Point> point = attempt(field)) return *std::move(point);
+            if (std::optional<Point> point = attempt(field, i)) return *std::move(point);
     }
     refuse({"a random point at which all roots of the ring exist is found",
             std::to_string(witnesses_.size()),
@@ -54,8 +76,10 @@ void PointSampler::prove_roots_independent() {
     const auto missing = [&] {
         return std::find_if(witnesses_.begin(), witnesses_.end(), [](const Witness& w) { return !w.found; });
     };
-    for (int n = 0; n < primes_per_search && missing() != witnesses_.end(); ++n)
-        attempt(PrimeField(random_prime(random_)));
+    for (int n = 0; n < primes_per_search && missing() != witnesses_.end(); ++n) {
+        const PrimeField field(random_prime(random_));
+        attempt(field, *field.root(field.prime() - 1, 2));
+    }
     if (const auto witness = missing(); witness != witnesses_.end())
         refuse({"the roots of the ring are independent of each other",
                 ring_.generator(witness->root).name,
@@ -63,20 +87,27 @@ void PointSampler::prove_roots_independent() {
                 {}});
 }
 
-std::optional<Point> PointSampler::attempt(const PrimeField& field) {
+std::optional<Point> PointSampler::attempt(const PrimeField& field, Residue i) {
     Point point{field, std::vector<Residue>(static_cast<std::size_t>(ring_.size()), 0)};
     for (GeneratorId id = 0; id < ring_.size(); ++id) {
         const Generator& g = ring_.generator(id);
         Residue& value = point.values[static_cast<std::size_t>(id)];
         switch (g.kind) {
-        case GeneratorKind::imaginary: value = *field.root(field.prime() - 1, 2); break;
+        case GeneratorKind::imaginary: value = i; break;
         case GeneratorKind::fast:
         case GeneratorKind::small:
+        case GeneratorKind::phase: value = field.random_unit(random_); break;
         case GeneratorKind::parameter:
-        case GeneratorKind::phase:
-        case GeneratorKind::slow: value = field.random_unit(random_); break;
+        case GeneratorKind::slow: {
+            const Residue random = field.random_unit(random_);
+            const GeneratorId root = root_of_[static_cast<std::size_t>(id)];
+            value = root < 0 ? random : field.power(random, ring_.generator(root).index);
+            if (root >= 0) point.values[static_cast<std::size_t>(root)] = random;
+            break;
+        }
         case GeneratorKind::root:
         case GeneratorKind::function: {
+            if (value != 0) break; // drawn with its radicand
             const std::optional<Residue> here =
                 g.kind == GeneratorKind::root ? root_value(point, id) : function_value(point, g);
             if (!here || *here == 0) return std::nullopt;

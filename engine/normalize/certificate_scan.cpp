@@ -2,13 +2,13 @@
 #include "normalize/certificate_scan.hpp"
 
 #include "normalize/certificate_inner_product.hpp"
+#include "normalize/certificate_reader.hpp"
 #include "normalize/certificate_resonance.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
-#include <optional>
+#include <array>
 
 namespace resonform {
 
@@ -77,40 +77,45 @@ std::string spell_monomial(const Ring& ring, const std::vector<int>& exponents) 
     return text.empty() ? "1" : text;
 }
 
-bool powers_allowed(const Ring& ring, const std::vector<int>& exponents) {
-    for (std::size_t k = 0; k < exponents.size(); ++k)
-        if (exponents[k] < 0 && !ring.generator(static_cast<GeneratorId>(k)).invertible) return false;
-    return true;
-}
-
-int weight_of(const Ring& ring, const std::vector<int>& exponents) {
-    int weight = 0;
-    for (std::size_t k = 0; k < exponents.size(); ++k)
-        weight += exponents[k] * ring.generator(static_cast<GeneratorId>(k)).weight;
-    return weight;
-}
-
-using Judge = std::function<const char*(int weight, const std::vector<int>& exponents)>;
-
-// The first term, by weight, that `wrong` calls wrong: its sentence. It is asked once for neighbours that
-// agree in what `shown` leaves of a monomial.
-template <class Shown>
-std::string first_complaint(const Ring& ring, const Item& item, Shown shown, const Judge& wrong) {
-    for (int n = 0; n <= item.series->through(); ++n) {
-        std::optional<Monomial> last;
-        for (const Monomial& whole : item.series->part(n).fractions().monomials) {
-            const Monomial monomial = shown(whole);
-            if (last == monomial) continue;
-            last = monomial;
-            const std::vector<int> exponents = ring.exponents(monomial);
-            if (const char* complaint = wrong(n, exponents); complaint != nullptr)
+// The first term, by weight, that `wrong` calls wrong: its sentence. It is told the first word in which a
+// monomial differs from the one before.
+template <class Judge>
+std::string first_complaint(const Ring& ring, const Item& item, ExponentReader& reader, Judge wrong) {
+    for (int n = 0; n <= item.series->through(); ++n)
+        for (const Monomial& monomial : item.series->part(n).fractions().monomials)
+            if (const char* complaint = wrong(n, reader.read(monomial)); complaint != nullptr)
                 return fmt::format("{}, weight {}: {} {}", item.what,
                                    to_string(Rational(n) / ring.weights_in_one()),
-                                   spell_monomial(ring, exponents), complaint);
-        }
-    }
+                                   spell_monomial(ring, reader.exponents()), complaint);
     return "";
 }
+
+// Weight and negative powers of what monomials begin with, by word.
+class Shape {
+public:
+    Shape(const Ring& ring, const ExponentReader& reader) : ring_(ring), reader_(reader) {}
+
+    void read(int from) {
+        for (int word = from; word < reader_.words(); ++word) {
+            const auto w = static_cast<std::size_t>(word);
+            weights_[w + 1] = weights_[w];
+            forbidden_[w + 1] = forbidden_[w];
+            for (const auto& [id, exponent] : reader_.powers(word)) {
+                const Generator& g = ring_.generator(id);
+                weights_[w + 1] += exponent * g.weight;
+                if (exponent < 0 && !g.invertible) forbidden_[w + 1] = true;
+            }
+        }
+    }
+    [[nodiscard]] int weight() const { return weights_[static_cast<std::size_t>(reader_.words())]; }
+    [[nodiscard]] bool is_forbidden() const { return forbidden_[static_cast<std::size_t>(reader_.words())]; }
+
+private:
+    const Ring& ring_;
+    const ExponentReader& reader_;
+    std::array<int, 5> weights_{};
+    std::array<bool, 5> forbidden_{};
+};
 
 // In the style hamiltonian each modal coordinate has one partner.
 std::string brackets_complaint(const NormalForm& normal_form) {
@@ -146,15 +151,17 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
     if (!complete(normal_form) || !complete(map))
         return "normal form and map do not have one series for each variable";
     if (std::string complaint = brackets_complaint(normal_form); !complaint.empty()) return complaint;
+    ExponentReader reader(ring);
+    Shape shape(ring, reader);
     for (const Item& item : items(normal_form, map)) {
-        const auto wrong = [&](int n, const std::vector<int>& exponents) -> const char* {
+        const auto wrong = [&](int n, int from) -> const char* {
+            shape.read(from);
             if (n < item.from || n > item.to) return "stands outside the weights of the series";
-            if (weight_of(ring, exponents) != n) return "has another weight";
-            if (!powers_allowed(ring, exponents)) return "has a negative power of what may vanish";
+            if (shape.weight() != n) return "has another weight";
+            if (shape.is_forbidden()) return "has a negative power of what may vanish";
             return nullptr;
         };
-        const auto all = [](const Monomial& m) { return m; };
-        if (std::string complaint = first_complaint(ring, item, all, wrong); !complaint.empty())
+        if (std::string complaint = first_complaint(ring, item, reader, wrong); !complaint.empty())
             return complaint;
     }
     return "";
@@ -167,18 +174,29 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
     // In a linear part that is not semisimple, monomials with D = 0 stand in both
     // (certificate_inner_product).
     const bool shared = normal_form.style == Style::inner_product && !field.is_semisimple();
+    ExponentReader reader(*field.ring);
     const std::vector<GeneratorId> outer = field.outer();
-    const auto shown = [&](const Monomial& m) { return field.ring->restricted(m, outer); };
+    int last_word = 0; // that outer generators stand in
+    for (const GeneratorId id : outer) last_word = std::max(last_word, reader.word_of(id));
+    std::vector<int> powers, last; // of the outer generators
     for (const Item& item : items(normal_form, map)) {
         if (!item.scanned) continue;
-        const auto wrong = [&](int /*weight*/, const std::vector<int>& exponents) -> const char* {
+        last.clear();
+        // Asked once for neighbours that agree in their outer generators.
+        const auto wrong = [&](int /*weight*/, int from) -> const char* {
+            if (from > last_word && !last.empty()) return nullptr;
+            const std::vector<int>& exponents = reader.exponents();
+            powers.clear();
+            for (const GeneratorId id : outer) powers.push_back(exponents[static_cast<std::size_t>(id)]);
+            if (powers == last) return nullptr;
+            last = powers;
             if (resonance.is_exact(exponents, item.mode))
                 return item.in_kernel || shared ? nullptr : "is resonant";
             if (resonance.is_near(exponents, item.mode)) return item.in_kernel ? nullptr : "is resonant";
             return item.in_kernel ? "is not resonant" : nullptr;
         };
-        std::string complaint = first_complaint(*field.ring, item, shown, wrong);
-        if (!complaint.empty()) return complaint;
+        if (std::string complaint = first_complaint(*field.ring, item, reader, wrong); !complaint.empty())
+            return complaint;
     }
     return shared ? inner_product_complaint(normal_form, map, samples, resonance) : "";
 }

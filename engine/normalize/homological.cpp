@@ -22,12 +22,15 @@ HomologicalEquation<Domain>::HomologicalEquation(const GradedField& field, Domai
                                                  std::string variable, Place place)
     : field_(field), domain_(domain), mode_(mode), variable_(std::move(variable)), place_(std::move(place)),
       divisors_(field, domain, mode), outer_(field.outer()), carriers_(carriers_of(field)),
-      slopes_(carriers_.size()) {}
+      slopes_(carriers_.size()), derived_(carriers_.size()) {}
 
 template <class Domain>
 auto HomologicalEquation<Domain>::right_hand_side(int weight, const Part& field_part,
-                                                  const Transport<Part>& transport) const -> Part {
+                                                  const Transport<Part>& transport) -> Part {
     std::vector<ProductOf<Part>> products;
+    for (std::size_t c = 0; c < slopes_.size(); ++c)
+        for (int j = 0; j <= weight; ++j)
+            if (!transport[c].part(weight - j).empty()) derive(c, j);
     for (std::size_t c = 0; c < slopes_.size(); ++c)
         for (int j = 0; j <= weight; ++j)
             if (!slopes_[c].part(j).empty() && !transport[c].part(weight - j).empty())
@@ -61,7 +64,6 @@ template <class Domain> auto HomologicalEquation<Domain>::divided(int weight, co
 template <class Domain> void HomologicalEquation<Domain>::accept(int weight, Part correction, Part rate) {
     rate_.set(weight, std::move(rate));
     correction_.set(weight, std::move(correction));
-    remember_derivatives(weight);
 }
 
 template <class Domain>
@@ -74,15 +76,12 @@ auto HomologicalEquation<Domain>::divisor_of(const Monomial& outer, int weight) 
 }
 
 // d_w lowers the weight by that of w.
-template <class Domain> void HomologicalEquation<Domain>::remember_derivatives(int weight) {
-    const Part& c = correction_.part(weight);
-    if (c.empty()) return;
-    for (std::size_t k = 0; k < carriers_.size(); ++k) {
-        const Carrier& carrier = carriers_[k];
-        if (carrier.weight > weight) continue; // too heavy to stand in c
-        slopes_[k].set(weight - carrier.weight, carrier.angle ? domain_.angle_derivative(c, carrier.id)
-                                                              : domain_.derivative(c, carrier.id));
-    }
+template <class Domain> void HomologicalEquation<Domain>::derive(std::size_t carrier, int weight) {
+    const Carrier& by = carriers_[carrier];
+    const Part& c = correction_.part(weight + by.weight);
+    if (c.empty() || !derived_[carrier].insert(weight).second) return;
+    slopes_[carrier].set(weight,
+                         by.angle ? domain_.angle_derivative(c, by.id) : domain_.derivative(c, by.id));
 }
 
 template class HomologicalEquation<RingDomain>;

@@ -41,8 +41,7 @@ public:
     [[nodiscard]] const std::vector<Polynomial>& missing_divisors() const { return divisors_.missing(); }
 
     // R_n, given [F]_n of the composed field.
-    [[nodiscard]] Part right_hand_side(int weight, const Part& field_part,
-                                       const Transport<Part>& transport) const;
+    [[nodiscard]] Part right_hand_side(int weight, const Part& field_part, const Transport<Part>& transport);
     struct Shares {
         Part exact, near; // what belongs to D = 0, and to a D that is kept near
         Part quotient;    // all else, divided by D
@@ -61,7 +60,7 @@ public:
     [[nodiscard]] std::vector<DivisorRecord>& records() { return records_; }
 
 private:
-    void remember_derivatives(int weight);
+    void derive(std::size_t carrier, int weight);
 
     const GradedField& field_;
     Domain domain_;
@@ -72,8 +71,10 @@ private:
     std::vector<GeneratorId> outer_; // what a monomial is made of
     BasicSeries<Part> correction_, rate_;
     std::vector<Carrier> carriers_;
-    std::vector<BasicSeries<Part>>
-        slopes_; // the derivatives of the correction by each carrier, computed once
+    // The derivatives of the correction by each carrier, computed when a rate is there to be multiplied with:
+    // the last weights, which hold most of the terms, are never asked for.
+    std::vector<BasicSeries<Part>> slopes_;
+    std::vector<std::set<int>> derived_;
     std::vector<DivisorRecord> records_;
     std::set<Monomial> seen_; // monomials that have a record
 };

@@ -42,5 +42,25 @@ TEST(Adiabatic, WithACubicForceToOrderSeven) {
     EXPECT_EQ(c.through_weight, 7);
 }
 
+// The rate of the last derivative that a ring holds is unknown to it: a map with it cannot be judged.
+TEST(Adiabatic, TheLastDerivativeIsNotFollowed) {
+    Normalization n = normalize_poincare(adiabatic(""), 3);
+    const Ring& ring = *n.normal_form.field->ring;
+    std::string last = "omega(tau)";
+    for (std::string next = "omega'(tau)"; ring.find(next); next.insert(5, "'")) last = next;
+    const Polynomial term =
+        ring.multiply(gen(ring, last), ring.multiply(gen(ring, "eps", 2), gen(ring, "z2")));
+    n.map.mode[0].set(3, n.map.mode[0].part(3) + term);
+    try {
+        static_cast<void>(test::certificate_of(n));
+        FAIL() << last << " was followed";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.diagnostic().rule,
+                  "a normal form holds no higher derivatives than its weights can bring");
+        EXPECT_EQ(error.diagnostic().value, last);
+    }
+}
+
 } // namespace
 } // namespace resonform

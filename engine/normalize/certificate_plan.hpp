@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What part (a) of a certificate computes and what must vanish of it: the equations of the file along map and
+// normal form, whatever these are.
+#pragma once
+
+#include "normalize/certificate_program.hpp"
+#include "normalize/normal_form.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// The weights 0 ... weight of a slot must vanish; `above_order`: 0 ... M + weight.
+struct VanishingCheck {
+    Slot slot;
+    int weight;
+    bool above_order;
+    int stage; // what is wrong at a lower stage is said first, and of one stage the lowest weight
+    std::string sentence;
+};
+
+struct CertificatePlan {
+    CertificateProgram program;
+    std::vector<VanishingCheck> checks;
+    std::vector<std::vector<Slot>> jacobian;           // of the equations by the highest derivatives
+    std::vector<Slot> growth, omega;                   // of each mode
+    std::vector<Slot> angle;                           // frequencies
+    std::vector<std::pair<GeneratorId, Slot>> unknown; // Jets::unknown
+    std::vector<bool> needed;                          // by slot
+
+    // What is wanted of a series, by side.
+    struct Reading {
+        SeriesName series;
+        struct OfSide {
+            Side side;
+            Slot value = -1; // -1: not needed
+            std::vector<std::pair<GeneratorId, Slot>> slopes;
+        };
+        std::vector<OfSide> sides;
+    };
+    std::vector<Reading> readings;
+
+    // Style hamiltonian: the coordinates of the modes as the map has them, y_a = w_a + h_a.
+    struct Coordinate {
+        GeneratorId id;
+        Slot mapped;
+        std::string mode;
+    };
+    std::vector<Coordinate> coordinates;
+};
+
+// `hamiltonian`: its brackets are read, and its checks added (certificate_hamiltonian.hpp).
+// Errors (refused): an equation with constructs that cannot be substituted.
+CertificatePlan plan_certificate(const GradedField& field, const HamiltonianForm* hamiltonian);
+
+// The series that a name stands for.
+const Series& series_of(SeriesName name, const CertificateProgram& program, const NormalForm& normal_form,
+                        const NearIdentityMap& map);
+
+} // namespace resonform

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a certificate computes at a point, written down once: a straight-line program over truncated series.
+// The equations of the file are read when it is written; it runs with residues and with bounds of degree and
+// height.
+//
+//   CertificateProgram p;
+//   const Slot u = p.add(p.generator(z, 1), p.value({SeriesName::mode_shift, 0}, Side::itself));   // z = w +
+//   h const Slot sine = p.function(Elementary::sine, u);
+//
+// Equal steps are one step, so that slots are equal where what they stand for is seen to be.
+#pragma once
+
+#include "algebra/series.hpp"
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace resonform {
+
+enum class Elementary {
+    exponential,
+    logarithm,
+    sine,
+    cosine,
+    tangent,
+    hyperbolic_sine,
+    hyperbolic_cosine,
+    hyperbolic_tangent,
+    arc_sine,
+    arc_tangent,
+};
+
+// The conjugate side reads i as -i and swaps the modes of a pair.
+enum class Side { itself, conjugate };
+
+// A series of the normalisation, or a polynomial that the program knows.
+struct SeriesName {
+    enum Kind {
+        mode_rate,
+        angle_rate,
+        slow_rate,
+        drift_rate,
+        mode_shift,
+        angle_shift,
+        slow_shift,
+        drift_shift,
+        energy,
+        polynomial
+    };
+    Kind kind;
+    std::size_t index = 0;
+
+    friend auto operator<=>(const SeriesName&, const SeriesName&) = default;
+};
+
+using Slot = int;
+
+enum class Operation {
+    number,
+    generator, // id, power
+    add,
+    multiply,
+    function,
+    power, // lead * (a/a_0)^number
+    inverse_power,
+    at_origin, // the weight-0 part
+    value,     // of a series
+    slope,     // of a series by a generator
+};
+
+struct Step {
+    Operation operation;
+    Slot left = -1, right = -1;
+    int index = 0; // generator | exponent of inverse_power | Elementary
+    int power = 0;
+    SeriesName series{SeriesName::polynomial};
+    Side side = Side::itself;
+    Rational number = 0;
+};
+
+class CertificateProgram {
+public:
+    Slot number(const Rational& value);
+    Slot generator(GeneratorId id, int power);
+    Slot add(Slot a, Slot b);
+    Slot multiply(Slot a, Slot b);
+    Slot function(Elementary function, Slot a);
+    Slot power(Slot a, const Rational& exponent, Slot lead); // lead * (a/a_0)^exponent
+    Slot inverse_power(Slot a, int n);                       // a^-n for n >= 1
+    Slot at_origin(Slot a);
+    Slot value(SeriesName series, Side side);
+    Slot slope(SeriesName series, Side side, GeneratorId by); // the partial derivative
+    Slot minus(Slot a) { return multiply(number(-1), a); }
+    Slot difference(Slot a, Slot b) { return add(a, minus(b)); }
+
+    SeriesName series(const Polynomial& p); // of weight 0
+    Slot value(const Polynomial& p) { return value(series(p), Side::itself); }
+
+    [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+    [[nodiscard]] const Series& polynomial(std::size_t index) const { return polynomials_[index]; }
+    // By slot: whether one of `results` needs it.
+    [[nodiscard]] std::vector<bool> needed(const std::vector<Slot>& results) const;
+
+private:
+    using Key = std::tuple<Operation, Slot, Slot, int, int, SeriesName, Side>;
+    struct Less {
+        bool operator()(const std::pair<Key, Rational>& a, const std::pair<Key, Rational>& b) const {
+            return a.first != b.first ? a.first < b.first : a.second < b.second;
+        }
+    };
+
+    Slot slot_of(Step step);
+    [[nodiscard]] bool is_number(Slot slot, int value) const;
+
+    std::vector<Step> steps_;
+    std::map<std::pair<Key, Rational>, Slot, Less> known_;
+    std::vector<Series> polynomials_;
+};
+
+} // namespace resonform
