@@ -11,6 +11,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(SUNDIALS REQUIRED)
 find_package(Boost REQUIRED)
+find_library(RESONFORM_FLINT flint REQUIRED) # neither has a pkg-config file in Debian 12
+find_library(RESONFORM_ARB flint-arb REQUIRED)
 find_library(RESONFORM_QD qd REQUIRED) # its pkg-config file of Debian 12 is broken: -I.../$fortran
 
 # libquadmath belongs to GCC: clang has neither its header's folder nor its library on its paths.

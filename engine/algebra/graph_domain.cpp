@@ -9,12 +9,6 @@ namespace resonform {
 
 namespace {
 
-bool is_pair(const Generator& g) { return g.kind == GeneratorKind::fast && g.conjugate >= 0; }
-
-bool is_real_outer(const Generator& g) {
-    return g.kind == GeneratorKind::small || (g.kind == GeneratorKind::fast && g.conjugate < 0);
-}
-
 [[noreturn]] void refuse_algebraic(const Generator& g) {
     refuse({"coefficients in a graph are rational functions of independent symbols",
             g.kind == GeneratorKind::root ? "a root whose radicand is a sum" : g.name,
@@ -25,63 +19,12 @@ bool is_real_outer(const Generator& g) {
 } // namespace
 
 GraphDomain::GraphDomain(RingPtr ring, int largest, std::uint64_t seed)
-    : state_(std::make_shared<State>()),
-      arithmetic_(std::make_shared<CoefficientGraph>(seed), keys_of(*ring, largest)) {
-    State& state = *state_;
-    state.ring = std::move(ring);
-    state.fields.assign(static_cast<std::size_t>(state.ring->size()), -1);
-    int next = 0;
-    const auto give = [&](GeneratorId id) { state.fields[static_cast<std::size_t>(id)] = next++; };
-    for (GeneratorId id = 0; id < state.ring->size(); ++id) {
-        const Generator& g = state.ring->generator(id);
-        if (!is_pair(g) || g.conjugate < id) continue;
-        give(id);
-        give(g.conjugate);
-    }
-    for (GeneratorId id = 0; id < state.ring->size(); ++id)
-        if (is_real_outer(state.ring->generator(id))) give(id);
-    for (GeneratorId id = 0; id < state.ring->size(); ++id)
-        if (state.ring->generator(id).kind == GeneratorKind::phase) give(id);
-}
-
-OuterKeys GraphDomain::keys_of(const Ring& ring, int largest) {
-    int pairs = 0, reals = 0, phases = 0;
-    for (GeneratorId id = 0; id < ring.size(); ++id) {
-        const Generator& g = ring.generator(id);
-        if (is_pair(g) && g.conjugate > id) ++pairs;
-        if (is_real_outer(g)) ++reals;
-        if (g.kind == GeneratorKind::phase) ++phases;
-    }
-    return {pairs, reals, phases, largest};
-}
-
-OuterKey GraphDomain::key(const Monomial& m) const {
-    const Ring& ring = *state_->ring;
-    OuterKey key = ring.exponent(m, Ring::imaginary_unit) == 1 ? OuterKeys::imaginary : 0;
-    for (GeneratorId id = 1; id < ring.size(); ++id)
-        if (const int field = state_->fields[static_cast<std::size_t>(id)]; field >= 0)
-            if (const int exponent = ring.exponent(m, id); exponent != 0)
-                key += arithmetic_.keys().power(field, exponent);
-    return key;
-}
-
-Monomial GraphDomain::monomial(OuterKey key) const {
-    const Ring& ring = *state_->ring;
-    Monomial m;
-    if (OuterKeys::has_i(key)) m = ring.monomial(Ring::imaginary_unit);
-    for (GeneratorId id = 1; id < ring.size(); ++id)
-        if (const int field = state_->fields[static_cast<std::size_t>(id)]; field >= 0)
-            m = m + ring.monomial(id, arithmetic_.keys().exponent(key, field));
-    return m;
-}
+    : state_(std::make_shared<State>(State{OuterMonomials<OuterKey>(std::move(ring), largest)})),
+      arithmetic_(std::make_shared<CoefficientGraph>(seed), state_->monomials.keys()) {}
 
 GraphPart GraphDomain::constant(const Polynomial& p) const {
-    const Ring& ring = *state_->ring;
-    std::vector<GeneratorId> outer{Ring::imaginary_unit};
-    for (GeneratorId id = 1; id < ring.size(); ++id)
-        if (state_->fields[static_cast<std::size_t>(id)] >= 0) outer.push_back(id);
     std::vector<Part> parts;
-    for (const auto& [monomial, polynomial] : ring.collect(p, outer))
+    for (const auto& [monomial, polynomial] : ring()->collect(p, state_->monomials.outer()))
         parts.push_back(arithmetic_.constant(coefficient(polynomial), key(monomial)));
     std::vector<std::pair<Rational, const Part*>> addends;
     for (const Part& part : parts) addends.emplace_back(1, &part);
@@ -89,7 +32,7 @@ GraphPart GraphDomain::constant(const Polynomial& p) const {
 }
 
 Coefficient GraphDomain::coefficient(const Polynomial& p) const {
-    const Ring& ring = *state_->ring;
+    const Ring& ring = *this->ring();
     std::vector<GraphTerm> terms;
     for (const Term& t : p.terms()) {
         Coefficient product = graph().number(t.coefficient);
@@ -103,7 +46,7 @@ Coefficient GraphDomain::coefficient(const Polynomial& p) const {
 
 // A root of index 1 is a quotient, unless a relation eliminates another generator in favour of it.
 Coefficient GraphDomain::power(GeneratorId id, int exponent) const {
-    const Ring& ring = *state_->ring;
+    const Ring& ring = *this->ring();
     const Generator& g = ring.generator(id);
     LeafPolynomial value;
     if (g.kind == GeneratorKind::root && g.index == 1 && ring.reduce(g.radicand) != ring.gen(id))
@@ -116,7 +59,7 @@ Coefficient GraphDomain::power(GeneratorId id, int exponent) const {
 
 // 1/(m q) with a monomial m such that q has no negative exponent
 Coefficient GraphDomain::reciprocal(const Polynomial& p) const {
-    const Ring& ring = *state_->ring;
+    const Ring& ring = *this->ring();
     Monomial common;
     Coefficient inverse = graph().number(1);
     for (GeneratorId id = 1; id < ring.size(); ++id) {
@@ -134,8 +77,8 @@ Coefficient GraphDomain::reciprocal(const Polynomial& p) const {
 LeafId GraphDomain::leaf(GeneratorId id) const {
     const auto known = state_->leaves.find(id);
     if (known != state_->leaves.end()) return known->second;
-    const Generator& g = state_->ring->generator(id);
-    if (state_->ring->is_algebraic(id)) refuse_algebraic(g);
+    const Generator& g = ring()->generator(id);
+    if (ring()->is_algebraic(id)) refuse_algebraic(g);
     const LeafId leaf = graph().add_leaf(g.name);
     state_->leaves.emplace(id, leaf);
     state_->generators.push_back(id);
@@ -148,7 +91,7 @@ std::optional<LeafId> GraphDomain::leaf_of(GeneratorId id) const {
 }
 
 LeafPolynomial GraphDomain::leaf_polynomial(const Polynomial& p) const {
-    const Ring& ring = *state_->ring;
+    const Ring& ring = *this->ring();
     LeafPolynomial result;
     for (const Term& t : p.terms()) {
         std::map<LeafId, int> powers;
@@ -165,32 +108,20 @@ Polynomial GraphDomain::polynomial(const LeafPolynomial& p) const {
     for (const auto& [powers, coefficient] : p.terms()) {
         Monomial m;
         for (const auto& [leaf, exponent] : powers)
-            m = m + state_->ring->monomial(state_->generators[leaf], exponent);
+            m = m + ring()->monomial(state_->generators[leaf], exponent);
         terms.push_back({m, coefficient});
     }
     return Polynomial::from_terms(std::move(terms));
 }
 
 GraphPart GraphDomain::angle_derivative(const Part& p, GeneratorId phase) const {
-    const int field = state_->fields[static_cast<std::size_t>(phase)];
-    std::vector<Part> parts;
-    for (std::size_t k = 0; k < p.size(); ++k) { // e^{i k theta} becomes i k e^{i k theta}
-        OuterKey key = p.keys[k] + OuterKeys::imaginary;
-        const int exponent = arithmetic_.keys().exponent(p.keys[k], field);
-        const bool minus = OuterKeys::take_square_of_i(key);
-        const RationalId factor = graph().rationals().intern(minus ? -exponent : exponent);
-        parts.push_back(arithmetic_.constant(graph().scaled(factor, p.coefficients[k]), key));
-    }
-    std::vector<std::pair<Rational, const Part*>> addends;
-    for (const Part& part : parts) addends.emplace_back(1, &part);
-    return combination(addends);
+    return arithmetic_.angle_derivative(p, state_->monomials.field(phase));
 }
 
 GraphPart GraphDomain::derivative(const Part& p, GeneratorId id) const {
-    if (const int field = state_->fields[static_cast<std::size_t>(id)]; field >= 0)
-        return arithmetic_.derivative(p, field);
+    if (const int field = state_->monomials.field(id); field >= 0) return arithmetic_.derivative(p, field);
     GraphDerivation& derivation = state_->derivations.try_emplace(id, graph()).first->second;
-    const Ring& ring = *state_->ring;
+    const Ring& ring = *this->ring();
     const auto of_leaf = [&](LeafId leaf) {
         return coefficient(ring.derivative(ring.gen(state_->generators[leaf]), id));
     };

@@ -7,6 +7,7 @@
 
 #include "algebra/graph_derivative.hpp"
 #include "algebra/graph_part.hpp"
+#include "algebra/outer_monomials.hpp"
 
 #include <map>
 #include <memory>
@@ -25,7 +26,7 @@ public:
 
     [[nodiscard]] CoefficientGraph& graph() const { return arithmetic_.graph(); }
     [[nodiscard]] const GraphArithmetic& arithmetic() const { return arithmetic_; }
-    [[nodiscard]] const RingPtr& ring() const { return state_->ring; }
+    [[nodiscard]] const RingPtr& ring() const { return state_->monomials.ring(); }
 
     // --- as every domain -----------------------------------------------------------------------
     // Errors (refused): a coefficient that is no rational function of independent symbols.
@@ -52,8 +53,8 @@ public:
                                           ShareOf share_of) const;
 
     // --- between ring and graph ----------------------------------------------------------------
-    [[nodiscard]] OuterKey key(const Monomial& m) const;                     // of the outer generators in m
-    [[nodiscard]] Monomial monomial(OuterKey key) const;                     // i included
+    [[nodiscard]] OuterKey key(const Monomial& m) const { return state_->monomials.key(m); }
+    [[nodiscard]] Monomial monomial(OuterKey key) const { return state_->monomials.monomial(key); }
     [[nodiscard]] Coefficient coefficient(const Polynomial& p) const;        // real, without outer generators
     [[nodiscard]] Coefficient reciprocal(const Polynomial& p) const;         // likewise, not zero
     [[nodiscard]] LeafPolynomial leaf_polynomial(const Polynomial& p) const; // exponents >= 0
@@ -62,13 +63,11 @@ public:
 
 private:
     struct State {
-        RingPtr ring;
-        std::vector<int> fields; // by generator; -1: none
-        std::map<GeneratorId, LeafId> leaves;
-        std::vector<GeneratorId> generators;                // by leaf
-        std::map<GeneratorId, GraphDerivation> derivations; // by slow variable
+        OuterMonomials<OuterKey> monomials;
+        std::map<GeneratorId, LeafId> leaves = {};
+        std::vector<GeneratorId> generators = {};                // by leaf
+        std::map<GeneratorId, GraphDerivation> derivations = {}; // by slow variable
     };
-    [[nodiscard]] static OuterKeys keys_of(const Ring& ring, int largest);
     [[nodiscard]] LeafId leaf(GeneratorId id) const;
     [[nodiscard]] Coefficient power(GeneratorId id, int exponent) const;
 
@@ -79,14 +78,7 @@ private:
 template <class ShareOf>
 std::vector<GraphPart> GraphDomain::split(const Part& p, const std::vector<GeneratorId>& outer,
                                           ShareOf share_of) const {
-    std::vector<Part> parts;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-        const std::size_t share = share_of(state_->ring->restricted(monomial(p.keys[k]), outer));
-        if (share >= parts.size()) parts.resize(share + 1, Part{{}, {}, false});
-        parts[share].keys.push_back(p.keys[k]);
-        parts[share].coefficients.push_back(p.coefficients[k]);
-    }
-    return parts;
+    return shares_of(p, [&](OuterKey key) { return share_of(ring()->restricted(monomial(key), outer)); });
 }
 
 } // namespace resonform

@@ -57,7 +57,7 @@ private:
 GraphPart GraphArithmetic::constant(Coefficient c, OuterKey key) const {
     if (c.is_zero()) return {};
     GraphPart result{{key}, {c}, false};
-    result.real = is_real(result);
+    result.real = equals_its_conjugate(keys_, result);
     return result;
 }
 
@@ -122,74 +122,23 @@ GraphPart GraphArithmetic::collected(Gathering& gathering, bool half) const {
         keys_.require_safe(keys[k]);
         const Coefficient c = graph_->dot(std::span(terms).subspan(begin[k], begin[k + 1] - begin[k]));
         if (c.is_zero()) continue;
-        result.keys.push_back(keys[k]);
-        result.coefficients.push_back(c);
+        result.append(keys[k], c);
     }
-    if (half)
-        append_mirrored(result);
-    else
-        result.real = is_real(result);
+    if (half) return with_mirrored(keys_, result);
+    result.real = equals_its_conjugate(keys_, result);
     return result;
 }
 
-// conj(c i^e m) = (-1)^e c i^e conj(m)
-void GraphArithmetic::append_mirrored(GraphPart& half) const {
-    std::vector<std::pair<OuterKey, Coefficient>> entries;
-    for (std::size_t k = 0; k < half.size(); ++k) {
-        const OuterKey key = half.keys[k], mirror = keys_.mirror(key);
-        const Coefficient c = half.coefficients[k];
-        entries.emplace_back(key, c);
-        if (mirror != key) entries.emplace_back(mirror, OuterKeys::has_i(key) ? c.negative() : c);
-    }
-    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    half.keys.clear();
-    half.coefficients.clear();
-    for (const auto& [key, c] : entries) {
-        half.keys.push_back(key);
-        half.coefficients.push_back(c);
-    }
-    half.real = true;
-}
-
-GraphPart GraphArithmetic::conjugate(const GraphPart& p) const {
-    if (p.real) return p;
-    std::vector<std::pair<OuterKey, Coefficient>> entries;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-        const Coefficient c = p.coefficients[k];
-        entries.emplace_back(keys_.mirror(p.keys[k]), OuterKeys::has_i(p.keys[k]) ? c.negative() : c);
-    }
-    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    GraphPart result{{}, {}, false};
-    for (const auto& [key, c] : entries) {
-        result.keys.push_back(key);
-        result.coefficients.push_back(c);
-    }
-    return result;
+Coefficient GraphArithmetic::times(int number, Coefficient c) const {
+    return graph_->scaled(graph_->rationals().intern(number), c);
 }
 
 GraphPart GraphArithmetic::derivative(const GraphPart& p, int field) const {
-    const OuterKey one = keys_.power(field, 1);
-    GraphPart result;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-        const int exponent = keys_.exponent(p.keys[k], field);
-        if (exponent == 0) continue;
-        result.keys.push_back(p.keys[k] - one);
-        result.coefficients.push_back(
-            graph_->scaled(graph_->rationals().intern(exponent), p.coefficients[k]));
-    }
-    result.real = is_real(result);
-    return result;
+    return derivative_of(keys_, p, field, [&](int k, Coefficient c) { return times(k, c); });
 }
 
-bool GraphArithmetic::is_real(const GraphPart& p) const {
-    for (std::size_t k = 0; k < p.size(); ++k) {
-        const OuterKey mirror = keys_.mirror(p.keys[k]);
-        const auto found = std::lower_bound(p.keys.begin(), p.keys.end(), mirror);
-        if (found == p.keys.end() || *found != mirror) return false;
-        const Coefficient c = p.coefficients[static_cast<std::size_t>(found - p.keys.begin())];
-        if (c != (OuterKeys::has_i(mirror) ? p.coefficients[k].negative() : p.coefficients[k])) return false;
-    }
-    return true;
+GraphPart GraphArithmetic::angle_derivative(const GraphPart& p, int field) const {
+    return angle_derivative_of(keys_, p, field, [&](int k, Coefficient c) { return times(k, c); });
 }
 
 } // namespace resonform

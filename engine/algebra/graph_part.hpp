@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algebra/coefficient_graph.hpp"
-#include "algebra/outer_keys.hpp"
+#include "algebra/keyed_part.hpp"
 #include "algebra/ring.hpp"
 
 #include <memory>
@@ -12,17 +12,7 @@
 
 namespace resonform {
 
-// sum_k coefficient_k * monomial_k, keys ascending, no zero. Coefficients are real: i stands in the keys.
-struct GraphPart {
-    std::vector<OuterKey> keys;
-    std::vector<Coefficient> coefficients;
-    bool real = true; // equal to its conjugate
-
-    [[nodiscard]] bool empty() const { return keys.empty(); }
-    [[nodiscard]] std::size_t size() const { return keys.size(); }
-    friend bool operator==(const GraphPart&, const GraphPart&) = default;
-};
-
+using GraphPart = KeyedPart<OuterKey, Coefficient>;
 using GraphProduct = ProductOf<GraphPart>;
 
 class GraphArithmetic {
@@ -40,18 +30,16 @@ public:
     [[nodiscard]] GraphPart dot(const std::vector<GraphProduct>& products) const;
     [[nodiscard]] GraphPart
     combination(const std::vector<std::pair<Rational, const GraphPart*>>& addends) const;
-    [[nodiscard]] GraphPart conjugate(const GraphPart& p) const;
-    // d/d(field of the keys), not a phase
+    [[nodiscard]] GraphPart conjugate(const GraphPart& p) const { return conjugated(keys_, p); }
+    // d/d(field of the keys): not of a phase, of a phase
     [[nodiscard]] GraphPart derivative(const GraphPart& p, int field) const;
+    [[nodiscard]] GraphPart angle_derivative(const GraphPart& p, int field) const;
     // Every coefficient by a function of it (a derivation, a number times it).
     template <class Function> GraphPart each(const GraphPart& p, Function function) const {
         GraphPart result;
         for (std::size_t k = 0; k < p.size(); ++k)
-            if (const Coefficient c = function(p.coefficients[k]); !c.is_zero()) {
-                result.keys.push_back(p.keys[k]);
-                result.coefficients.push_back(c);
-            }
-        result.real = is_real(result);
+            if (const Coefficient c = function(p.coefficients[k]); !c.is_zero()) result.append(p.keys[k], c);
+        result.real = equals_its_conjugate(keys_, result);
         return result;
     }
 
@@ -59,10 +47,9 @@ public:
     class Gathering;
 
 private:
-    [[nodiscard]] bool is_real(const GraphPart& p) const;
     void multiply_out(const GraphProduct& product, bool half, Gathering& gathering) const;
     [[nodiscard]] GraphPart collected(Gathering& gathering, bool half) const;
-    void append_mirrored(GraphPart& half) const;
+    [[nodiscard]] Coefficient times(int number, Coefficient c) const;
 
     std::shared_ptr<CoefficientGraph> graph_;
     OuterKeys keys_;

@@ -123,6 +123,12 @@ std::string to_string(const Rational& value) {
     return out.str();
 }
 
+Rational power_of_ten(int n) {
+    if (n == 0) return 1; // expt_pos wants a positive exponent
+    const Integer power = cln::expt_pos(Integer(10), n > 0 ? n : -n);
+    return n > 0 ? Rational(power) : 1 / Rational(power);
+}
+
 double to_double(const Rational& value) { return cln::double_approx(value); }
 
 bool exact_root(const Rational& value, int k, Rational& root) {

@@ -20,6 +20,8 @@ Rational parse_rational(std::string_view text);
 std::string to_string(const Rational& value); // "-3/4", "5"
 double to_double(const Rational& value);
 
+Rational power_of_ten(int n); // n of any sign
+
 // The exact k-th root if there is one (k >= 1): exact_root(9/4, 2) = 3/2. Returns false otherwise.
 bool exact_root(const Rational& value, int k, Rational& root);
 

@@ -9,18 +9,19 @@
 
 namespace resonform {
 
-OuterKeys::OuterKeys(int pairs, int reals, int phases, int largest)
-    : bits_(std::min(16, 62 / std::max(1, 2 * pairs + reals + phases))), first_phase_(2 * pairs + reals),
-      phases_(phases) {
+template <class Word>
+OuterKeysOf<Word>::OuterKeysOf(int pairs, int reals, int phases, int largest)
+    : bits_(std::min(16, (static_cast<int>(8 * sizeof(Word)) - 2) / std::max(1, 2 * pairs + reals + phases))),
+      first_phase_(2 * pairs + reals), phases_(phases) {
     const int held = phases > 0 ? bits_ - 2 : bits_ - 1;
     if (held < 1 || largest >= 1 << held)
-        refuse({"the monomials of a graph's series fit into one word",
+        refuse({fmt::format("the monomials of a series fit into one word of {} bits", 8 * sizeof(Word)),
                 fmt::format("{} variables with exponents up to {}", fields(), largest),
                 "ask for a lower order, or give frequencies numeric values with --set NAME=VALUE",
                 {}});
-    OuterKey mask = ((OuterKey{1} << bits_) - 1) << 2;
+    Word mask = ((Word{1} << bits_) - 1) << 2;
     for (int field = 0; field < fields(); ++field, mask <<= bits_) {
-        const OuterKey top = mask & ~(mask >> 1);
+        const Word top = mask & ~(mask >> 1);
         guards_ |= top;
         if (field >= first_phase_)
             quarters_ |= top >> 1;
@@ -32,24 +33,27 @@ OuterKeys::OuterKeys(int pairs, int reals, int phases, int largest)
 }
 
 // Phases stand highest, each the signed coefficient of its power of two, as in Packing.
-int OuterKeys::exponent(OuterKey key, int field) const {
-    const OuterKey all = (OuterKey{1} << bits_) - 1;
+template <class Word> int OuterKeysOf<Word>::exponent(Word key, int field) const {
+    const Word all = (Word{1} << bits_) - 1;
     if (field < first_phase_) return static_cast<int>((key >> shift(field)) & all);
-    const OuterKey biased = key + 2 * quarters_;
+    const Word biased = key + 2 * quarters_;
     return static_cast<int>((biased >> shift(field)) & all) - (1 << (bits_ - 1));
 }
 
-OuterKey OuterKeys::require_safe(OuterKey key, int exponent) const {
+template <class Word> Word OuterKeysOf<Word>::require_safe(Word key, int exponent) const {
     if (exponent >= 1 << (bits_ - 1) || exponent <= -(1 << (bits_ - 1))) overflow();
     require_safe(key);
     return key;
 }
 
-void OuterKeys::overflow() const {
-    refuse({"the monomials of a graph's series fit into one word",
+template <class Word> void OuterKeysOf<Word>::overflow() const {
+    refuse({fmt::format("the monomials of a series fit into one word of {} bits", 8 * sizeof(Word)),
             fmt::format("an exponent beyond {} bits for each of {} variables", bits_, fields()),
             "ask for a lower order, or give frequencies numeric values with --set NAME=VALUE",
             {}});
 }
+
+template class OuterKeysOf<OuterKey>;
+template class OuterKeysOf<WideKey>;
 
 } // namespace resonform

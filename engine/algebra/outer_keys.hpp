@@ -10,49 +10,52 @@
 
 namespace resonform {
 
-using OuterKey = std::uint64_t;
-
-class OuterKeys {
+// Word: std::uint64_t, or one of 128 bits where there are more variables.
+template <class Word> class OuterKeysOf {
 public:
     // Fields are numbered: 2 k and 2 k + 1 the pairs, then the real variables, then the phases. Errors
     // (refused): a word cannot hold exponents up to `largest` in every field.
-    OuterKeys(int pairs, int reals, int phases, int largest);
+    OuterKeysOf(int pairs, int reals, int phases, int largest);
 
-    static constexpr OuterKey imaginary = 1;
+    static constexpr Word imaginary = 1;
     [[nodiscard]] int fields() const { return static_cast<int>(first_phase_ + phases_); }
-    [[nodiscard]] OuterKey power(int field, int exponent) const { // checked
-        const OuterKey key = static_cast<OuterKey>(std::int64_t{exponent}) << shift(field);
+    [[nodiscard]] Word power(int field, int exponent) const { // checked
+        const Word key = static_cast<Word>(std::int64_t{exponent}) << shift(field);
         return require_safe(key, exponent);
     }
-    [[nodiscard]] int exponent(OuterKey key, int field) const;
+    [[nodiscard]] int exponent(Word key, int field) const;
     // A product of keys holds i^2 until this is asked: it drops it and says whether the sign changes.
-    static bool take_square_of_i(OuterKey& key) {
+    static bool take_square_of_i(Word& key) {
         const bool minus = (key & 2U) != 0;
-        key &= ~OuterKey{2};
+        key &= ~Word{2};
         return minus;
     }
-    [[nodiscard]] static bool has_i(OuterKey key) { return (key & 1U) != 0; }
+    [[nodiscard]] static bool has_i(Word key) { return (key & 1U) != 0; }
     // Pairs swapped, phases inverted; i is left, as its sign is not the key's business.
-    [[nodiscard]] OuterKey mirror(OuterKey key) const {
-        const OuterKey swapped = ((key & first_halves_) << bits_) | ((key & second_halves_) >> bits_);
-        const OuterKey low = swapped | (key & kept_);
+    [[nodiscard]] Word mirror(Word key) const {
+        const Word swapped = ((key & first_halves_) << bits_) | ((key & second_halves_) >> bits_);
+        const Word low = swapped | (key & kept_);
         if (phases_ == 0) return low;
         return low - (key & ~(first_halves_ | second_halves_ | kept_));
     }
     // The product of two safe keys does not overflow into another field; whether it is safe is asked here.
-    void require_safe(OuterKey key) const {
+    void require_safe(Word key) const {
         if (((key + quarters_) & guards_) != 0) overflow();
     }
 
 private:
     [[nodiscard]] int shift(int field) const { return 2 + bits_ * field; }
-    [[nodiscard]] OuterKey require_safe(OuterKey key, int exponent) const;
+    [[nodiscard]] Word require_safe(Word key, int exponent) const;
     [[noreturn]] void overflow() const;
 
     int bits_, first_phase_, phases_;
-    OuterKey first_halves_ = 0, second_halves_ = 0; // fields of the pairs
-    OuterKey kept_ = 3;                             // i and real variables
-    OuterKey quarters_ = 0, guards_ = 0; // an exponent is safe below half of its field (phases: a quarter)
+    Word first_halves_ = 0, second_halves_ = 0; // fields of the pairs
+    Word kept_ = 3;                             // i and real variables
+    Word quarters_ = 0, guards_ = 0; // an exponent is safe below half of its field (phases: a quarter)
 };
+
+using OuterKey = std::uint64_t;
+using OuterKeys = OuterKeysOf<OuterKey>;
+__extension__ using WideKey = unsigned __int128;
 
 } // namespace resonform

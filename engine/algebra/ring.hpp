@@ -92,6 +92,8 @@ public:
     [[nodiscard]] const Generator& generator(GeneratorId id) const {
         return generators_[static_cast<std::size_t>(id)];
     }
+    // Numbers are rounded to so many significant decimal digits when they are printed; 0: they are exact.
+    [[nodiscard]] int digits() const { return digits_; }
     [[nodiscard]] std::optional<GeneratorId> find(const std::string& name) const;
 
     // --- monomials -----------------------------------------------------------------------------
@@ -193,6 +195,7 @@ private:
 
     Packing packing_;
     std::vector<Generator> generators_;
+    int digits_ = 0;
     std::vector<Relation> relations_;
     bool related_ = true; // every root and every cosine has its rule
 };
@@ -205,6 +208,7 @@ public:
     // Roots: radicand given over the generators added so far, parameters, slow variables and roots.
     // Refuses more than 32 generators; a name that is taken or empty is refused.
     GeneratorId add(Generator g);
+    void round_to(int digits) { digits_ = digits; } // Ring::digits
     // The id that the next add() gives: for a derivative that contains its own generator, as that of an
     // exponential does.
     [[nodiscard]] GeneratorId next() const { return static_cast<GeneratorId>(generators_.size()); }
@@ -226,6 +230,7 @@ public:
 
 private:
     Packing packing_; // of 32 generators
+    int digits_ = 0;
     std::vector<Generator> generators_;
 };
 

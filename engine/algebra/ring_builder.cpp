@@ -140,6 +140,7 @@ RingPtr RingBuilder::freeze() const {
     const int size = static_cast<int>(generators_.size());
     const std::shared_ptr<Ring> ring(new Ring(size));
     ring->generators_ = generators_;
+    ring->digits_ = digits_;
     for (Generator& g : ring->generators_) {
         g.radicand = repack(packing_, ring->packing_, g.radicand);
         g.of.argument = repack(packing_, ring->packing_, g.of.argument);

@@ -38,6 +38,13 @@ SeriesProgram::Node SeriesProgram::constant(const Polynomial& p) {
     return intern(std::move(c));
 }
 
+SeriesProgram::Node SeriesProgram::number(std::size_t index) {
+    Instruction n;
+    n.op = Op::number;
+    n.index = index;
+    return intern(std::move(n));
+}
+
 SeriesProgram::Node SeriesProgram::sum(const std::vector<std::pair<Rational, Node>>& addends) {
     std::map<Node, Rational> collected;
     for (const auto& addend : addends) collected[addend.second] = collected[addend.second] + addend.first;

@@ -24,6 +24,7 @@ public:
     enum class Op {
         input,
         constant,
+        number,
         sum,
         product,
         sine,
@@ -38,6 +39,7 @@ public:
         Op op = Op::constant;
         std::string name;                               // input
         std::vector<Polynomial> parts;                  // constant, by weight
+        std::size_t index = 0;                          // number
         std::vector<std::pair<Rational, Node>> addends; // sum
         Node left = -1, right = -1;                     // product; left: operand of functions
         Rational exponent;                              // power
@@ -52,6 +54,8 @@ public:
 
     Node input(std::string name);
     Node constant(const Polynomial& p); // split by weight
+    // A complex number that the ring does not hold: the domain knows it by its index (NumberDomain only).
+    Node number(std::size_t index);
     Node sum(const std::vector<std::pair<Rational, Node>>& addends);
     Node product(Node a, Node b);
     Node sine(Node u); // creates cosine(u) too, once per u

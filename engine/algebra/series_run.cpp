@@ -3,6 +3,7 @@
 // n (part n), each function obeys a linear equation: D s = c Du, D e = e Du, u Dl = Du, u Dp = a p Du.
 #include "algebra/error.hpp"
 #include "algebra/graph_domain.hpp"
+#include "algebra/number_domain.hpp"
 #include "algebra/series_program.hpp"
 
 #include <algorithm>
@@ -34,6 +35,22 @@ template <class Domain, class Part> Part product(const Domain& domain, const Par
     return domain.dot({{1, &a, &b}});
 }
 
+template <class Domain> typename Domain::Part number(const Domain&, std::size_t) {
+    throw std::logic_error("SeriesRun: numbers that no ring holds want the domain of numbers");
+}
+
+NumberPart number(const NumberDomain& domain, std::size_t index) { return domain.number(index); }
+
+template <class Domain> bool is_zero(const Domain&, const typename Domain::Part& p) { return p.empty(); }
+
+bool is_zero(const NumberDomain& domain, const NumberPart& p) { return domain.is_zero(p); }
+
+template <class Domain> bool is_one(const Domain& domain, const typename Domain::Part& p) {
+    return p == domain.one();
+}
+
+bool is_one(const NumberDomain& domain, const NumberPart& p) { return domain.is_one(p); }
+
 void require_start(bool holds, const std::string& rule) {
     if (holds) return;
     refuse({.rule = rule,
@@ -54,6 +71,8 @@ BasicSeriesRun<Domain>::BasicSeriesRun(const SeriesProgram& program, Domain doma
         const std::vector<Polynomial>& parts = program.instructions()[k].parts;
         for (std::size_t n = 0; n < parts.size(); ++n)
             constants_[k].set(static_cast<int>(n), domain_.constant(parts[n]));
+        if (program.instructions()[k].op == Op::number)
+            constants_[k].set(0, number(domain_, program.instructions()[k].index));
     }
 }
 
@@ -139,14 +158,16 @@ template <class Domain> auto BasicSeriesRun<Domain>::first_part(Node node) -> Pa
     switch (in.op) {
     case Op::sine:
     case Op::antiderivative:
-        require_start(in.op != Op::sine || u().empty(), "a sine is expanded about zero");
+        require_start(in.op != Op::sine || is_zero(domain_, u()), "a sine is expanded about zero");
         return {};
-    case Op::cosine: require_start(u().empty(), "a cosine is expanded about zero"); return domain_.one();
+    case Op::cosine:
+        require_start(is_zero(domain_, u()), "a cosine is expanded about zero");
+        return domain_.one();
     case Op::exponential:
-        require_start(u().empty(), "an exponential is expanded about exp(0)");
+        require_start(is_zero(domain_, u()), "an exponential is expanded about exp(0)");
         return domain_.one();
     case Op::logarithm:
-        require_start(u() == domain_.one(), "a logarithm is expanded about log(1)");
+        require_start(is_one(domain_, u()), "a logarithm is expanded about log(1)");
         return {};
     case Op::power: {
         const std::optional<Part> reciprocal = domain_.inverse(u());
@@ -166,7 +187,8 @@ template <class Domain> auto BasicSeriesRun<Domain>::next_part(Node node, int we
     const int n = weight;
     switch (in.op) {
     case Op::input: return values_[at(node)].series.part(n);
-    case Op::constant: return constants_[at(node)].part(n);
+    case Op::constant:
+    case Op::number: return constants_[at(node)].part(n);
     case Op::sum: return combined(in, n);
     case Op::product: return dot(factors(1, in.left, in.right, n));
     case Op::sine:
@@ -249,6 +271,7 @@ auto BasicSeriesRun<Domain>::change(Node node, const std::vector<Part>& deltas) 
     switch (in.op) {
     case Op::input:
     case Op::constant:
+    case Op::number:
     case Op::cosine: return {}; // d(cos u)_n = -s_0 du_n, s_0 = 0
     case Op::sum: {
         std::vector<std::pair<Rational, const Part*>> addends;
@@ -273,5 +296,6 @@ auto BasicSeriesRun<Domain>::change(Node node, const std::vector<Part>& deltas) 
 
 template class BasicSeriesRun<RingDomain>;
 template class BasicSeriesRun<GraphDomain>;
+template class BasicSeriesRun<NumberDomain>;
 
 } // namespace resonform

@@ -3,6 +3,7 @@
 
 #include "model/expression.hpp"
 #include "model/scene_file.hpp"
+#include "normalize/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,6 +26,15 @@ std::optional<double> read_double(std::string_view text) {
     return value;
 }
 
+int read_integer(const std::string& option, const std::string& text, int lowest, int highest, int example) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number < lowest || number > highest)
+        bad_argument(option, fmt::format("{} must be an integer from {} to {}", option, lowest, highest),
+                     text, fmt::format("give for example {} {}", option, example));
+    return number;
+}
+
 } // namespace
 
 void bad_argument(const std::string& option, const std::string& rule, const std::string& value,
@@ -35,13 +45,11 @@ void bad_argument(const std::string& option, const std::string& rule, const std:
 }
 
 int read_order(const std::string& option, const std::string& text) {
-    constexpr int lowest = 1, highest = 99;
-    int order = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), order);
-    if (error != std::errc() || end != text.data() + text.size() || order < lowest || order > highest)
-        bad_argument(option, fmt::format("{} must be an integer from {} to {}", option, lowest, highest),
-                     text, fmt::format("give for example {} 3", option));
-    return order;
+    return read_integer(option, text, 1, 99, 3);
+}
+
+int read_digits(const std::string& text) {
+    return text.empty() ? 0 : read_integer("--digits", text, fewest_digits, most_digits, 30);
 }
 
 double read_eps(const std::string& text) {

@@ -28,6 +28,8 @@ std::vector<double> read_times(const std::string& text);
 std::vector<Setting> read_settings(const std::vector<std::string>& texts);
 // "" is no style: that of the file.
 std::optional<Style> read_style(const std::string& text);
+// "" is 0: exact coefficients.
+int read_digits(const std::string& text);
 // One of `known`; the complaint lists them and names the nearest.
 std::string read_choice(const std::string& option, const std::string& text,
                         const std::vector<std::string>& known);

@@ -23,7 +23,7 @@ Json to_json(const System& system, const Certificate& certificate) {
                          {"route", certificate.route},
                          {"points", certificate.points},
                          {"primes", certificate.primes},
-                         {"error_probability", certificate.error_probability},
+                         {"error_probability", json_number(certificate.error_probability)},
                          {"complaint", certificate.complaint}});
     return document;
 }
@@ -32,14 +32,18 @@ void print_text(const System& system, const Certificate& certificate) {
     put("{}: normal form and map through weight {}\n", system.name_with_settings(),
         to_string(certificate.through_weight));
     put("  map and normal form put into the original equations   {}\n",
-        certificate.residual_zero ? "residual zero" : "RESIDUAL NOT ZERO");
+        !certificate.residual_zero ? "RESIDUAL NOT ZERO"
+        : system.digits > 0        ? "residual small"
+                                   : "residual zero");
     put("  {}        {}\n",
         system.style == Style::poincare ? "every term resonant, no kernel term in the map"
                                         : "normal form and map are those of the style    ",
         certificate.normal_form_scan ? "yes" : "NO");
     put("  route: {}, {} points, primes {}\n", certificate.route, certificate.points,
         fmt::join(certificate.primes, ", "));
-    if (certificate.holds)
+    if (certificate.holds && system.digits > 0)
+        put("The certificate holds: all residuals are small, to more than {} digits.\n", system.digits);
+    else if (certificate.holds)
         put("The certificate holds; a wrong result would pass with probability below {:.0e}.\n",
             certificate.error_probability);
     else
@@ -74,11 +78,13 @@ void add_certify(CLI::App& app, Action& action) {
     const Text order = add_required(*command, "--order", order_values, "weight of normal form and map");
     const FormatOption format(*command, {"text", "json"});
     const Text style = add_style(*command);
+    const Text digits = add_digits(*command);
     const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, format, style, settings, limits] {
-        action = [system, order, format, style, settings, limits] {
-            return run_certify(*system, *order, {read_settings(*settings), read_style(*style)},
+    command->callback([&action, system, order, format, style, digits, settings, limits] {
+        action = [system, order, format, style, digits, settings, limits] {
+            return run_certify(*system, *order,
+                               {read_settings(*settings), read_style(*style), read_digits(*digits)},
                                limits.value(), format.value());
         };
     });

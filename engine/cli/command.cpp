@@ -2,6 +2,7 @@
 #include "cli/command.hpp"
 
 #include "cli/arguments.hpp"
+#include "normalize/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,6 +46,12 @@ Texts add_settings(CLI::App& command) {
 Text add_style(CLI::App& command) {
     return add_text(command, "--style", fmt::format("{}", fmt::join(style_names(), "|")),
                     "which normal form, in place of the style of the system file");
+}
+
+Text add_digits(CLI::App& command) {
+    return add_text(command, "--digits", fmt::format("{}..{}", fewest_digits, most_digits),
+                    "coefficients in numbers of so many digits, for systems that are too large for symbols; "
+                    "wants --set for every parameter; default: exact coefficients");
 }
 
 FormatOption::FormatOption(CLI::App& command, std::vector<std::string> known)

@@ -39,6 +39,9 @@ Texts add_settings(CLI::App& command);
 // --style, "" by default: that of the system file.
 Text add_style(CLI::App& command);
 
+// --digits, "" by default: exact coefficients.
+Text add_digits(CLI::App& command);
+
 // --format, the first of `known` by default; value() checks it.
 class FormatOption {
 public:

@@ -16,7 +16,7 @@ namespace resonform {
 namespace {
 
 struct Request {
-    std::string system, order, stage, truncation, format, coefficients, style;
+    std::string system, order, stage, truncation, format, coefficients, style, digits;
     std::vector<std::string> settings;
     DerivationLimits limits;
 };
@@ -67,6 +67,10 @@ bool in_graph(const GradedField& field, int order, Stage stage, Format format, c
                 to_string(style),
                 "leave out --coefficients",
                 {}});
+    if (asked != "auto" && field.system().digits > 0)
+        bad_argument("--coefficients", "with --digits coefficients are numbers", asked,
+                     "leave out one of the two options");
+    if (field.system().digits > 0) return false;
     return asked == "graph" || (asked == "auto" && possible && suits_graph(field, order));
 }
 
@@ -98,6 +102,15 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
                                   : print_normal_form(*normalization, weight, format, known);
 }
 
+void require_printable_in_numbers(Stage stage, Format format) {
+    if (stage == Stage::equations || stage == Stage::expand || stage == Stage::solution)
+        bad_argument("--digits", "--digits goes with --stage normal_form, divisors or manifold",
+                     to_string(stage), "leave it out: this stage is exact");
+    if (format == Format::sympy || format == Format::maxima)
+        bad_argument("--digits", "numbers of many digits are written as text, latex or json",
+                     to_string(format), "choose one of these formats");
+}
+
 int run_derive(const Request& request) {
     const int order = read_order("--order", request.order);
     const Stage stage = parse_stage(request.stage);
@@ -109,7 +122,9 @@ int run_derive(const Request& request) {
     const std::string coefficients =
         read_choice("--coefficients", request.coefficients, {"auto", "ring", "graph"});
     const auto file = find_system(request.system, find_home().systems());
-    const SystemChanges changes{read_settings(request.settings), read_style(request.style)};
+    const SystemChanges changes{read_settings(request.settings), read_style(request.style),
+                                read_digits(request.digits)};
+    if (changes.digits > 0) require_printable_in_numbers(stage, format);
     put("{}", watched(request.limits, [&](Watch& watch) {
             return document(expand_system(file, changes, watch), order, stage, request.truncation, format,
                             coefficients, watch);
@@ -139,15 +154,16 @@ void add_derive(CLI::App& app, Action& action) {
         "all else",
         "auto");
     const Text style = add_style(*command);
+    const Text digits = add_digits(*command);
     const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback(
-        [&action, system, order, stage, truncation, format, coefficients, style, settings, limits] {
-            action = [system, order, stage, truncation, format, coefficients, style, settings, limits] {
-                return run_derive({*system, *order, *stage, *truncation, *format, *coefficients, *style,
-                                   *settings, limits.value()});
-            };
-        });
+    command->callback([&action, system, order, stage, truncation, format, coefficients, style, digits,
+                       settings, limits] {
+        action = [system, order, stage, truncation, format, coefficients, style, digits, settings, limits] {
+            return run_derive({*system, *order, *stage, *truncation, *format, *coefficients, *style, *digits,
+                               *settings, limits.value()});
+        };
+    });
 }
 
 } // namespace resonform

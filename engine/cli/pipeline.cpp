@@ -2,6 +2,7 @@
 #include "cli/pipeline.hpp"
 
 #include "cli/output.hpp"
+#include "normalize/numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@ Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
 Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch) {
     System system = with_settings(read_system(file), changes.settings, "--set");
     if (changes.style) system.style = *changes.style;
+    system.digits = changes.digits;
     return expand_shared(std::make_shared<const System>(std::move(system)), watch);
 }
 
@@ -77,12 +79,17 @@ void require(const Certificate& certificate) {
 
 std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,
                                                                 Watch& watch) {
+    const bool in_numbers = expanded.field->system().digits > 0;
     return derived_and_checked(
         expanded, through, watch,
         [&](const NormalizeOptions& options) {
-            return std::make_shared<Normalization>(normalize(expanded.field, through, options));
+            return std::make_shared<Normalization>(
+                in_numbers ? normalize_in_numbers(expanded.field, through, options)
+                           : normalize(expanded.field, through, options));
         },
-        [](Normalization& n) { n.certificate = certify(n.normal_form, n.map); });
+        [&](Normalization& n) {
+            n.certificate = in_numbers ? certify_numbers(n, *expanded.field) : certify(n.normal_form, n.map);
+        });
 }
 
 std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through,

@@ -35,6 +35,7 @@ struct Expanded {
 struct SystemChanges {
     std::vector<Setting> settings; // --set: numbers in place of parameters
     std::optional<Style> style;    // --style
+    int digits = 0;                // --digits
 };
 Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch);
 

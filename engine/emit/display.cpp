@@ -111,6 +111,7 @@ DisplayTerm monomial_term(const Ring& ring, const Exponents& exponents, const Ra
                           const Substitutes& substitutes) {
     DisplayTerm term;
     term.coefficient = coefficient;
+    term.digits = ring.digits();
     term.imaginary = exponents[Ring::imaginary_unit] != 0;
     Powers powers(ring, substitutes);
     for (GeneratorId id = Ring::imaginary_unit + 1; id < ring.size(); ++id)
@@ -196,9 +197,15 @@ DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& sub
         std::vector<PlainTerm> parts[2]; // real, imaginary
         for (PlainTerm& term : ordered_terms(ring, numerator))
             parts[term.exponents[Ring::imaginary_unit] != 0 ? 1 : 0].push_back(std::move(term));
-        for (auto& part : parts)
+        for (auto& part : parts) {
+            if (ring.digits() > 0) { // rounded numbers have no common factors
+                for (const PlainTerm& term : part)
+                    elements.push_back(element(ring, ring.exponents(outer), {term}, substitutes));
+                part.clear();
+            }
             if (!part.empty())
                 elements.push_back(element(ring, ring.exponents(outer), std::move(part), substitutes));
+        }
     }
     std::sort(elements.begin(), elements.end(), [](const Element& a, const Element& b) {
         const bool imaginary_a = a.term.imaginary, imaginary_b = b.term.imaginary;

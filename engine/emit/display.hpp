@@ -42,6 +42,7 @@ struct DisplayFactor {
 // the tail follows the fraction: -xi/(4*(r^2 + xi^2)) * z1*xi'.
 struct DisplayTerm {
     Rational coefficient = 1;
+    int digits = 0; // > 0: the coefficient is printed as a decimal number with so many significant digits
     bool imaginary = false;
     std::vector<DisplayFactor> factors;
     std::vector<DisplayFactor> tail;

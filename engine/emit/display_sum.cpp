@@ -63,9 +63,11 @@ std::vector<DisplayFactor> bases_of(const DisplaySum& sum) {
     return bases;
 }
 
-// The rational content, with the sign of the first term; `i` too when all terms have it.
+// The rational content, with the sign of the first term; `i` too when all terms have it. Rounded numbers have
+// none.
 void take_coefficient(DisplaySum& sum, DisplayTerm& content) {
     cln::cl_I numerators = 0, denominators = 1;
+    if (sum.terms.front().digits > 0) return;
     content.imaginary = true;
     for (const DisplayTerm& term : sum.terms) {
         numerators = cln::gcd(numerators, cln::numerator(term.coefficient));

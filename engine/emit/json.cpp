@@ -48,6 +48,7 @@ std::string json_document(const Json& value) {
 Json json_head(const std::string& schema, const System& system) {
     Json head = {{"schema", schema}, {"system", system.name}};
     for (const Setting& setting : system.settings) head["set"][setting.parameter] = setting.value;
+    if (system.digits > 0) head["digits"] = system.digits;
     return head;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/latex.hpp"
 
+#include "emit/decimal.hpp"
 #include "emit/display_powers.hpp"
 
 #include <algorithm>
@@ -148,8 +149,13 @@ std::string head(const DisplayTerm& term) {
     const Rational size = cln::abs(term.coefficient);
     BarSide above, below;
     std::string behind;
-    if (cln::numerator(size) != 1) above.text = to_string(Rational(cln::numerator(size)));
-    if (cln::denominator(size) != 1) below.text = to_string(Rational(cln::denominator(size)));
+    if (term.digits > 0) {
+        if (size != 1) above.text = decimal_latex(size, term.digits);
+    } else if (cln::numerator(size) != 1) {
+        above.text = to_string(Rational(cln::numerator(size)));
+    }
+    if (term.digits == 0 && cln::denominator(size) != 1)
+        below.text = to_string(Rational(cln::denominator(size)));
     if (term.imaginary) append(above.text, "i");
     for (const DisplayFactor& factor : term.factors) {
         const bool wide = factor.kind == Kind::function || factor.kind == Kind::integral;

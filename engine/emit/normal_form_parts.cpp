@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace resonform {
 
 std::string frequency_name(const GradedField& field, std::size_t mode) {
@@ -53,6 +55,9 @@ Side written(const Series& series, int through, const SeriesWriter& write, const
 std::string certificate_remark(const Certificate& certificate) {
     if (certificate.through_weight == 0) return "certificate: not made";
     if (!certificate.holds) return "certificate: DOES NOT HOLD: " + certificate.complaint;
+    if (!std::isfinite(certificate.error_probability))
+        return fmt::format("certificate: holds through weight {} ({}; {} points, all residuals are small)",
+                           certificate.through_weight, certificate.route, certificate.points);
     return fmt::format("certificate: holds through weight {} ({}; {} points, error probability {:.1e})",
                        to_string(certificate.through_weight), certificate.route, certificate.points,
                        certificate.error_probability);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/spelling.hpp"
 
+#include "emit/decimal.hpp"
 #include "emit/display_powers.hpp"
 
 #include <algorithm>
@@ -164,8 +165,13 @@ std::string product(const std::vector<std::string>& factors) {
 std::string fraction(const DisplayTerm& term, const Spelling& spelling) {
     const Rational size = cln::abs(term.coefficient);
     std::vector<std::string> above, below;
-    if (cln::numerator(size) != 1) above.push_back(to_string(Rational(cln::numerator(size))));
-    if (cln::denominator(size) != 1) below.push_back(to_string(Rational(cln::denominator(size))));
+    if (term.digits > 0) {
+        if (size != 1) above.push_back(decimal(size, term.digits));
+    } else if (cln::numerator(size) != 1) {
+        above.push_back(to_string(Rational(cln::numerator(size))));
+    }
+    if (term.digits == 0 && cln::denominator(size) != 1)
+        below.push_back(to_string(Rational(cln::denominator(size))));
     const bool only_number = !term.imaginary && term.factors.empty();
     if (only_number && !below.empty()) return rational(size, spelling);
     if (term.imaginary) above.emplace_back(spelling.imaginary);

@@ -185,6 +185,7 @@ void CoefficientRing::freeze(const Divisors& divisors) {
     derivatives_ = divisors.derivatives;
     learn_functions(derivatives_);
     RingBuilder builder;
+    builder.round_to(system_->digits);
     add_symbols(builder);
     std::stable_sort(bases_.begin(), bases_.end(), [](const Base& a, const Base& b) {
         return std::tie(a.level, a.key) < std::tie(b.level, b.key);
@@ -233,6 +234,7 @@ void CoefficientRing::add_symbols(RingBuilder& builder) {
     if (const GiNaC::symbol* pi = functions_->pi()) add(GeneratorKind::parameter, "pi", true, true, *pi);
     for (const auto& p : system_->parameters)
         add(GeneratorKind::parameter, p.name, p.nonzero || p.positive, p.positive, p.symbol);
+    for (const Number& n : numbers_) add(GeneratorKind::parameter, n.name, false, false, n.symbol);
     for (const auto& v : system_->variables)
         if (v.role == Role::slow)
             add(GeneratorKind::slow, v.name, v.nonzero || v.positive, v.positive, v.jet.front());
@@ -331,6 +333,12 @@ GeneratorId CoefficientRing::fast(std::size_t k) const { return static_cast<Gene
 GeneratorId CoefficientRing::angle(std::size_t k) const { return fast(fast_.size() + k); }
 
 GeneratorId CoefficientRing::eps() const { return symbols_.front().second; }
+
+GeneratorId CoefficientRing::number(std::size_t k) const {
+    for (const auto& [symbol, id] : symbols_)
+        if (symbol.is_equal(numbers_[k].symbol)) return id;
+    return -1;
+}
 
 GeneratorId CoefficientRing::slow(std::size_t variable) const {
     for (const auto& [symbol, id] : symbols_)

@@ -41,6 +41,12 @@ public:
     // its angle.
     void set_fast(std::vector<FastGenerator> fast) { fast_ = std::move(fast); }
     void set_angles(std::vector<std::string> angles) { angles_ = std::move(angles); }
+    // Real numbers without an exact value.
+    struct Number {
+        GiNaC::symbol symbol;
+        std::string name;
+    };
+    void set_numbers(std::vector<Number> numbers) { numbers_ = std::move(numbers); }
 
     // Symbols that are no constants of the ring: set to zero, they leave the weight-0 part of an expression.
     void vanish(const GiNaC::ex& symbol);
@@ -64,6 +70,7 @@ public:
     [[nodiscard]] GeneratorId fast(std::size_t k) const;
     [[nodiscard]] GeneratorId angle(std::size_t k) const;
     [[nodiscard]] GeneratorId eps() const;
+    [[nodiscard]] GeneratorId number(std::size_t k) const;
     [[nodiscard]] GeneratorId slow(std::size_t variable) const; // -1 if the variable is not slow
     [[nodiscard]] const std::vector<GeneratorId>& divisors() const { return divisors_; } // those of freeze
 
@@ -109,6 +116,7 @@ private:
     std::shared_ptr<const System> system_;
     std::vector<FastGenerator> fast_;
     std::vector<std::string> angles_;
+    std::vector<Number> numbers_;
     GiNaC::exmap zero_;
     std::vector<GiNaC::ex> moving_;
     std::vector<Needed> needed_;

@@ -22,6 +22,7 @@ GradedField Expansion::build() {
             coefficients_.move(state.symbol);
     }
     check_drifts();
+    check_numbers();
     field_.basis = find_modes(*first_order_, coefficients_);
     check_finite();
     name_generators();
@@ -55,6 +56,9 @@ void Expansion::name_generators() {
     for (const Variable& v : system_.variables)
         if (v.role == Role::angle) angles.push_back(v.name);
     coefficients_.set_angles(std::move(angles));
+    std::vector<CoefficientRing::Number> numbers;
+    for (const NumberSymbol& n : field_.basis.numbers) numbers.push_back({n.symbol, n.name});
+    coefficients_.set_numbers(std::move(numbers));
 }
 
 void Expansion::build_ring() {
@@ -136,6 +140,10 @@ void Expansion::bind_states() {
     for (std::size_t s = 0; s < field_.basis.states.size(); ++s) {
         const State& state = first_order_->states[field_.basis.states[s]];
         const Place place = place_of_equation(state.variable);
+        if (field_.basis.numeric) {
+            translate_->bind(state.symbol, numeric_state(s));
+            continue;
+        }
         Addends addends;
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
@@ -200,6 +208,7 @@ void Expansion::add_energy() {
 
 // z' - lambda z - sum n z_k with z' = sum_s (row_s u_s' + row_s' u_s); lambda at the new slow variables.
 Node Expansion::mode_rate(std::size_t k) {
+    if (field_.basis.numeric) return numeric_rate(k);
     const ModeShape& shape = field_.basis.modes[k];
     const Mode& mode = field_.modes[k];
     Addends addends;

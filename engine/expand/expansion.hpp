@@ -17,6 +17,7 @@ private:
     void check_drifts() const;
     void find_driven();
     [[nodiscard]] bool occurs(Role role, const GiNaC::ex& e) const; // does a variable of that role, in e?
+    void check_numbers() const;
     void check_slow_rate(const State& state) const;
 
     // weights (expansion_weights.cpp)
@@ -36,10 +37,12 @@ private:
     void add_inputs();
     void add_mode_input(std::size_t k);
     void bind_states();
+    [[nodiscard]] SeriesProgram::Node numeric_state(std::size_t s);
     void add_rates();
     void add_energy();
     void add_angle_rate(AngleVariable& angle);
     [[nodiscard]] SeriesProgram::Node mode_rate(std::size_t k);
+    [[nodiscard]] SeriesProgram::Node numeric_rate(std::size_t k);
     [[nodiscard]] SeriesProgram::Node moving(const Complex& c, const Place& place);
     using Addends = std::vector<std::pair<Rational, SeriesProgram::Node>>;
     void add_product(Addends& addends, const Complex& factor, SeriesProgram::Node node, const Place& place);

@@ -8,6 +8,7 @@
 //   oscillator psi'' + omega^2 psi = ...:  z = psi - i psi'/omega,  psi = (z + zbar)/2        (design 2.2)
 #pragma once
 
+#include "algebra/number_domain.hpp"
 #include "algebra/series_program.hpp"
 #include "expand/coefficient_ring.hpp"
 #include "expand/modes.hpp"
@@ -96,6 +97,10 @@ struct GradedField {
 // in whose rate it stands, an angle that occurs outside of sin and cos, a
 // coefficient function that the ring cannot hold.
 GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors = {});
+
+// What a field over numbers (System::digits) knows by numbers only, to this precision; nullopt: it takes
+// more.
+std::optional<GivenNumbers> given_numbers(const GradedField& field, std::int64_t bits);
 
 // The small divisors that the ring has an inverse for, besides its units: polynomials of field.ring. None
 // vanishes identically; on the surfaces where one does the normal form means nothing.

@@ -34,6 +34,11 @@ public:
         name_symbols();
     }
 
+    [[nodiscard]] bool is_closed() const {
+        const std::vector<Factor> found = factors();
+        return std::all_of(found.begin(), found.end(), has_closed_roots);
+    }
+
     BlockModes modes() {
         for (const Factor& factor : factors()) {
             if (!has_closed_roots(factor)) refuse_factor(factor);
@@ -271,6 +276,10 @@ void LargeBlock::sort() {
 
 BlockModes modes_of_large_block(const Matrix& a, const System& system, const BlockName& name) {
     return LargeBlock(a, system, name).modes();
+}
+
+bool has_closed_modes(const Matrix& a, const System& system, const BlockName& name) {
+    return LargeBlock(a, system, name).is_closed();
 }
 
 } // namespace resonform

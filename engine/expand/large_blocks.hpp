@@ -14,5 +14,7 @@ namespace resonform {
 // Errors (refused): a factor without closed roots, not semisimple (in style inner_product: several chains of
 // one eigenvalue), a sign that is not proved.
 BlockModes modes_of_large_block(const Matrix& a, const System& system, const BlockName& name);
+// Has every factor closed roots?
+bool has_closed_modes(const Matrix& a, const System& system, const BlockName& name);
 
 } // namespace resonform

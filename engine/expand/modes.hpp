@@ -13,7 +13,11 @@
 #include "expand/coefficient_ring.hpp"
 #include "expand/complex_expression.hpp"
 
+#include <memory>
+
 namespace resonform {
+
+class NumericModes;
 
 // n_jk: a mode that drives another one of the same eigenvalue.
 struct ModeCoupling {
@@ -30,9 +34,21 @@ struct ModeShape {
     [[nodiscard]] bool is_real() const { return eigenvalue.im.is_zero(); }
 };
 
+// A number that the ring knows by a generator of its own: growth or frequency of a mode.
+struct NumberSymbol {
+    GiNaC::symbol symbol;
+    std::string name;
+    std::size_t mode;
+    bool growth;
+};
+
 struct ModalBasis {
     std::vector<std::size_t> states; // the fast ones, indices into FirstOrderSystem::states
     std::vector<ModeShape> modes;    // of a conjugate pair only the first; in the order of their pivots
+    // Where some modes have no closed form: the shapes have neither columns nor rows then, and eigenvalues
+    // without closed form are made of the symbols in `numbers`.
+    std::shared_ptr<const NumericModes> numeric = nullptr;
+    std::vector<NumberSymbol> numbers = {};
 
     // psi'' + omega^2 psi by itself, in which no other mode takes part: z = psi - i psi'/omega.
     [[nodiscard]] bool is_oscillator(std::size_t mode, const FirstOrderSystem& system) const;
@@ -43,7 +59,8 @@ struct ModalBasis {
 // the vanishing symbols of `coefficients` are used; it need not be frozen. Errors: bad_input: a force at the
 // origin, division by an expression that is zero; refused: a block without closed roots, a sign that is not
 // proved, a linear part that is not semisimple where the style of the system is not inner_product. Those of
-// given modes: expand/given_modes.hpp.
+// given modes: expand/given_modes.hpp. With System::digits blocks without closed roots have numeric modes
+// (expand/numeric_modes.hpp).
 ModalBasis find_modes(const FirstOrderSystem& system, const CoefficientRing& coefficients);
 
 } // namespace resonform

@@ -122,6 +122,7 @@ struct System {
     std::vector<GivenMode> modes;      // empty: they are to be found
     Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
     Style style = Style::poincare;     // [normal_form] style
+    int digits = 0;                    // of coefficients in numbers (--digits); 0: they are exact
     // Weights are held as integers, in units of 1/eps_root, and the symbol `eps` stands for
     // eps^(1/eps_root), whose weight is that unit: 1 if the file has no weight and no power of eps that is
     // not an integer.

@@ -76,10 +76,17 @@ template <class Domain> auto DivisorTable<Domain>::make(const Multiples& multipl
     }
     for (std::size_t a = 0; a < field_.angles.size(); ++a)
         frequency = frequency + Rational(multiples[2 * field_.modes.size() + a]) * field_.angles[a].frequency;
+    if (ring.vanishes(frequency) && ring.vanishes(growth)) return {{}, DivisorVerdict::kept_exact, {}};
+    return judged(growth, frequency, multiples);
+}
+
+template <class Domain>
+auto DivisorTable<Domain>::judged(const Polynomial& growth, const Polynomial& frequency,
+                                  const Multiples& multiples) -> Divisor<Part> {
+    const Ring& ring = *field_.ring;
     const Polynomial i = ring.imaginary();
     const Polynomial value = growth + ring.multiply(i, frequency);
     const bool real = ring.vanishes(frequency), imaginary = ring.vanishes(growth);
-    if (real && imaginary) return {{}, DivisorVerdict::kept_exact, {}};
     if (is_near(multiples)) return {value, DivisorVerdict::kept_near, {}};
     const Polynomial norm = real        ? growth
                             : imaginary ? frequency
@@ -98,6 +105,24 @@ template <class Domain> auto DivisorTable<Domain>::make(const Multiples& multipl
             spell(multiples),
             "write the frequencies so that their relation is plain, or give parameters numeric values",
             {}});
+}
+
+template <>
+Divisor<NumberPart> DivisorTable<NumberDomain>::judged(const Polynomial& growth, const Polynomial& frequency,
+                                                       const Multiples& multiples) {
+    const std::int64_t bits = domain_.bits();
+    const Polynomial value = growth + field_.ring->multiply(field_.ring->imaginary(), frequency);
+    const ComplexBall d = domain_.value(value);
+    if (const Rational& near = field_.system().near; !cln::zerop(near)) {
+        RealBall excess = RealBall(-near * near, bits);
+        arb_addmul(excess.get(), d.re().get(), d.re().get(), bits);
+        arb_addmul(excess.get(), d.im().get(), d.im().get(), bits);
+        if (excess.contains_zero()) throw UndecidedDivisor{spell(multiples), true};
+        if (excess.negative().is_positive()) return {value, DivisorVerdict::kept_near, {}};
+    }
+    const auto inverse = domain_.inverse(domain_.constant(d));
+    if (!inverse) throw UndecidedDivisor{spell(multiples), false};
+    return {value, DivisorVerdict::removed, *inverse};
 }
 
 template <class Domain> bool DivisorTable<Domain>::is_near(const Multiples& multiples) const {
@@ -139,5 +164,6 @@ template <class Domain> std::string DivisorTable<Domain>::spell(const Multiples&
 
 template class DivisorTable<RingDomain>;
 template class DivisorTable<GraphDomain>;
+template class DivisorTable<NumberDomain>;
 
 } // namespace resonform

@@ -7,6 +7,7 @@
 // with harmonics k_l of the angles; 1/D = (a - i b)/(a^2 + b^2).
 #pragma once
 
+#include "algebra/number_domain.hpp"
 #include "algebra/ring_domain.hpp"
 #include "normalize/normal_form.hpp"
 
@@ -21,8 +22,15 @@ template <class Part> struct Divisor {
     Part inverse; // only where the verdict is removed; empty: the ring does not hold it yet
 };
 
+// In numbers: the balls do not tell whether a divisor is zero, or as small as `near`; more bits may.
+struct UndecidedDivisor {
+    std::string divisor;
+    bool near;
+};
+
 // The divisors of one equation. This is the only place where the normaliser divides: a divisor has an inverse
-// only if the ring proves that it is a unit, or, in a graph, that it does not vanish identically.
+// only if the ring proves that it is a unit, or, in a graph, that it does not vanish identically, or, in
+// numbers, if zero is not in its ball.
 template <class Domain> class DivisorTable {
 public:
     using Part = typename Domain::Part;
@@ -31,7 +39,8 @@ public:
     DivisorTable(const GradedField& field, Domain domain, int mode);
 
     // The divisor of a monomial in GradedField::outer() (other exponents zero).
-    // Errors (refused): proved neither to vanish nor not to vanish identically (ambiguous).
+    // Errors (refused): proved neither to vanish nor not to vanish identically (ambiguous); in numbers
+    // UndecidedDivisor is thrown.
     const Divisor<Part>& of(const Monomial& monomial);
     // What the ring would have to divide by for the divisors that were asked for and have no inverse in it:
     // a or b where the other vanishes, else a^2 + b^2.
@@ -42,6 +51,9 @@ private:
     using Multiples = std::vector<int>;
     [[nodiscard]] Multiples multiples_of(const Monomial& monomial) const;
     [[nodiscard]] Divisor<Part> make(const Multiples& multiples);
+    // The divisor growth + i frequency, of which not both vanish identically.
+    [[nodiscard]] Divisor<Part> judged(const Polynomial& growth, const Polynomial& frequency,
+                                       const Multiples& multiples);
     [[nodiscard]] std::string spell(const Multiples& multiples) const;
     // |D| <= near, where D is a number. Errors (refused): that cannot be told (ambiguous).
     [[nodiscard]] bool is_near(const Multiples& multiples) const;

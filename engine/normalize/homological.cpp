@@ -86,5 +86,6 @@ template <class Domain> void HomologicalEquation<Domain>::derive(std::size_t car
 
 template class HomologicalEquation<RingDomain>;
 template class HomologicalEquation<GraphDomain>;
+template class HomologicalEquation<NumberDomain>;
 
 } // namespace resonform

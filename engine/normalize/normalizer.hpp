@@ -11,6 +11,12 @@
 
 namespace resonform {
 
+// A rate without lambda w has no linear terms in w: they cancel exactly where coefficients are exact.
+template <class Domain, class Part> Part without_linear(const Domain&, Part p) { return p; }
+inline NumberPart without_linear(const NumberDomain& domain, const NumberPart& p) {
+    return domain.without_linear(p);
+}
+
 // Goes through the weights once, at each in an order in which what an equation needs is known:
 // small fast variables, those of larger weight first -> slow -> fast variables of weight 0 -> angles ->
 // drift. (k_n reaches the angles at weight n as omega' k_n, and finite fast variables as A' k_n w; small ones
@@ -159,9 +165,16 @@ private:
     void solve(const std::vector<Equation*>& equations, const std::vector<SeriesProgram::Node>& rates,
                int weight) {
         std::vector<Part> right;
-        for (std::size_t k = 0; k < equations.size(); ++k)
+        for (std::size_t k = 0; k < equations.size(); ++k) {
             right.push_back(equations[k]->right_hand_side(weight, run_.part(rates[k], weight), transport_));
+            if (const int m = equations[k]->mode(); m >= 0 && weight == weight_of(m))
+                right.back() = without_linear(domain_, std::move(right.back()));
+        }
         style_->solve(weight, equations, right);
+    }
+
+    [[nodiscard]] int weight_of(int mode) const {
+        return field_->ring->generator(field_->modes[static_cast<std::size_t>(mode)].z).weight;
     }
 
     void solve_modes(int weight, int weight_of_modes) {

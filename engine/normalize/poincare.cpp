@@ -55,6 +55,15 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
     });
 }
 
+NormalizationOf<NumberPart> normalize_over(const std::shared_ptr<const GradedField>& field, int through,
+                                           const NumberDomain& domain, const NormalizeOptions& options) {
+    check_order(through);
+    Normalizer<NumberDomain> normalizer(field, domain, std::make_unique<PoincareStyle<NumberDomain>>(domain),
+                                        through);
+    static_cast<void>(advance_through(normalizer, through, options)); // zero is not in what it divides by
+    return normalizer.result();
+}
+
 GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
                                       const NormalizeOptions& options) {
     check_order(*field, through);

@@ -27,6 +27,10 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
 GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
                                       const NormalizeOptions& options = {});
 
+// The same over numbers of some precision (normalize/numbers.hpp). Throws UndecidedDivisor.
+NormalizationOf<NumberPart> normalize_over(const std::shared_ptr<const GradedField>& field, int through,
+                                           const NumberDomain& domain, const NormalizeOptions& options = {});
+
 // Whether a graph is the better place for the coefficients: two symbolic frequencies or more, none a multiple
 // of another, an order from which on the inverse divisors multiply, and nothing that a graph refuses.
 bool suits_graph(const GradedField& field, int through);

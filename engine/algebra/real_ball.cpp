@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/real_ball.hpp"
+
+#include "algebra/fractions.hpp"
+
+#include <cln/integer_io.h>
+
+#include <cmath>
+#include <memory>
+
+namespace resonform {
+
+namespace {
+
+// A number of FLINT that is cleared at the end of its scope.
+class FlintInteger {
+public:
+    FlintInteger() { fmpz_init(value_); }
+    explicit FlintInteger(const Integer& number) : FlintInteger() {
+        fmpz_set_mpz(value_, to_mpz(number).get_mpz_t());
+    }
+    FlintInteger(const FlintInteger&) = delete;
+    FlintInteger& operator=(const FlintInteger&) = delete;
+    ~FlintInteger() { fmpz_clear(value_); }
+
+    [[nodiscard]] fmpz* get() { return value_; }
+
+private:
+    fmpz_t value_;
+};
+
+} // namespace
+
+RealBall::RealBall(const Rational& number, std::int64_t bits) : RealBall() {
+    FlintInteger numerator(cln::numerator(number)), denominator(cln::denominator(number));
+    arb_fmpz_div_fmpz(value_, numerator.get(), denominator.get(), bits);
+}
+
+// middle = m 2^e exactly; the rounding is done on integers, so that it is the same everywhere.
+Rational rounded(const RealBall& ball, int digits) {
+    if (arf_is_zero(arb_midref(ball.get())) != 0) return 0;
+    FlintInteger mantissa, exponent;
+    arf_get_fmpz_2exp(mantissa.get(), exponent.get(), arb_midref(ball.get()));
+    const std::unique_ptr<char, void (*)(void*)> text(fmpz_get_str(nullptr, 10, mantissa.get()), flint_free);
+    const Integer m(text.get());
+    const auto shift = static_cast<int>(fmpz_get_si(exponent.get()));
+    const Rational value =
+        shift >= 0 ? Rational(cln::ash(m, shift)) : Rational(m) / Rational(cln::ash(Integer(1), -shift));
+    // 10^scale <= |value| < 10^(scale + 1), but for the rounding of the logarithm: one digit more or less
+    constexpr double log10_of_2 = 0.30102999566398119521;
+    const int scale = static_cast<int>(
+        std::floor((static_cast<double>(cln::integer_length(cln::abs(m))) - 1 + shift) * log10_of_2));
+    const int places = digits - 1 - scale;
+    const Rational unit = power_of_ten(-places);
+    return cln::round1(value / unit) * unit;
+}
+
+std::int64_t accurate_bits(const RealBall& ball) { return arb_rel_accuracy_bits(ball.get()); }
+
+std::int64_t binary_exponent(const RealBall& ball) {
+    mag_t bound;
+    mag_init(bound);
+    arb_get_mag(bound, ball.get());
+    constexpr std::int64_t far_below = std::int64_t{-1} << 40;
+    const std::int64_t exponent = mag_is_zero(bound) != 0 ? far_below : fmpz_get_si(MAG_EXPREF(bound));
+    mag_clear(bound);
+    return exponent;
+}
+
+} // namespace resonform

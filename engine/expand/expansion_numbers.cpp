@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What expand() does where modes are numbers that the ring does not hold.
+#include "expand/expansion.hpp"
+#include "expand/numeric_modes.hpp"
+
+#include <fmt/format.h>
+
+namespace resonform {
+
+using Node = SeriesProgram::Node;
+
+namespace {
+
+// Where the entries of mode k and state s stand among GivenNumbers::numbers.
+enum class Entry : std::size_t { column, conjugate, row };
+
+std::size_t index_of(std::size_t k, std::size_t s, Entry entry, const ModalBasis& basis) {
+    return 3 * (k * basis.states.size() + s) + static_cast<std::size_t>(entry);
+}
+
+} // namespace
+
+void Expansion::check_numbers() const {
+    if (system_.digits == 0) return;
+    const Place file = whole_file(system_.file);
+    if (!system_.parameters.empty()) {
+        const std::string& name = system_.parameters.front().name;
+        bad_input({"with --digits every parameter has a number", name,
+                   fmt::format("give --set {}=NUMBER, or leave out --digits", name), file});
+    }
+    if (!system_.functions.empty())
+        refuse({"with --digits every function has values", system_.functions.front().name,
+                "leave out --digits", file});
+    for (const Variable& v : system_.variables)
+        if (v.role == Role::slow)
+            refuse({"with --digits coefficients are numbers, and do not depend on slow variables", v.name,
+                    "leave out --digits, or freeze the variable: make it a parameter and set it", v.place});
+}
+
+// u_s = sum column z + conj
+Node Expansion::numeric_state(std::size_t s) {
+    Addends addends;
+    for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+        const Mode& mode = field_.modes[k];
+        const Node column = program_->number(index_of(k, s, Entry::column, field_.basis));
+        addends.emplace_back(1, program_->product(column, mode.input));
+        if (mode.is_real()) continue;
+        const Node conjugate = program_->number(index_of(k, s, Entry::conjugate, field_.basis));
+        addends.emplace_back(1, program_->product(conjugate, mode.input_conjugate));
+    }
+    return program_->sum(addends);
+}
+
+// z' - lambda z with z' = sum_s row_s u_s'
+Node Expansion::numeric_rate(std::size_t k) {
+    Addends addends;
+    for (std::size_t s = 0; s < field_.basis.states.size(); ++s) {
+        const State& state = first_order_->states[field_.basis.states[s]];
+        const Node row = program_->number(index_of(k, s, Entry::row, field_.basis));
+        addends.emplace_back(
+            1, program_->product(row, (*translate_)(state.rate, place_of_equation(state.variable))));
+    }
+    const Mode& mode = field_.modes[k];
+    addends.emplace_back(-1, program_->product(program_->constant(field_.eigenvalue(mode)), mode.input));
+    return program_->sum(addends);
+}
+
+std::optional<GivenNumbers> given_numbers(const GradedField& field, std::int64_t bits) {
+    GivenNumbers given;
+    if (!field.basis.numeric) return given;
+    const auto values = field.basis.numeric->at(bits);
+    if (!values) return std::nullopt;
+    for (std::size_t n = 0; n < field.basis.numbers.size(); ++n) {
+        const NumberSymbol& number = field.basis.numbers[n];
+        const ComplexBall& eigenvalue = values->eigenvalues[number.mode];
+        given.generators[field.coefficients->number(n)] = number.growth ? eigenvalue.re() : eigenvalue.im();
+    }
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        for (std::size_t s = 0; s < field.basis.states.size(); ++s) {
+            given.numbers.push_back(values->columns[k][s]);
+            given.numbers.push_back(values->columns[k][s].conjugate());
+            given.numbers.push_back(values->rows[k][s]);
+        }
+    return given;
+}
+
+} // namespace resonform

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/ball_matrix.hpp"
+#include "normalize/certificate_balls.hpp"
+#include "normalize/certificate_point.hpp"
+#include "normalize/certificate_scan.hpp"
+#include "normalize/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace resonform {
+
+namespace {
+
+constexpr int points = 4, samples = 2;
+constexpr double bits_of_digit = 3.3219280948873623;
+
+// Is it smaller than 10^-(digits + spare_digits/2) times the sum of the magnitudes of its terms? What is not a
+// number is not small.
+bool is_small(const BallRun::Coefficient& c, int digits, std::int64_t bits) {
+    RealBall magnitude, bound = RealBall(power_of_ten(-(digits + spare_digits / 2)), bits), size;
+    acb_abs(magnitude.get(), c.value.get(), bits);
+    arb_set_d(size.get(), c.size);
+    arb_mul(bound.get(), bound.get(), size.get(), bits);
+    return arb_le(magnitude.get(), bound.get()) != 0;
+}
+
+// What is not small at a point, of the lowest weight; "" if all is.
+std::string complaint_of(const CertificatePlan& plan, const BallRun& run, const System& system, int order,
+                         std::int64_t bits) {
+    const VanishingCheck* worst = nullptr;
+    int lowest = 0;
+    for (const VanishingCheck& check : plan.checks) {
+        const int last = check.weight + (check.above_order ? order : 0);
+        int weight = 0;
+        while (weight <= last &&
+               is_small(run(check.slot)[static_cast<std::size_t>(weight)], system.digits, bits))
+            ++weight;
+        if (weight > last || (worst != nullptr && weight >= lowest)) continue;
+        worst = &check;
+        lowest = weight;
+    }
+    return worst == nullptr ? ""
+                            : fmt::format("weight {}: {}", to_string(system.weight(lowest)), worst->sentence);
+}
+
+// A residual says as much as its weight only where the equations determine their highest derivatives.
+bool is_regular(const CertificatePlan& plan, const BallRun& run, std::int64_t bits) {
+    BallMatrix jacobian;
+    for (const std::vector<Slot>& row : plan.jacobian) {
+        jacobian.emplace_back();
+        for (const Slot slot : row) jacobian.back().push_back(run(slot)[0].value);
+    }
+    return solution(jacobian, std::vector<ComplexBall>(jacobian.size()), bits).has_value();
+}
+
+std::string residual_complaint(const Normalization& n, const CertificatePlan& plan, std::uint64_t seed,
+                               Certificate& certificate) {
+    const GradedField& field = *n.normal_form.field;
+    const System& system = field.system();
+    const auto bits = static_cast<std::int64_t>(2 * bits_of_digit * (system.digits + spare_digits)) + 64;
+    std::mt19937_64 random(seed);
+    std::string complaint;
+    for (; certificate.points < points; ++certificate.points) {
+        const BallPoint point = random_ball_point(field.ring, random, bits);
+        const BallRun run(plan, n.normal_form, n.map, point);
+        if (!is_regular(plan, run, bits))
+            refuse({"at the origin no denominator of the equations vanishes and their highest derivatives are "
+                    "determined",
+                    system.name,
+                    "divide the equations by what vanishes at the origin",
+                    {}});
+        const std::string here = complaint_of(plan, run, system, n.normal_form.through, bits);
+        if (complaint.empty()) complaint = here;
+    }
+    return complaint;
+}
+
+// The frequencies of the field as they are known exactly, at random points modulo primes.
+std::vector<FrequencySample> sampled(const GradedField& field, std::uint64_t seed, Certificate& certificate) {
+    CertificatePlan plan;
+    const auto noted = [&](const Polynomial& p) { return plan.program.value(p); };
+    for (const Mode& m : field.modes) {
+        plan.growth.push_back(noted(m.growth));
+        plan.omega.push_back(noted(m.omega));
+    }
+    for (const AngleVariable& a : field.angles) plan.angle.push_back(noted(a.frequency));
+    plan.needed.assign(plan.program.steps().size(), true);
+    NormalForm none;
+    none.field = std::make_shared<const GradedField>(field);
+    std::vector<FrequencySample> result;
+    PointSampler sampler(*field.ring, seed);
+    for (int n = 0; n < samples; ++n) {
+        const Point point = sampler.next();
+        const PointRun run(plan, none, {}, point, 0);
+        const auto values = [&](const std::vector<Slot>& slots) {
+            std::vector<Residue> residues;
+            for (const Slot slot : slots) residues.push_back(run.at_origin(slot));
+            return residues;
+        };
+        certificate.primes.push_back(point.field.prime());
+        result.push_back(
+            {point.field, values(plan.growth), values(plan.omega), values(plan.angle), point.values});
+    }
+    return result;
+}
+
+} // namespace
+
+Certificate certify_numbers(const Normalization& n, const GradedField& field, std::uint64_t seed) {
+    Certificate certificate;
+    certificate.route = "substitution, balls";
+    certificate.through_weight = field.system().weight(n.normal_form.through);
+    certificate.error_probability = std::numeric_limits<double>::quiet_NaN();
+    certificate.complaint = shape_complaint(n.normal_form, n.map);
+    if (!certificate.complaint.empty()) return certificate;
+
+    const CertificatePlan plan = plan_certificate(*n.normal_form.field, nullptr);
+    const std::string residual = residual_complaint(n, plan, seed, certificate);
+    const std::string scan = scan_complaint(n.normal_form, n.map, sampled(field, seed, certificate));
+    certificate.residual_zero = residual.empty();
+    certificate.normal_form_scan = scan.empty();
+    certificate.holds = certificate.residual_zero && certificate.normal_form_scan;
+    certificate.complaint = residual + (residual.empty() || scan.empty() ? "" : "; ") + scan;
+    return certificate;
+}
+
+} // namespace resonform

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coefficients in numbers of D digits: they agree with exact ones, their digits are right, modes without
+// closed form are found, and the certificate sees every lie.
+#include "normalize/lies.hpp"
+#include "normalize/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cln/cln.h>
+
+namespace resonform {
+namespace {
+
+using test::coefficient_of;
+
+std::string fast(const std::vector<std::pair<std::string, std::string>>& equations,
+                 const std::string& more_variables = "", const std::string& more_equations = "",
+                 const std::string& near = "") {
+    std::string variables, text;
+    for (const auto& [name, equation] : equations) {
+        variables += name + " = { role = \"fast\" }\n";
+        text += name + " = \"" + equation + "\"\n";
+    }
+    return "[system]\nname = \"numbers\"\n" + near + "[variables]\n" + variables + more_variables +
+           "[equations]\n" + text + more_equations;
+}
+
+std::shared_ptr<const GradedField> field_of(const std::string& toml, int digits) {
+    System system = read_system_text(toml, "system.toml");
+    system.digits = digits;
+    return std::make_shared<const GradedField>(expand(std::make_shared<const FirstOrderSystem>(
+        solve_for_highest(std::make_shared<const System>(std::move(system))))));
+}
+
+struct InNumbers {
+    std::shared_ptr<const GradedField> field;
+    Normalization n;
+};
+
+InNumbers normalized(const std::string& toml, int through, int digits) {
+    InNumbers result{field_of(toml, digits), {}};
+    result.n = normalize_in_numbers(result.field, through);
+    result.n.certificate = certify_numbers(result.n, *result.field);
+    EXPECT_TRUE(result.n.certificate.holds) << result.n.certificate.complaint << "\n" << toml;
+    return result;
+}
+
+// |a - b| <= 10^-digits |b|, as powers of ten: number is a rational.
+void expect_close(const Rational& a, const RealBall& b, int digits, const std::string& where) {
+    RealBall difference(a, 4096);
+    arb_sub(difference.get(), difference.get(), b.get(), 4096);
+    const std::int64_t allowed = binary_exponent(b) - static_cast<std::int64_t>(3.32 * digits);
+    EXPECT_LE(binary_exponent(difference), allowed) << where;
+}
+
+// Every coefficient of `rounded` is that of `exact` to all digits, and neither has one more.
+void expect_same(const Normalization& exact, const Normalization& rounded, int digits) {
+    const RingPtr ring = exact.normal_form.field->ring;
+    const NumberDomain numbers(ring, 1, 4096, {});
+    const std::vector<GeneratorId> outer = exact.normal_form.field->outer();
+    const std::vector<GeneratorId> outer_rounded = rounded.normal_form.field->outer();
+    Normalization a = exact, b = rounded;
+    const auto left = test::all_series(a), right = test::all_series(b);
+    ASSERT_EQ(left.size(), right.size());
+    for (std::size_t k = 0; k < left.size(); ++k) {
+        const auto terms = ring->collect(left[k].series->total(99), outer);
+        const Ring& other = *rounded.normal_form.field->ring;
+        const auto found = other.collect(right[k].series->total(99), outer_rounded);
+        ASSERT_EQ(terms.size(), found.size()) << left[k].name;
+        for (const auto& [monomial, coefficient] : terms) {
+            std::vector<int> exponents;
+            for (const GeneratorId id : outer) exponents.push_back(ring->exponent(monomial, id));
+            const auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) {
+                for (std::size_t n = 0; n < outer_rounded.size(); ++n)
+                    if (other.exponent(f.first, outer_rounded[n]) != exponents[n]) return false;
+                return true;
+            });
+            ASSERT_NE(same, found.end()) << left[k].name;
+            const ComplexBall wanted = numbers.value(coefficient);
+            Rational re = 0, im = 0;
+            for (const Term& t : same->second.terms())
+                (other.exponent(t.monomial, Ring::imaginary_unit) == 1 ? im : re) = t.coefficient;
+            if (!wanted.re().is_zero()) expect_close(re, wanted.re(), digits, left[k].name);
+            if (!wanted.im().is_zero()) expect_close(im, wanted.im(), digits, left[k].name);
+        }
+    }
+}
+
+// Frequencies 1 and sqrt(3), a drift, a root and a function of numbers; small, and finite with eps.
+TEST(Numbers, AgreeWithTheRing) {
+    for (const std::string& toml :
+         {fast({{"x", "x'' = -x - x^2*y + sqrt(2)*x*y"}, {"y", "y'' = -3*y + x^2/7 - exp(1/2)*y^3"}},
+               "X = { role = \"drift\" }\n", "X = \"X' = eps*x^2 + x*y'\"\n"),
+          fast({{"x", "x'' = -2*x - x'/3 + x^3 + eps*cos(x)*y"}, {"y", "y' = -y + x*y + 1/3*x^2"}}),
+          std::string("[system]\nname = \"finite\"\n[variables]\nx = { role = \"fast\", weight = 0 }\n"
+                      "phi = { role = \"angle\" }\n[equations]\nx = \"x'' + 5*x = eps*(1 - x^2)*x' + "
+                      "eps*cos(phi)*x^2\"\nphi = \"phi' = sqrt(7)\"\n")}) {
+        const auto exact_field = field_of(toml, 0);
+        const Normalization exact = normalize_poincare(exact_field, 4);
+        const InNumbers rounded = normalized(toml, 4, 25);
+        expect_same(exact, rounded.n, 25 + spare_digits);
+    }
+}
+
+// 1/3, 1/7 and 10^-40 are no binary numbers: digits are those that were asked for and more.
+TEST(Numbers, HaveAllDigitsAtAnyPrecision) {
+    const std::string toml = fast({{"x", "x'' = -x + x^3/7 + 1e-40*x^2"}});
+    const Normalization exact = normalize_poincare(field_of(toml, 0), 5);
+    for (const int digits : {fewest_digits, 16, 200, most_digits})
+        expect_same(exact, normalized(toml, 5, digits).n, digits + spare_digits);
+}
+
+const std::vector<std::pair<std::string, std::string>> chain = {{"a", "a'' = -2*a + b - a^3/6"},
+                                                                {"b", "b'' = -3*b + a + c - b^2/5"},
+                                                                {"c", "c'' = -5/2*c + b + d"},
+                                                                {"d", "d'' = -7/3*d + c + e + d*e"},
+                                                                {"e", "e'' = -2*e + d"}};
+
+// The frequencies are the square roots of the eigenvalues of the stiffness matrix: their squares add up to
+// its trace, and those of their squares to that of its square. Undamped is undamped, exactly.
+TEST(Numbers, ModesWithoutClosedFormAreFound) {
+    EXPECT_THROW(field_of(fast(chain), 0), Error);
+    const InNumbers found = normalized(fast(chain), 3, 40);
+    const GradedField& field = *found.n.normal_form.field;
+    ASSERT_EQ(field.modes.size(), 5U);
+    Rational trace = 0, squares = 0, last = 0;
+    for (const Mode& mode : field.modes) {
+        EXPECT_TRUE(mode.growth.empty());
+        const Rational omega = mode.omega.terms().front().coefficient;
+        EXPECT_GT(omega, last);
+        last = omega;
+        trace = trace + omega * omega;
+        squares = squares + omega * omega * omega * omega;
+    }
+    const Rational exact = Rational(2) + 3 + Rational(5) / 2 + Rational(7) / 3 + 2;
+    const Rational exact_squares = Rational(4) + 9 + Rational(25) / 4 + Rational(49) / 9 + 4 + 8;
+    expect_close(trace, RealBall(exact, 4096), 58, "trace");
+    expect_close(squares, RealBall(exact_squares, 4096), 58, "trace of squares");
+    // |z|^2 z of each pair stays, and it is a frequency: purely imaginary
+    const Polynomial shift = coefficient_of(field, found.n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}});
+    ASSERT_EQ(shift.size(), 1U);
+    EXPECT_EQ(field.ring->exponent(shift.terms().front().monomial, Ring::imaginary_unit), 1);
+}
+
+// The same system, found in closed form and in numbers: a third variable that is irreducibly coupled by a
+// factor that vanishes makes the block too large for closed forms otherwise.
+TEST(Numbers, DampedModesOfOddBlocks) {
+    const InNumbers found = normalized(fast({{"x", "x'' = -2*x - x'/10 + y + x^2"},
+                                             {"y", "y'' = -3*y + x - y'/7 + w"},
+                                             {"w", "w' = -w + x - y*w"}},
+                                            "X = { role = \"drift\" }\n", "X = \"X' = eps*x^2\"\n"),
+                                       3, 30);
+    const GradedField& field = *found.n.normal_form.field;
+    ASSERT_EQ(field.modes.size(), 3U);
+    EXPECT_TRUE(field.modes[0].is_real());
+    Rational trace = field.modes[0].growth.terms().front().coefficient;
+    for (std::size_t k = 1; k < 3; ++k) trace = trace + 2 * field.modes[k].growth.terms().front().coefficient;
+    expect_close(trace, RealBall(Rational(-1) / 10 - Rational(1) / 7 - 1, 4096), 48, "trace");
+}
+
+// Two copies of one chain: their frequencies are equal, and that is known.
+TEST(Numbers, EqualBlocksAreResonantExactly) {
+    std::vector<std::pair<std::string, std::string>> both;
+    for (const std::string copy : {"p", "q"}) {
+        const std::string a = copy + "1", b = copy + "2", c = copy + "3", d = copy + "4", e = copy + "5";
+        both.emplace_back(a, a + "'' = -2*" + a + " + " + b + (copy == "p" ? " + q1*p2*q3" : ""));
+        both.emplace_back(b, b + "'' = -3*" + b + " + " + a + " + " + c);
+        both.emplace_back(c, c + "'' = -4*" + c + " + " + b + " + " + d);
+        both.emplace_back(d, d + "'' = -2*" + d + " + " + c + " + " + e);
+        both.emplace_back(e, e + "'' = -5*" + e + " + " + d);
+    }
+    const InNumbers found = normalized(fast(both), 3, 20);
+    const auto& rate = found.n.normal_form.mode[0];
+    // q1 p2 q3 has w11 w11 conj(w1): resonant with w1 only as both frequencies are the same number
+    EXPECT_FALSE(coefficient_of(*found.n.normal_form.field, rate, {{"z2", 1}, {"z11", 2}}).empty());
+}
+
+// lambda^2 = -s, s^3 - 6 s^2 + 9 s - 3 = 0, and the same for lambda/2: 2 w1 = w2 for a reason that numbers
+// cannot see.
+std::vector<std::pair<std::string, std::string>> doubled() {
+    return {{"a", "a'' = b + a*b"}, {"b", "b'' = c"}, {"c", "c'' = -3*a - 9*b - 6*c"},
+            {"p", "p'' = q + a^2"}, {"q", "q'' = r"}, {"r", "r'' = -192*p - 144*q - 24*r"}};
+}
+
+TEST(Numbers, WhatCannotBeToldFromZeroIsRefusedOrKeptNear) {
+    try {
+        normalize_in_numbers(field_of(fast(doubled()), 15), 2);
+        FAIL() << "2 omega_1 = omega_2 was divided by";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_NE(std::string(error.what()).find("told from zero"), std::string::npos) << error.what();
+    }
+    const std::string near = "[normal_form]\nnear = 1e-6\n";
+    const InNumbers kept = normalized(fast(doubled(), "", "", near), 2, 15);
+    EXPECT_TRUE(std::any_of(kept.n.divisors.begin(), kept.n.divisors.end(),
+                            [](const DivisorRecord& d) { return d.verdict == DivisorVerdict::kept_near; }));
+}
+
+TEST(Numbers, EveryLieIsFound) {
+    const InNumbers chain_of_two = normalized(
+        fast({{"x", "x'' = -2*x - x'/10 + y + x^2"}, {"y", "y'' = -3*y + x + w"}, {"w", "w' = -w + x"}}), 2,
+        10);
+    EXPECT_GT(
+        test::expect_all_lies_found(
+            chain_of_two.n, [&](const Normalization& n) { return certify_numbers(n, *chain_of_two.field); }),
+        50);
+}
+
+// The last digits that are asked for are in the certificate's sight, and so are monomials out of place.
+TEST(Numbers, SmallLiesAndMisplacedTermsAreFound) {
+    const InNumbers truth = normalized(fast({{"x", "x'' = -2*x + x^3"}, {"y", "y'' = -5*y + x^2*y"}}), 3, 20);
+    const auto holds = [&](const Normalization& n) { return certify_numbers(n, *truth.field).holds; };
+    Normalization n = truth.n;
+    const Polynomial part = n.normal_form.mode[0].part(3);
+    n.normal_form.mode[0].set(3, (1 + Rational(1) / cln::expt_pos(Integer(10), 20)) * part);
+    EXPECT_FALSE(holds(n));
+    n = truth.n; // a resonant term in the map: the residual does not see it, the scan does
+    const Ring& ring = *n.normal_form.field->ring;
+    n.map.mode[0].set(3, n.map.mode[0].part(3) + Rational(1) * test::monomial(ring, {{"z1", 2}, {"z2", 1}}));
+    EXPECT_FALSE(holds(n));
+    n = truth.n; // h = 0, N = F
+    for (std::size_t k = 0; k < n.map.mode.size(); ++k)
+        for (int w = 0; w <= n.map.mode[k].through(); ++w) n.map.mode[k].set(w, {});
+    EXPECT_FALSE(holds(n));
+}
+
+TEST(Numbers, WantNumbers) {
+    const auto kind_of = [](const std::string& toml) {
+        try {
+            normalize_in_numbers(field_of(toml, 20), 3);
+        } catch (const Error& error) {
+            return error.kind();
+        }
+        ADD_FAILURE() << "not an error: " << toml;
+        return Kind::bad_input;
+    };
+    EXPECT_EQ(kind_of("[system]\nname = \"p\"\n[parameters]\nk = {}\n[variables]\nx = { role = \"fast\" "
+                      "}\n[equations]\nx = \"x'' = -x + k*x^3\"\n"),
+              Kind::bad_input);
+    EXPECT_EQ(
+        kind_of(fast({{"x", "x'' = -x + tau*x^3"}}, "tau = { role = \"slow\" }\n", "tau = \"tau' = eps\"\n")),
+        Kind::refused);
+    EXPECT_EQ(kind_of(fast({{"x", "x' = y"}, {"y", "y' = x^2"}}, "", "",
+                           "[normal_form]\nstyle = \"inner_product\"\n")),
+              Kind::refused);
+}
+
+} // namespace
+} // namespace resonform
