@@ -163,15 +163,18 @@ bool NumberDomain::is_one(const Part& p) const {
     return is_zero(combination({{1, &p}, {-1, &unit}}));
 }
 
-NumberPart NumberDomain::without_linear(const Part& p) const {
+NumberPart NumberDomain::without_linear(const Part& p, int weight) const {
     NumberPart result{{}, {}, p.real};
     const Ring& ring = *monomials().ring();
     for (std::size_t k = 0; k < p.size(); ++k) {
         const Monomial m = monomials().monomial(p.keys[k]);
-        int degree = 0;
-        for (GeneratorId id = 1; id < ring.size(); ++id)
-            if (ring.generator(id).kind == GeneratorKind::fast) degree += ring.exponent(m, id);
-        if (degree != 1) result.append(p.keys[k], p.coefficients[k]);
+        int degree = 0, own = 0;
+        for (GeneratorId id = 1; id < ring.size(); ++id) {
+            if (ring.generator(id).kind != GeneratorKind::fast) continue;
+            degree += ring.exponent(m, id);
+            if (ring.generator(id).weight == weight) own += ring.exponent(m, id);
+        }
+        if (degree != 1 || own != 1) result.append(p.keys[k], p.coefficients[k]);
     }
     return result;
 }

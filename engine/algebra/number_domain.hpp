@@ -63,8 +63,8 @@ public:
     [[nodiscard]] Part without_vanishing(Part p, const std::vector<GeneratorId>& /*outer*/) const {
         return p;
     }
-    // Without what is linear in fast variables, which is known to vanish.
-    [[nodiscard]] Part without_linear(const Part& p) const;
+    // Of a part of this weight, without what is linear in fast variables of this weight.
+    [[nodiscard]] Part without_linear(const Part& p, int weight) const;
     template <class ShareOf>
     [[nodiscard]] std::vector<Part> split(const Part& p, const std::vector<GeneratorId>& outer,
                                           ShareOf share_of) const {

@@ -57,7 +57,7 @@ std::string certificate_remark(const Certificate& certificate) {
     if (!certificate.holds) return "certificate: DOES NOT HOLD: " + certificate.complaint;
     if (!std::isfinite(certificate.error_probability))
         return fmt::format("certificate: holds through weight {} ({}; {} points, all residuals are small)",
-                           certificate.through_weight, certificate.route, certificate.points);
+                           to_string(certificate.through_weight), certificate.route, certificate.points);
     return fmt::format("certificate: holds through weight {} ({}; {} points, error probability {:.1e})",
                        to_string(certificate.through_weight), certificate.route, certificate.points,
                        certificate.error_probability);

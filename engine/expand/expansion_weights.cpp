@@ -63,6 +63,10 @@ void Expansion::check_leading_terms() const {
     const Ring& ring = *field_.ring;
     const std::vector<int> weights = field_.mode_weights();
     if (weights.empty() || (weights.size() == 1 && weights.front() <= 1)) return;
+    if (field_.basis.numeric)
+        refuse({"modes without closed form go with fast variables of weight 1 (or 0) and whole powers of eps",
+                fmt::format("weight {}", to_string(system_.weight(weights.front()))),
+                "leave out the weights, or give the modes in [modes]", whole_file(system_.file)});
     SeriesRun run(*program_);
     for (int n = 0; n <= weights.front(); ++n) {
         const auto set = [&](SeriesProgram::Node input, GeneratorId id) {

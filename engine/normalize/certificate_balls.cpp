@@ -107,8 +107,8 @@ BallRun::BallRun(const CertificatePlan& plan, const NormalForm& normal_form, con
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!plan.needed[k]) continue;
         const bool reads = steps[k].operation == Operation::value || steps[k].operation == Operation::slope;
-        slots_[k] = run(steps[k],
-                        reads ? &series_of(steps[k].series, plan.program, normal_form, map) : nullptr);
+        slots_[k] =
+            run(steps[k], reads ? &series_of(steps[k].series, plan.program, normal_form, map) : nullptr);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 namespace resonform {
@@ -16,14 +17,14 @@ namespace {
 constexpr int points = 4, samples = 2;
 constexpr double bits_of_digit = 3.3219280948873623;
 
-// Is it smaller than 10^-(digits + spare_digits/2) times the sum of the magnitudes of its terms? What is not a
-// number is not small.
+// Is it smaller than 10^-(digits + spare_digits/2) times the sum of the magnitudes of its terms? What is not
+// a number is not small.
 bool is_small(const BallRun::Coefficient& c, int digits, std::int64_t bits) {
     RealBall magnitude, bound = RealBall(power_of_ten(-(digits + spare_digits / 2)), bits), size;
     acb_abs(magnitude.get(), c.value.get(), bits);
     arb_set_d(size.get(), c.size);
     arb_mul(bound.get(), bound.get(), size.get(), bits);
-    return arb_le(magnitude.get(), bound.get()) != 0;
+    return std::isfinite(c.size) && arb_le(magnitude.get(), bound.get()) != 0;
 }
 
 // What is not small at a point, of the lowest weight; "" if all is.
@@ -66,11 +67,12 @@ std::string residual_complaint(const Normalization& n, const CertificatePlan& pl
         const BallPoint point = random_ball_point(field.ring, random, bits);
         const BallRun run(plan, n.normal_form, n.map, point);
         if (!is_regular(plan, run, bits))
-            refuse({"at the origin no denominator of the equations vanishes and their highest derivatives are "
-                    "determined",
-                    system.name,
-                    "divide the equations by what vanishes at the origin",
-                    {}});
+            refuse(
+                {"at the origin no denominator of the equations vanishes and their highest derivatives are "
+                 "determined",
+                 system.name,
+                 "divide the equations by what vanishes at the origin",
+                 {}});
         const std::string here = complaint_of(plan, run, system, n.normal_form.through, bits);
         if (complaint.empty()) complaint = here;
     }

@@ -12,9 +12,9 @@
 namespace resonform {
 
 // A rate without lambda w has no linear terms in w: they cancel exactly where coefficients are exact.
-template <class Domain, class Part> Part without_linear(const Domain&, Part p) { return p; }
-inline NumberPart without_linear(const NumberDomain& domain, const NumberPart& p) {
-    return domain.without_linear(p);
+template <class Domain, class Part> Part without_linear(const Domain&, Part p, int) { return p; }
+inline NumberPart without_linear(const NumberDomain& domain, const NumberPart& p, int weight) {
+    return domain.without_linear(p, weight);
 }
 
 // Goes through the weights once, at each in an order in which what an equation needs is known:
@@ -168,7 +168,7 @@ private:
         for (std::size_t k = 0; k < equations.size(); ++k) {
             right.push_back(equations[k]->right_hand_side(weight, run_.part(rates[k], weight), transport_));
             if (const int m = equations[k]->mode(); m >= 0 && weight == weight_of(m))
-                right.back() = without_linear(domain_, std::move(right.back()));
+                right.back() = without_linear(domain_, std::move(right.back()), weight);
         }
         style_->solve(weight, equations, right);
     }

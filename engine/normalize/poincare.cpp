@@ -57,7 +57,7 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
 
 NormalizationOf<NumberPart> normalize_over(const std::shared_ptr<const GradedField>& field, int through,
                                            const NumberDomain& domain, const NormalizeOptions& options) {
-    check_order(through);
+    check_order(*field, through);
     Normalizer<NumberDomain> normalizer(field, domain, std::make_unique<PoincareStyle<NumberDomain>>(domain),
                                         through);
     static_cast<void>(advance_through(normalizer, through, options)); // zero is not in what it divides by
