@@ -45,7 +45,7 @@ InNumbers normalized(const std::string& toml, int through, int digits) {
     return result;
 }
 
-// |a - b| <= 10^-digits |b|, as powers of ten: number is a rational.
+// |a - b| <= 10^-digits |b|
 void expect_close(const Rational& a, const RealBall& b, int digits, const std::string& where) {
     RealBall difference(a, 4096);
     arb_sub(difference.get(), difference.get(), b.get(), 4096);
