@@ -81,14 +81,7 @@ std::string residual_complaint(const Normalization& n, const CertificatePlan& pl
 
 // The frequencies of the field as they are known exactly, at random points modulo primes.
 std::vector<FrequencySample> sampled(const GradedField& field, std::uint64_t seed, Certificate& certificate) {
-    CertificatePlan plan;
-    const auto noted = [&](const Polynomial& p) { return plan.program.value(p); };
-    for (const Mode& m : field.modes) {
-        plan.growth.push_back(noted(m.growth));
-        plan.omega.push_back(noted(m.omega));
-    }
-    for (const AngleVariable& a : field.angles) plan.angle.push_back(noted(a.frequency));
-    plan.needed.assign(plan.program.steps().size(), true);
+    const CertificatePlan plan = plan_frequencies(field);
     NormalForm none;
     none.field = std::make_shared<const GradedField>(field);
     std::vector<FrequencySample> result;

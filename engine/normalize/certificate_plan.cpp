@@ -108,6 +108,18 @@ CertificatePlan plan_certificate(const GradedField& field, const HamiltonianForm
     return plan;
 }
 
+CertificatePlan plan_frequencies(const GradedField& field) {
+    CertificatePlan plan;
+    for (const Mode& m : field.modes) {
+        plan.growth.push_back(plan.program.value(m.growth));
+        plan.omega.push_back(plan.program.value(m.omega));
+    }
+    for (const AngleVariable& a : field.angles) plan.angle.push_back(plan.program.value(a.frequency));
+    plan.needed = needed_slots(plan);
+    plan.readings = readings_of(plan);
+    return plan;
+}
+
 const Series& series_of(SeriesName name, const CertificateProgram& program, const NormalForm& normal_form,
                         const NearIdentityMap& map) {
     switch (name.kind) {
