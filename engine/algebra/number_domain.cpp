@@ -26,6 +26,8 @@ void NumberDomain::find_values() {
         const auto given = state_->given.generators.find(id);
         if (given != state_->given.generators.end())
             values[static_cast<std::size_t>(id)] = given->second;
+        else if (g.kind == GeneratorKind::parameter && g.name == "pi") // no user has that name
+            arb_const_pi(values[static_cast<std::size_t>(id)].emplace().get(), bits());
         else if (g.kind == GeneratorKind::root)
             values[static_cast<std::size_t>(id)] = root_of(g);
         else if (g.kind == GeneratorKind::function)

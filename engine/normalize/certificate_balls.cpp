@@ -81,11 +81,9 @@ BallPoint random_ball_point(const RingPtr& ring, std::mt19937_64& random, std::i
         case GeneratorKind::imaginary: value = ComplexBall(RealBall(), RealBall(1)); break;
         case GeneratorKind::fast:
         case GeneratorKind::phase: value = random_value(random, false); break;
-        case GeneratorKind::root:
-        case GeneratorKind::function:
+        case GeneratorKind::small: value = random_value(random, true); break;
+        default: // what is left of numbers; modes and frequencies were rounded, and are met no more
             if (numbers.has_value(id)) value = numbers.value(ring->gen(id));
-            break;
-        default: value = random_value(random, true); // eps; numbers that were rounded are met no more
         }
     }
     for (GeneratorId id = 0; id < ring->size(); ++id) {
