@@ -2,6 +2,8 @@
 // One battery of laws for every folder in systems/: adding a system adds it here. Random systems go through
 // the same laws in tests/normalize.
 #include "emit/derive.hpp"
+#include "literature/point_in_doubles.hpp"
+#include "model/settings.hpp"
 #include "normalize/certificate.hpp"
 #include "normalize/inverse_map.hpp"
 #include "normalize/normalize.hpp"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <sstream>
 
@@ -101,6 +104,52 @@ TEST_P(EverySystem, DoesNotDependOnNames) {
     for (std::size_t k = 0; k < names.size(); ++k)
         back = replaced(back, "q" + std::to_string(names.size() - k) + "_" + names[k], names[k]);
     EXPECT_EQ(json(n), back);
+}
+
+// Values of the parameters that no relation gives.
+std::map<std::string, Rational> values_of(const System& system) {
+    static const int primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+    std::map<std::string, Rational> values;
+    for (const Parameter& p : system.parameters) {
+        const std::size_t k = values.size();
+        values[p.name] = Rational(primes[k + 1]) / Rational(primes[k]);
+    }
+    return values;
+}
+
+std::map<std::string, double> in_doubles(const std::map<std::string, Rational>& values) {
+    std::map<std::string, double> result;
+    for (const auto& [name, value] : values) result[name] = cln::double_approx(value);
+    return result;
+}
+
+// With numbers for the parameters from the start: other rings, other roots.
+TEST_P(EverySystem, AgreesWithNumbersForItsParameters) {
+    const Normalization symbolic = normalized(text_of(GetParam()));
+    const std::map<std::string, Rational> values = values_of(symbolic.normal_form.field->system());
+    std::vector<Setting> settings;
+    for (const auto& [name, value] : values)
+        settings.push_back(read_setting(name + "=" + to_string(value), "--set"));
+    const System numbers =
+        with_settings(read_system_text(text_of(GetParam()), "test/system.toml"), settings, "--set");
+    const Normalization numeric =
+        normalize(std::make_shared<const GradedField>(expand(test::first_order_of(numbers))), order);
+    EXPECT_TRUE(certify(numeric.normal_form, numeric.map).holds);
+    test::expect_same_values(symbolic, numeric, in_doubles(values));
+}
+
+// The table of parameters read from below.
+TEST_P(EverySystem, DoesNotDependOnTheOrderOfItsParameters) {
+    const std::string text = text_of(GetParam());
+    const std::size_t table = text.find("[parameters]\n");
+    if (table == std::string::npos) return;
+    const std::size_t begin = text.find('\n', table) + 1, end = text.find("\n\n", table) + 1;
+    std::istringstream lines(text.substr(begin, end - begin));
+    std::string line, reversed;
+    while (std::getline(lines, line)) reversed = line + "\n" + reversed;
+    const Normalization n = normalized(text);
+    test::expect_same_values(n, normalized(text.substr(0, begin) + reversed + text.substr(end)),
+                             in_doubles(values_of(n.normal_form.field->system())));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EverySystem, ::testing::ValuesIn(systems()),
