@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What expand() does where modes are numbers that the ring does not hold.
 #include "expand/expansion.hpp"
+#include "expand/number_index.hpp"
 #include "expand/numeric_modes.hpp"
 
 #include <fmt/format.h>
@@ -11,11 +12,9 @@ using Node = SeriesProgram::Node;
 
 namespace {
 
-// Where the entries of mode k and state s stand among GivenNumbers::numbers.
-enum class Entry : std::size_t { column, conjugate, row };
-
-std::size_t index_of(std::size_t k, std::size_t s, Entry entry, const ModalBasis& basis) {
-    return 3 * (k * basis.states.size() + s) + static_cast<std::size_t>(entry);
+Node entry_of(SeriesProgram& program, const ModalBasis& basis, std::size_t mode, std::size_t state,
+              NumberOf what) {
+    return program.number(number_index(mode, state, basis.states.size(), what));
 }
 
 } // namespace
@@ -42,10 +41,10 @@ Node Expansion::numeric_state(std::size_t s) {
     Addends addends;
     for (std::size_t k = 0; k < field_.modes.size(); ++k) {
         const Mode& mode = field_.modes[k];
-        const Node column = program_->number(index_of(k, s, Entry::column, field_.basis));
+        const Node column = entry_of(*program_, field_.basis, k, s, NumberOf::column);
         addends.emplace_back(1, program_->product(column, mode.input));
         if (mode.is_real()) continue;
-        const Node conjugate = program_->number(index_of(k, s, Entry::conjugate, field_.basis));
+        const Node conjugate = entry_of(*program_, field_.basis, k, s, NumberOf::conjugate_column);
         addends.emplace_back(1, program_->product(conjugate, mode.input_conjugate));
     }
     return program_->sum(addends);
@@ -56,7 +55,7 @@ Node Expansion::numeric_rate(std::size_t k) {
     Addends addends;
     for (std::size_t s = 0; s < field_.basis.states.size(); ++s) {
         const State& state = first_order_->states[field_.basis.states[s]];
-        const Node row = program_->number(index_of(k, s, Entry::row, field_.basis));
+        const Node row = entry_of(*program_, field_.basis, k, s, NumberOf::row);
         addends.emplace_back(
             1, program_->product(row, (*translate_)(state.rate, place_of_equation(state.variable))));
     }

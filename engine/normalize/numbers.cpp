@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/numbers.hpp"
 
-#include "model/expression.hpp"
+#include "expand/number_index.hpp"
 #include "normalize/divisor.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,9 @@ public:
     Rounding(const GradedField& field, const NumberDomain& domain)
         : field_(field), domain_(domain), digits_(field.system().digits + spare_digits) {}
 
-    [[nodiscard]] Rational number(const RealBall& c) const { return rounded(c, digits_); }
+    [[nodiscard]] Rational number(const RealBall& c) const {
+        return c.contains_zero() ? Rational(0) : rounded(c, digits_);
+    }
     // growth + i frequency
     [[nodiscard]] Polynomial constant(const Polynomial& p) const {
         const ComplexBall c = domain_.value(p);
@@ -38,10 +40,15 @@ public:
         const std::int64_t scale = scale_of(series);
         for (int n = 0; n <= series.through(); ++n)
             for (const RealBall& c : series.part(n).coefficients)
-                if (c.contains_zero() ? binary_exponent(c) > scale - bits_of(digits_)
-                                      : accurate_bits(c) < bits_of(digits_))
-                    return false;
+                if (!is_certain(c, scale)) return false;
         return true;
+    }
+    [[nodiscard]] bool is_certain(const GivenNumbers& given) const {
+        return std::all_of(given.generators.begin(), given.generators.end(),
+                           [&](const auto& entry) { return is_certain(entry.second, 0); }) &&
+               std::all_of(given.numbers.begin(), given.numbers.end(), [&](const ComplexBall& c) {
+                   return is_certain(c.re(), 0) && is_certain(c.im(), 0);
+               });
     }
     [[nodiscard]] Series series(const BasicSeries<Part>& from) const {
         Series result;
@@ -63,6 +70,11 @@ public:
     }
 
 private:
+    // All digits are, or it is zero beside 2^scale.
+    [[nodiscard]] bool is_certain(const RealBall& c, std::int64_t scale) const {
+        return c.contains_zero() ? binary_exponent(c) <= scale - bits_of(digits_)
+                                 : accurate_bits(c) >= bits_of(digits_);
+    }
     static std::int64_t scale_of(const BasicSeries<Part>& series) {
         std::int64_t scale = 0; // no coefficient matters that is far below 1 when all are
         for (int n = 0; n <= series.through(); ++n)
@@ -100,15 +112,16 @@ GradedField rounded_field(const GradedField& field, const GivenNumbers& given, c
         mode.omega = rounding.constant(mode.omega);
         ModeShape& shape = result.basis.modes[k];
         shape.eigenvalue = complex(domain.value(field.eigenvalue(field.modes[k])));
-        const auto evaluated = [&](std::vector<Complex>& vector, std::size_t entry) {
-            vector.resize(field.basis.states.size());
-            for (std::size_t s = 0; s < vector.size(); ++s)
+        const auto evaluated = [&](std::vector<Complex>& vector, NumberOf what) {
+            const std::size_t states = field.basis.states.size();
+            vector.resize(states);
+            for (std::size_t s = 0; s < states; ++s)
                 vector[s] = complex(field.basis.numeric
-                                        ? given.numbers[3 * (k * vector.size() + s) + entry]
+                                        ? given.numbers[number_index(k, s, states, what)]
                                         : domain.value(field.coefficients->convert(vector[s], place)));
         };
-        evaluated(shape.column, 0);
-        evaluated(shape.row, 2);
+        evaluated(shape.column, NumberOf::column);
+        evaluated(shape.row, NumberOf::row);
     }
     for (AngleVariable& angle : result.angles) {
         const RealBall frequency = domain.value(angle.frequency).re();
@@ -168,7 +181,7 @@ Normalization normalize_in_numbers(const std::shared_ptr<const GradedField>& fie
         const Rounding rounding(*field, domain);
         try {
             auto result = normalize_over(field, through, domain, options);
-            if (is_certain(result, rounding))
+            if (rounding.is_certain(*given) && is_certain(result, rounding))
                 return rounded_normalization(std::move(result), *given, domain, rounding);
         } catch (const UndecidedDivisor& divisor) {
             if (bits >= decisive * first_bits) refuse_undecided(divisor, bits);
