@@ -17,26 +17,12 @@ namespace resonform {
 namespace {
 
 using GiNaC::ex;
-using GiNaC::ex_to;
 using GiNaC::is_a;
 
 // While a ring is built its exponents have the narrowest fields.
 int largest_root_index() { return Packing().largest(); }
 
 int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
-
-// An exponent that is kept in a monomial.
-int to_exponent(const Rational& value, const ex& base, const Place& place) {
-    constexpr int largest = 16383; // of any ring
-    if (cln::abs(cln::numerator(value)) > largest)
-        refuse({fmt::format("exponents are at most {} once roots are taken out", largest), spell(base),
-                "use simpler exponents", place});
-    return to_int(cln::numerator(value));
-}
-
-bool is_rational_number(const ex& e) {
-    return is_a<GiNaC::numeric>(e) && ex_to<GiNaC::numeric>(e).is_rational();
-}
 
 } // namespace
 
@@ -70,7 +56,7 @@ bool CoefficientRing::has_weight(const ex& e) const {
 void CoefficientRing::collect(const ex& e, const Place& place) {
     if (is_a<GiNaC::power>(e)) {
         const ex& base = e.op(0);
-        if (!is_rational_number(e.op(1)))
+        if (!e.op(1).info(GiNaC::info_flags::rational))
             refuse({"exponents are rational numbers", spell(e), "write the power with a number", place});
         collect(base, place);
         if (!e.op(1).info(GiNaC::info_flags::nonnegint))
@@ -344,65 +330,6 @@ GeneratorId CoefficientRing::slow(std::size_t variable) const {
     for (const auto& [symbol, id] : symbols_)
         if (symbol.is_equal(system_->variables[variable].jet.front())) return id;
     return -1;
-}
-
-Polynomial CoefficientRing::convert(const ex& e, const Place& place) const {
-    return convert_rewritten(functions_->rewrite(e, place), place);
-}
-
-Polynomial CoefficientRing::convert_rewritten(const ex& e, const Place& place) const {
-    if (is_a<GiNaC::add>(e)) {
-        std::vector<Polynomial> summands;
-        for (const ex& term : operands(e)) summands.push_back(convert_rewritten(term, place));
-        return sum(summands);
-    }
-    if (is_a<GiNaC::mul>(e)) {
-        Polynomial product = ring_->one();
-        for (const ex& factor : operands(e))
-            product = ring_->multiply(product, convert_rewritten(factor, place));
-        return product;
-    }
-    if (is_rational_number(e)) return Polynomial(to_rational(e));
-    if (is_a<GiNaC::symbol>(e)) return convert_symbol(e, 1, place);
-    if (is_a<GiNaC::power>(e) && is_rational_number(e.op(1))) {
-        if (e.op(1).info(GiNaC::info_flags::nonnegint))
-            return ring_->power(convert_rewritten(e.op(0), place),
-                                to_int(cln::numerator(to_rational(e.op(1)))));
-        return convert_power(e.op(0), to_rational(e.op(1)), place);
-    }
-    refuse({"coefficients are built from numbers, parameters, slow variables, powers, roots and functions",
-            spell(functions_->domain().meaning(e)), "write it as a parameter", place});
-}
-
-Polynomial CoefficientRing::convert(const Complex& e, const Place& place) const {
-    const Polynomial re = convert(e.re, place);
-    return e.im.is_zero() ? re : re + ring_->multiply(ring_->imaginary(), convert(e.im, place));
-}
-
-Polynomial CoefficientRing::convert_symbol(const ex& symbol, int exponent, const Place& place) const {
-    for (const auto& [known, id] : symbols_)
-        if (symbol.is_equal(known)) return ring_->gen(id, exponent);
-    bad_input({"coefficients depend on parameters and slow variables only", spell(symbol),
-               "declare the variable as slow if its equation of motion says so", place});
-}
-
-Polynomial CoefficientRing::convert_power(const ex& base, const Rational& exponent,
-                                          const Place& place) const {
-    const PowerProduct product = split_power(base, exponent, functions_->domain(), place);
-    Polynomial result(product.number);
-    for (const auto& factor : product.factors) {
-        if (const Base* root = find_base(factor.base)) {
-            const int power = to_exponent(factor.exponent * root->index, factor.base, place);
-            result = ring_->multiply(result, ring_->gen(root->id, power));
-        } else {
-            const int power = to_exponent(factor.exponent, factor.base, place);
-            result =
-                ring_->multiply(result, is_a<GiNaC::symbol>(factor.base)
-                                            ? convert_symbol(factor.base, power, place)
-                                            : ring_->power(convert_rewritten(factor.base, place), power));
-        }
-    }
-    return result;
 }
 
 } // namespace resonform
