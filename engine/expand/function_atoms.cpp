@@ -258,7 +258,7 @@ private:
     // Where sine and cosine have roots for values.
     [[nodiscard]] Angle fraction_of_turn(const Rational& factor) const {
         const ex angle = to_ginac(factor) * GiNaC::Pi;
-        const Angle turn{GiNaC::cos(angle), GiNaC::sin(angle)};
+        Angle turn{GiNaC::cos(angle), GiNaC::sin(angle)};
         if (has_function(turn.cosine) || has_function(turn.sine))
             refuse({"sines and cosines of multiples of pi are those of multiples of pi/12 and pi/10",
                     spell(GiNaC::sin(angle)), "write the angle, or its sine and cosine, as a parameter",

@@ -28,7 +28,7 @@ public:
     explicit TakeOut(const ex& eps) : eps_(eps) {}
 
     ex operator()(const ex& e) override {
-        const ex mapped = e.map(*this);
+        ex mapped = e.map(*this);
         if (!is_rational_power(mapped) || !is_a<GiNaC::mul>(mapped.op(0)) || !mapped.has(eps_)) return mapped;
         ex outside = 1, inside = 1;
         for (const ex& factor : mapped.op(0)) {
@@ -83,7 +83,7 @@ void EpsPowers::note(const Rational& weight, const Place& place) {
 }
 
 ex EpsPowers::taken_out(const ex& e, const Place& place) {
-    const ex result = TakeOut(eps_)(e);
+    ex result = TakeOut(eps_)(e);
     for (GiNaC::const_preorder_iterator it = result.preorder_begin(); it != result.preorder_end(); ++it)
         if (is_rational_power(*it) && it->op(0).is_equal(eps_))
             note(rational_of(GiNaC::ex_to<GiNaC::numeric>(it->op(1))), place);

@@ -42,6 +42,7 @@ std::vector<Rational> taylor_coefficients(Elementary function, int through) {
     const bool alternating =
         function == Elementary::sine || function == Elementary::cosine || function == Elementary::arc_tangent;
     const bool even = function == Elementary::cosine || function == Elementary::hyperbolic_cosine;
+    const bool arc = function == Elementary::arc_tangent || function == Elementary::arc_sine;
     std::vector<Rational> c;
     Rational factorial = 1, central = 1; // k!, and binomial(2j, j)/4^j with j = (k - 1)/2
     for (int k = 0; k <= through; ++k) {
@@ -49,15 +50,13 @@ std::vector<Rational> taylor_coefficients(Elementary function, int through) {
         if (k > 0) factorial = factorial * k;
         if (odd && k > 1) central = central * (k - 2) / (k - 1);
         Rational value = 0;
-        if (function == Elementary::exponential)
-            value = 1 / factorial;
-        else if (function == Elementary::logarithm)
+        if (function == Elementary::logarithm)
             value = k == 0 ? Rational(0) : Rational(odd ? 1 : -1) / k;
         else if (odd && function == Elementary::arc_tangent)
             value = Rational(1) / k;
         else if (odd && function == Elementary::arc_sine)
             value = central / k;
-        else if (odd != even && function != Elementary::arc_tangent && function != Elementary::arc_sine)
+        else if (function == Elementary::exponential || (odd != even && !arc))
             value = 1 / factorial;
         c.push_back(alternating && k % 4 >= 2 ? -value : value);
     }
@@ -104,13 +103,20 @@ BallRun::BallRun(const CertificatePlan& plan, const NormalForm& normal_form, con
     slots_.resize(steps.size());
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!plan.needed[k]) continue;
-        const bool reads = steps[k].operation == Operation::value || steps[k].operation == Operation::slope;
-        slots_[k] =
-            run(steps[k], reads ? &series_of(steps[k].series, plan.program, normal_form, map) : nullptr);
+        const Step& step = steps[k];
+        const auto series = [&]() -> const Series& {
+            return series_of(step.series, plan.program, normal_form, map);
+        };
+        if (step.operation == Operation::value)
+            slots_[k] = value(series(), step.side);
+        else if (step.operation == Operation::slope)
+            slots_[k] = slope(series(), step.side, step.index);
+        else
+            slots_[k] = run(step);
     }
 }
 
-BallRun::Value BallRun::run(const Step& step, const Series* series) const {
+BallRun::Value BallRun::run(const Step& step) const {
     const auto operand = [&](Slot slot) -> const Value& { return (*this)(slot); };
     switch (step.operation) {
     case Operation::number: return number(step.number);
@@ -125,10 +131,10 @@ BallRun::Value BallRun::run(const Step& step, const Series* series) const {
         result[0] = operand(step.left)[0];
         return result;
     }
-    case Operation::value: return value(*series, step.side);
-    case Operation::slope: return slope(*series, step.side, step.index);
+    case Operation::value:
+    case Operation::slope: break;
     }
-    throw std::logic_error("BallRun: unknown operation");
+    throw std::logic_error("BallRun: a step that reads a series");
 }
 
 const ComplexBall& BallRun::value_of(GeneratorId id, Side side) const {

@@ -51,7 +51,10 @@ struct SeriesName {
     Kind kind;
     std::size_t index = 0;
 
-    friend auto operator<=>(const SeriesName&, const SeriesName&) = default;
+    friend bool operator==(const SeriesName&, const SeriesName&) = default;
+    friend bool operator<(const SeriesName& a, const SeriesName& b) {
+        return a.kind != b.kind ? a.kind < b.kind : a.index < b.index;
+    }
 };
 
 using Slot = int;
