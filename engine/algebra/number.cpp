@@ -8,6 +8,7 @@
 #include <cln/real.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <sstream>
 
 namespace resonform {
@@ -125,7 +126,7 @@ std::string to_string(const Rational& value) {
 
 Rational power_of_ten(int n) {
     if (n == 0) return 1; // expt_pos wants a positive exponent
-    const Integer power = cln::expt_pos(Integer(10), n > 0 ? n : -n);
+    const Integer power = cln::expt_pos(Integer(10), static_cast<unsigned>(std::abs(n)));
     return n > 0 ? Rational(power) : 1 / Rational(power);
 }
 
