@@ -88,7 +88,7 @@ std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& 
                            : normalize(expanded.field, through, options));
         },
         [&](Normalization& n) {
-            n.certificate = in_numbers ? certify_numbers(n, *expanded.field) : certify(n.normal_form, n.map);
+            n.certificate = in_numbers ? certify_numbers(n, expanded.field) : certify(n.normal_form, n.map);
         });
 }
 

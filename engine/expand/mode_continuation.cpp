@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eigenvectors of a block, continued to the blocks that it drives or that drive it.
+#include "expand/block_order.hpp"
 #include "expand/matrix_inverse.hpp"
 #include "expand/mode_finder.hpp"
 #include "model/zero_test.hpp"
@@ -30,24 +31,10 @@ ModeShape ModeFinder::extended(const BlockMode& mode, std::size_t block) const {
     return shape;
 }
 
-// (A_CC - lambda) v_C = -sum A_Ct v_t over the states t between; for rows with A transposed. A block comes
-// when all that lead to it have come.
+// (A_CC - lambda) v_C = -sum A_Ct v_t over the states t between; for rows with A transposed.
 void ModeFinder::extend(std::vector<Complex>& vector, const Complex& eigenvalue, std::size_t block,
                         bool rows) const {
-    const auto leads = [&](std::size_t from, std::size_t to) {
-        const std::size_t t = blocks_[from].front(), s = blocks_[to].front();
-        return from != to && (rows ? drives_[s][t] : drives_[t][s]);
-    };
-    std::vector<std::size_t> next;
-    for (std::size_t b = 0; b < blocks_.size(); ++b)
-        if (leads(block, b)) next.push_back(b);
-    std::stable_sort(next.begin(), next.end(), [&](std::size_t p, std::size_t q) {
-        const auto before = [&](std::size_t b) {
-            return std::count_if(next.begin(), next.end(), [&](std::size_t c) { return leads(c, b); });
-        };
-        return before(p) < before(q);
-    });
-    for (std::size_t b : next) {
+    for (const std::size_t b : blocks_reached(block, blocks_, drives_, rows)) {
         std::vector<Complex> right(blocks_[b].size());
         for (std::size_t k = 0; k < right.size(); ++k)
             for (std::size_t t = 0; t < vector.size(); ++t) {

@@ -43,11 +43,8 @@ private:
     [[nodiscard]] BlockName name_of(const Block& block) const;
     [[nodiscard]] BlockModes modes_of(const Block& block) const;
     [[nodiscard]] bool is_closed(const Block& block) const;
-    [[nodiscard]] bool is_closed() const { // all blocks
-        return std::all_of(blocks_.begin(), blocks_.end(), [&](const Block& b) { return is_closed(b); });
-    }
-    [[nodiscard]] ModalBasis numeric();
-    [[nodiscard]] bool is_semisimple() const; // false also where it is not proved
+    [[nodiscard]] ModalBasis numeric(const std::vector<bool>& closed); // by block
+    [[nodiscard]] bool is_semisimple() const;                          // false also where it is not proved
     [[nodiscard]] std::vector<ModeShape> jordan() const;
     [[nodiscard]] std::vector<std::size_t> from_driving_block() const; // each before those that it drives
     // The mode of a block by itself.

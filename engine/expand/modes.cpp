@@ -20,7 +20,11 @@ ModalBasis ModeFinder::find() {
     fill_linear_part();
     if (!system_.modes.empty()) return given_modal_basis(first_order_, basis_.states, linear_, coefficients_);
     find_blocks();
-    if (system_.digits > 0 && !is_closed()) return numeric();
+    if (system_.digits > 0) {
+        std::vector<bool> closed;
+        for (const Block& block : blocks_) closed.push_back(is_closed(block));
+        if (std::count(closed.begin(), closed.end(), false) > 0) return numeric(closed);
+    }
     for (const Block& block : blocks_) modes_.push_back(modes_of(block));
     if (system_.style == Style::inner_product && !is_semisimple()) {
         basis_.modes = jordan();
@@ -118,11 +122,11 @@ bool ModeFinder::is_closed(const Block& block) const {
            has_closed_modes(matrix_of(block), system_, name_of(block));
 }
 
-ModalBasis ModeFinder::numeric() {
+ModalBasis ModeFinder::numeric(const std::vector<bool>& closed) {
     std::vector<NumericModes::BlockOfStates> blocks;
-    for (const Block& block : blocks_) {
-        blocks.push_back({block, std::nullopt});
-        if (is_closed(block)) blocks.back().closed = modes_of(block).modes;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        blocks.push_back({blocks_[b], std::nullopt});
+        if (closed[b]) blocks.back().closed = modes_of(blocks_[b]).modes;
     }
     basis_.numeric = std::make_shared<const NumericModes>(linear_, drives_, blocks, coefficients_, place(0));
     const auto symbol = [&](std::size_t mode, bool growth) -> ex {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/numeric_modes.hpp"
 
+#include "expand/block_order.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -158,31 +160,17 @@ auto NumericModes::values(const Found& modes, const NumberDomain& domain) const 
     return result;
 }
 
-// (A_CC - lambda) v_C = -sum A_Ct v_t over the states t between; for rows with A transposed. A block comes
-// when all that lead to it have come.
+// (A_CC - lambda) v_C = -sum A_Ct v_t over the states t between; for rows with A transposed.
 std::optional<std::vector<ComplexBall>> NumericModes::extended(const std::vector<ComplexBall>& own,
                                                                const ComplexBall& eigenvalue,
                                                                std::size_t block, bool rows,
                                                                const Numbers& numbers) const {
-    const auto leads = [&](std::size_t from, std::size_t to) {
-        const std::size_t t = states_[from].front(), s = states_[to].front();
-        return from != to && (rows ? drives_[s][t] : drives_[t][s]);
-    };
     const auto entry = [&](std::size_t s, std::size_t t) -> const ComplexBall& {
         return rows ? numbers.a[t][s] : numbers.a[s][t];
     };
-    std::vector<std::size_t> order;
-    for (std::size_t b = 0; b < blocks_.size(); ++b)
-        if (leads(block, b)) order.push_back(b);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) {
-        const auto before = [&](std::size_t b) {
-            return std::count_if(order.begin(), order.end(), [&](std::size_t c) { return leads(c, b); });
-        };
-        return before(p) < before(q);
-    });
     std::vector<ComplexBall> vector(a_.size());
     for (std::size_t k = 0; k < own.size(); ++k) vector[states_[block][k]] = own[k];
-    for (const std::size_t b : order) {
+    for (const std::size_t b : blocks_reached(block, states_, drives_, rows)) {
         const std::vector<std::size_t>& states = states_[b];
         BallMatrix matrix(states.size(), std::vector<ComplexBall>(states.size()));
         std::vector<ComplexBall> right(states.size());

@@ -15,7 +15,6 @@ namespace resonform {
 namespace {
 
 constexpr int points = 4, samples = 2;
-constexpr double bits_of_digit = 3.3219280948873623;
 
 // Is it smaller than 10^-(digits + spare_digits/2) times the sum of the magnitudes of its terms? What is not
 // a number is not small.
@@ -80,12 +79,13 @@ std::string residual_complaint(const Normalization& n, const CertificatePlan& pl
 }
 
 // The frequencies of the field as they are known exactly, at random points modulo primes.
-std::vector<FrequencySample> sampled(const GradedField& field, std::uint64_t seed, Certificate& certificate) {
-    const CertificatePlan plan = plan_frequencies(field);
+std::vector<FrequencySample> sampled(const std::shared_ptr<const GradedField>& field, std::uint64_t seed,
+                                     Certificate& certificate) {
+    const CertificatePlan plan = plan_frequencies(*field);
     NormalForm none;
-    none.field = std::make_shared<const GradedField>(field);
+    none.field = field;
     std::vector<FrequencySample> result;
-    PointSampler sampler(*field.ring, seed);
+    PointSampler sampler(*field->ring, seed);
     for (int n = 0; n < samples; ++n) {
         const Point point = sampler.next();
         const PointRun run(plan, none, {}, point, 0);
@@ -103,10 +103,11 @@ std::vector<FrequencySample> sampled(const GradedField& field, std::uint64_t see
 
 } // namespace
 
-Certificate certify_numbers(const Normalization& n, const GradedField& field, std::uint64_t seed) {
+Certificate certify_numbers(const Normalization& n, const std::shared_ptr<const GradedField>& field,
+                            std::uint64_t seed) {
     Certificate certificate;
     certificate.route = "substitution, balls";
-    certificate.through_weight = field.system().weight(n.normal_form.through);
+    certificate.through_weight = field->system().weight(n.normal_form.through);
     certificate.error_probability = std::numeric_limits<double>::quiet_NaN();
     certificate.complaint = shape_complaint(n.normal_form, n.map);
     if (!certificate.complaint.empty()) return certificate;

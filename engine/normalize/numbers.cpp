@@ -12,7 +12,6 @@ namespace resonform {
 
 namespace {
 
-constexpr double bits_of_digit = 3.3219280948873623;
 // How many times the bits of the digits are tried, until the derivation ends, and until a divisor that may be
 // zero is given up.
 constexpr std::int64_t most_bits = 64, decisive = 4;

@@ -11,6 +11,8 @@ namespace resonform {
 // Digits that are kept besides those that are asked for, so that a result can be certified to all of these.
 constexpr int spare_digits = 20;
 
+constexpr double bits_of_digit = 3.3219280948873623; // log(10)/log(2)
+
 // What digits may be asked for.
 constexpr int fewest_digits = 4, most_digits = 1000;
 
@@ -27,6 +29,7 @@ Normalization normalize_in_numbers(const std::shared_ptr<const GradedField>& fie
 // balls. The residual of each equation and weight is smaller than 10^-(D + spare_digits/2) times the sum of
 // the magnitudes of its terms; and the scan of certificate_scan.hpp, with the divisors of `field`, which is
 // that of normalize_in_numbers. There is no probability of an error: a residual is small, not zero.
-Certificate certify_numbers(const Normalization& n, const GradedField& field, std::uint64_t seed = 1);
+Certificate certify_numbers(const Normalization& n, const std::shared_ptr<const GradedField>& field,
+                            std::uint64_t seed = 1);
 
 } // namespace resonform

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // --digits: what is printed, in which formats, and what is refused.
-#include "support/shell.hpp"
+#include "support/command.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace resonform::test {
@@ -11,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-class Numbers : public testing::Test {
+class Numbers : public Command {
 protected:
     Numbers() {
         write(scratch_.path() / "systems/two/system.toml",
@@ -24,16 +23,6 @@ protected:
             "{ role = \"fast\" }\n[equations]\na = \"a'' = -2*a + b - a^2\"\nb = \"b'' = -3*b + a + "
             "c\"\nc = \"c'' = -5*c + b + c^2\"\n");
     }
-
-    [[nodiscard]] Outcome said(const std::string& command) const {
-        return run("resonform " + command, scratch_.path());
-    }
-    [[nodiscard]] std::string printed(const std::string& command) const {
-        const Outcome outcome = said(command);
-        EXPECT_EQ(outcome.code, 0) << command << outcome.err;
-        return outcome.out;
-    }
-    Scratch scratch_;
 };
 
 } // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // --set, two oscillators whose frequencies are symbols or numbers, and a slow law with a parameter that the
 // ring holds as a power of a root.
-#include "support/shell.hpp"
+#include "support/command.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -14,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-class Settings : public testing::Test {
+class Settings : public Command {
 protected:
     Settings() {
         write(scratch_.path() / "systems/two/system.toml",
@@ -23,16 +22,6 @@ protected:
               "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n"
               "[equations]\nx = \"x'' + p^2*x + 2*a*x*y = 0\"\ny = \"y'' + q^2*y + a*x^2 = 0\"\n");
     }
-
-    [[nodiscard]] Outcome said(const std::string& command) const {
-        return run("resonform " + command, scratch_.path());
-    }
-    [[nodiscard]] std::string printed(const std::string& command) const {
-        const Outcome outcome = said(command);
-        EXPECT_EQ(outcome.code, 0) << command << outcome.err;
-        return outcome.out;
-    }
-    Scratch scratch_;
 };
 
 } // namespace

@@ -6,6 +6,8 @@
 #include "normalize/poincare.hpp"
 #include "support/exact.hpp"
 
+#include <gtest/gtest.h>
+
 #include <string>
 #include <vector>
 
@@ -59,6 +61,15 @@ inline std::vector<NamedSeries> all_series(Normalization& n) {
     add("map, slow", n.map.slow);
     add("map, drift", n.map.drift);
     return result;
+}
+
+// Part by part, of two rings with the same generators.
+inline void expect_same(Normalization a, Normalization b) {
+    const auto left = all_series(a), right = all_series(b);
+    ASSERT_EQ(left.size(), right.size());
+    for (std::size_t k = 0; k < left.size(); ++k)
+        for (int n = 0; n <= a.map.through; ++n)
+            EXPECT_EQ(left[k].series->part(n), right[k].series->part(n)) << left[k].name << ", " << n;
 }
 
 } // namespace resonform::test

@@ -40,7 +40,7 @@ struct InNumbers {
 InNumbers normalized(const std::string& toml, int through, int digits) {
     InNumbers result{field_of(toml, digits), {}};
     result.n = normalize_in_numbers(result.field, through);
-    result.n.certificate = certify_numbers(result.n, *result.field);
+    result.n.certificate = certify_numbers(result.n, result.field);
     EXPECT_TRUE(result.n.certificate.holds) << result.n.certificate.complaint << "\n" << toml;
     return result;
 }
@@ -202,14 +202,14 @@ TEST(Numbers, EveryLieIsFound) {
         10);
     EXPECT_GT(
         test::expect_all_lies_found(
-            chain_of_two.n, [&](const Normalization& n) { return certify_numbers(n, *chain_of_two.field); }),
+            chain_of_two.n, [&](const Normalization& n) { return certify_numbers(n, chain_of_two.field); }),
         50);
 }
 
 // The last digits that are asked for are in the certificate's sight, and so are monomials out of place.
 TEST(Numbers, SmallLiesAndMisplacedTermsAreFound) {
     const InNumbers truth = normalized(fast({{"x", "x'' = -2*x + x^3"}, {"y", "y'' = -5*y + x^2*y"}}), 3, 20);
-    const auto holds = [&](const Normalization& n) { return certify_numbers(n, *truth.field).holds; };
+    const auto holds = [&](const Normalization& n) { return certify_numbers(n, truth.field).holds; };
     Normalization n = truth.n;
     const Polynomial part = n.normal_form.mode[0].part(3);
     n.normal_form.mode[0].set(3, (1 + Rational(1) / cln::expt_pos(Integer(10), 20)) * part);

@@ -8,6 +8,7 @@
 namespace resonform {
 namespace {
 
+using test::expect_same;
 using test::field_from;
 
 std::string file(const std::string& equation, const std::string& parameters = "",
@@ -21,14 +22,6 @@ Normalization certified(const std::shared_ptr<const GradedField>& field, int thr
     n.certificate = test::certificate_of(n);
     EXPECT_TRUE(n.certificate.holds) << n.certificate.complaint;
     return n;
-}
-
-void expect_same(Normalization a, Normalization b) {
-    const auto left = test::all_series(a), right = test::all_series(b);
-    ASSERT_EQ(left.size(), right.size());
-    for (std::size_t k = 0; k < left.size(); ++k)
-        for (int n = 0; n <= a.map.through; ++n)
-            EXPECT_EQ(left[k].series->part(n), right[k].series->part(n)) << left[k].name << ", " << n;
 }
 
 TEST(Pi, OfDuffing) {

@@ -15,6 +15,7 @@
 namespace resonform {
 namespace {
 
+using test::expect_same; // weights are held as integers: what differs is how they are read
 using test::field_from;
 
 struct FastVariable {
@@ -34,15 +35,6 @@ Normalization certified(const std::shared_ptr<const GradedField>& field, int thr
     n.certificate = certify(n.normal_form, n.map);
     EXPECT_TRUE(n.certificate.holds) << n.certificate.complaint;
     return n;
-}
-
-// Weights are held as integers: what differs is how they are read.
-void expect_same(Normalization a, Normalization b) {
-    const auto left = test::all_series(a), right = test::all_series(b);
-    ASSERT_EQ(left.size(), right.size());
-    for (std::size_t k = 0; k < left.size(); ++k)
-        for (int n = 0; n <= a.map.through; ++n)
-            EXPECT_EQ(left[k].series->part(n), right[k].series->part(n)) << left[k].name << ", " << n;
 }
 
 // x = sqrt(eps) X: with eps = d^2, x is of weight 1 in d.
