@@ -7,6 +7,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     list(APPEND RESONFORM_WARNINGS -Wno-restrict -Wno-maybe-uninitialized)
 endif()
 
+if(CMAKE_UNITY_BUILD)
+    # Several files in one: a local name may hide one of another file. The release build, file by file, warns.
+    list(APPEND RESONFORM_WARNINGS -Wno-shadow)
+endif()
+
 option(RESONFORM_TESTS "build the tests" ON)
 set(RESONFORM_SANITIZE "" CACHE STRING "sanitizers for everything, e.g. address,undefined")
 if(RESONFORM_SANITIZE)

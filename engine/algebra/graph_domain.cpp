@@ -11,8 +11,10 @@ namespace {
 
 [[noreturn]] void refuse_algebraic(const Generator& g) {
     refuse({"coefficients in a graph are rational functions of independent symbols",
-            g.kind == GeneratorKind::root ? "a root whose radicand is a sum" : g.name,
-            "use the coefficients of the ring, or make the root a parameter of its own",
+            g.kind == GeneratorKind::root && g.radicand.terms().size() > 1 ? "a root whose radicand is a sum"
+                                                                           : g.name,
+            "leave out --coefficients graph, make it a parameter of its own, or, with a value for every "
+            "parameter, take numbers: --digits 30",
             {}});
 }
 

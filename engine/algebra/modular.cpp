@@ -13,7 +13,7 @@ namespace resonform {
 
 namespace {
 
-__extension__ using Wide = unsigned __int128;
+__extension__ using UnsignedWide = unsigned __int128;
 __extension__ using SignedWide = __int128;
 
 // Arithmetic modulo any n.
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::uint64_t enter(std::uint64_t a) const { return a % n_; }
     [[nodiscard]] std::uint64_t negate(std::uint64_t a) const { return a == 0 ? 0 : n_ - a; }
     [[nodiscard]] std::uint64_t multiply(std::uint64_t a, std::uint64_t b) const {
-        return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % n_);
+        return static_cast<std::uint64_t>(static_cast<UnsignedWide>(a) * b % n_);
     }
 
 private:
@@ -69,11 +69,11 @@ std::uint64_t random_prime(std::mt19937_64& random) {
 
 PrimeField::PrimeField(std::uint64_t prime)
     : prime_(prime), bits_(static_cast<int>(std::bit_width(prime))),
-      reciprocal_((Wide{1} << (2 * bits_)) / prime) {}
+      reciprocal_((UnsignedWide{1} << (2 * bits_)) / prime) {}
 
 Residue PrimeField::from_limbs(const std::uint64_t* limbs, std::size_t count) const {
     Residue value = 0;
-    const Residue base = static_cast<Residue>((Wide{1} << 64) % prime_);
+    const Residue base = static_cast<Residue>((UnsignedWide{1} << 64) % prime_);
     for (std::size_t k = count; k-- > 0;) value = add(multiply(value, base), limbs[k] % prime_);
     return value;
 }
@@ -147,8 +147,8 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
     if (raise(a, (prime_ - 1) / std::min(q, order)) != 1) return std::nullopt;
 
     std::uint64_t v = 0;
-    while ((1 + static_cast<Wide>(cofactor) * v) % q != 0) ++v;
-    const auto u = static_cast<std::uint64_t>((1 + static_cast<Wide>(cofactor) * v) / q);
+    while ((1 + static_cast<UnsignedWide>(cofactor) * v) % q != 0) ++v;
+    const auto u = static_cast<std::uint64_t>((1 + static_cast<UnsignedWide>(cofactor) * v) / q);
     const Residue first = raise(a, u);
     // What `first` must be multiplied with has q-th power `rest`, an element of the subgroup.
     const Residue rest = inverse(raise(raise(a, cofactor), v));

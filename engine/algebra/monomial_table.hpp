@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -36,7 +37,8 @@ public:
         return slots_[s] - 1;
     }
 
-    [[nodiscard]] const std::vector<Monomial>& monomials() const { return monomials_; }
+    [[nodiscard]] const std::vector<Monomial>& monomials() const& { return monomials_; }
+    [[nodiscard]] std::vector<Monomial> monomials() && { return std::move(monomials_); }
 
 private:
     void grow() {

@@ -48,14 +48,14 @@ Monomial Packing::scaled(const Monomial& m, long factor) const {
     if (factor == 1) return m;
     if (factor > largest() || factor < -largest()) overflow();
     Monomial out;
-    for (int f = 0; f < 4 * per_word_; ++f) out = out + power(f, factor * exponent(m, f));
+    for (int f = 0; f < fields(); ++f) out = out + power(f, factor * exponent(m, f));
     return out;
 }
 
 void Packing::overflow() const {
     refuse(
         {.rule = "an exponent of a monomial is at most " + std::to_string(largest()) +
-                 " in this ring of up to " + std::to_string(4 * per_word_) + " generators",
+                 " in this ring of up to " + std::to_string(fields()) + " generators",
          .value = "a product exceeds it",
          .mend = "ask for a lower order, or use fewer parameters and variables (up to 16 generators: 16383)",
          .place = {}});

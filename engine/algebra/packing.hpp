@@ -24,11 +24,12 @@ public:
 
     explicit Packing(int fields = most_fields); // fields <= most_fields
 
-    [[nodiscard]] int fields_per_word() const {
-        return per_word_;
-    } // field f stands in word f / fields_per_word()
+    // Field f stands in word f / fields_per_word().
+    [[nodiscard]] int fields_per_word() const { return per_word_; }
+    [[nodiscard]] int fields() const { return fields_per_word() * static_cast<int>(Monomial{}.word.size()); }
     [[nodiscard]] int largest() const { return (1 << (bits_ - 2)) - 1; }
 
+    // field < fields()
     [[nodiscard]] int exponent(const Monomial& m, int field) const {
         const std::uint64_t biased = m.word[word_of(field)] + half_;
         return static_cast<int>((biased >> shift_of(field)) & mask_) - (1 << (bits_ - 1));

@@ -4,7 +4,12 @@
 #include "algebra/monomial_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdlib>
+#include <future>
+#include <limits>
+#include <thread>
 #include <utility>
 
 namespace resonform {
@@ -101,18 +106,44 @@ template <class Sum> void store(Fractions& f, Sum value) {
         f.magnitudes.push_back(static_cast<mp_limb_t>(magnitude >> 64));
 }
 
+// The monomials of a sum that are collected together: all, or those in which one exponent is odd (even).
+// Parities add in a product, so that the pairs of a share are known beforehand.
+class Share {
+public:
+    Share() = default;
+    Share(const Packing& packing, int field, unsigned parity)
+        : packing_(&packing), field_(field), wanted_(parity) {}
+
+    [[nodiscard]] unsigned parity(const Monomial& m) const {
+        return packing_ == nullptr ? 0 : static_cast<unsigned>(packing_->exponent(m, field_)) & 1U;
+    }
+    // By parity of a left factor: the right factors that it meets.
+    [[nodiscard]] std::array<std::vector<std::uint32_t>, 2> partners(const Fractions& right) const {
+        std::array<std::vector<std::uint32_t>, 2> of;
+        for (std::size_t j = 0; j < right.size(); ++j)
+            of[parity(right.monomials[j]) ^ wanted_].push_back(static_cast<std::uint32_t>(j));
+        return of;
+    }
+
+private:
+    const Packing* packing_ = nullptr;
+    int field_ = 0;
+    unsigned wanted_ = 0;
+};
+
 // All numerators of the operands have one limb, all sums fit into Sum.
-template <class Sum> Fractions sum_in_words(const std::vector<WholeProduct>& products) {
+template <class Sum> Fractions sum_in_words(const std::vector<WholeProduct>& products, const Share& share) {
     MonomialTable table;
     std::vector<Sum> sums;
     for (const WholeProduct& p : products) {
         const std::vector<Sum> left = signed_numerators<Sum>(*p.left),
                                right = signed_numerators<Sum>(*p.right);
         const std::vector<std::uint64_t> hashes = MonomialTable::hashes(p.right->monomials);
+        const auto partners = share.partners(*p.right);
         for (std::size_t i = 0; i < left.size(); ++i) {
             const Monomial& m = p.left->monomials[i];
             const std::uint64_t hash = MonomialTable::hash(m);
-            for (std::size_t j = 0; j < right.size(); ++j) {
+            for (const std::uint32_t j : partners[share.parity(m)]) {
                 const std::size_t k = table.index(m + p.right->monomials[j], hash + hashes[j]);
                 if (k == sums.size()) sums.push_back(0);
                 sums[k] += left[i] * right[j];
@@ -154,15 +185,25 @@ public:
         }
     }
 
-    // Appends sum k to f; returns false if it is zero.
-    bool store(std::size_t k, Fractions& f) {
-        mp_limb_t* sum = limbs_.data() + k * width_;
-        if (std::all_of(sum, sum + width_, [](mp_limb_t l) { return l == 0; })) return false;
-        const bool minus = sum[width_ - 1] >> 63 != 0;
-        if (minus) mpn_neg(sum, sum, static_cast<mp_size_t>(width_));
-        f.magnitudes.insert(f.magnitudes.end(), sum, sum + width_);
-        f.negative.push_back(minus ? 1 : 0);
-        return true;
+    // The sums that are not zero, of these monomials; in place, as both may be long.
+    [[nodiscard]] Fractions numerators(std::vector<Monomial> monomials) && {
+        Fractions f;
+        f.limbs = width_;
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < monomials.size(); ++k) {
+            mp_limb_t* sum = limbs_.data() + k * width_;
+            if (std::all_of(sum, sum + width_, [](mp_limb_t l) { return l == 0; })) continue;
+            const bool minus = sum[width_ - 1] >> 63 != 0;
+            if (minus) mpn_neg(sum, sum, static_cast<mp_size_t>(width_));
+            f.negative.push_back(minus ? 1 : 0);
+            std::copy_n(sum, width_, limbs_.data() + kept * width_);
+            monomials[kept++] = monomials[k];
+        }
+        monomials.resize(kept);
+        limbs_.resize(kept * width_);
+        f.monomials = std::move(monomials);
+        f.magnitudes = std::move(limbs_);
+        return f;
     }
 
 private:
@@ -170,26 +211,78 @@ private:
     std::vector<mp_limb_t> limbs_, product_;
 };
 
-Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t width) {
+Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t width, const Share& share) {
     MonomialTable table;
     LimbSums sums(width);
     for (const WholeProduct& p : products) {
         const Fractions &left = *p.left, &right = *p.right;
         const std::vector<std::uint64_t> hashes = MonomialTable::hashes(right.monomials);
+        const auto partners = share.partners(right);
         for (std::size_t i = 0; i < left.size(); ++i) {
-            const std::uint64_t hash = MonomialTable::hash(left.monomials[i]);
-            for (std::size_t j = 0; j < right.size(); ++j) {
-                const std::size_t k = table.index(left.monomials[i] + right.monomials[j], hash + hashes[j]);
+            const Monomial& m = left.monomials[i];
+            const std::uint64_t hash = MonomialTable::hash(m);
+            for (const std::uint32_t j : partners[share.parity(m)]) {
+                const std::size_t k = table.index(m + right.monomials[j], hash + hashes[j]);
                 if (k == sums.size()) sums.grow();
                 sums.add(k, left.magnitude(i), left.limbs, right.magnitude(j), right.limbs,
                          left.negative[i] != right.negative[j]);
             }
         }
     }
-    Fractions result;
-    result.limbs = width;
-    for (std::size_t k = 0; k < sums.size(); ++k)
-        if (sums.store(k, result)) result.monomials.push_back(table.monomials()[k]);
+    return std::move(sums).numerators(std::move(table).monomials());
+}
+
+Fractions sum_over(const std::vector<WholeProduct>& products, const Share& share) {
+    const bool words = std::all_of(products.begin(), products.end(), [](const WholeProduct& p) {
+        return p.left->limbs == 1 && p.right->limbs == 1 && p.left->bits() < 64 && p.right->bits() < 64;
+    });
+    const std::size_t bits = bits_of_sums(products);
+    if (words && bits <= 64) return sum_in_words<std::int64_t>(products, share);
+    if (words && bits <= 128) return sum_in_words<Wide>(products, share);
+    return sum_in_limbs(products, (bits + 63) / 64, share);
+}
+
+std::size_t work(const WholeProduct& p) { return p.left->size() * p.right->size(); }
+
+bool is_worth_two_threads(const std::vector<WholeProduct>& products) {
+    constexpr std::size_t enough = std::size_t{1} << 16; // a millisecond: a thread starts in a tenth of that
+    std::size_t all = 0;
+    for (const WholeProduct& p : products) all += work(p);
+    return all >= enough && std::thread::hardware_concurrency() > 1;
+}
+
+// The field whose exponent is odd in about half of the right factors of the largest product.
+int dividing_field(const Packing& packing, const std::vector<WholeProduct>& products) {
+    const auto largest =
+        std::max_element(products.begin(), products.end(),
+                         [](const WholeProduct& a, const WholeProduct& b) { return work(a) < work(b); });
+    const std::vector<Monomial>& monomials = largest->right->monomials;
+    constexpr std::size_t sample = 128;
+    const std::size_t step = monomials.size() / sample + 1;
+    int best = 0;
+    long least = std::numeric_limits<long>::max();
+    for (int field = 0; field < packing.fields(); ++field) {
+        long excess = 0;
+        for (std::size_t k = 0; k < monomials.size(); k += step)
+            excess += packing.exponent(monomials[k], field) % 2 == 0 ? 1 : -1;
+        if (std::abs(excess) >= least) continue;
+        least = std::abs(excess);
+        best = field;
+    }
+    return best;
+}
+
+// Two threads collect disjoint shares of the monomials, so that nothing has to be merged. They meet the
+// numbers of GMP only: those of CLN count their references without locks.
+Fractions sum_in_two_threads(const Packing& packing, const std::vector<WholeProduct>& products) {
+    const int field = dividing_field(packing, products);
+    const auto collect = [&](unsigned parity) { return sum_over(products, Share(packing, field, parity)); };
+    std::future<Fractions> other = std::async(std::launch::async, collect, 1U);
+    Fractions result = collect(0);
+    const Fractions odd = other.get(); // with as many limbs, as that follows from the products
+    result.monomials.insert(result.monomials.end(), odd.monomials.begin(), odd.monomials.end());
+    result.magnitudes.insert(result.magnitudes.end(), odd.magnitudes.begin(), odd.magnitudes.end());
+    result.negative.insert(result.negative.end(), odd.negative.begin(), odd.negative.end());
     return result;
 }
 
@@ -199,16 +292,11 @@ FractionProduct scaled_product(const Rational& factor, const Fractions& left, co
     return {&left, &right, to_mpz(cln::numerator(factor)), to_mpz(cln::denominator(factor))};
 }
 
-Fractions sum_of_products(const std::vector<FractionProduct>& products) {
+Fractions sum_of_products(const std::vector<FractionProduct>& products, const Packing* packing) {
     std::vector<WholeProduct> whole;
     const mpz_class denominator = over_common_denominator(products, whole);
-    const bool words = std::all_of(whole.begin(), whole.end(), [](const WholeProduct& p) {
-        return p.left->limbs == 1 && p.right->limbs == 1 && p.left->bits() < 64 && p.right->bits() < 64;
-    });
-    const std::size_t bits = bits_of_sums(whole);
-    Fractions result = words && bits <= 64    ? sum_in_words<std::int64_t>(whole)
-                       : words && bits <= 128 ? sum_in_words<Wide>(whole)
-                                              : sum_in_limbs(whole, (bits + 63) / 64);
+    Fractions result = packing != nullptr && is_worth_two_threads(whole) ? sum_in_two_threads(*packing, whole)
+                                                                         : sum_over(whole, Share());
     result.denominator = denominator;
     return result;
 }
@@ -222,7 +310,7 @@ void require_safe(const Packing& packing, const std::vector<FractionProduct>& pr
 Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right) {
     const std::vector<FractionProduct> products{{&left.fractions(), &right.fractions()}};
     require_safe(packing, products);
-    return Polynomial::from_fractions(sum_of_products(products));
+    return Polynomial::from_fractions(sum_of_products(products, &packing));
 }
 
 } // namespace resonform

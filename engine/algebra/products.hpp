@@ -18,9 +18,10 @@ struct FractionProduct {
 
 FractionProduct scaled_product(const Rational& factor, const Fractions& left, const Fractions& right);
 
-// sum_k c_k a_k b_k: different monomials in the order of their first arrival, no zero, not reduced. No
-// relation is applied.
-Fractions sum_of_products(const std::vector<FractionProduct>& products);
+// sum_k c_k a_k b_k: different monomials in an order of no meaning, no zero, not reduced. No relation is
+// applied. With the packing of the monomials large sums are collected in two threads, where the machine has
+// them.
+Fractions sum_of_products(const std::vector<FractionProduct>& products, const Packing* packing = nullptr);
 
 // Exponents that could overflow in one product are refused.
 void require_safe(const Packing& packing, const std::vector<FractionProduct>& products);

@@ -7,7 +7,7 @@ namespace resonform {
 
 namespace {
 
-mpz_class to_mpz(std::uint64_t x) {
+mpz_class word_to_mpz(std::uint64_t x) {
     mpz_class result;
     mpz_import(result.get_mpz_t(), 1, 1, sizeof x, 0, 0, &x);
     return result;
@@ -34,9 +34,9 @@ std::optional<std::vector<Rational>> Reconstruction::add(const PrimeField& field
     for (std::size_t k = 0; k < residues.size(); ++k) {
         const Residue step =
             field.multiply(field.subtract(residues[k], modulo(values_[k], field.prime())), inverse);
-        values_[k] += modulus_ * to_mpz(step);
+        values_[k] += modulus_ * word_to_mpz(step);
     }
-    modulus_ *= to_mpz(field.prime());
+    modulus_ *= word_to_mpz(field.prime());
     ++primes_;
     return std::nullopt;
 }

@@ -33,7 +33,7 @@ Fractions power_of_value(const Packing& packing, const Polynomial& value, int q)
     for (int k = 0; k < q; ++k) {
         const std::vector<FractionProduct> product{{&result, &value.fractions()}};
         require_safe(packing, product);
-        result = sum_of_products(product);
+        result = sum_of_products(product, &packing);
     }
     return result;
 }
@@ -56,7 +56,7 @@ Fractions apply(const Packing& packing, const Relation& relation, const Fraction
         products.push_back({&group, &powers.back()});
     }
     require_safe(packing, products);
-    return sum_of_products(products);
+    return sum_of_products(products, &packing);
 }
 
 } // namespace

@@ -68,7 +68,7 @@ Polynomial Ring::dot(const std::vector<Product>& products) const {
 
 Polynomial Ring::collected(const std::vector<FractionProduct>& products) const {
     require_safe(packing_, products);
-    return Polynomial::from_fractions(rewrite(packing_, relations_, sum_of_products(products)));
+    return Polynomial::from_fractions(rewrite(packing_, relations_, sum_of_products(products, &packing_)));
 }
 
 Polynomial Ring::power(const Polynomial& p, int exponent) const {

@@ -4,6 +4,7 @@
 #include "algebra/number_field.hpp"
 #include "algebra/ring.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace resonform {
@@ -38,9 +39,8 @@ GeneratorId divide_by_radicand(const Ring& ring, Polynomial& p) {
     return -1;
 }
 
-std::optional<Unit> as_unit(const Ring& ring, Polynomial p) {
-    p = ring.reduce(std::move(p));
-    if (p.empty()) return std::nullopt;
+// Of a reduced p that is not zero.
+std::optional<Unit> as_product(const Ring& ring, Polynomial p) {
     Monomial roots;
     while (p.size() > 1) {
         const GeneratorId id = divide_by_radicand(ring, p);
@@ -51,6 +51,28 @@ std::optional<Unit> as_unit(const Ring& ring, Polynomial p) {
     const Term& t = p.terms().front();
     if (!is_invertible(ring, t.monomial)) return std::nullopt;
     return Unit{t.coefficient, t.monomial + roots};
+}
+
+// A product of generators that brings p to whole powers of all roots, so that their relations apply:
+// 2 + rho^-2 becomes 2 rho^2 + 1 = 2 a + 3, where rho^2 = 1 + a.
+Monomial denominator_of_roots(const Ring& ring, const Polynomial& p) {
+    Monomial denominator;
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        if (ring.generator(id).kind == GeneratorKind::root)
+            denominator = denominator + ring.monomial(id, std::max(0, -ring.lowest_exponent(p, id)));
+    return denominator;
+}
+
+std::optional<Unit> as_unit(const Ring& ring, Polynomial p) {
+    p = ring.reduce(std::move(p));
+    if (p.empty()) return std::nullopt;
+    if (std::optional<Unit> unit = as_product(ring, p)) return unit;
+    const Monomial denominator = denominator_of_roots(ring, p);
+    if (denominator == Monomial{}) return std::nullopt;
+    const Polynomial whole = ring.multiply(p, Polynomial(denominator, Rational(1)));
+    std::optional<Unit> unit = whole.empty() ? std::nullopt : as_product(ring, whole);
+    if (unit) unit->monomial = unit->monomial - denominator;
+    return unit;
 }
 
 // m^exponent for a positive real m, if all exponents are integers again. (v^4)^(1/2) = v^2 for a real

@@ -100,16 +100,19 @@ public:
     // By linearity only weight-0 parts enter: d(a b)_n = a_0 db_n + b_0 da_n, d(sin u)_n = c_0 du_n.
     // (At weight 0 everything is computed anew.)
     void correct(int weight);
+    // Gives back the parts that no later weight needs. For whoever asks for each part at its own weight: what
+    // was given back is not there any more.
+    void forget();
     // 0 <= weight <= the last one advanced to
     [[nodiscard]] const Part& part(SeriesProgram::Node node, int weight) const;
     // All parts so far.
     [[nodiscard]] const BasicSeries<Part>& series(SeriesProgram::Node node) const;
 
 private:
-    // The values of a node: complete below `next`.
+    // The values of a node: complete below `next`, but for those of weights 1 ... forgotten.
     struct Value {
         BasicSeries<Part> series;
-        int next = 0;
+        int next = 0, forgotten = 0;
     };
     [[nodiscard]] Part first_part(SeriesProgram::Node node);
     [[nodiscard]] Part next_part(SeriesProgram::Node node, int weight) const;
@@ -122,6 +125,7 @@ private:
         SeriesProgram::Node right;
         int j;
     };
+    [[nodiscard]] bool is_beyond(SeriesProgram::Node node, int weight) const;
     [[nodiscard]] bool vanishes(const Wanted& w) const;
     [[nodiscard]] std::vector<ProductOf<Part>> present(std::vector<Wanted> wanted) const;
     [[nodiscard]] Part dot(std::vector<Wanted> wanted) const;

@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 #include "algebra/graph_domain.hpp"
 #include "algebra/number_domain.hpp"
+#include "algebra/series_history.hpp"
 #include "algebra/series_program.hpp"
 
 #include <algorithm>
@@ -59,6 +60,21 @@ void require_start(bool holds, const std::string& rule) {
             .place = {}});
 }
 
+// By node: the operands that no later one has.
+std::vector<std::vector<Node>> last_operands(const std::vector<SeriesProgram::Instruction>& all) {
+    std::vector<std::size_t> last(all.size(), 0);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        for (const Node operand : {all[k].left, all[k].right})
+            if (operand >= 0) last[at(operand)] = std::max(last[at(operand)], k);
+        for (const auto& addend : all[k].addends)
+            last[at(addend.second)] = std::max(last[at(addend.second)], k);
+    }
+    std::vector<std::vector<Node>> operands(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (last[k] > k) operands[last[k]].push_back(static_cast<Node>(k));
+    return operands;
+}
+
 } // namespace
 
 template <class Domain>
@@ -103,8 +119,21 @@ template <class Domain> void BasicSeriesRun<Domain>::start() {
     }
 }
 
+template <class Domain> void BasicSeriesRun<Domain>::forget() {
+    const std::vector<int> history = histories(*program_);
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+        Value& value = values_[k];
+        if (history[k] == whole_history) continue;
+        for (int n = value.forgotten + 1; n <= std::min(weight_ - history[k], value.next - 1); ++n) {
+            value.series.set(n, {});
+            value.forgotten = n;
+        }
+    }
+}
+
 template <class Domain> auto BasicSeriesRun<Domain>::part(Node node, int weight) const -> const Part& {
     Value& value = values_[at(node)];
+    if (0 < weight && weight <= value.forgotten) throw std::logic_error("SeriesRun::part: it was given back");
     for (; value.next <= std::min(weight, weight_); ++value.next)
         if (program_->instructions()[at(node)].op != Op::input)
             value.series.set(value.next, next_part(node, value.next));
@@ -116,8 +145,15 @@ template <class Domain> auto BasicSeriesRun<Domain>::series(Node node) const -> 
     return values_[at(node)].series;
 }
 
+// Past the weights of a constant, whose other factor may be forgotten.
+template <class Domain> bool BasicSeriesRun<Domain>::is_beyond(Node node, int weight) const {
+    const Op op = program_->instructions()[at(node)].op;
+    return (op == Op::constant || op == Op::number) && weight > constants_[at(node)].through();
+}
+
 // The lighter part is asked for first: if it is zero, the heavier may never be needed.
 template <class Domain> bool BasicSeriesRun<Domain>::vanishes(const Wanted& w) const {
+    if (is_beyond(w.left, w.i) || is_beyond(w.right, w.j)) return true;
     if (w.i <= w.j) return part(w.left, w.i).empty() || part(w.right, w.j).empty();
     return part(w.right, w.j).empty() || part(w.left, w.i).empty();
 }
@@ -254,6 +290,7 @@ template <class Domain> void BasicSeriesRun<Domain>::correct(int weight) {
         series.set(weight, std::move(part));
     }
     if (weight == 0) return start();
+    const std::vector<std::vector<Node>> last_used_by = last_operands(program_->instructions());
     for (std::size_t k = 0; k < values_.size(); ++k) {
         Value& value = values_[k];
         const bool known = value.next > weight;
@@ -261,6 +298,7 @@ template <class Domain> void BasicSeriesRun<Domain>::correct(int weight) {
         deltas[k] = change(static_cast<Node>(k), deltas);
         if (known && !deltas[k].empty())
             value.series.set(weight, sum(domain_, value.series.part(weight), deltas[k]));
+        for (const Node node : last_used_by[k]) deltas[at(node)] = {};
     }
 }
 

@@ -71,6 +71,15 @@ double read_limit(const std::string& option, const std::string& text) {
     return *limit;
 }
 
+double read_count_limit(const std::string& option, const std::string& text) {
+    if (text == "none") return std::numeric_limits<double>::infinity();
+    const double limit = read_double(text).value_or(0);
+    if (!std::isfinite(limit) || limit < 1 || limit != std::floor(limit))
+        bad_argument(option, fmt::format("{} must be a whole number >= 1, or none", option), text,
+                     fmt::format("give for example {} 1000000", option));
+    return limit;
+}
+
 std::vector<double> read_times(const std::string& text) {
     std::vector<double> times;
     for (std::size_t begin = 0; begin <= text.size();) {

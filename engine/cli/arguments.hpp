@@ -22,6 +22,8 @@ int read_order(const std::string& option, const std::string& text);
 double read_eps(const std::string& text);
 // A decimal number > 0, or "none", which is infinite.
 double read_limit(const std::string& option, const std::string& text);
+// A whole number >= 1, or "none".
+double read_count_limit(const std::string& option, const std::string& text);
 // "0,1.5,2e3": decimal numbers, `nan` and `inf` included: those get a status, not a message.
 std::vector<double> read_times(const std::string& text);
 // NAME=VALUE each.

@@ -52,7 +52,7 @@ void print_text(const System& system, const Certificate& certificate) {
 
 std::shared_ptr<const Normalization> checked(const std::string& argument, int order,
                                              const SystemChanges& changes, const DerivationLimits& limits) {
-    const auto file = find_system(argument, find_home().systems());
+    const auto file = find_system(argument, find_home());
     return watched(limits, [&](Watch& watch) {
         const Expanded expanded = expand_system(file, changes, watch);
         return normalize_with_certificate(expanded, order * expanded.first_order->system->eps_root, watch);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace resonform {
@@ -42,12 +43,18 @@ std::string see_help(const CLI::App& app) {
             if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
         rule = fmt::format("{} takes no such argument", chosen.get_name());
     }
+    if (&chosen != &app && std::find(known.begin(), known.end(), word) != known.end())
+        bad_input({fmt::format("an option follows its command, {}", chosen.get_name()),
+                   word,
+                   fmt::format("write {} ... {}", full_name(app, chosen), word),
+                   {}});
     const std::string near = nearest(word, known);
     bad_input({rule, word, near.empty() ? see_help(app) : fmt::format("did you mean {}?", near), {}});
 }
 
 [[noreturn]] void missing_argument(const CLI::App& app) {
     const CLI::App& chosen = chosen_in(app);
+    if (!app.remaining(true).empty()) unexpected_word(app);
     for (const CLI::Option* option : chosen.get_options())
         if (option->get_required() && option->count() == 0)
             bad_input({fmt::format("{} needs {}: {}", chosen.get_name(), option->get_name(),
@@ -72,11 +79,25 @@ std::string see_help(const CLI::App& app) {
                {}});
 }
 
+// Without this an option with an empty value would be one that was not given.
+void refuse_empty_values(const CLI::App& app) {
+    for (const CLI::Option* option : chosen_in(app).get_options()) {
+        if (option->get_positional() || option->get_required()) continue; // whose readers complain
+        for (const std::string& value : option->results())
+            if (value.empty() && option->get_default_str().empty())
+                bad_input({fmt::format("{} must be followed by its value", option->get_name()),
+                           "''",
+                           "give one, or leave the option out",
+                           {}});
+    }
+}
+
 } // namespace
 
 std::string read_command_line(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
+        refuse_empty_values(app);
         return "";
     } catch (const CLI::Success& asked) { // --help, --version
         std::ostringstream text;

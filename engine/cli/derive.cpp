@@ -15,7 +15,7 @@ namespace resonform {
 
 namespace {
 
-struct Request {
+struct DeriveRequest {
     std::string system, order, stage, truncation, format, coefficients, style, digits;
     std::vector<std::string> settings;
     DerivationLimits limits;
@@ -45,8 +45,24 @@ int truncation_of(const GradedField& field, int order, const std::string& asked)
 // A normal form that cannot be solved in closed form is no less a normal form.
 std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalization>& normalization,
                                         int order) {
+    if (!solves_by_quadratures(*normalization->normal_form.field)) return std::nullopt;
     try {
         return solve(normalization, {order, normalization->normal_form.through});
+    } catch (const Error& error) {
+        if (error.kind() != Kind::refused) throw;
+        return std::nullopt;
+    }
+}
+
+bool is_page(Format format) { return format == Format::text || format == Format::latex; }
+
+// What an expanded page leaves out is the motion of the drift variables by their rates of weight 1: no later
+// weight is derived for it, and nothing at all where nothing drifts.
+std::optional<Solution> known_drift(const Expanded& expanded, Format format, Watch& watch) {
+    if (!is_page(format) || expanded.field->drift.empty()) return std::nullopt;
+    const int weight = expanded.field->system().eps_root;
+    try {
+        return solution_if_any(normalize_certified(expanded, weight, watch), weight);
     } catch (const Error& error) {
         if (error.kind() != Kind::refused) throw;
         return std::nullopt;
@@ -82,28 +98,31 @@ std::string from_graph(const Expanded& expanded, int order, Stage stage, Format 
 
 std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
                      Format format, const std::string& coefficients, Watch& watch) {
-    if (stage == Stage::equations) return print_equations(*expanded.first_order->system, format);
     if (stage == Stage::solution) {
         require_whole_weights(*expanded.first_order->system);
         const int through = truncation_of(*expanded.field, order, truncation);
         return print_solution(solve(normalize_certified(expanded, through, watch), {order, through}), format);
     }
     const int weight = order * expanded.first_order->system->eps_root;
+    if (stage == Stage::expand) {
+        const auto solution = known_drift(expanded, format, watch);
+        return print_expansion(*expanded.field, weight, format, solution ? &*solution : nullptr);
+    }
     if (in_graph(*expanded.field, weight, stage, format, coefficients))
         return from_graph(expanded, weight, stage, format, watch);
     const auto normalization = normalize_certified(expanded, weight, watch);
     if (stage == Stage::divisors)
         return print_divisors(*normalization->normal_form.field, normalization->divisors, weight, format);
     if (stage == Stage::manifold) return print_manifold(*normalization, weight, format);
-    const bool shortened = format == Format::text || format == Format::latex;
-    const auto solution = shortened ? solution_if_any(normalization, weight) : std::nullopt;
-    const Solution* known = solution ? &*solution : nullptr;
-    return stage == Stage::expand ? print_expansion(*expanded.field, weight, format, known)
-                                  : print_normal_form(*normalization, weight, format, known);
+    const auto solution = is_page(format) ? solution_if_any(normalization, weight) : std::nullopt;
+    return print_normal_form(*normalization, weight, format, solution ? &*solution : nullptr);
 }
 
+bool of_mechanism(Stage stage) { return stage == Stage::constraints || stage == Stage::accelerations; }
+
 void require_printable_in_numbers(Stage stage, Format format) {
-    if (stage == Stage::equations || stage == Stage::expand || stage == Stage::solution)
+    if (of_mechanism(stage) || stage == Stage::equations || stage == Stage::expand ||
+        stage == Stage::solution)
         bad_argument("--digits", "--digits goes with --stage normal_form, divisors or manifold",
                      to_string(stage), "leave it out: this stage is exact");
     if (format == Format::sympy || format == Format::maxima)
@@ -111,7 +130,7 @@ void require_printable_in_numbers(Stage stage, Format format) {
                      to_string(format), "choose one of these formats");
 }
 
-int run_derive(const Request& request) {
+int run_derive(const DeriveRequest& request) {
     const int order = read_order("--order", request.order);
     const Stage stage = parse_stage(request.stage);
     if (!request.truncation.empty() && stage != Stage::solution)
@@ -121,13 +140,15 @@ int run_derive(const Request& request) {
     require_printable(stage, format);
     const std::string coefficients =
         read_choice("--coefficients", request.coefficients, {"auto", "ring", "graph"});
-    const auto file = find_system(request.system, find_home().systems());
+    const auto file = find_system(request.system, find_home());
     const SystemChanges changes{read_settings(request.settings), read_style(request.style),
                                 read_digits(request.digits)};
     if (changes.digits > 0) require_printable_in_numbers(stage, format);
     put("{}", watched(request.limits, [&](Watch& watch) {
-            return document(expand_system(file, changes, watch), order, stage, request.truncation, format,
-                            coefficients, watch);
+            if (of_mechanism(stage)) return print_derivation(changed_system(file, changes), stage, format);
+            return stage == Stage::equations ? print_equations(changed_system(file, changes), format)
+                                             : document(expand_system(file, changes, watch), order, stage,
+                                                        request.truncation, format, coefficients, watch);
         }));
     return done;
 }
@@ -140,8 +161,9 @@ void add_derive(CLI::App& app, Action& action) {
     const Text system = add_required(*command, "SYSTEM", "", system_help);
     const Text order = add_text(*command, "--order", order_values, "weight of normal form and map", "3");
     const Text stage =
-        add_text(*command, "--stage", "equations|expand|normal_form|divisors|manifold|solution",
-                 "what to print", "normal_form");
+        add_text(*command, "--stage",
+                 "constraints|accelerations|equations|expand|normal_form|divisors|manifold|solution",
+                 "what to print; the first two of a mechanism", "normal_form");
     const Text truncation = add_text(*command, "--truncation", order_values,
                                      "for the solution: weight through which normal form and map are used, "
                                      "not below the order; default: what the order needs on t = 1/eps");

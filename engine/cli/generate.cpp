@@ -26,7 +26,7 @@ std::string to_text(const Program::Count& c) {
                        c.multiply, c.divide, c.root, c.sincos, c.other, c.tables);
 }
 
-struct Request {
+struct GenerateRequest {
     std::string scene, output, format;
     bool inline_runtime = false;
     DerivationLimits limits;
@@ -38,7 +38,7 @@ struct Generated {
     std::string header;
 };
 
-Generated generate(const Request& request) {
+Generated generate(const GenerateRequest& request) {
     const Home home = find_home();
     return watched(request.limits, [&](Watch& watch) {
         SceneLine line = solve_scene(request.scene, home, watch);
@@ -48,7 +48,7 @@ Generated generate(const Request& request) {
     });
 }
 
-int run_generate(const Request& request) {
+int run_generate(const GenerateRequest& request) {
     const auto [line, program, header] = generate(request);
     require_other_file(request.output, {line.scene.file, line.scene.system->file});
     if (!request.output.empty()) write_file(request.output, header);

@@ -28,7 +28,7 @@ DerivationLimits LimitOptions::value() const {
     DerivationLimits limits = default_limits();
     if (!seconds_->empty()) limits.seconds = read_limit("--time-limit", *seconds_);
     if (!megabytes_->empty()) limits.megabytes = read_limit("--memory-limit", *megabytes_);
-    if (!terms_->empty()) limits.terms = read_limit("--term-limit", *terms_);
+    if (!terms_->empty()) limits.terms = read_count_limit("--term-limit", *terms_);
     return limits;
 }
 

@@ -104,9 +104,20 @@ Home find_home() {
     const fs::path source_tree = RESONFORM_SOURCE_DIR;
     if (fs::is_directory("systems", ignored) || !fs::is_directory(source_tree / "systems", ignored))
         return {};
-    say(fmt::format("resonform: there is no systems/ here; the one used is {}",
-                    (source_tree / "systems").string()));
     return {source_tree, true};
+}
+
+void say_if_of_source_tree(const Home& home, const fs::path& system) {
+    const fs::path inside = system.lexically_relative(home.systems());
+    if (!home.of_source_tree || inside.empty() || *inside.begin() == "..") return;
+    say(fmt::format("resonform: there is no systems/ here; the one used is {}", home.systems().string()));
+}
+
+fs::path find_system(const std::string& argument, const Home& home) {
+    std::error_code ignored;
+    fs::path file = find_system(argument, home.systems());
+    if (!fs::exists(argument, ignored)) say_if_of_source_tree(home, file); // no path: a name
+    return file;
 }
 
 std::vector<SystemFiles> list_systems(const Home& home) {
@@ -117,6 +128,7 @@ std::vector<SystemFiles> list_systems(const Home& home) {
         bad_input({"there must be a system: a folder with system.toml", "none",
                    "add one, or go to a folder whose systems/ has one", place});
     }
+    say_if_of_source_tree(home, systems.front().system);
     return systems;
 }
 

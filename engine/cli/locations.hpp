@@ -20,15 +20,21 @@ struct Home {
     }
     [[nodiscard]] std::filesystem::path cache() const { return (folder / "build/cache").lexically_normal(); }
 };
-// The current folder if it has systems/; else the source tree if that is still there, which is said.
+// The current folder if it has systems/; else the source tree if that is still there.
 Home find_home();
+
+// SYSTEM of the command line: find_system of model/system_file.hpp. A line on standard error says if a name
+// is one of the source tree.
+std::filesystem::path find_system(const std::string& argument, const Home& home);
+// The same for a file that was found by its name, in a folder of systems.
+void say_if_of_source_tree(const Home& home, const std::filesystem::path& system);
 
 // systems/*/system.toml and systems/*/scenes/*.toml, sorted by name.
 struct SystemFiles {
     std::filesystem::path system;
     std::vector<std::filesystem::path> scenes;
 };
-// Errors (bad_input): a folder cannot be read; there is no system.
+// Says if they are those of the source tree. Errors (bad_input): a folder cannot be read; there is no system.
 std::vector<SystemFiles> list_systems(const Home& home);
 
 // A system in systems/ has the name of its folder: generated/ is laid out by names, and two of one name

@@ -2,6 +2,7 @@
 #include "cli/pipeline.hpp"
 
 #include "cli/output.hpp"
+#include "emit/decided.hpp"
 #include "normalize/numbers.hpp"
 
 #include <fmt/format.h>
@@ -41,11 +42,15 @@ Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
 
 } // namespace
 
-Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch) {
+System changed_system(const std::filesystem::path& file, const SystemChanges& changes) {
     System system = with_settings(read_system(file), changes.settings, "--set");
     if (changes.style) system.style = *changes.style;
     system.digits = changes.digits;
-    return expand_shared(std::make_shared<const System>(std::move(system)), watch);
+    return system;
+}
+
+Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch) {
+    return expand_shared(std::make_shared<const System>(changed_system(file, changes)), watch);
 }
 
 namespace {
@@ -88,6 +93,7 @@ std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& 
                            : normalize(expanded.field, through, options));
         },
         [&](Normalization& n) {
+            if (!in_numbers) require_decided(n.normal_form);
             n.certificate = in_numbers ? certify_numbers(n, expanded.field) : certify(n.normal_form, n.map);
         });
 }
@@ -113,6 +119,8 @@ GraphNormalization normalize_in_graph_certified(const Expanded& expanded, int th
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch) {
     SceneLine line;
     line.scene = read_scene(find_scene(argument, home), home.systems());
+    if (line.scene.file.parent_path().parent_path() != line.scene.system->file.parent_path())
+        say_if_of_source_tree(home, line.scene.system->file);
     line.expanded = expand_shared(line.scene.system, watch);
     at_place(whole_file(line.scene.file), [&] {
         line.count = count_truncation(*line.expanded.field, line.scene);

@@ -37,6 +37,7 @@ struct SystemChanges {
     std::optional<Style> style;    // --style
     int digits = 0;                // --digits
 };
+System changed_system(const std::filesystem::path& file, const SystemChanges& changes);
 Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch);
 
 // Normal form and map through a weight with their certificate, which may fail to hold: `certify`

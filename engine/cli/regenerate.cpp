@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-struct Request {
+struct RegenerateRequest {
     Home home;
     bool check;
     DerivationLimits limits;
@@ -56,7 +56,7 @@ std::string compare(const fs::path& file, const std::string& header) {
 }
 
 // The state of the header of a scene after it was made anew.
-std::string regenerate_scene(const fs::path& scene, const fs::path& file, const Request& request) {
+std::string regenerate_scene(const fs::path& scene, const fs::path& file, const RegenerateRequest& request) {
     const std::string header = watched(request.limits, [&](Watch& watch) {
         const SceneLine line = solve_scene(scene.string(), request.home, watch);
         return emit_cpp(build_program(line.solution, line.scene));
@@ -71,7 +71,7 @@ std::string regenerate_scene(const fs::path& scene, const fs::path& file, const 
 }
 
 // The headers of one system. A broken file is said, and hides none of the others.
-void regenerate_system(const SystemFiles& files, const Request& request, Regeneration& result) {
+void regenerate_system(const SystemFiles& files, const RegenerateRequest& request, Regeneration& result) {
     const auto read = result.attempt([&] { require_name_of_folder(read_system(files.system)); });
     for (const fs::path& scene : files.scenes) {
         const fs::path name = files.system.parent_path().filename() / (scene.stem().string() + ".hpp");
@@ -108,7 +108,7 @@ void print(const Regeneration& result, const std::string& format) {
                 .dump(2));
 }
 
-int run_regenerate(const Request& request, const std::string& format) {
+int run_regenerate(const RegenerateRequest& request, const std::string& format) {
     const Home& home = request.home;
     if (!request.check && home.of_source_tree)
         bad_input({"regenerate must be run in a folder with systems/",

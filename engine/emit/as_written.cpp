@@ -14,8 +14,8 @@ namespace {
 // The grammar of model/expression.hpp once more, over text that is known to obey it.
 class Reader {
 public:
-    explicit Reader(const Equation& equation)
-        : text_(equation.text), tokens_(tokenize(equation.text, equation.source)) {}
+    Reader(std::string text, const SourceText& source)
+        : text_(std::move(text)), tokens_(tokenize(text_, source)) {}
 
     WrittenEquation equation() {
         WrittenEquation result;
@@ -151,8 +151,26 @@ private:
     std::size_t at_ = 0;
 };
 
+// The text with each parameter that is set replaced by its value.
+std::string with_values(const Equation& equation, const std::vector<Setting>& settings) {
+    std::string text;
+    std::size_t copied = 0;
+    for (const Token& token : tokenize(equation.text, equation.source)) {
+        if (token.kind != TokenKind::name) continue;
+        const std::string name = equation.text.substr(token.begin, token.end - token.begin);
+        for (const Setting& setting : settings) {
+            if (setting.parameter != name) continue;
+            text += equation.text.substr(copied, token.begin - copied) + "(" + setting.value + ")";
+            copied = token.end;
+        }
+    }
+    return text + equation.text.substr(copied);
+}
+
 } // namespace
 
-WrittenEquation as_written(const Equation& equation) { return Reader(equation).equation(); }
+WrittenEquation as_written(const Equation& equation, const std::vector<Setting>& settings) {
+    return Reader(with_values(equation, settings), equation.source).equation();
+}
 
 } // namespace resonform

@@ -5,13 +5,16 @@
 #include "emit/display.hpp"
 #include "model/system_file.hpp"
 
+#include <vector>
+
 namespace resonform {
 
 struct WrittenEquation {
     DisplaySum left, right;
 };
 
-// Precondition: the text was read without an error (model/expression.hpp).
-WrittenEquation as_written(const Equation& equation);
+// Values stand in place of the parameters that are set.
+// Precondition: text and values were read without an error (model/expression.hpp).
+WrittenEquation as_written(const Equation& equation, const std::vector<Setting>& settings = {});
 
 } // namespace resonform

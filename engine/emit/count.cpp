@@ -14,7 +14,7 @@ namespace {
 
 // The counts in the order of OperationCount, wide: written out, expressions grow exponentially.
 using Count = std::array<long long, 7>;
-enum Kind : std::size_t { sums, products, divisions, roots, angles, others, lookups };
+enum CountIndex : std::size_t { sums, products, divisions, roots, angles, others, lookups };
 
 long long multiplications(int exponent) {
     long long count = -1;
@@ -42,6 +42,8 @@ void count_own(const Graph::Entry& e, Count& count) {
 
 Count leaf_count(const Program& program, Graph::Node n) {
     Count count{};
+    for (const ProgramFlow& variable : program.flow)
+        if (variable.value == n) count[lookups] = 1;
     for (const ProgramTable& table : program.tables)
         if (table.value == n) count[lookups] = 1;
     for (const ProgramPhase& phase : program.phases)

@@ -46,6 +46,7 @@ std::string banner(const Program& program) {
 std::string runtime(const Program& program, bool inlined) {
     std::string text;
     if (!inlined) {
+        if (!program.flow.empty()) text += "#include \"runtime/flow.hpp\"\n";
         text += "#include \"runtime/interval.hpp\"\n";
         if (!program.phases.empty()) text += "#include \"runtime/phase.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";

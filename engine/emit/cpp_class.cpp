@@ -6,6 +6,7 @@
 #include "emit/cpp_stages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -26,6 +27,7 @@ private:
     std::string look_up() const;
     std::string widened() const;
     std::string prepare() const;
+    std::string flow_starts() const;
     std::string construct() const;
     std::string data_members() const;
 
@@ -51,14 +53,14 @@ std::string CppFrame::widened() const {
     }}
 
 )",
-                       program_.tables.size());
+                       plan_.columns_before(plan_.levels.size()));
 }
 
 // The values of all tables below a level.
 std::string CppFrame::look_up() const {
     std::string text;
     for (std::size_t level = 1; level <= plan_.levels.size(); ++level) {
-        const std::string type = fmt::format("std::array<Real, {}>", plan_.tables_before(level));
+        const std::string type = fmt::format("std::array<Real, {}>", plan_.columns_before(level));
         text += fmt::format("    {} look_up_{}(const Real& T) const noexcept {{\n", type, level);
         if (level == 1) {
             text += "        return tables_0_(T);\n    }\n\n";
@@ -103,6 +105,12 @@ std::string built_or_return(const std::string& call) {
                        call);
 }
 
+std::string CppFrame::flow_starts() const {
+    std::vector<std::string> list;
+    for (const StraightLine::Value v : plan_.flow_starts) list.push_back("c_." + plan_.members.at(v));
+    return fmt::format("{}", fmt::join(list, ", "));
+}
+
 std::string CppFrame::construct() const {
     std::string text =
         "    Status construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
@@ -120,6 +128,13 @@ std::string CppFrame::construct() const {
     if (!plan_.levels.empty() || !program_.phases.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
     for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
+        if (plan_.levels[level].flow) {
+            text += built_or_return(fmt::format(
+                "tables_{}_.build([this](const Real& T, const std::array<Real, {}>& flow) {{ return "
+                "flow_rates(c_, T, flow); }},\n                              {{{}}}, reach)",
+                level, program_.flow.size(), flow_starts()));
+            continue;
+        }
         const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);
         text += built_or_return(fmt::format(
             "tables_{0}_.build([this](const Real& T) {{ return integrands_{0}(c_, T{1}); }}, reach)", level,
@@ -145,9 +160,13 @@ std::string CppFrame::construct() const {
 
 std::string CppFrame::data_members() const {
     std::string text;
-    for (std::size_t level = 0; level < plan_.levels.size(); ++level)
-        text += fmt::format("    resonform::PrimitiveTable<Real, {}> tables_{}_;\n",
-                            plan_.levels[level].tables.size(), level);
+    for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
+        const std::size_t size = plan_.levels[level].members.size();
+        const std::string type = plan_.levels[level].flow
+                                     ? fmt::format("FlowTable<std::array<Real, {}>>", size)
+                                     : fmt::format("PrimitiveTable<Real, {}>", size);
+        text += fmt::format("    resonform::{} tables_{}_;\n", type, level);
+    }
     for (const std::string& name : plan_.phase_names)
         text += fmt::format("    resonform::Phase<Real> {}_;\n", name);
     return "    Constants<Real> c_;\n    Interval interval_;\n" + text + "    Status status_ = Status::ok;\n";

@@ -31,30 +31,34 @@ void CppPlan::name_inputs() {
 }
 
 void CppPlan::assign_levels() {
-    std::vector<std::size_t> level(program->tables.size(), 0);
+    if (!program->flow.empty()) {
+        levels.push_back({true, {}});
+        for (std::size_t k = 0; k < program->flow.size(); ++k) levels.back().members.push_back(k);
+    }
+    const std::size_t first = levels.size();
+    std::vector<std::size_t> level(program->tables.size(), first);
     for (std::size_t k = 0; k < level.size(); ++k) {
         const std::vector<bool> used = reachable(program->graph, {program->tables[k].integrand});
         for (std::size_t j = 0; j < k; ++j)
             if (used[static_cast<std::size_t>(program->tables[j].value)])
                 level[k] = std::max(level[k], level[j] + 1);
         if (levels.size() <= level[k]) levels.resize(level[k] + 1);
-        levels[level[k]].tables.push_back(k);
+        levels[level[k]].members.push_back(k);
     }
 }
 
-std::size_t CppPlan::column(std::size_t table) const {
-    std::size_t result = 0;
+std::vector<CppPlan::Column> CppPlan::columns() const {
+    std::vector<Column> list;
     for (const CppLevel& level : levels)
-        for (const std::size_t k : level.tables) {
-            if (k == table) return result;
-            ++result;
-        }
-    return result;
+        for (const std::size_t k : level.members)
+            list.push_back(level.flow ? Column{program->flow[k].name, program->flow[k].value}
+                                      : Column{program->tables[k].name, program->tables[k].value});
+    return list;
 }
 
-std::size_t CppPlan::tables_before(std::size_t level) const {
+std::size_t CppPlan::columns_before(std::size_t level) const {
     std::size_t count = 0;
-    for (std::size_t k = 0; k < level; ++k) count += levels[k].tables.size();
+    for (std::size_t k = 0; k < level; ++k) count += levels[k].members.size();
     return count;
 }
 
@@ -68,6 +72,11 @@ void CppPlan::lower_results() {
         return lowered;
     };
     CppNames names;
+    for (const ProgramFlow& variable : program->flow) {
+        flow_starts.push_back(code.lower(variable.start));
+        flow_rates.push_back(code.lower(variable.rate));
+    }
+    const std::vector<Column> looked_up = columns();
     integrands.reserve(program->tables.size());
     for (const ProgramTable& table : program->tables) integrands.push_back(code.lower(table.integrand));
     for (const ProgramPhase& phase : program->phases) {
@@ -76,9 +85,8 @@ void CppPlan::lower_results() {
         phase_rates.push_back(code.lower(phase.rate));
         const std::vector<bool> used = reachable(program->graph, {phase.rate});
         phase_uses_tables.push_back(
-            std::any_of(program->tables.begin(), program->tables.end(), [&](const ProgramTable& table) {
-                return used[static_cast<std::size_t>(table.value)];
-            }));
+            std::any_of(looked_up.begin(), looked_up.end(),
+                        [&](const Column& column) { return used[static_cast<std::size_t>(column.value)]; }));
     }
     outputs = results(program->outputs);
     state = results(program->state);
@@ -92,7 +100,7 @@ void CppPlan::lower_results() {
 void CppPlan::find_members() {
     std::vector<Value> roots = integrands;
     for (const std::vector<Value>* more :
-         {&phase_starts, &phase_rates, &constant_conditions, &varying_conditions})
+         {&flow_starts, &flow_rates, &phase_starts, &phase_rates, &constant_conditions, &varying_conditions})
         roots.insert(roots.end(), more->begin(), more->end());
     for (const std::vector<CppResult>* results : {&outputs, &state})
         for (const CppResult& result : *results) roots.push_back(result.value);
@@ -102,6 +110,7 @@ void CppPlan::find_members() {
         for (const ProgramInput& input : *list) inputs[input.symbol] = input.name;
 
     std::set<Value> kept(phase_starts.begin(), phase_starts.end()); // whatever they are
+    kept.insert(flow_starts.begin(), flow_starts.end());
     kept.insert(constant_conditions.begin(), constant_conditions.end());
     CppNames names;
     for (const Value v : code.behind(roots, false)) {

@@ -11,9 +11,11 @@
 
 namespace resonform {
 
-// Tables whose integrands need no later ones: they are built together, after all levels before.
+// What is built together, after all levels before: the slow flow, which comes first, or tables whose
+// integrands need no later ones.
 struct CppLevel {
-    std::vector<std::size_t> tables; // indices into program.tables, ascending
+    bool flow = false;
+    std::vector<std::size_t> members; // indices into program.tables, or program.flow: ascending
 };
 
 struct CppResult {
@@ -28,17 +30,22 @@ struct CppPlan {
     StraightLine code;
     std::vector<std::string> parameters, start; // members of Parameters and Start, as in the program
     std::vector<CppLevel> levels;
+    std::vector<StraightLine::Value> flow_starts, flow_rates;   // of program.flow
     std::vector<StraightLine::Value> integrands;                // of program.tables
     std::vector<StraightLine::Value> phase_starts, phase_rates; // of program.phases
     std::vector<std::string> phase_names;
-    std::vector<bool> phase_uses_tables;
+    std::vector<bool> phase_uses_tables; // or the flow
     std::vector<CppResult> outputs, state;
     std::vector<StraightLine::Value> constant_conditions, varying_conditions;
     // Constants that outlive the construction, and the names of their members.
     std::map<StraightLine::Value, std::string> members;
-    // The place of a table's value among all, level by level.
-    [[nodiscard]] std::size_t column(std::size_t table) const;
-    [[nodiscard]] std::size_t tables_before(std::size_t level) const;
+    // All values that are looked up: of the flow, and of the tables, level by level.
+    struct Column {
+        std::string name;
+        Graph::Node value;
+    };
+    [[nodiscard]] std::vector<Column> columns() const;
+    [[nodiscard]] std::size_t columns_before(std::size_t level) const;
 
 private:
     void name_inputs();

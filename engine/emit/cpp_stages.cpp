@@ -17,13 +17,15 @@ public:
     explicit CppStages(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() {
-        return constants() + integrands() + phase_rates() + arguments() +
+        return constants() + flow_rates() + integrands() + phase_rates() + arguments() +
                evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state);
     }
 
 private:
     std::string constants();
+    std::string flow_rates();
     std::string integrands();
+    std::string integrands_of(std::size_t level);
     std::string phase_rates();
     std::string arguments() const;
     std::string evaluation(const std::string& name, const std::string& type,
@@ -70,39 +72,67 @@ std::string CppStages::constants() {
 }
 
 void CppStages::know_tables(CppFunction& function, const std::string& array) {
-    for (std::size_t k = 0; k < program_.tables.size(); ++k)
-        function.define(plan_.code.lower(program_.tables[k].value), program_.tables[k].name,
-                        fmt::format("{}[{}]", array, plan_.column(k)));
+    std::size_t place = 0;
+    for (const CppPlan::Column& column : plan_.columns())
+        function.define(plan_.code.lower(column.value), column.name, fmt::format("{}[{}]", array, place++));
+}
+
+// The slow flow: its rates at T and at values of its own.
+std::string CppStages::flow_rates() {
+    if (program_.flow.empty()) return "";
+    CppFunction function(plan_.code, "Number", "q");
+    know_members(function);
+    function.know(plan_.code.lower(program_.slow_time), "T");
+    know_tables(function, "flow");
+    function.compute(plan_.flow_rates, false);
+    std::vector<std::string> names, texts;
+    for (std::size_t k = 0; k < program_.flow.size(); ++k) {
+        names.push_back(fmt::format("d{}/dT", program_.flow[k].name));
+        texts.push_back("Number(" + function.text(plan_.flow_rates[k]) + ")");
+    }
+    const std::string type = fmt::format("std::array<Number, {}>", program_.flow.size());
+    return fmt::format(
+        "    // The slow flow: {}\n{}\n", fmt::join(names, ", "),
+        function.print(
+            {"template <class Number> static",
+             type,
+             "flow_rates",
+             {{"const Constants<Number>&", "c"}, {"const Number&", "T"}, {"const " + type + "&", "flow"}},
+             {},
+             {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}));
 }
 
 std::string CppStages::integrands() {
     std::string text;
-    for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
-        CppFunction function(plan_.code, "Number", "q");
-        know_members(function);
-        function.know(plan_.code.lower(program_.slow_time), "T");
-        know_tables(function, "tables");
-        std::vector<Value> roots;
-        std::vector<std::string> names, texts;
-        for (const std::size_t k : plan_.levels[level].tables) {
-            roots.push_back(plan_.integrands[k]);
-            names.push_back("d" + program_.tables[k].name + "/dT");
-        }
-        function.compute(roots, false);
-        for (const Value root : roots) texts.push_back("Number(" + function.text(root) + ")");
-        const std::string type = fmt::format("std::array<Number, {}>", roots.size());
-        CppFunction::Frame frame{"template <class Number> static",
-                                 type,
-                                 fmt::format("integrands_{}", level),
-                                 {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
-                                 {},
-                                 {fmt::format("return {{{}}};", fmt::join(texts, ", "))}};
-        if (level > 0)
-            frame.parameters.emplace_back(
-                fmt::format("const std::array<Number, {}>&", plan_.tables_before(level)), "tables");
-        text += fmt::format("    // {}\n{}\n", fmt::join(names, ", "), function.print(frame));
-    }
+    for (std::size_t level = 0; level < plan_.levels.size(); ++level)
+        if (!plan_.levels[level].flow) text += integrands_of(level);
     return text;
+}
+
+std::string CppStages::integrands_of(std::size_t level) {
+    CppFunction function(plan_.code, "Number", "q");
+    know_members(function);
+    function.know(plan_.code.lower(program_.slow_time), "T");
+    know_tables(function, "tables");
+    std::vector<Value> roots;
+    std::vector<std::string> names, texts;
+    for (const std::size_t k : plan_.levels[level].members) {
+        roots.push_back(plan_.integrands[k]);
+        names.push_back("d" + program_.tables[k].name + "/dT");
+    }
+    function.compute(roots, false);
+    for (const Value root : roots) texts.push_back("Number(" + function.text(root) + ")");
+    const std::string type = fmt::format("std::array<Number, {}>", roots.size());
+    CppFunction::Frame frame{"template <class Number> static",
+                             type,
+                             fmt::format("integrands_{}", level),
+                             {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
+                             {},
+                             {fmt::format("return {{{}}};", fmt::join(texts, ", "))}};
+    if (level > 0)
+        frame.parameters.emplace_back(
+            fmt::format("const std::array<Number, {}>&", plan_.columns_before(level)), "tables");
+    return fmt::format("    // {}\n{}\n", fmt::join(names, ", "), function.print(frame));
 }
 
 std::string CppStages::phase_rates() {
@@ -121,7 +151,8 @@ std::string CppStages::phase_rates() {
                                  {fmt::format("return {};", function.text(plan_.phase_rates[k]))}};
         if (plan_.phase_uses_tables[k])
             frame.parameters.emplace_back(
-                fmt::format("const std::array<Number, {}>&", program_.tables.size()), "tables");
+                fmt::format("const std::array<Number, {}>&", plan_.columns_before(plan_.levels.size())),
+                "tables");
         text += fmt::format("    // d{}/dT\n", plan_.phase_names[k]) + function.print(frame) + "\n";
     }
     return text;
@@ -130,8 +161,9 @@ std::string CppStages::phase_rates() {
 std::string CppStages::arguments() const {
     std::string text = "    // What differs from call to call.\n    struct Arguments {\n        Real T{}; // "
                        "slow time eps t\n";
-    if (!program_.tables.empty())
-        text += fmt::format("        std::array<Real, {}> tables{{}};\n", program_.tables.size());
+    if (!plan_.levels.empty())
+        text += fmt::format("        std::array<Real, {}> tables{{}};\n",
+                            plan_.columns_before(plan_.levels.size()));
     for (const std::string& name : plan_.phase_names)
         text += fmt::format("        Real cos_{0}{{}}, sin_{0}{{}};\n", name);
     return text + "    };\n\n";

@@ -16,6 +16,11 @@ namespace resonform {
 Page equations_page(const System& system);
 Json equations_json(const System& system);
 
+// How the equations of a mechanism come about: (2) of its constraints, or (7)-(10). Schema
+// resonform.derivation/1. Precondition: system.derivation.
+Page derivation_page(const System& system, bool constraints);
+Json derivation_json(const System& system, bool constraints);
+
 // (16), and with a solution (19). Schema resonform.expansion/1.
 Page expansion_page(const GradedField& field, int order, const Solution* solution);
 Json expansion_json(const GradedField& field, int order);

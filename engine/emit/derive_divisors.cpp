@@ -37,8 +37,17 @@ template <class Asked> bool all_of(const Ring& ring, const Monomial& m, Asked as
 
 bool is_divisor(const Generator& g) { return g.kind == GeneratorKind::root && g.index == 1; }
 
+// With the radicands in place of divisors that the ring has learned, and without powers of roots as factors:
+// tau^2 + 1 may be held as delta - 2. As it is where that leaves a divisor below.
+Polynomial written_out(const Ring& ring, const Polynomial& p) {
+    const auto parts = ring.expanded_form(p);
+    const bool whole = parts.size() == 1 && all_of(ring, parts.front().first,
+                                                   [](const Generator& g, int) { return !is_divisor(g); });
+    return whole ? parts.front().second : p;
+}
+
 // Declared or proved: one term vanishes nowhere and the others, if any, have its sign or are zero.
-bool nowhere_zero(const Ring& ring, const Polynomial& p) {
+bool is_of_one_sign(const Ring& ring, const Polynomial& p) {
     const auto positive = [&](const Generator& g) {
         return g.positive || (g.kind == GeneratorKind::root && !is_divisor(g));
     };
@@ -57,11 +66,16 @@ bool nowhere_zero(const Ring& ring, const Polynomial& p) {
            (p.size() == 1 || std::all_of(p.terms().begin(), p.terms().end(), of_that_sign));
 }
 
+bool nowhere_zero(const Ring& ring, const Polynomial& p) {
+    return is_of_one_sign(ring, p) || is_of_one_sign(ring, written_out(ring, p));
+}
+
 // What p is a product of, as far as it may vanish: divisors that the ring has learned, and the rest.
 std::vector<Polynomial> vanishing_factors(const Ring& ring, const Polynomial& p) {
     std::vector<Polynomial> factors;
     for (GeneratorId id = 0; id < ring.size(); ++id)
-        if (is_divisor(ring.generator(id)) && ring.lowest_exponent(p, id) > 0)
+        if (is_divisor(ring.generator(id)) && ring.lowest_exponent(p, id) > 0 &&
+            !nowhere_zero(ring, ring.generator(id).radicand))
             factors.push_back(ring.generator(id).radicand);
     Polynomial rest = primitive_part(ring, p);
     if (!nowhere_zero(ring, rest)) factors.push_back(std::move(rest));

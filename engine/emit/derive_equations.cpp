@@ -12,7 +12,7 @@ Page equations_page(const System& system) {
     page.title = "equations of " + system.name_with_settings();
     Section section;
     for (const Equation& equation : system.equations) {
-        WrittenEquation written = as_written(equation);
+        WrittenEquation written = as_written(equation, system.settings);
         section.formulas.push_back({side(std::move(written.left)), side(std::move(written.right))});
     }
     page.sections.push_back(std::move(section));

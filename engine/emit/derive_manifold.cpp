@@ -3,6 +3,7 @@
 #include "emit/derive.hpp"
 #include "emit/normal_form_json.hpp"
 #include "emit/normal_form_parts.hpp"
+#include "emit/spelling.hpp"
 
 #include <fmt/format.h>
 
@@ -89,6 +90,18 @@ private:
     Substitutes phases_;
 };
 
+// Where a growth rate vanishes the manifold has more dimensions.
+std::vector<std::string> growth_remarks(const CentreManifold& manifold) {
+    const GradedField& field = *manifold.flow.field;
+    std::vector<std::string> remarks;
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (manifold.slaved[k] && !field.ring->inverse(field.modes[k].growth))
+            remarks.push_back(fmt::format(
+                "{} is slaved: its growth rate is taken to vanish nowhere, {}", field.modes[k].name,
+                spell(display(*field.ring, field.modes[k].growth), text_spelling())));
+    return remarks;
+}
+
 } // namespace
 
 Page manifold_page(const CentreManifold& manifold, const Certificate& certificate, int order) {
@@ -99,6 +112,7 @@ Page manifold_page(const CentreManifold& manifold, const Certificate& certificat
                              to_string(system.weight(order)));
     for (Section section : {parts.flow(), parts.manifold(), parts.fibres()})
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));
+    page.remarks = growth_remarks(manifold);
     page.remarks.push_back(certificate_remark(certificate));
     return page;
 }

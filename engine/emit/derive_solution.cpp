@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (21) to (23): amplitude and phase, drift, and the outputs in sines and cosines.
 #include "emit/derive.hpp"
+#include "emit/derive_flow.hpp"
 #include "emit/drift_frame.hpp"
 #include "emit/normal_form_parts.hpp"
 #include "emit/slow_rate.hpp"
@@ -179,16 +180,21 @@ private:
 } // namespace
 
 Page solution_page(const Solution& solution) {
-    const SolutionPage parts(solution);
     Page page;
     page.title = fmt::format("solution of {} through order {} (normal form and map through weight {})",
                              solution.system().name_with_settings(), solution.order, solution.truncation);
+    if (solution.flow) {
+        page.sections = flow_sections(solution, solution.flow->outputs);
+        return page;
+    }
+    const SolutionPage parts(solution);
     for (Section section : {parts.slow(), parts.amplitude_and_phase(), parts.drift(), parts.outputs()})
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));
     return page;
 }
 
 void define_slow_time(Page& page, const Solution& solution) {
+    if (solution.flow) return;
     const std::string name = slow_time_name(solution);
     bool used = false;
     for (const Section& section : page.sections)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solution as JSON: schema resonform.solution/1. Primitives are named, and listed before use.
 #include "emit/derive.hpp"
+#include "emit/derive_flow.hpp"
 #include "emit/solution_display.hpp"
 
 #include <utility>
@@ -9,7 +10,7 @@ namespace resonform {
 
 namespace {
 
-const char* to_string(PrimitiveKind kind) {
+const char* name_of(PrimitiveKind kind) {
     switch (kind) {
     case PrimitiveKind::logarithm: return "logarithm";
     case PrimitiveKind::quadrature: return "quadrature";
@@ -59,7 +60,7 @@ public:
         Json list = Json::array();
         for (const Primitive& primitive : solution_.primitives) {
             Json json = {{"name", primitive.name},
-                         {"kind", to_string(primitive.kind)},
+                         {"kind", name_of(primitive.kind)},
                          {"argument", json_expression(ring_, primitive.argument)}};
             if (primitive.kind == PrimitiveKind::quadrature)
                 json["over"] = primitive.over_slow_time || solution_.slow.empty()
@@ -117,8 +118,13 @@ private:
 } // namespace
 
 Json solution_json(const Solution& solution) {
-    const SolutionJson parts(solution);
     Json document = json_head("resonform.solution/1", solution.system());
+    if (solution.flow) {
+        document.update(Json{{"order", solution.order}, {"truncation", solution.truncation}});
+        document.update(flow_json(solution));
+        return document;
+    }
+    const SolutionJson parts(solution);
     document.update(Json{{"order", solution.order},
                          {"truncation", solution.truncation},
                          {"slow", parts.slow()},

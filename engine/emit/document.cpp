@@ -12,8 +12,8 @@ namespace resonform {
 namespace {
 
 constexpr std::array formats = {Format::text, Format::latex, Format::json, Format::sympy, Format::maxima};
-constexpr std::array stages = {Stage::equations, Stage::expand,   Stage::normal_form,
-                               Stage::divisors,  Stage::manifold, Stage::solution};
+constexpr std::array stages = {Stage::constraints, Stage::accelerations, Stage::equations, Stage::expand,
+                               Stage::normal_form, Stage::divisors,      Stage::manifold,  Stage::solution};
 
 template <class Choice, std::size_t N>
 Choice parse(const char* what, std::string_view name, const std::array<Choice, N>& choices) {
@@ -41,9 +41,9 @@ std::string render(const Page& page, Format format) {
     return format == Format::latex ? page_latex(page) : page_text(page);
 }
 
-Page defined(const Solution& solution) {
-    Page page = solution_page(solution);
-    define_slow_time(page, solution);
+// What T means is said on each page that has it.
+Page defined(Page page, const Solution* solution) {
+    if (solution != nullptr) define_slow_time(page, *solution);
     return page;
 }
 
@@ -62,6 +62,8 @@ const char* to_string(Format format) {
 
 const char* to_string(Stage stage) {
     switch (stage) {
+    case Stage::constraints: return "constraints";
+    case Stage::accelerations: return "accelerations";
     case Stage::equations: return "equations";
     case Stage::expand: return "expand";
     case Stage::normal_form: return "normal_form";
@@ -91,11 +93,22 @@ std::string print_equations(const System& system, Format format) {
                                   : render(equations_page(system), format);
 }
 
+std::string print_derivation(const System& system, Stage stage, Format format) {
+    require_printable(stage, format);
+    if (!system.derivation)
+        bad_input({"stage " + std::string(to_string(stage)) + " is one of a mechanism",
+                   "the file has the equations themselves", "ask for stage equations",
+                   whole_file(system.file)});
+    const bool constraints = stage == Stage::constraints;
+    return format == Format::json ? json_document(derivation_json(system, constraints))
+                                  : render(derivation_page(system, constraints), format);
+}
+
 std::string print_expansion(const GradedField& field, int order, Format format, const Solution* solution) {
     require_printable(Stage::expand, format);
     require_order(order, 99 * field.system().eps_root, "weights of an expansion");
     return format == Format::json ? json_document(expansion_json(field, order))
-                                  : render(expansion_page(field, order, solution), format);
+                                  : render(defined(expansion_page(field, order, solution), solution), format);
 }
 
 std::string print_normal_form(const Normalization& normalization, int order, Format format,
@@ -108,7 +121,7 @@ std::string print_normal_form(const Normalization& normalization, int order, For
     case Format::text:
     case Format::latex: break;
     }
-    return render(normal_form_page(normalization, order, solution), format);
+    return render(defined(normal_form_page(normalization, order, solution), solution), format);
 }
 
 std::string print_normal_form(const GraphNormalization& normalization, int order) {
@@ -134,7 +147,7 @@ std::string print_manifold(const Normalization& normalization, int order, Format
 std::string print_solution(const Solution& solution, Format format) {
     require_printable(Stage::solution, format);
     return format == Format::json ? json_document(solution_json(solution))
-                                  : render(defined(solution), format);
+                                  : render(defined(solution_page(solution), &solution), format);
 }
 
 } // namespace resonform

@@ -17,7 +17,7 @@
 namespace resonform {
 
 enum class Format { text, latex, json, sympy, maxima };
-enum class Stage { equations, expand, normal_form, divisors, manifold, solution };
+enum class Stage { constraints, accelerations, equations, expand, normal_form, divisors, manifold, solution };
 
 const char* to_string(Format format); // "text", "latex", ...
 const char* to_string(Stage stage);   // "equations", "expand", "normal_form", ...
@@ -31,6 +31,10 @@ void require_printable(Stage stage, Format format);
 
 // The equations as read, e.g. (15).
 std::string print_equations(const System& system, Format format);
+
+// What a mechanism's equations come from: its constraints (2), or its energy of accelerations (7)-(10).
+// Errors: bad_input: the file has the equations.
+std::string print_derivation(const System& system, Stage stage, Format format);
 
 // The equations expanded through weight `order` (1 ... 99) with their remainders, (16); in text and
 // LaTeX, with a solution at hand, also without the known weight-1 drift, (19). eps v is written as

@@ -22,7 +22,22 @@ std::string capitalised(std::string name) {
     return name;
 }
 
+// X for x; where that has a meaning already, x_new: of q and Q it is seen which is whose.
+std::string name_without_drift(const System& system, const std::string& variable,
+                               const std::vector<DriftFrame>& others) {
+    const auto is_free = [&](const std::string& name) {
+        return !is_taken(system, name) && !is_taken(system, "z_" + name) &&
+               std::none_of(others.begin(), others.end(),
+                            [&](const DriftFrame& other) { return other.name == name; });
+    };
+    std::string name = capitalised(variable);
+    if (!is_free(name)) name = variable;
+    while (!is_free(name)) name += "_new";
+    return name;
+}
+
 // x = constant + primitive + O(eps)
+// Of a solution in closed form.
 Polynomial known_primitive(const Solution& solution, std::size_t variable) {
     for (const DriftSolution& drift : solution.drift) {
         if (drift.variable != variable) continue;
@@ -44,7 +59,7 @@ std::vector<DriftFrame> drift_frames(const GradedField& field, const Solution* s
             solution == nullptr ? Polynomial() : known_primitive(*solution, drift.variable);
         if (!primitive.empty()) {
             frame.removed = true;
-            frame.name = free_name(field.system(), capitalised(drift.name));
+            frame.name = name_without_drift(field.system(), drift.name, frames);
             frame.primitive = display(*solution->ring, primitive, solution_substitutes(*solution));
         }
         frame.normal = "z_" + frame.name;

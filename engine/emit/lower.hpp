@@ -22,6 +22,8 @@ public:
         varying_.resize(nodes_.size(), false);
     }
 
+    [[nodiscard]] const Ring& ring() const { return *ring_; }
+
     // What stands for a generator; varying: it changes from call to call.
     void define(GeneratorId id, Graph::Node node, bool varying);
     [[nodiscard]] Graph::Node node(GeneratorId id) const { return nodes_[static_cast<std::size_t>(id)]; }

@@ -36,6 +36,24 @@ void name_roots(Program& program, Graph::Node n, int& radicands) {
 
 } // namespace
 
+void define_roots(Lowering& lowering, Program& program, const Surroundings& surroundings, bool named) {
+    int radicands = 0;
+    const Ring& ring = lowering.ring();
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (g.kind != GeneratorKind::root) continue;
+        const Graph::Node radicand = lowering.radicand(g.radicand);
+        const bool divisor = g.index == 1 && !g.positive;
+        if (!divisor && sign_of(program.graph, radicand, surroundings.positive) != Sign::positive)
+            program.positive.push_back(radicand);
+        const Graph::Node root = g.index == 1 ? radicand : program.graph.root(radicand, g.index);
+        const bool varies =
+            depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(root)];
+        lowering.define(id, root, varies);
+        if (varies && named) name_roots(program, root, radicands);
+    }
+}
+
 Moment::Moment(Program& program, const Solution& solution, RingPtr ring, const Surroundings& surroundings,
                const MomentPlan& plan)
     : lowering(program.graph, ring), harmonics(program.graph, ring, lowering), ring_(std::move(ring)) {
@@ -45,7 +63,7 @@ Moment::Moment(Program& program, const Solution& solution, RingPtr ring, const S
             define(program, id, known->second);
     for (const auto& [id, node] : plan.slow_variables) define(program, own(id, solution), node);
     if (solution.slow_time) define(program, own(*solution.slow_time, solution), plan.slow_time);
-    define_roots(program, surroundings);
+    define_roots(lowering, program, surroundings, true);
     define_primitives(program, solution, surroundings, plan);
 }
 
@@ -56,20 +74,6 @@ GeneratorId Moment::own(GeneratorId id, const Solution& solution) const {
 void Moment::define(const Program& program, GeneratorId id, Graph::Node node) {
     lowering.define(id, node,
                     depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(node)]);
-}
-
-void Moment::define_roots(Program& program, const Surroundings& surroundings) {
-    int radicands = 0;
-    for (GeneratorId id = 0; id < ring_->size(); ++id) {
-        const Generator& g = ring_->generator(id);
-        if (g.kind != GeneratorKind::root) continue;
-        const Graph::Node radicand = lowering.radicand(g.radicand);
-        if (sign_of(program.graph, radicand, surroundings.positive) != Sign::positive)
-            program.positive.push_back(radicand);
-        const Graph::Node root = program.graph.root(radicand, g.index);
-        define(program, id, root);
-        if (lowering.varying(id)) name_roots(program, root, radicands);
-    }
 }
 
 void Moment::define_primitives(Program& program, const Solution& solution, const Surroundings& surroundings,

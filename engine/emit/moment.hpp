@@ -27,6 +27,10 @@ struct MomentPlan {
     std::function<Graph::Node(const Primitive&, Lowering&)> quadrature;
 };
 
+// Defines the roots of a ring, and declares that what is under them is positive where that is not known; of
+// divisors (index 1) nothing is declared.
+void define_roots(Lowering& lowering, Program& program, const Surroundings& surroundings, bool named);
+
 class Moment {
 public:
     // ring: that of the solution, or one that holds its generators under the same names.
@@ -39,7 +43,6 @@ public:
     Harmonics harmonics;
 
 private:
-    void define_roots(Program& program, const Surroundings& surroundings);
     void define_primitives(Program& program, const Solution& solution, const Surroundings& surroundings,
                            const MomentPlan& plan);
     void define(const Program& program, GeneratorId id, Graph::Node node);

@@ -3,12 +3,13 @@
 
 #include "algebra/error.hpp"
 #include "emit/count.hpp"
-#include "emit/from_expression.hpp"
+#include "emit/flow_program.hpp"
 #include "emit/identifier.hpp"
 #include "emit/moment.hpp"
 #include "emit/prune.hpp"
 #include "emit/quadratures.hpp"
 #include "emit/scene_formulas.hpp"
+#include "emit/scene_program.hpp"
 #include "emit/start_constants.hpp"
 #include "emit/straight_line.hpp"
 
@@ -21,15 +22,13 @@ namespace resonform {
 
 namespace {
 
-class ProgramBuilder {
+class ProgramBuilder : SceneProgram {
 public:
     ProgramBuilder(const Solution& solution, const Scene& scene, const ProgramOptions& options)
-        : solution_(solution), scene_(scene), options_(options), quadratures_(program_, solution) {}
+        : SceneProgram(solution, scene, options), quadratures_(program_, solution) {}
 
     Program build() {
-        describe();
-        define_symbols();
-        define_parameters();
+        open(solution_.ring->generator(solution_.eps).name);
         define_slow_variables();
         StartConstants constants(program_, solution_, scene_, slow_starts_, names_);
         const Graph::Node phase_start = constants.define(surroundings_);
@@ -42,71 +41,21 @@ public:
         Moment call(program_, solution_, solution_.ring, surroundings_, plan);
         define_phase(call, phase_start);
         define_results(call);
-        declare_domain();
+        close();
         return std::move(program_);
     }
 
 private:
-    void describe();
-    void define_symbols();
-    void define_parameters();
     void define_constant_roots(Lowering& lowering);
     void define_slow_variables();
     void define_phase(Moment& call, Graph::Node start);
     void define_results(Moment& call);
-    void declare_domain();
-    Graph::Node by_powers_of_eps(const Polynomial& p, Moment& call, const std::string& name,
-                                 bool oscillating);
+    Graph::Node lower(const Polynomial& p, Moment& call, const std::string& name, bool oscillating);
     const SolutionOutput& output_of(const std::string& name) const;
-    double number_of(const GiNaC::ex& e) const;
 
-    const Solution& solution_;
-    const Scene& scene_;
-    const ProgramOptions& options_;
-    Program program_;
     Quadratures quadratures_;
-    Surroundings surroundings_;
-    std::map<std::string, Graph::Node> names_; // of the user's files: eps, parameters, slow variables
     std::map<GeneratorId, Graph::Node> slow_starts_, slow_values_;
 };
-
-void ProgramBuilder::describe() {
-    program_.system = solution_.system().name;
-    program_.scene = scene_.name;
-    program_.title = scene_.title;
-    program_.order = solution_.order;
-    program_.truncation = solution_.truncation;
-}
-
-void ProgramBuilder::define_symbols() {
-    program_.eps = program_.graph.symbol("eps");
-    program_.time = program_.graph.symbol("t");
-    program_.slow_time = program_.graph.symbol("slow time"); // a space: no parameter has this name
-    names_["eps"] = program_.eps;
-    surroundings_.symbols[solution_.ring->generator(solution_.eps).name] = program_.eps;
-    surroundings_.positive.insert(program_.eps);
-    program_.slow_time_end = program_.graph.rational(1);
-}
-
-void ProgramBuilder::define_parameters() {
-    surroundings_.symbols["pi"] = from_expression(program_.graph, GiNaC::Pi, {});
-    surroundings_.positive.insert(surroundings_.symbols["pi"]);
-    for (const Parameter& parameter : solution_.system().parameters) {
-        const auto fixed = scene_.fix.find(parameter.name);
-        const Graph::Node value = fixed == scene_.fix.end() ? -1 : program_.graph.rational(fixed->second);
-        Graph::Node node = value;
-        if (node < 0 || !options_.fold_fixed) {
-            node = program_.graph.symbol(parameter.name);
-            program_.parameters.push_back(
-                {identifier(parameter.name), "parameter " + parameter.name, node, value});
-            if (parameter.positive) {
-                program_.positive.push_back(node);
-                surroundings_.positive.insert(node);
-            }
-        }
-        surroundings_.symbols[parameter.name] = names_[parameter.name] = node;
-    }
-}
 
 // Roots of parameters and numbers, by which the ring may have written a parameter: a = root^2.
 void ProgramBuilder::define_constant_roots(Lowering& lowering) {
@@ -126,11 +75,9 @@ void ProgramBuilder::define_slow_variables() {
             known != surroundings_.symbols.end())
             lowering.define(id, known->second, false);
     define_constant_roots(lowering);
-    StartConstants start(program_, solution_, scene_, {}, names_);
     for (const SlowLaw& law : solution_.slow) {
         const Variable& variable = solution_.system().variables[law.variable];
-        const Graph::Node begin =
-            start.input(variable.name + "_0", variable.name + " at t = 0", variable.name);
+        const Graph::Node begin = input(variable.name + "_0", variable.name + " at t = 0", variable.name);
         const Graph::Node rate = lowering.radicand(law.rate);
         const Graph::Node value = graph.add({begin, graph.multiply({rate, program_.slow_time})});
         slow_starts_[law.generator] = begin;
@@ -153,29 +100,17 @@ void ProgramBuilder::define_phase(Moment& call, Graph::Node start) {
     for (const ModeSolution& mode : solution_.modes) {
         const Graph::Node cosine = graph.symbol("cos theta"), sine = graph.symbol("sin theta");
         const Polynomial rate = mode.phase_rate.total(mode.phase_rate.through());
-        const Graph::Node over_time = by_powers_of_eps(rate, call, "theta_dot", false);
+        const Graph::Node over_time = lower(rate, call, "theta_dot", false);
         const Graph::Node over_slow_time = graph.multiply({graph.power(program_.eps, -1), over_time});
         program_.phases.push_back({"theta", start, over_slow_time, cosine, sine});
         call.harmonics.set_angle(mode.phase, cosine, sine);
     }
 }
 
-// c_0 + eps (c_1 + eps (c_2 + ...)), each c_n named
-Graph::Node ProgramBuilder::by_powers_of_eps(const Polynomial& p, Moment& call, const std::string& name,
-                                             bool oscillating) {
-    Graph& graph = program_.graph;
-    std::map<int, Polynomial> parts;
-    for (auto& [power, coefficient] : solution_.ring->collect(p, {solution_.eps}))
-        parts.emplace(solution_.ring->exponent(power, solution_.eps), std::move(coefficient));
-    Graph::Node sum = graph.rational(0);
-    int above = 0;
-    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-        const Graph::Node value = call.harmonics.value(part->second, oscillating);
-        program_.names.push_back({fmt::format("{}_{}", identifier(name), part->first), value});
-        sum = graph.add({value, graph.multiply({graph.power(program_.eps, above - part->first), sum})});
-        above = part->first;
-    }
-    return graph.multiply({graph.power(program_.eps, above), sum});
+Graph::Node ProgramBuilder::lower(const Polynomial& p, Moment& call, const std::string& name,
+                                  bool oscillating) {
+    return by_powers_of_eps(*solution_.ring, solution_.eps, p, name,
+                            [&](const Polynomial& part) { return call.harmonics.value(part, oscillating); });
 }
 
 const SolutionOutput& ProgramBuilder::output_of(const std::string& name) const {
@@ -188,55 +123,25 @@ const SolutionOutput& ProgramBuilder::output_of(const std::string& name) const {
 }
 
 void ProgramBuilder::define_results(Moment& call) {
-    const auto lower = [&](const SolutionOutput& output, bool oscillating) {
+    const auto result = [&](const SolutionOutput& output, bool oscillating) {
         const Polynomial all = output.value.total(output.value.through());
         const auto [rest, table] = quadratures_.extract(all, call, identifier(output.name));
-        return program_.graph.add({by_powers_of_eps(rest, call, output.name, oscillating), table});
+        return program_.graph.add({this->lower(rest, call, output.name, oscillating), table});
     };
     for (const std::string& name : scene_.outputs) {
         const bool slow = std::any_of(program_.slow.begin(), program_.slow.end(),
                                       [&](const ProgramOutput& variable) { return variable.name == name; });
         program_.outputs.push_back(
-            {name, slow ? names_.at(name) : lower(output_of(name), scene_.oscillating)});
+            {name, slow ? names_.at(name) : result(output_of(name), scene_.oscillating)});
     }
     if (options_.keep_state)
         for (const SolutionOutput& state : solution_.state)
-            program_.state.push_back({state.name, lower(state, true)});
+            program_.state.push_back({state.name, result(state, true)});
     for (const auto& [k, pair] : call.harmonics.multiples()) {
         if (k == 1) continue;
         program_.names.push_back({fmt::format("cos_{}theta", k), pair.first});
         program_.names.push_back({fmt::format("sin_{}theta", k), pair.second});
     }
-}
-
-// The value of an expression in eps and fixed parameters, at the smallest eps of the ladder if it
-// depends on eps.
-double ProgramBuilder::number_of(const GiNaC::ex& e) const {
-    GiNaC::exmap values;
-    for (const Parameter& parameter : solution_.system().parameters)
-        if (const auto fixed = scene_.fix.find(parameter.name); fixed != scene_.fix.end())
-            values[parameter.symbol] = GiNaC::numeric(cln::cl_N(fixed->second));
-    if (!scene_.verify.eps.empty())
-        values[solution_.system().eps] = GiNaC::numeric(cln::cl_N(scene_.verify.eps.back()));
-    const GiNaC::ex value = e.subs(values).evalf();
-    if (!GiNaC::is_a<GiNaC::numeric>(value))
-        bad_input({"the interval of a scene is a number once [fix] and eps are put in",
-                   scene_.verify.interval_text,
-                   "give the parameters in it under [fix]",
-                   {}});
-    return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
-}
-
-void ProgramBuilder::declare_domain() {
-    for (const Declaration& condition : solution_.system().positive) {
-        const Graph::Node node = from_expression(program_.graph, condition.value, names_);
-        const bool known =
-            std::find(program_.positive.begin(), program_.positive.end(), node) != program_.positive.end();
-        if (!known) program_.positive.push_back(node);
-    }
-    const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
-    program_.interval_slow_time = number_of(slow_time);
-    program_.slow_time_end = from_expression(program_.graph, slow_time, names_);
 }
 
 // "with g = 1, r = 1, v = 1", in the order of the system's file
@@ -249,18 +154,25 @@ std::string fixed_values(const System& system, const Scene& scene) {
     return text;
 }
 
+Program built(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
+    return solution.flow ? build_flow_program(solution, scene, options)
+                         : ProgramBuilder(solution, scene, options).build();
+}
+
 // The same scene with nothing left out and nothing fixed: what the evaluator would compute without pruning.
 Program without_savings(const Solution& solution, Scene scene) {
     scene.outputs.clear();
+    if (solution.flow)
+        for (const FlowOutput& output : solution.flow->outputs) scene.outputs.push_back(output.name);
     for (const SolutionOutput& output : solution.outputs) scene.outputs.push_back(output.name);
     scene.oscillating = true;
-    return ProgramBuilder(solution, scene, {false, false}).build();
+    return built(solution, scene, {false, false});
 }
 
 } // namespace
 
 Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
-    Program program = ProgramBuilder(solution, scene, options).build();
+    Program program = built(solution, scene, options);
     prune(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
     if (options.fold_fixed && !scene.fix.empty())

@@ -23,10 +23,18 @@ struct ProgramInput {
     Graph::Node default_value; // in eps and parameters (a constant, or 3/10*eps); -1: none, it must be given
 };
 
+// One variable of the slow flow: d value/dT = rate(T, values of the flow), value(0) = start.
+struct ProgramFlow {
+    std::string name;  // "u_x"
+    Graph::Node start; // in construction values
+    Graph::Node rate;  // in slow_time, construction values and values of the flow
+    Graph::Node value; // the symbol that stands for it
+};
+
 // A quadrature as a function of slow time T = eps t: value(T) = int_0^T integrand(T') dT'.
 struct ProgramTable {
     std::string name;      // "Q_x"
-    Graph::Node integrand; // in slow_time, construction values and values of earlier tables
+    Graph::Node integrand; // in slow_time, construction values, the flow and values of earlier tables
     Graph::Node value;     // the symbol that stands for value(T) in the call section
 };
 
@@ -35,7 +43,7 @@ struct ProgramTable {
 struct ProgramPhase {
     std::string name;         // "theta"
     Graph::Node start;        // in construction values
-    Graph::Node rate;         // in slow_time, construction values and values of tables
+    Graph::Node rate;         // in slow_time, construction values, values of the flow and of tables
     Graph::Node cosine, sine; // the symbols that stand for cos theta, sin theta in the call section
 };
 
@@ -57,8 +65,9 @@ struct Program {
     Graph::Node eps = -1, time = -1, slow_time = -1; // symbols; slow_time = eps*time
     std::vector<ProgramInput> parameters;            // those not fixed and needed
     std::vector<ProgramInput> start;                 // those needed
+    std::vector<ProgramFlow> flow;                   // solved together, before all tables
     std::vector<ProgramTable> tables;                // in order of construction
-    std::vector<ProgramPhase> phases;                // one per oscillator that the outputs see
+    std::vector<ProgramPhase> phases;                // one per frequency that the outputs see
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
     std::vector<ProgramOutput> state;  // all states at full weight (for direct integration), at any t

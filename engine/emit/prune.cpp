@@ -41,6 +41,11 @@ std::vector<bool> needed_nodes(const Program& program) {
         const auto add = [&](Graph::Node n) {
             if (!used[static_cast<std::size_t>(n)]) roots.push_back(n);
         };
+        for (const ProgramFlow& variable : program.flow) {
+            if (!used[static_cast<std::size_t>(variable.value)]) continue;
+            add(variable.start);
+            add(variable.rate);
+        }
         for (const ProgramTable& table : program.tables)
             if (used[static_cast<std::size_t>(table.value)]) add(table.integrand);
         for (const ProgramPhase& phase : program.phases) {
@@ -77,6 +82,7 @@ std::vector<bool> depending(const Graph& graph, const std::set<Graph::Node>& sou
 
 std::set<Graph::Node> varying_symbols(const Program& program) {
     std::set<Graph::Node> result{program.time, program.slow_time};
+    for (const ProgramFlow& variable : program.flow) result.insert(variable.value);
     for (const ProgramTable& table : program.tables) result.insert(table.value);
     for (const ProgramPhase& phase : program.phases) result.insert({phase.cosine, phase.sine});
     return result;
@@ -85,6 +91,7 @@ std::set<Graph::Node> varying_symbols(const Program& program) {
 void prune(Program& program) {
     const std::vector<bool> used = needed_nodes(program);
     const auto is_used = [&](Graph::Node n) { return used[static_cast<std::size_t>(n)]; };
+    keep(program.flow, [&](const ProgramFlow& f) { return is_used(f.value); });
     keep(program.tables, [&](const ProgramTable& t) { return is_used(t.value); });
     keep(program.phases, [&](const ProgramPhase& p) { return is_seen(p, used); });
     keep(program.start, [&](const ProgramInput& i) { return is_used(i.symbol); });

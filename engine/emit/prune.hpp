@@ -15,11 +15,12 @@ std::vector<bool> reachable(const Graph& graph, const std::vector<Graph::Node>& 
 // flags[n]: node n is one of `sources` or depends on one.
 std::vector<bool> depending(const Graph& graph, const std::set<Graph::Node>& sources);
 
-// The symbols whose values differ from call to call: time, slow_time, values of tables, cosines, sines.
+// The symbols whose values differ from call to call: time, slow_time, values of the flow and of tables,
+// cosines, sines.
 std::set<Graph::Node> varying_symbols(const Program& program);
 
-// Drops what outputs, state and declared start values do not need: tables, phases, parameters, start
-// values, conditions and names.
+// Drops what outputs, state and declared start values do not need: the flow, tables, phases, parameters,
+// start values, conditions and names.
 void prune(Program& program);
 
 } // namespace resonform

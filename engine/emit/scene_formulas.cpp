@@ -2,6 +2,7 @@
 #include "emit/scene_formulas.hpp"
 
 #include "emit/derive.hpp"
+#include "emit/derive_flow.hpp"
 #include "emit/harmonics.hpp"
 
 #include <algorithm>
@@ -25,9 +26,37 @@ Solution narrowed(Solution solution, const Scene& scene) {
     return solution;
 }
 
+std::vector<std::string> lines_of(const Page& page) {
+    std::istringstream text(page_text(page));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);)
+        if (!line.empty()) lines.push_back(line);
+    return lines;
+}
+
+// The mean parts only, if the scene does not oscillate.
+std::vector<FlowOutput> narrowed_outputs(const Solution& solution, const Scene& scene) {
+    const GradedField& field = *solution.normalization->normal_form.field;
+    std::vector<FlowOutput> outputs;
+    for (FlowOutput output : solution.flow->outputs) {
+        if (std::count(scene.outputs.begin(), scene.outputs.end(), output.name) == 0) continue;
+        for (int n = 0; !scene.oscillating && n <= output.value.through(); ++n)
+            output.value.set(n, mean_part(field, *solution.flow, output.value.part(n)));
+        outputs.push_back(std::move(output));
+    }
+    return outputs;
+}
+
 } // namespace
 
 std::vector<std::string> scene_formulas(const Solution& solution, const Scene& scene, bool with_phase) {
+    if (solution.flow) {
+        Page page;
+        const std::vector<FlowOutput> outputs = narrowed_outputs(solution, scene);
+        page.sections = flow_sections(solution, outputs);
+        for (Section& section : page.sections) section.heading.clear();
+        return lines_of(page);
+    }
     Page all = solution_page(narrowed(solution, scene)), page;
     for (Section& section : all.sections) {
         const bool amplitude_and_phase = section.heading == "amplitude and phase";
@@ -37,11 +66,7 @@ std::vector<std::string> scene_formulas(const Solution& solution, const Scene& s
         page.sections.push_back(std::move(section));
     }
     define_slow_time(page, solution);
-    std::istringstream text(page_text(page));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);)
-        if (!line.empty()) lines.push_back(line);
-    return lines;
+    return lines_of(page);
 }
 
 } // namespace resonform

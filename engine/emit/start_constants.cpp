@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/start_constants.hpp"
 
-#include "emit/from_expression.hpp"
-#include "emit/identifier.hpp"
+#include "emit/scene_program.hpp"
 
 #include <algorithm>
 
@@ -10,12 +9,7 @@ namespace resonform {
 
 Graph::Node StartConstants::input(const std::string& name, const std::string& meaning,
                                   const std::string& canonical) {
-    const Graph::Node symbol = program_.graph.symbol("start " + name); // no parameter has a space in its name
-    const StartValue* given = scene_.start_of(canonical);
-    const Graph::Node value =
-        given == nullptr ? program_.graph.rational(0) : from_expression(program_.graph, given->value, names_);
-    program_.start.push_back({identifier(name), meaning, symbol, value});
-    return symbol;
+    return add_start_input(program_, scene_, names_, name, meaning, canonical);
 }
 
 // A fast variable starts from physical values if the scene gives its value, a drift likewise.

@@ -26,10 +26,8 @@ public:
     // substitutions, each of which gains a power of eps: as accurate as the map through weight M.
     Graph::Node define(Surroundings& surroundings);
 
-    // An argument of the evaluator with its default from the scene (0 if it gives none).
-    Graph::Node input(const std::string& name, const std::string& meaning, const std::string& canonical);
-
 private:
+    Graph::Node input(const std::string& name, const std::string& meaning, const std::string& canonical);
     [[nodiscard]] bool is_physical(std::size_t variable) const;
     void define_given(Surroundings& surroundings);
     void define_derived(const InitialValues& values, Surroundings& surroundings);

@@ -214,7 +214,7 @@ OperationCount count_operations(const Program& program) {
     std::vector<StraightLine::Value> roots;
     for (const ProgramOutput& output : program.outputs) roots.push_back(code.lower(output.value));
     OperationCount count;
-    count.tables = static_cast<int>(program.tables.size());
+    count.tables = static_cast<int>(program.flow.size() + program.tables.size());
     count.sincos = static_cast<int>(program.phases.size());
     for (const StraightLine::Value v : code.behind(roots, false)) {
         const StraightLine::Instruction& i = code.at(v);

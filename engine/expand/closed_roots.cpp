@@ -16,9 +16,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-const numeric half(1, 2);
-
-ex root_of(const ex& e) { return GiNaC::pow(e, half); }
+ex root_of(const ex& e) { return GiNaC::sqrt(e); }
 
 // The factors of a rational function: (base, exponent), numbers among them.
 std::vector<std::pair<ex, int>> factors_of(const ex& e) {
@@ -54,8 +52,7 @@ private:
         if (provably_positive((-e).expand(), system_)) return Sign::negative;
         if (vanishes(e) == Zero::yes) return Sign::zero;
         refuse({"signs that decide whether eigenvalues are real are proved",
-                fmt::format("{} for {}", spell(e), name_.variables),
-                "declare what is positive: " + how_to_declare_positive(e), name_.place});
+                fmt::format("{} for {}", spell(e), name_.variables), how_to_make_positive(e), name_.place});
     }
 
     // |f| for a factor of known sign.
@@ -104,7 +101,7 @@ private:
     }
 
     [[nodiscard]] std::vector<EigenRoot> of_quadratic(const ex& b, const ex& c) const {
-        const ex middle = (-b * half).normal();
+        const ex middle = (-b / 2).normal();
         const ex square = (c - b * b / 4).normal();
         if (sign_of(square) == Sign::positive) {
             const ex omega = root_of(square);
@@ -129,7 +126,7 @@ private:
         const ex q = (b * b / 4 - c).normal();
         if (sign_of(q) != Sign::positive) return quadruple(b, c, (-q).normal());
         const bool down = sign_of(b) == Sign::negative;
-        const ex h = down ? (-b * half).normal() : (b * half).normal();
+        const ex h = down ? (-b / 2).normal() : (b / 2).normal();
         const bool alike = sign_of(c) == Sign::positive;
         const Squares s = squares_of(h, q, c, alike);
         std::vector<EigenRoot> roots;
@@ -168,7 +165,7 @@ private:
         }
         const auto positive = absolute(n);
         if (!positive) return std::nullopt;
-        const ex up = ((h + *positive) * half).normal(), down = ((h - *positive) * half).normal();
+        const ex up = ((h + *positive) / 2).normal(), down = ((h - *positive) / 2).normal();
         if (!provably_positive(up, system_) || !provably_positive(down, system_)) return std::nullopt;
         const ex ratio = (up / down).normal(), beta = root_of(down);
         if (GiNaC::is_a<numeric>(ratio)) { // of one symbolic root
@@ -195,9 +192,9 @@ private:
         const Root n = extracted(c);
         const ex modulus = n.outside * root_of(n.inside), root = root_of(p);
         const bool down = sign_of(b) == Sign::negative;
-        const ex large = root_of(((down ? ex(-b) : b) * half + modulus) * half), small = root * half / large;
+        const ex large = root_of(((down ? ex(-b) : b) / 2 + modulus) / 2), small = root / 2 / large;
         const ex alpha = down ? large : small, beta = down ? small : large;
-        const ex re = (-b * half).normal();
+        const ex re = (-b / 2).normal();
         return {of_square({-alpha, beta}, {re, -root}), of_square({alpha, beta}, {re, root})};
     }
 

@@ -19,10 +19,26 @@ namespace {
 using GiNaC::ex;
 using GiNaC::is_a;
 
+[[noreturn]] void refuse_pole(const ex& e, const Place& place) {
+    bad_input({"nothing is divided by an expression that is zero at the origin", spell(e),
+               "remove the singularity, or expand about another point", place});
+}
+
 // While a ring is built its exponents have the narrowest fields.
 int largest_root_index() { return Packing().largest(); }
 
 int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
+
+bool has_log_of_zero(const ex& e, const GiNaC::exmap& zero) {
+    return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
+        try {
+            return is_a<GiNaC::function>(part) && GiNaC::ex_to<GiNaC::function>(part).get_name() == "log" &&
+                   part.op(0).subs(zero, GiNaC::subs_options::no_pattern).normal().is_zero();
+        } catch (const std::exception&) { // the argument is singular itself
+            return false;
+        }
+    });
+}
 
 } // namespace
 
@@ -43,8 +59,10 @@ ex CoefficientRing::at_origin(const ex& e, const Place& place) const {
     try {
         return e.subs(zero_, GiNaC::subs_options::no_pattern).normal();
     } catch (const std::exception&) { // GiNaC::pole_error, and division by zero in normal()
-        bad_input({"nothing is divided by an expression that is zero", spell(e),
-                   "remove the singularity, or expand about another point", place});
+        if (has_log_of_zero(e, zero_))
+            bad_input({"log has no value at zero, where the fast variables and eps are", spell(e),
+                       "remove the singularity, or expand about another point", place});
+        refuse_pole(e, place);
     }
 }
 
@@ -59,8 +77,10 @@ void CoefficientRing::collect(const ex& e, const Place& place) {
         if (!e.op(1).info(GiNaC::info_flags::rational))
             refuse({"exponents are rational numbers", spell(e), "write the power with a number", place});
         collect(base, place);
-        if (!e.op(1).info(GiNaC::info_flags::nonnegint))
-            needed_.push_back({GiNaC::pow(at_origin(base, place), e.op(1)), place});
+        if (e.op(1).info(GiNaC::info_flags::nonnegint)) return;
+        const ex origin = at_origin(base, place);
+        if (origin.is_zero() && e.op(1).info(GiNaC::info_flags::negative)) refuse_pole(base, place);
+        needed_.push_back({GiNaC::pow(origin, e.op(1)), place});
         return;
     }
     if (is_a<GiNaC::function>(e)) {

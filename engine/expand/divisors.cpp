@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // More divisors for a field: its ring is built anew with an inverse for each.
+#include "algebra/division.hpp"
 #include "algebra/fractions.hpp"
+#include "algebra/number_field.hpp"
 #include "expand/graded_field.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +45,17 @@ std::shared_ptr<const GradedField> with_derivatives(std::shared_ptr<const Graded
 
 namespace {
 
+// What is left when p is divided by the radicands of several terms, which have inverses already.
+Polynomial without_radicands(const Ring& ring, Polynomial p) {
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        if (ring.generator(id).kind != GeneratorKind::root || is_numeric_root(ring, id)) continue;
+        const Polynomial radicand = ring.reduce(ring.generator(id).radicand);
+        if (radicand.size() < 2) continue;
+        while (auto quotient = divide_exactly(ring, p, radicand)) p = *std::move(quotient);
+    }
+    return p.size() > 1 ? primitive_part(ring, p) : p;
+}
+
 // A product of generators and a polynomial that none of them divides: where each has an inverse, p has.
 std::vector<Polynomial> factors_to_invert(const Ring& ring, const Polynomial& p) {
     Polynomial rest = primitive_part(ring, p);
@@ -56,6 +69,7 @@ std::vector<Polynomial> factors_to_invert(const Ring& ring, const Polynomial& p)
             terms.push_back({t.monomial - ring.monomial(id, exponent), t.coefficient});
         rest = Polynomial::from_terms(std::move(terms));
     }
+    rest = without_radicands(ring, std::move(rest));
     if (rest.size() > 1) factors.push_back(std::move(rest));
     return factors;
 }
@@ -76,12 +90,15 @@ GradedField with_divisors(const GradedField& field, const std::vector<Polynomial
                 {}});
     const std::size_t needed = static_cast<std::size_t>(field.ring->size()) - held + all.values.size();
     if (needed > static_cast<std::size_t>(Packing::most_fields))
-        refuse({fmt::format("parameters, variables, roots and small divisors are at most {} together",
+        refuse({fmt::format("i, eps, parameters, variables, roots and small divisors are at most {} together",
                             Packing::most_fields),
                 fmt::format("{} small divisors", all.values.size()),
-                "give parameters numeric values with --set NAME=VALUE, ask for a lower order, or for "
-                "--format json "
-                "with --coefficients graph",
+                std::string("ask for a lower order, ") +
+                    (field.system().parameters.empty()
+                         ? ""
+                         : "give parameters numeric values with --set NAME=VALUE, or for "
+                           "--format json with --coefficients graph, ") +
+                    "or, with a value for every parameter, take numbers: --digits 30",
                 {}});
     return expand(field.first_order, all);
 }

@@ -82,7 +82,8 @@ void Expansion::check_leading_terms() const {
         run.advance(n);
         for (const Mode& mode : field_.modes) {
             const int own = ring.generator(mode.z).weight;
-            const Polynomial& part = run.part(mode.rate, n);
+            const Polynomial part =
+                RingDomain(field_.ring).without_vanishing(run.part(mode.rate, n), field_.outer());
             const bool wrong = n < own ? !part.empty() : n == own && holds_mode(part, own);
             if (wrong) refuse_leading_term(last_state(mode.variable), n);
         }
@@ -139,8 +140,8 @@ int Expansion::lowest_weight(const ex& e) const {
         return lowest;
     }
     if (!is_a<GiNaC::function>(e)) return 0;
-    const ex at_zero = with_argument(e, 0);
-    return at_zero.is_zero() ? lowest_weight(e.op(0)) : 0;
+    const int inside = lowest_weight(e.op(0));
+    return inside > 0 && with_argument(e, 0).is_zero() ? inside : 0; // log(0) is refused before
 }
 
 } // namespace resonform

@@ -279,7 +279,7 @@ private:
     ex logarithm(const ex& u) {
         if (!domain().positive(u))
             refuse({"a logarithm is taken only of what is proved to be positive", spell(domain().meaning(u)),
-                    "declare what is positive: " + how_to_declare_positive(domain().meaning(u)), place_});
+                    how_to_make_positive(domain().meaning(u)), place_});
         const PowerProduct root = split_power(u, Rational(1) / 2, domain(), place_);
         ex sum = 2 * logarithm_of_number(root.number);
         for (const PowerFactor& f : root.factors) {
@@ -327,9 +327,7 @@ private:
         const ex square = domain().expanded(1 - u * u);
         if (!domain().positive(square))
             refuse({"an arcsine or arccosine is taken only of what is proved to lie between -1 and 1",
-                    spell(domain().meaning(u)),
-                    "declare what is positive: " + how_to_declare_positive(domain().meaning(square)),
-                    place_});
+                    spell(domain().meaning(u)), how_to_make_positive(domain().meaning(square)), place_});
         return arc_tangent(argument(u * GiNaC::pow(square, GiNaC::numeric(-1, 2))));
     }
 

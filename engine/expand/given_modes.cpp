@@ -77,8 +77,7 @@ private:
             bad_input({"of a conjugate pair the mode with the positive imaginary part is given",
                        in_quotes(mode.eigenvalue.text), "give the conjugate eigenvalue and column", place});
         refuse({"the imaginary part of the eigenvalue of a pair is proved to be positive",
-                fmt::format("{} for {}", spell(omega), mode.name),
-                "declare what is positive: " + how_to_declare_positive(omega), place});
+                fmt::format("{} for {}", spell(omega), mode.name), how_to_make_positive(omega), place});
     }
 
     // A u - lambda u = 0, state by state.

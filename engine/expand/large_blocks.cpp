@@ -20,8 +20,6 @@ using GiNaC::ex;
 using GiNaC::numeric;
 using Rows = EigenField::Rows;
 
-const numeric half(1, 2);
-
 struct Factor { // irreducible in lambda, monic
     std::vector<ex> lower;
     std::size_t multiplicity;
@@ -128,9 +126,8 @@ void LargeBlock::refuse_factor(const Factor& factor) const {
     refuse({"eigenvalues in closed form are roots of factors of degree 1 or 2 in lambda or in lambda^2",
             fmt::format("{} of the characteristic polynomial of {}", spell(polynomial(factor, lambda_)),
                         name_.variables),
-            "give the modes in [modes] with their frequencies as parameters, or write the coupling with a "
-            "factor "
-            "eps",
+            "with a value for every parameter take numbers: --digits 30; or give the modes in [modes] with "
+            "their frequencies as parameters, or write the coupling with a factor eps",
             name_.place});
 }
 
@@ -239,7 +236,7 @@ void LargeBlock::add_modes(const Factor& factor) {
 
 BlockMode LargeBlock::mode_of(const EigenRoot& root, const EigenField::Row& column,
                               const EigenField::Row& row) const {
-    const ex scale = root.value.im.is_zero() ? ex(1) : ex(half);
+    const ex scale = root.value.im.is_zero() ? ex(1) : ex(1) / 2;
     const auto at_root = [&](const EigenField::Element& e, const ex& factor) {
         Complex sum;
         for (std::size_t k = 0; k < e.size(); ++k)

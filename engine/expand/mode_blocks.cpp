@@ -13,8 +13,6 @@ namespace {
 
 using GiNaC::ex;
 
-const GiNaC::numeric half(1, 2);
-
 enum class Sign { negative, zero, positive };
 
 [[noreturn]] void refuse_nilpotent(const std::string& value, const BlockName& name) {
@@ -37,7 +35,7 @@ Sign sign_of(const ex& e, const std::string& what, const System& system, const B
     refuse({name.oscillator
                 ? "the square of a frequency is proved to be positive (an oscillator), or negative"
                 : "eigenvalues are proved to be real or to be complex",
-            value, "declare what is positive: " + how_to_declare_positive(e), name.place});
+            value, how_to_make_positive(e), name.place});
 }
 
 struct Eigenvalues {
@@ -45,21 +43,26 @@ struct Eigenvalues {
     Sign square;     // of the imaginary part: negative where they are real
 };
 
+// Its root is half of the difference of the eigenvalues.
+ex discriminant_of(const Matrix& a) {
+    const ex difference = (a[0][0] - a[1][1]) / 2;
+    return (difference * difference + a[0][1] * a[1][0]).normal();
+}
+
 Eigenvalues eigenvalues_of(const Matrix& a, const System& system, const BlockName& name) {
-    const ex middle = ((a[0][0] + a[1][1]) * half).normal();
-    const ex difference = (a[0][0] - a[1][1]) * half;
-    const ex square = (-difference * difference - a[0][1] * a[1][0]).normal();
+    const ex middle = ((a[0][0] + a[1][1]) / 2).normal();
+    const ex square = (-discriminant_of(a)).normal();
     const std::string what = name.oscillator ? "omega^2" : "the negative discriminant";
     const Sign sign = sign_of(square, what, system, name);
     if (sign == Sign::zero) return {middle, 0, sign};
-    return {middle, GiNaC::pow(sign == Sign::negative ? (-square).normal() : square, half), sign};
+    return {middle, GiNaC::sqrt(sign == Sign::negative ? (-square).normal() : square), sign};
 }
 
 // lambda = middle + i omega: column (1/2, (lambda - a)/(2 b)), row (1 + i (middle - a)/omega, -i b/omega)
 BlockMode complex_pair(const Matrix& a, const Eigenvalues& e) {
     const ex shift = (e.middle - a[0][0]).normal();
     const Complex below{(shift / (2 * a[0][1])).normal(), e.root / (2 * a[0][1])};
-    return {{e.middle, e.root}, {{half, 0}, below}, {{1, shift / e.root}, {0, -a[0][1] / e.root}}};
+    return {{e.middle, e.root}, {{ex(1) / 2, 0}, below}, {{1, shift / e.root}, {0, -a[0][1] / e.root}}};
 }
 
 // lambda_k, the other one mu: column (1, (lambda - a)/b), row (a - mu, b)/(lambda - mu)
@@ -92,6 +95,17 @@ BlockModes modes_of_block(const Matrix& a, const System& system, const BlockName
     const Eigenvalues e = eigenvalues_of(a, system, name);
     if (e.square == Sign::positive) return {{complex_pair(a, e)}};
     return real_modes(a, e, 1);
+}
+
+bool has_plain_frequencies(const Matrix& k, const System& system) {
+    const auto known = [&](const ex& e) {
+        return provably_positive(e, system) || provably_positive(-e, system);
+    };
+    const ex middle = ((k[0][0] + k[1][1]) / 2).normal(), square = discriminant_of(k);
+    if (vanishes(square) == Zero::yes) return true;
+    if (!provably_positive(square, system)) return provably_positive(-square, system);
+    const ex root = GiNaC::sqrt(square);
+    return known(middle + root) && known(middle - root);
 }
 
 // With K phi = kappa phi and rho K = kappa rho: positions phi q, q'' = -kappa q, q = rho u.

@@ -41,4 +41,7 @@ BlockModes modes_of_block(const Matrix& a, const System& system, const BlockName
 // u1, u1', u2, u2'. Errors: as above.
 BlockModes modes_of_coupled_oscillators(const Matrix& k, const System& system, const BlockName& name);
 
+// Is it seen that the eigenvalues of k are equal, or that they are real and of which sign each is?
+bool has_plain_frequencies(const Matrix& k, const System& system);
+
 } // namespace resonform

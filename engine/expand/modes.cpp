@@ -40,6 +40,13 @@ void ModeFinder::check_equilibrium() const {
         const ex force = coefficients_.at_origin(state(s).rate, place(s));
         if (force.is_zero()) continue;
         const std::string& name = variable(s).name;
+        const Zero zero = vanishes(force);
+        if (zero == Zero::yes) continue;
+        if (zero == Zero::unknown)
+            refuse({"the origin of the fast variables is proved to be an equilibrium at eps = 0",
+                    fmt::format("{} = {} there, which may be zero", variable(s).jet.back().get_name(),
+                                spell(force)),
+                    "write it as 0 if it is zero, or in a simpler form", place(s)});
         bad_input({"the origin of the fast variables is an equilibrium at eps = 0",
                    fmt::format("{} = {} there", variable(s).jet.back().get_name(), spell(force)),
                    fmt::format("shift {} to the equilibrium by a change of variable", name), place(s)});
@@ -108,10 +115,13 @@ bool ModeFinder::are_coupled_oscillators(const Block& block) const {
 }
 
 BlockModes ModeFinder::modes_of(const Block& block) const {
-    if (are_coupled_oscillators(block))
-        return modes_of_coupled_oscillators({{-a(block[1], block[0]), -a(block[1], block[2])},
-                                             {-a(block[3], block[0]), -a(block[3], block[2])}},
-                                            system_, name_of(block));
+    if (are_coupled_oscillators(block)) {
+        const Matrix k{{-a(block[1], block[0]), -a(block[1], block[2])},
+                       {-a(block[3], block[0]), -a(block[3], block[2])}};
+        // Otherwise the characteristic polynomial may have factors, or its coefficients tell the signs.
+        if (has_plain_frequencies(k, system_))
+            return modes_of_coupled_oscillators(k, system_, name_of(block));
+    }
     if (block.size() <= largest_simple_block)
         return modes_of_block(matrix_of(block), system_, name_of(block));
     return modes_of_large_block(matrix_of(block), system_, name_of(block));
@@ -141,6 +151,9 @@ ModalBasis ModeFinder::numeric(const std::vector<bool>& closed) {
             eigenvalue = *shape.eigenvalue;
         else if (shape.like < k)
             eigenvalue = basis_.modes[shape.like].eigenvalue;
+        else if (shape.mirror)
+            eigenvalue = {-basis_.modes[*shape.mirror].eigenvalue.re,
+                          basis_.modes[*shape.mirror].eigenvalue.im};
         else
             eigenvalue = {shape.undamped ? ex(0) : symbol(k, true), shape.real ? ex(0) : symbol(k, false)};
         basis_.modes.push_back({eigenvalue, basis_.states[shape.pivot], {}, {}});

@@ -43,6 +43,8 @@ public:
         return characteristic_ == other.characteristic_;
     }
     [[nodiscard]] bool is_closed() const { return !closed_.empty(); }
+    // With lambda, -lambda is an eigenvalue.
+    [[nodiscard]] bool is_even() const { return even_; }
 
 private:
     [[nodiscard]] std::vector<NumericMode> evaluated(const NumberDomain& numbers) const;

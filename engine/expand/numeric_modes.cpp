@@ -48,6 +48,17 @@ std::vector<ClosedMode> converted(const std::vector<BlockMode>& modes, const Coe
     return result;
 }
 
+// The mode before k whose eigenvalue is the mirror image of that of mode k in the imaginary axis, where
+// there is one to each eigenvalue.
+std::optional<std::size_t> mirror_of(const std::vector<NumericMode>& modes, std::size_t k) {
+    const ComplexBall mirrored = modes[k].eigenvalue.conjugate().negative();
+    const auto is_it = [&](const NumericMode& m) { return m.eigenvalue.overlaps(mirrored); };
+    if (is_it(modes[k]) || std::count_if(modes.begin(), modes.end(), is_it) != 1) return std::nullopt;
+    const auto found = std::find_if(modes.begin(), modes.end(), is_it);
+    const auto place = static_cast<std::size_t>(found - modes.begin());
+    return place < k ? std::optional(place) : std::nullopt;
+}
+
 } // namespace
 
 NumericModes::NumericModes(const Matrix& a, std::vector<std::vector<bool>> drives,
@@ -103,8 +114,14 @@ void NumericModes::add_shapes(const std::vector<NumericMode>& modes, const Block
         const std::vector<ComplexBall>& column = modes[k].column;
         const auto entry = std::find_if(column.begin(), column.end(),
                                         [](const ComplexBall& c) { return !c.contains_zero(); });
-        Shape shape{block.states[static_cast<std::size_t>(entry - column.begin())], modes[k].real(),
-                    modes[k].undamped() || modes[k].zero(), std::nullopt, first_shapes_[like] + k};
+        Shape shape{block.states[static_cast<std::size_t>(entry - column.begin())],
+                    modes[k].real(),
+                    modes[k].undamped() || modes[k].zero(),
+                    std::nullopt,
+                    first_shapes_[like] + k,
+                    std::nullopt};
+        if (const auto mirror = mirror_of(modes, k); mirror && blocks_[own].is_even())
+            shape.mirror = first + *mirror;
         if (block.closed) {
             shape.pivot = block.states[(*block.closed)[k].pivot];
             shape.eigenvalue = (*block.closed)[k].eigenvalue;

@@ -27,6 +27,7 @@ public:
         bool real = false, undamped = false; // the imaginary, the real part of lambda is 0
         std::optional<Complex> eigenvalue;   // in closed form
         std::size_t like;                    // the first mode that is known to have the same eigenvalue
+        std::optional<std::size_t> mirror;   // a mode before whose eigenvalue is known to be -conj(lambda)
     };
 
     // a: the linear part; drives[t][s]: state t reaches the rate of state s. Blocks in the order of their

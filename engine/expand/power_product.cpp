@@ -2,6 +2,7 @@
 #include "expand/power_product.hpp"
 
 #include "model/canonical.hpp"
+#include "model/constant_sign.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -18,6 +19,10 @@ bool is_integer(const Rational& r) { return cln::denominator(r) == 1; }
 
 // The trial division stops here: a larger prime factor stays unsplit, which is still a valid base.
 constexpr int largest_trial_divisor = 10000;
+
+// Declaring a number positive would not make it so.
+constexpr const char* mend_of_constant =
+    "this is a number: correct it, or put a parameter that is declared in its place";
 
 class Splitter {
 public:
@@ -81,8 +86,15 @@ private:
             refuse({"exponents are rational numbers", spell(base), "write the power with a number", place_});
         const ex& inner = base.op(0);
         // (b^a)^e = b^(a e) holds for integer e, and for any e where b is positive.
-        if (!is_integer(exponent) && !domain_.positive(inner)) not_positive(inner);
-        split(inner, to_rational(base.op(1)) * exponent);
+        const Rational all = to_rational(base.op(1)) * exponent;
+        if (is_integer(exponent) || domain_.positive(inner)) return split(inner, all);
+        if (!is_square_of_negative(base)) not_positive(inner);
+        split((-inner).expand(), all);
+    }
+
+    // (c - w)^2 is (w - c)^2.
+    [[nodiscard]] bool is_square_of_negative(const ex& power) const {
+        return power.op(1).info(GiNaC::info_flags::even) && domain_.positive((-power.op(0)).expand());
     }
 
     void split_product(const ex& base, const Rational& exponent) {
@@ -119,8 +131,28 @@ private:
         return negative ? std::nullopt : std::optional(factors);
     }
 
+    // The powers inside of a sum as products of powers, too: 1 + (a*b)^(1/2) is 1 + a^(1/2)*b^(1/2).
+    [[nodiscard]] ex split_inside(const ex& e) const {
+        if (is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::rational) &&
+            !e.op(1).info(GiNaC::info_flags::integer)) {
+            const PowerProduct parts = split_power(e.op(0), to_rational(e.op(1)), domain_, place_);
+            ex product = to_ginac(parts.number);
+            for (const PowerFactor& f : parts.factors) product *= GiNaC::pow(f.base, to_ginac(f.exponent));
+            return product;
+        }
+        if (is_a<GiNaC::power>(e)) return GiNaC::pow(split_inside(e.op(0)), e.op(1));
+        const bool sum = is_a<GiNaC::add>(e);
+        if (!sum && !is_a<GiNaC::mul>(e)) return e;
+        ex all = sum ? 0 : 1;
+        for (const ex& operand : operands(e)) {
+            const ex inside = split_inside(operand);
+            all = sum ? all + inside : all * inside;
+        }
+        return all;
+    }
+
     void split_sum(const ex& base, const Rational& exponent) {
-        const ex fraction = base.normal();
+        const ex fraction = split_inside(base).normal();
         if (!is_a<GiNaC::add>(fraction)) return split(fraction, exponent);
         const ex expanded = domain_.expanded(fraction);
         if (!is_a<GiNaC::add>(expanded)) return split(expanded, exponent);
@@ -141,7 +173,8 @@ private:
     [[nodiscard]] bool separable(const ex& factored, const ex& sum, const Rational& exponent) const {
         if (is_integer(exponent))
             return !cln::minusp(exponent) || !domain_.nonzero(sum) || all_nonzero(factored);
-        if (is_a<GiNaC::power>(factored)) return domain_.positive(factored.op(0));
+        if (is_a<GiNaC::power>(factored))
+            return domain_.positive(factored.op(0)) || is_square_of_negative(factored);
         // A number times one sum is that sum.
         const auto numbers = std::count_if(factored.begin(), factored.end(),
                                            [](const ex& f) { return is_a<GiNaC::numeric>(f); });
@@ -176,15 +209,18 @@ private:
         if (!is_integer(exponent) && !domain_.positive(base)) not_positive(base);
         if (cln::minusp(exponent) && !domain_.nonzero(base))
             refuse({"nothing is divided by an expression that is not proved to be non-zero", spell(base),
-                    "declare it: nonzero = true or positive = true for a name, or [domain] positive = [\"" +
-                        spell(base) + "\"]",
+                    is_constant(domain_.meaning(base))
+                        ? mend_of_constant
+                        : "declare it: nonzero = true or positive = true for a name, or "
+                          "[domain] positive = [\"" +
+                              spell(base) + "\"]",
                     place_});
         result.factors.push_back({base, exponent});
     }
 
     [[noreturn]] void not_positive(const ex& base) const {
         refuse({"a root is taken only of what is proved to be positive", spell(base),
-                "declare what is positive: " + how_to_declare_positive(base), place_});
+                how_to_make_positive(domain_.meaning(base)), place_});
     }
 
     const CoefficientDomain& domain_;
@@ -206,10 +242,12 @@ Rational to_rational(const ex& number) {
 
 ex to_ginac(const Rational& number) { return GiNaC::numeric(number); }
 
-std::string how_to_declare_positive(const ex& e) {
-    if (is_a<GiNaC::symbol>(e)) return spell(e) + " = { positive = true, ... }";
-    if (!is_a<GiNaC::add>(e)) return "every factor by itself, with positive = true for a name";
-    return "positive = true for a name in it, or [domain] positive = [\"" + spell(e) + "\"]";
+std::string how_to_make_positive(const ex& e) {
+    if (is_constant(e)) return mend_of_constant;
+    const std::string declare = "declare what is positive: ";
+    if (is_a<GiNaC::symbol>(e)) return declare + spell(e) + " = { positive = true, ... }";
+    if (!is_a<GiNaC::add>(e)) return declare + "every factor by itself, with positive = true for a name";
+    return declare + "positive = true for a name in it, or [domain] positive = [\"" + spell(e) + "\"]";
 }
 
 } // namespace resonform

@@ -38,6 +38,6 @@ Rational to_rational(const GiNaC::ex& number); // precondition: a rational GiNaC
 GiNaC::ex to_ginac(const Rational& number);
 
 // The mend where e is not proved to be positive: what to write into the system file.
-std::string how_to_declare_positive(const GiNaC::ex& e);
+std::string how_to_make_positive(const GiNaC::ex& e);
 
 } // namespace resonform

@@ -29,7 +29,7 @@ Bounds scaled(const numeric& c, const Bounds& a) {
 }
 
 // Of factors that are bounded on both sides, or not negative.
-Bounds product(const Bounds& a, const Bounds& b) {
+Bounds product_of_bounds(const Bounds& a, const Bounds& b) {
     if (a.low && a.high && b.low && b.high) {
         const numeric ends[] = {*a.low * *b.low, *a.low * *b.high, *a.high * *b.low, *a.high * *b.high};
         return {*std::min_element(std::begin(ends), std::end(ends)),
@@ -39,7 +39,7 @@ Bounds product(const Bounds& a, const Bounds& b) {
     return positive ? Bounds{*a.low * *b.low, std::nullopt} : Bounds{};
 }
 
-Bounds of_function(const ex& e) {
+Bounds bounds_of_function(const ex& e) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
     if (name == "sin" || name == "cos" || name == "tanh") return {numeric(-1), numeric(1)};
     const numeric half_pi(11, 7); // a little more
@@ -67,16 +67,16 @@ Bounds bounds_of(const ex& e, const std::function<bool(const ex&)>& nonnegative)
             if (is_a<numeric>(factor) && ex_to<numeric>(factor).is_real())
                 number *= ex_to<numeric>(factor);
             else
-                result = product(result, bounds_of(factor, nonnegative));
+                result = product_of_bounds(result, bounds_of(factor, nonnegative));
         }
         result = scaled(number, result);
     } else if (is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::posint)) {
         const Bounds base = bounds_of(e.op(0), nonnegative);
         const int n = ex_to<numeric>(e.op(1)).to_int();
         result = base;
-        for (int k = 1; k < n; ++k) result = product(result, base);
+        for (int k = 1; k < n; ++k) result = product_of_bounds(result, base);
     } else if (is_a<GiNaC::function>(e)) {
-        result = of_function(e);
+        result = bounds_of_function(e);
     }
     if (!(result.low && !result.low->is_negative()) && nonnegative(e)) result.low = numeric(0);
     return result;

@@ -98,10 +98,10 @@ ex guarded(const Equation& equation, const std::function<ex()>& build) {
     bad_input(d);
 }
 
-using Row = std::vector<ex>; // coefficients of the unknowns, then the right-hand side
+using EquationRow = std::vector<ex>; // coefficients of the unknowns, then the right-hand side
 
 // Gaussian elimination to the unit matrix; a pivot is an entry proved not to vanish. False: none is.
-bool eliminate(std::vector<Row>& rows) {
+bool eliminate(std::vector<EquationRow>& rows) {
     const std::size_t n = rows.size();
     for (std::size_t column = 0; column < n; ++column) {
         std::size_t pivot = column;
@@ -207,10 +207,10 @@ void HighestDerivatives::solve_the_rest() {
         if (!solved_[v]) unknowns.push_back(v);
     }
     const std::size_t n = unknowns.size();
-    std::vector<Row> rows;
+    std::vector<EquationRow> rows;
     for (Pending& p : pending_) {
         if (const auto v = linearise(p)) complain_nonlinear(*p.equation, system_.variables[*v]);
-        Row row(n + 1, ex(0));
+        EquationRow row(n + 1, ex(0));
         for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
             const auto at = std::find(unknowns.begin(), unknowns.end(), p.unknowns[k]);
             row[static_cast<std::size_t>(at - unknowns.begin())] = p.coefficients[k];

@@ -27,12 +27,12 @@ Growth of_power(const Growth& base, double exponent) {
     return power;
 }
 
-Growth of_number(const GiNaC::numeric& n) {
+Growth growth_of_number(const GiNaC::numeric& n) {
     return {1, 0, static_cast<double>(n.numer().int_length() + n.denom().int_length()), 0};
 }
 
 Growth of_substitution(const GiNaC::ex& e, const GiNaC::symbol& symbol, const Growth& value) {
-    if (GiNaC::is_a<GiNaC::numeric>(e)) return of_number(GiNaC::ex_to<GiNaC::numeric>(e));
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return growth_of_number(GiNaC::ex_to<GiNaC::numeric>(e));
     if (e.is_equal(symbol)) return value;
     if (e.nops() == 0) return {1, 1, 0, 0};
     Growth total = of_substitution(e.op(0), symbol, value);

@@ -23,6 +23,6 @@ Growth of_power(const Growth& base, double exponent);
 // The growth of e when `symbol` is replaced by something of the growth `value`.
 Growth of_substitution(const GiNaC::ex& e, const GiNaC::symbol& symbol, const Growth& value);
 Growth of_expression(const GiNaC::ex& e);
-Growth of_number(const GiNaC::numeric& n);
+Growth growth_of_number(const GiNaC::numeric& n);
 
 } // namespace resonform

@@ -164,7 +164,7 @@ Parser::Piece Parser::number() {
     Piece piece;
     const numeric value{cln::cl_N(parse_rational(spelled))};
     piece.value = value;
-    piece.growth = of_number(value);
+    piece.growth = growth_of_number(value);
     piece.begin = token.begin;
     piece.end = token.end;
     return piece;

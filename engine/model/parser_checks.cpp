@@ -113,7 +113,7 @@ void Parser::unknown_name(const Token& token) const {
     }
     if (tokens_[at_ + 1].kind == TokenKind::open) {
         complain(token.begin, token.end, "a function is one of the known ones",
-                 suggest(name, function_names()));
+                 name == "ln" ? "write log, the natural logarithm" : suggest(name, function_names()));
     }
     if (name == "E" || name == "e") {
         complain(token.begin, token.end, "a symbol is declared before it is used", "write exp(1)");

@@ -2,8 +2,8 @@
 #include "model/positivity.hpp"
 
 #include "model/bounds.hpp"
+#include "model/constant_sign.hpp"
 #include "model/named_function.hpp"
-#include "model/zero_test.hpp"
 
 #include <algorithm>
 
@@ -24,12 +24,6 @@ constexpr int deepest_comparison = 4;
 // Each comparison may lead to one with every declaration again: many are compared less deeply.
 constexpr std::size_t few_declarations = 6;
 constexpr int deepest_among_many = 2;
-
-// Is e, a sum of numbers and roots of numbers, positive?  2 - sqrt(2)
-bool is_positive_number(const ex& e) {
-    const Ball value = evaluate(e, {});
-    return value.middle > value.radius;
-}
 
 class Prover {
 public:
@@ -82,6 +76,7 @@ bool Prover::declared_nonzero(const ex& symbol) const {
 
 // A real expression: no root of what may be negative, no logarithm of what may not be positive.
 bool Prover::real(const ex& e) const {
+    if (is_constant(e) && sign_of_constant(e) != ConstantSign::unknown) return true;
     if (GiNaC::is_a<numeric>(e)) return GiNaC::ex_to<numeric>(e).is_real();
     if (GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::constant>(e)) return true;
     if (GiNaC::is_a<GiNaC::power>(e)) {
@@ -145,8 +140,7 @@ Sign Prover::of_product(const ex& e, int comparisons) const {
 
 // The sign of -part.
 Sign Prover::of_negative(const ex& part, int comparisons) const {
-    if (GiNaC::is_a<numeric>(part) || GiNaC::is_a<GiNaC::add>(part))
-        return sign((-part).expand(), comparisons);
+    if (GiNaC::is_a<GiNaC::add>(part) || is_constant(part)) return sign((-part).expand(), comparisons);
     if (!GiNaC::is_a<GiNaC::power>(part) || !GiNaC::is_a<GiNaC::add>(part.op(0)) ||
         !part.op(1).info(GiNaC::info_flags::odd))
         return Sign::unknown;
@@ -170,7 +164,6 @@ Sign Prover::by_structure(const ex& e, int comparisons) const {
     Sign strongest = Sign::unknown;
     for (const ex& part : e) {
         const Sign s = sign(part, comparisons);
-        if (s == Sign::unknown && is_positive_number(e)) return Sign::positive;
         if (s == Sign::unknown) return std::max(by_squares(e, comparisons), by_bounds(e, comparisons));
         strongest = std::max(strongest, s);
     }
@@ -257,11 +250,17 @@ bool Prover::declared_positive(const ex& e) const {
 
 Sign Prover::sign(const ex& e, int comparisons) const {
     if (declared_positive(e)) return Sign::positive;
+    if (is_constant(e)) {
+        const ConstantSign decided = sign_of_constant(e);
+        if (decided != ConstantSign::unknown)
+            return decided == ConstantSign::positive ? Sign::positive : Sign::unknown;
+    }
     const Sign s = by_structure(e, comparisons);
     return s == Sign::unknown ? by_declaration(e, comparisons) : s;
 }
 
 bool Prover::nonzero(const ex& e) const {
+    if (is_constant(e)) return sign_of_constant(e) != ConstantSign::unknown;
     if (GiNaC::is_a<GiNaC::symbol>(e)) return declared_nonzero(e);
     if (GiNaC::is_a<GiNaC::mul>(e)) {
         return std::all_of(e.begin(), e.end(), [this](const ex& part) { return nonzero(part); });

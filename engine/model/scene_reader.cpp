@@ -97,7 +97,7 @@ void SceneReader::read_outputs() {
     const TomlNode* outputs = root_.find("outputs");
     if (outputs == nullptr) {
         for (const Variable& v : scene_.system->variables) {
-            if (v.role != Role::slow) scene_.outputs.push_back(v.name);
+            if (v.role == Role::fast || v.role == Role::drift) scene_.outputs.push_back(v.name);
         }
         return;
     }
@@ -107,8 +107,13 @@ void SceneReader::read_outputs() {
     }
     for (const TomlNode& item : outputs->items) {
         const std::string name = string_of(item);
-        if (scene_.system->variable(name) == nullptr) {
+        const Variable* variable = scene_.system->variable(name);
+        if (variable == nullptr) {
             bad_value(item, "an output is a variable of the system", suggest(name, known));
+        }
+        if (variable->role == Role::angle) {
+            bad_value(item, "an output is no angle, which is known by its sine and cosine",
+                      "remove it from outputs");
         }
         if (std::find(scene_.outputs.begin(), scene_.outputs.end(), name) != scene_.outputs.end()) {
             bad_value(item, "an output is listed once", "remove the second");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/settings.hpp"
 
-#include "model/positivity.hpp"
+#include "model/constant_sign.hpp"
+#include "model/derivation.hpp"
+#include "model/zero_test.hpp"
 
 #include <algorithm>
 #include <string>
@@ -26,19 +28,23 @@ ex read_value(const Setting& setting, const std::string& option) {
     return read_expression(setting.value, Scope(), source);
 }
 
-std::string declared(const Parameter& parameter) {
-    return parameter.positive ? "positive" : parameter.nonzero ? "nonzero" : "real";
+// Values are constants: where intervals do not decide what their signs are, nothing is claimed.
+[[noreturn]] void refuse_undecided(const std::string& value, const std::string& option) {
+    Place place;
+    place.key = option;
+    refuse({"the sign of a value is decided by intervals", value + " may be zero",
+            "write the value in a simpler form", place});
 }
 
-void check_value(const Setting& setting, const Parameter& parameter, const ex& value, const System& system,
+void check_value(const Setting& setting, const Parameter& parameter, const ex& value,
                  const std::string& option) {
-    const bool allowed = parameter.positive  ? provably_positive(value, system)
-                         : parameter.nonzero ? provably_nonzero(value, system)
-                                             : true;
-    if (!allowed)
-        complain("the file declares " + parameter.name + " " + declared(parameter),
-                 setting.parameter + "=" + setting.value, "set a value of this kind, or change the file",
-                 option);
+    if (!parameter.positive && !parameter.nonzero) return;
+    const std::string found = setting.parameter + "=" + setting.value;
+    const ConstantSign sign = sign_of_constant(value);
+    if (sign == ConstantSign::positive || (sign == ConstantSign::negative && !parameter.positive)) return;
+    if (sign == ConstantSign::unknown && vanishes(value) == Zero::unknown) refuse_undecided(found, option);
+    complain("the file declares " + parameter.name + (parameter.positive ? " positive" : " nonzero"), found,
+             "set a value of this kind, or change the file", option);
 }
 
 // A declared expression that has become a number must be positive.
@@ -46,16 +52,26 @@ void put_into_domain(System& system, const GiNaC::exmap& values, const std::stri
     std::vector<Declaration> rest;
     for (Declaration& declaration : system.positive) {
         declaration.value = declaration.value.subs(values, GiNaC::subs_options::no_pattern);
-        const ex number = declaration.value.evalf();
-        if (!GiNaC::is_a<GiNaC::numeric>(number)) {
+        if (!is_constant(declaration.value)) {
             rest.push_back(std::move(declaration));
-        } else if (!GiNaC::ex_to<GiNaC::numeric>(number).is_positive()) {
-            complain("line " + std::to_string(declaration.source.line) +
-                         " of the file declares positive what these values make zero or negative",
-                     in_quotes(declaration.text), "set values for which it is positive", option);
+            continue;
         }
+        const ConstantSign sign = sign_of_constant(declaration.value);
+        if (sign == ConstantSign::positive) continue;
+        if (sign == ConstantSign::unknown && vanishes(declaration.value) == Zero::unknown)
+            refuse_undecided(in_quotes(declaration.text), option);
+        complain("line " + std::to_string(declaration.source.line) +
+                     " of the file declares positive what these values make zero or negative",
+                 in_quotes(declaration.text), "set values for which it is positive", option);
     }
     system.positive = std::move(rest);
+}
+
+// A mass that is in no equation may have any value.
+bool is_cancelled(const std::string& name, const System& system) {
+    if (!system.derivation) return false;
+    const std::vector<std::string>& cancelled = system.derivation->cancelled;
+    return std::find(cancelled.begin(), cancelled.end(), name) != cancelled.end();
 }
 
 } // namespace
@@ -71,6 +87,7 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     GiNaC::exmap values;
     for (const Setting& setting : settings) {
         const Parameter* parameter = system.parameter(setting.parameter);
+        if (parameter == nullptr && is_cancelled(setting.parameter, system)) continue;
         if (parameter == nullptr) {
             std::vector<std::string> known;
             for (const Parameter& p : system.parameters) known.push_back(p.name);
@@ -78,7 +95,7 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
                      suggest(setting.parameter, known), option);
         }
         const ex value = read_value(setting, option);
-        check_value(setting, *parameter, value, system, option);
+        check_value(setting, *parameter, value, option);
         if (!values.emplace(parameter->symbol, value).second)
             complain("a parameter is set once", in_quotes(setting.parameter), "leave out one of them",
                      option);

@@ -21,7 +21,7 @@ private:
     void add(const TomlEntry& entry);
     void check_domain(const StartValue& value) const;
     void check_fast(const Variable& variable) const;
-    void check_slow(const Variable& variable) const;
+    void check_begins(const Variable& variable, const std::string& what) const;
     void check_drift(const Variable& variable) const;
     [[nodiscard]] const StartValue* find(const std::string& canonical) const;
     [[noreturn]] void complain_missing(const std::string& rule, const std::string& canonical) const;
@@ -49,7 +49,8 @@ std::vector<StartValue> StartReader::read(const TomlNode* table) {
     }
     for (const Variable& variable : system_.variables) {
         if (variable.role == Role::fast) check_fast(variable);
-        if (variable.role == Role::slow) check_slow(variable);
+        if (variable.role == Role::slow) check_begins(variable, "a slow variable");
+        if (variable.role == Role::angle) check_begins(variable, "an angle");
         if (variable.role == Role::drift) check_drift(variable);
     }
     return std::move(values_);
@@ -121,8 +122,8 @@ void StartReader::check_fast(const Variable& variable) const {
     }
 }
 
-void StartReader::check_slow(const Variable& variable) const {
-    if (find(variable.name) == nullptr) complain_missing("a slow variable has a start value", variable.name);
+void StartReader::check_begins(const Variable& variable, const std::string& what) const {
+    if (find(variable.name) == nullptr) complain_missing(what + " has a start value", variable.name);
 }
 
 void StartReader::check_drift(const Variable& variable) const {

@@ -7,6 +7,7 @@
 #include "model/style.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -103,6 +104,8 @@ template <class Change> void for_each_part(GivenMode& mode, const Change& change
     }
 }
 
+struct Derivation; // of the equations of a mechanism (model/derivation.hpp)
+
 // A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
 struct Setting {
     std::string parameter, value;
@@ -122,7 +125,8 @@ struct System {
     std::vector<GivenMode> modes;      // empty: they are to be found
     Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
     Style style = Style::poincare;     // [normal_form] style
-    int digits = 0;                    // of coefficients in numbers (--digits); 0: they are exact
+    std::shared_ptr<const Derivation> derivation; // of a mechanism; nullptr: the file has the equations
+    int digits = 0;                               // of coefficients in numbers (--digits); 0: they are exact
     // Weights are held as integers, in units of 1/eps_root, and the symbol `eps` stands for
     // eps^(1/eps_root), whose weight is that unit: 1 if the file has no weight and no power of eps that is
     // not an integer.

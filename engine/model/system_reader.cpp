@@ -2,6 +2,7 @@
 #include "model/system_reader.hpp"
 
 #include "model/eps_powers.hpp"
+#include "model/mechanism_reader.hpp"
 #include "model/names.hpp"
 #include "model/toml_values.hpp"
 
@@ -69,20 +70,27 @@ SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file) : r
 }
 
 System SystemReader::read() {
-    check_keys(root_, {"system", "parameters", "variables", "functions", "hamiltonian", "equations", "domain",
-                       "relations", "modes", "normal_form", "notation"});
+    std::vector<std::string> tables = {"system",      "parameters",  "variables", "functions",
+                                       "hamiltonian", "equations",   "domain",    "relations",
+                                       "modes",       "normal_form", "notation"};
+    tables.insert(tables.end(), mechanism_tables().begin(), mechanism_tables().end());
+    check_keys(root_, tables);
     read_header();
     read_parameters();
     read_variables();
     read_functions();
     read_pairs();
-    read_equation_texts();
+    if (is_mechanism())
+        derive_equations();
+    else
+        read_equation_texts();
     set_orders();
     read_equations();
     read_energy();
     read_domain();
     read_modes();
     read_relations();
+    drop_cancelled();
     scale_small_parameters();
     refine_weights();
     read_normal_form();
@@ -182,12 +190,18 @@ Variable SystemReader::variable_of(const TomlEntry& entry) {
     Variable variable;
     variable.name = entry.key;
     variable.place = entry.place;
-    variable.role = role_of(entry);
+    if (is_mechanism() && entry.value.find("role") == nullptr) {
+        variable.role = Role::drift; // for the time being
+        undecided_.push_back(variable.name);
+    } else {
+        variable.role = role_of(entry);
+    }
     weights_.push_back(weight_of(entry.value, variable.role));
     variable.unit = text(entry.value, "unit");
     for (const std::string key : {"positive", "nonzero"}) {
         const TomlNode* node = entry.value.find(key);
-        if (node == nullptr || variable.role == Role::slow) continue;
+        const bool undecided = !undecided_.empty() && undecided_.back() == variable.name;
+        if (node == nullptr || variable.role == Role::slow || undecided) continue;
         bad_input({"only slow variables are declared positive or nonzero",
                    in_quotes(entry.key) + " is " + to_string(variable.role), "remove the key",
                    place_of(node->source)});

@@ -6,8 +6,11 @@
 #include "model/toml_tree.hpp"
 
 #include <map>
+#include <memory>
 
 namespace resonform {
+
+struct Coordinate;
 
 class SystemReader {
 public:
@@ -19,7 +22,13 @@ private:
     void read_parameters();
     void read_variables();
     void read_functions();
-    void read_pairs();          // of a Hamiltonian, whose variables need no equations
+    void read_pairs(); // of a Hamiltonian, whose variables need no equations
+    [[nodiscard]] bool is_mechanism() const;
+    void derive_equations(); // of a mechanism (mechanism_system.cpp)
+    void take_constant(const Coordinate& constant, Role role);
+    void make_parameter(const std::string& name);
+    void check_roles() const;
+    void drop_cancelled();      // parameters that the derived equations do not hold
     void read_equation_texts(); // one per variable; finds the order of each variable
     void set_orders();
     void read_equations();
@@ -30,6 +39,7 @@ private:
     void scale_small_parameters();
     void refine_weights(); // to integers, with a root of eps
     [[nodiscard]] GiNaC::ex at_rest(const GiNaC::ex& e) const;
+    [[nodiscard]] GiNaC::ex regular_at_rest(const GiNaC::ex& e, const TomlNode& value) const;
     void read_normal_form();
     void read_notation();
     void check_names_of_results() const;
@@ -50,6 +60,8 @@ private:
     System system_;
     std::vector<std::pair<GiNaC::symbol, Rational>> small_; // parameters of positive weight
     std::vector<Rational> weights_;                         // of the variables
+    std::vector<std::string> undecided_;                    // variables of a mechanism without a role
+    std::shared_ptr<Derivation> derivation_;                // of a mechanism
     std::map<std::string, std::string> taken_;              // name -> what it names
 };
 

@@ -89,7 +89,7 @@ void SystemReader::read_relations() {
             if (relations->find(p.name) == nullptr) scope.define(p.name, p.symbol);
         scope.define("eps", system_.eps);
         const GiNaC::ex value = read_expression(string_of(entry.value), scope, entry.value.source);
-        const GiNaC::ex rest = at_rest(value);
+        const GiNaC::ex rest = regular_at_rest(value, entry.value);
         if ((parameter->positive && !provably_positive(rest, system_)) ||
             (parameter->nonzero && !provably_nonzero(rest, system_)))
             bad_value(entry.value,
@@ -114,6 +114,14 @@ GiNaC::ex SystemReader::at_rest(const GiNaC::ex& e) const {
     GiNaC::exmap zero{{system_.eps, 0}};
     for (const auto& small : small_) zero[small.first] = 0;
     return e.subs(zero, GiNaC::subs_options::no_pattern);
+}
+
+GiNaC::ex SystemReader::regular_at_rest(const GiNaC::ex& e, const TomlNode& value) const {
+    try {
+        return at_rest(e);
+    } catch (const std::exception&) { // GiNaC::pole_error, division by zero
+        bad_value(value, "a relation has a value at eps = 0", "remove what is divided by eps");
+    }
 }
 
 // d = { weight = 2 } is small: it stands for eps^2*d.
@@ -200,7 +208,7 @@ void SystemReader::check_names_of_results() const {
             made[kind + "_" + variable.name] = kind + "." + variable.name;
         if (variable.role == Role::drift) made["z_" + variable.name] = "the new variable of " + variable.name;
     }
-    for (const char* key : {"parameters", "variables", "functions", "notation"}) {
+    for (const char* key : {"parameters", "variables", "functions", "notation", "coordinates"}) {
         const TomlNode* node = root_.find(key);
         if (node == nullptr) continue;
         for (const TomlEntry& entry : node->entries) {

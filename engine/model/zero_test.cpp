@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/zero_test.hpp"
 
+#include "model/constant_sign.hpp"
 #include "model/named_function.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ Ball rounded(double middle, double radius) {
     return {middle, total};
 }
 
-Ball of_number(const GiNaC::numeric& n) {
+Ball ball_of_number(const GiNaC::numeric& n) {
     constexpr int largest_bits = 1000; // beyond this a double may overflow
     if (!n.is_rational() || n.numer().int_length() > largest_bits || n.denom().int_length() > largest_bits) {
         return {0, infinity};
@@ -117,6 +118,15 @@ GiNaC::exmap point_for(const ex& e, int salt) {
     return point;
 }
 
+// Doubles first, as they are fast; where they overflow, intervals of any size.
+bool differs_at(const ex& e, const GiNaC::exmap& point) {
+    constexpr int bits = 64;
+    const Ball ball = evaluate(e, point);
+    if (std::isfinite(ball.radius)) return ball.excludes_zero();
+    const std::optional<Interval> exact = enclosure(e, point, bits);
+    return exact && exact->excludes_zero();
+}
+
 // The cost of normal() may grow exponentially with the number of fractions.
 bool is_small(const ex& e) {
     constexpr int most_parts = 300;
@@ -130,7 +140,7 @@ bool is_small(const ex& e) {
 bool Ball::excludes_zero() const { return std::abs(middle) > radius; }
 
 Ball evaluate(const ex& e, const GiNaC::exmap& point) {
-    if (GiNaC::is_a<GiNaC::numeric>(e)) return of_number(GiNaC::ex_to<GiNaC::numeric>(e));
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return ball_of_number(GiNaC::ex_to<GiNaC::numeric>(e));
     if (e.is_equal(GiNaC::Pi)) return rounded(std::acos(-1.0), 0);
     if (GiNaC::is_a<GiNaC::symbol>(e)) {
         const auto found = point.find(e);
@@ -157,9 +167,10 @@ Ball evaluate(const ex& e, const GiNaC::exmap& point) {
 
 Zero vanishes(const ex& e) {
     if (e.is_zero()) return Zero::yes;
+    if (is_constant(e) && sign_of_constant(e) != ConstantSign::unknown) return Zero::no;
     constexpr int points = 4;
     for (int salt = 1; salt <= points; ++salt) {
-        if (evaluate(e, point_for(e, salt)).excludes_zero()) return Zero::no;
+        if (differs_at(e, point_for(e, salt))) return Zero::no;
     }
     if (e.expand().is_zero()) return Zero::yes;
     return is_small(e) && e.normal().is_zero() ? Zero::yes : Zero::unknown;

@@ -148,10 +148,25 @@ void CertificateRoots::split(const ex& e, const Rational& exponent, const Equati
             split(base, exponent * power, equation, product);
         return;
     }
-    const ex fraction = lowered(with_symbols(e, equation).normal()).normal().numer_denom();
-    const bool turn = positive((-fraction.op(1)).expand());
-    split_polynomial(turn ? -fraction.op(0) : fraction.op(0), exponent, equation, product);
-    split_polynomial(turn ? -fraction.op(1) : fraction.op(1), -exponent, equation, product);
+    const auto [above, below] = rationalised(lowered(with_symbols(e, equation).normal()).normal());
+    const bool turn = positive((-below).expand());
+    split_polynomial(turn ? -above : above, exponent, equation, product);
+    split_polynomial(turn ? -below : below, -exponent, equation, product);
+}
+
+// Numerator and denominator, without powers of roots as factors below: 4 - sqrt(3)/sqrt(2) is
+// (8 - sqrt(2)*sqrt(3))/2, with the radicand above as the ring has it.
+std::pair<ex, ex> CertificateRoots::rationalised(const ex& e) const {
+    const ex fraction = e.numer_denom();
+    ex above = fraction.op(0), below = fraction.op(1).expand();
+    for (const Root& root : roots_) {
+        const int degree = below.ldegree(root.symbol) % root.index;
+        if (degree == 0) continue;
+        const ex factor = GiNaC::pow(root.symbol, root.index - degree);
+        above = without_whole_powers(above * factor).expand();
+        below = without_whole_powers(below * factor).expand();
+    }
+    return {above, below};
 }
 
 // The factors of a product with their exponents, what is negative turned: the library holds
@@ -177,15 +192,34 @@ std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex
     return factors;
 }
 
-void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Equation& equation,
-                                        Product& product) {
-    e = e.expand();
+// e divided by the radicands that divide it.
+ex CertificateRoots::without_radicands(ex e, const Rational& exponent, Product& product) const {
     for (std::size_t k = 0; k < roots_.size(); ++k) {
         if (is_a<GiNaC::numeric>(roots_[k].radicand) || !roots_[k].positive) continue;
         ex quotient;
         while (!is_a<GiNaC::numeric>(e) && GiNaC::divide(e, roots_[k].radicand, quotient)) {
             product.roots[k] = product.roots[k] + exponent;
             e = quotient.expand();
+        }
+    }
+    return e;
+}
+
+void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Equation& equation,
+                                        Product& product) {
+    e = without_radicands(without_whole_powers(e).expand(), exponent, product);
+    // 4*sqrt(2) - sqrt(3) is (8 - sqrt(2)*sqrt(3))/sqrt(2).
+    for (std::size_t k = 0; k < roots_.size() && !is_a<GiNaC::numeric>(e); ++k) {
+        if (!is_a<GiNaC::numeric>(roots_[k].radicand) || !e.has(roots_[k].symbol)) continue;
+        for (int power = 1; power < roots_[k].index; ++power) {
+            Product turned = product;
+            turned.roots[k] = turned.roots[k] - exponent * Rational(power) / roots_[k].index;
+            const ex times = without_whole_powers(e * GiNaC::pow(roots_[k].symbol, power)).expand();
+            const ex rest = without_radicands(times, exponent, turned);
+            if (!is_a<GiNaC::numeric>(rest)) continue;
+            product = turned;
+            e = rest;
+            break;
         }
     }
     if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);

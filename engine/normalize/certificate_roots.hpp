@@ -73,6 +73,8 @@ private:
     void split(const GiNaC::ex& e, const Rational& exponent, const Equation& equation, Product& product);
     [[nodiscard]] std::vector<std::pair<GiNaC::ex, Rational>>
     positive_factors(const GiNaC::ex& product, const Equation& equation) const;
+    [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> rationalised(const GiNaC::ex& e) const;
+    [[nodiscard]] GiNaC::ex without_radicands(GiNaC::ex e, const Rational& exponent, Product& product) const;
     void split_polynomial(GiNaC::ex e, const Rational& exponent, const Equation& equation, Product& product);
     void split_rest(const GiNaC::ex& e, const Rational& exponent, const Equation& equation,
                     Product& product) const;

@@ -10,7 +10,7 @@ namespace resonform {
 namespace {
 
 constexpr int attempts_per_prime = 16;
-constexpr int primes_per_search = 4000;
+constexpr int primes_per_search = 1 << 18; // a second or two
 
 Residue evaluate_at(const Ring& ring, const Polynomial& p, const Point& point) {
     const PrimeField& f = point.field;
@@ -62,6 +62,7 @@ void PointSampler::draw_powers() {
 Point PointSampler::next() {
     for (int n = 0; n < primes_per_search; ++n) {
         const PrimeField field(random_prime(random_));
+        if (!has_roots_of_numbers(field)) continue;
         const Residue i = *field.root(field.prime() - 1, 2);
         for (int k = 0; k < attempts_per_prime; ++k)
             if (std::optional<Point> point = attempt(field, i)) return *std::move(point);
@@ -123,6 +124,21 @@ std::optional<Point> PointSampler::attempt(const PrimeField& field, Residue i) {
         }
     }
     return point;
+}
+
+// They exist modulo a prime or not, whatever the point.
+bool PointSampler::has_roots_of_numbers(const PrimeField& field) {
+    for (GeneratorId id = 0; id < ring_.size(); ++id) {
+        const Generator& g = ring_.generator(id);
+        if (g.kind != GeneratorKind::root || g.radicand.size() != 1) continue;
+        const Term& number = g.radicand.terms().front();
+        if (number.monomial != Monomial{}) continue;
+        const std::optional<Residue> radicand = field.from(number.coefficient);
+        if (!radicand || *radicand == 0) return false;
+        observe(field, id, *radicand);
+        if (!field.root(*radicand, g.index)) return false;
+    }
+    return true;
 }
 
 std::optional<Residue> PointSampler::root_value(const Point& point, GeneratorId id) {

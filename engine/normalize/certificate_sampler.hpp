@@ -51,6 +51,7 @@ private:
     void draw_powers();
     // With a root of -1.
     std::optional<Point> attempt(const PrimeField& field, Residue i);
+    bool has_roots_of_numbers(const PrimeField& field);
     std::optional<Residue> root_value(const Point& point, GeneratorId id);
     std::optional<Residue> function_value(const Point& point, const Generator& g);
     void observe(const PrimeField& field, GeneratorId root, Residue radicand);

@@ -4,7 +4,10 @@
 #include "expand/power_product.hpp"
 #include "model/zero_test.hpp"
 
+#include <cln/dfloat.h>
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace resonform {
 
@@ -20,18 +23,23 @@ const char* to_string(DivisorVerdict verdict) {
 
 namespace {
 
+// What lies closer to near than by this part of its square is on neither side for sure: certificates compare
+// sizes in doubles. Equality is on one, where it is seen exactly.
+constexpr double undecided_part = 1e-12;
+Rational to_exact(double value) { return cln::rational(cln::cl_DF(value)); }
+
 // 1/(a + i b), given that it is not zero and the norm a^2 + b^2 (a or b where the other vanishes); nullopt
 // where the ring has no inverse of that.
-struct Complex {
+struct ComplexDivisor {
     Polynomial numerator, norm;
 };
 
-std::optional<Polynomial> reciprocal(const RingDomain&, const Ring& ring, const Complex& c) {
+std::optional<Polynomial> reciprocal(const RingDomain&, const Ring& ring, const ComplexDivisor& c) {
     const auto inverse = ring.inverse(c.norm);
     return inverse ? std::optional(ring.multiply(c.numerator, *inverse)) : std::nullopt;
 }
 
-std::optional<GraphPart> reciprocal(const GraphDomain& domain, const Ring&, const Complex& c) {
+std::optional<GraphPart> reciprocal(const GraphDomain& domain, const Ring&, const ComplexDivisor& c) {
     const GraphPart numerator = domain.constant(c.numerator);
     const GraphPart inverse = domain.arithmetic().constant(domain.reciprocal(c.norm));
     return domain.dot({{1, &numerator, &inverse}});
@@ -117,7 +125,9 @@ Divisor<NumberPart> DivisorTable<NumberDomain>::judged(const Polynomial& growth,
         RealBall excess = RealBall(-near * near, bits);
         arb_addmul(excess.get(), d.re().get(), d.re().get(), bits);
         arb_addmul(excess.get(), d.im().get(), d.im().get(), bits);
-        if (excess.contains_zero()) throw UndecidedDivisor{spell(multiples), true};
+        RealBall nearly = excess;
+        arb_add_error(nearly.get(), RealBall(near * near * to_exact(undecided_part), bits).get());
+        if (nearly.contains_zero()) throw UndecidedDivisor{spell(multiples), true};
         if (excess.negative().is_positive()) return {value, DivisorVerdict::kept_near, {}};
     }
     const auto inverse = domain_.inverse(domain_.constant(d));
@@ -139,7 +149,8 @@ template <class Domain> bool DivisorTable<Domain>::is_near(const Multiples& mult
     if (excess.is_zero()) return true;
     if (!GiNaC::is_a<GiNaC::numeric>(excess.evalf())) return false;
     const Ball ball = evaluate(excess, {});
-    if (ball.excludes_zero()) return ball.middle < 0;
+    const double undecided = undecided_part * cln::double_approx(near * near);
+    if (std::abs(ball.middle) > ball.radius + undecided) return ball.middle < 0;
     refuse({"a divisor is larger or smaller than near, by more than rounding errors",
             spell(multiples),
             "change near in [normal_form] a little",

@@ -42,6 +42,8 @@ public:
 
     // R_n, given [F]_n of the composed field.
     [[nodiscard]] Part right_hand_side(int weight, const Part& field_part, const Transport<Part>& transport);
+    // No right-hand side is wanted any more: what only it needs is given back.
+    void finish() { slopes_.clear(); }
     struct Shares {
         Part exact, near; // what belongs to D = 0, and to a D that is kept near
         Part quotient;    // all else, divided by D

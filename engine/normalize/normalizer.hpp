@@ -62,6 +62,7 @@ public:
         if (!angles_.empty()) run_.correct(weight);
         for (std::size_t d = 0; d < drifts_.size(); ++d)
             solve({&drifts_[d]}, {field_->drift[d].rate}, weight);
+        run_.forget();
     }
 
     // What the ring must learn to divide by before the last weight can be solved.
@@ -170,6 +171,8 @@ private:
             if (const int m = equations[k]->mode(); m >= 0 && weight == weight_of(m))
                 right.back() = without_linear(domain_, std::move(right.back()), weight);
         }
+        if (weight == through_)
+            for (Equation* e : equations) e->finish();
         style_->solve(weight, equations, right);
     }
 

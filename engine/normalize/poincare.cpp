@@ -64,9 +64,10 @@ NormalizationOf<NumberPart> normalize_over(const std::shared_ptr<const GradedFie
     return normalizer.result();
 }
 
-GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
+GraphNormalization normalize_in_graph(std::shared_ptr<const GradedField> field, int through,
                                       const NormalizeOptions& options) {
     check_order(*field, through);
+    field = with_derivatives(std::move(field), through + 1);
     const GraphDomain domain(field->ring, through + 1);
     Normalizer<GraphDomain> normalizer(field, domain, std::make_unique<PoincareStyle<GraphDomain>>(domain),
                                        through);

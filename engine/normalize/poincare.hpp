@@ -24,7 +24,7 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
 
 // The same with coefficients in a graph, in which no divisor has to be learned: for several symbolic
 // frequencies. Errors (refused): coefficients that are no rational functions of independent symbols.
-GraphNormalization normalize_in_graph(const std::shared_ptr<const GradedField>& field, int through,
+GraphNormalization normalize_in_graph(std::shared_ptr<const GradedField> field, int through,
                                       const NormalizeOptions& options = {});
 
 // The same over numbers of some precision (normalize/numbers.hpp). Throws UndecidedDivisor.

@@ -74,19 +74,42 @@ public:
 
     // The primitive that vanishes at x = -1, by powers of x.
     [[nodiscard]] static std::array<Number, n + 1> primitive(const Values& c) {
-        std::array<Number, n + 1> series{};
-        for (std::size_t k = 1; k <= n; ++k) {
-            const Number above = k + 1 < n ? c[k + 1] : Number(0);
-            series[k] = (Number(k == 1 ? 2 : 1) * c[k - 1] - above) / Number(static_cast<int>(2 * k));
-        }
-        std::array<Number, n + 1> result = powers(series);
+        std::array<Number, n + 1> result = powers(integrated(c));
         Number at_left = Number(0);
         for (std::size_t k = n + 1; k > 0; --k) at_left = result[k - 1] - at_left;
         result[0] = result[0] - at_left;
         return result;
     }
 
+    // Row j: the integral from -1 to node(j) as a linear combination of the values at the nodes.
+    [[nodiscard]] std::array<Values, n> integration() const {
+        std::array<Values, n> result{};
+        for (std::size_t m = 0; m < n; ++m) {
+            Values unit{};
+            unit[m] = Number(1);
+            const std::array<Number, n + 1> series = integrated(coefficients(unit));
+            Number at_left = Number(0);
+            for (std::size_t k = n + 1; k > 0; --k) at_left = series[k - 1] - at_left;
+            for (std::size_t j = 0; j < n; ++j) {
+                Number sum = Number(-at_left);
+                for (std::size_t k = 1; k <= n; ++k) sum = sum + series[k] * cosine(k * (2 * j + 1));
+                result[j][m] = sum;
+            }
+        }
+        return result;
+    }
+
 private:
+    // A primitive by its Chebyshev coefficients, without a constant.
+    [[nodiscard]] static std::array<Number, n + 1> integrated(const Values& c) {
+        std::array<Number, n + 1> series{};
+        for (std::size_t k = 1; k <= n; ++k) {
+            const Number above = k + 1 < n ? c[k + 1] : Number(0);
+            series[k] = (Number(k == 1 ? 2 : 1) * c[k - 1] - above) / Number(static_cast<int>(2 * k));
+        }
+        return series;
+    }
+
     // cos(k pi/(2n)), reduced to the first quadrant
     [[nodiscard]] Number cosine(std::size_t k) const {
         k %= 4 * n;

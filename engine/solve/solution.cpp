@@ -22,20 +22,17 @@ Place place_of(const System& system, std::size_t variable) {
     return place;
 }
 
-constexpr const char* unsolved = "derive and print the normal form; its slow flow is not solved yet";
+void check_moves(const GradedField& field) {
+    for (const SlowVariable& slow : field.slow)
+        if (!slow.driven && slow.rate.empty())
+            refuse({"a slow variable moves", slow.name + "' = 0", "declare " + slow.name + " as a parameter",
+                    place_of(field.system(), slow.variable)});
+}
 
-void check_explicit_law(const GradedField& field, const SlowVariable& slow) {
-    const Ring& ring = *field.ring;
-    const std::string name = slow.name;
-    const Place place = place_of(field.system(), slow.variable);
-    const auto rate = quotient_in_ring(ring, slow.rate, ring.gen(field.eps));
-    if (slow.rate.empty())
-        refuse({"a slow variable moves", name + "' = 0", "declare " + name + " as a parameter", place});
-    if (!rate || !is_constant(ring, *rate))
-        refuse({fmt::format("the solution by quadratures needs the explicit law {}' = eps*c, c a constant",
-                            name),
-                "the rate depends on eps or on slow variables",
-                "use a variable that grows linearly in time, e.g. the slow time itself", place});
+// xi' = eps c
+bool has_explicit_law(const GradedField& field, const SlowVariable& slow) {
+    const auto rate = quotient_in_ring(*field.ring, slow.rate, field.ring->gen(field.eps));
+    return !slow.driven && rate && is_constant(*field.ring, *rate);
 }
 
 void check_supported(const Normalization& normalization, const SolveOptions& options) {
@@ -54,40 +51,14 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
              fmt::format("truncation = {}, normal form through {}", options.truncation, normal_form.through),
              "normalise through a higher weight",
              {system.file.string(), 0, 0, "truncation", ""}});
-    if (normal_form.style == Style::hamiltonian)
-        refuse({"the solution by quadratures is for a normal form of style poincare",
-                to_string(normal_form.style),
-                "use style = \"poincare\"",
-                {system.file.string(), 0, 0, "normal_form.style", ""}});
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
         if (field.ring->generator(id).kind == GeneratorKind::function)
-            refuse({"the solution by quadratures is for coefficients with powers and roots",
+            refuse({"a solution is for coefficients with powers and roots",
                     field.ring->generator(id).name,
                     "derive and print the normal form; solutions with functions of slow variables or "
                     "parameters are not there yet",
                     {system.file.string(), 0, 0, "equations", ""}});
-    if (field.modes.size() > 1)
-        refuse({"the solution by quadratures is for one oscillator",
-                fmt::format("{} oscillators", field.modes.size()), unsolved,
-                place_of(system, field.modes[1].variable)});
-    for (const Mode& mode : field.modes)
-        if (!mode.oscillator || field.ring->generator(mode.z).weight != 1)
-            refuse({"the solution by quadratures is for a small oscillator without damping",
-                    fmt::format("{} is another kind of variable", system.variables[mode.variable].name),
-                    unsolved, place_of(system, mode.variable)});
-    if (!field.angles.empty())
-        refuse({"the solution by quadratures is for systems without angles", field.angles.front().name,
-                unsolved, place_of(system, field.angles.front().variable)});
-    for (const SlowVariable& slow : field.slow)
-        if (slow.driven)
-            refuse({"the solution by quadratures is for slow variables that are not driven by fast ones",
-                    slow.name, unsolved, place_of(system, slow.variable)});
-    if (field.slow.size() > 1)
-        refuse({"the solution by quadratures is for one slow variable",
-                fmt::format("{} slow variables", field.slow.size()),
-                "express one by the other: both grow linearly in time",
-                place_of(system, field.slow[1].variable)});
-    for (const SlowVariable& slow : field.slow) check_explicit_law(field, slow);
+    check_moves(field);
 }
 
 // z = w + h cut at a weight, by powers of eps.
@@ -176,8 +147,27 @@ bool is_constant(const Ring& ring, const Polynomial& p) {
     });
 }
 
+bool solves_by_quadratures(const GradedField& field) {
+    const bool small = std::all_of(field.modes.begin(), field.modes.end(), [&](const Mode& mode) {
+        return mode.oscillator && field.ring->generator(mode.z).weight == 1;
+    });
+    return field.modes.size() <= 1 && small && field.angles.empty() && field.slow.size() <= 1 &&
+           std::all_of(field.slow.begin(), field.slow.end(),
+                       [&](const SlowVariable& slow) { return has_explicit_law(field, slow); }) &&
+           field.system().style != Style::hamiltonian;
+}
+
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {
     check_supported(*normalization, options);
+    if (!solves_by_quadratures(*normalization->normal_form.field)) {
+        Solution solution;
+        solution.order = options.order;
+        solution.truncation = options.truncation;
+        solution.flow =
+            std::make_shared<const SlowFlow>(slow_flow(*normalization, options.order, options.truncation));
+        solution.normalization = std::move(normalization);
+        return solution;
+    }
     const EnvelopePlan plan = plan_envelope(normalization->normal_form);
     Draft draft(std::move(normalization), options, plan.refinements());
     solve_amplitude_and_phase(draft, plan);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solution of a normal form with one oscillator (or none) and slow variables of explicit law:
+// The solution of a normal form. With one small oscillator (or none) and slow variables of explicit law it is
 //
 //   xi = xi_0 + eps v t,  w = Delta e^{i theta},  Delta = eps C E(xi) (1 + eps^2 B_2(xi) + ...)   (21)
 //   theta = theta_0 + int_0^t (omega(xi) + eps^2 Theta_2(xi) + ...) dt
@@ -8,9 +8,13 @@
 //
 // Everything is a Polynomial of the solution ring: the ring of the normal form without its modes,
 // roots refined (sigma -> s^(1/8)), plus the constants of the solution, e^{i theta}, and primitives.
+//
+// With several oscillators, finite ones, slow variables of other laws, or angles it is the slow flow
+// (solve/slow_flow.hpp), in the ring of the normal form.
 #pragma once
 
 #include "normalize/normal_form.hpp"
+#include "solve/slow_flow.hpp"
 #include "solve/truncation.hpp"
 
 #include <memory>
@@ -64,8 +68,9 @@ struct SolutionOutput {
 
 struct Solution {
     std::shared_ptr<const Normalization> normalization;
-    int order = 0;      // N: outputs are cut at eps^N
-    int truncation = 0; // M: normal form and map are used through M
+    int order = 0;                        // N: outputs are cut at eps^N
+    int truncation = 0;                   // M: normal form and map are used through M
+    std::shared_ptr<const SlowFlow> flow; // if set, it is the solution, and all below is empty
     RingPtr ring;
     std::shared_ptr<const RingMap> from_normal_form; // for polynomials free of modes: sigma -> rho^2, ...
     GeneratorId eps;
@@ -88,8 +93,12 @@ struct SolveOptions {
     int truncation = 4; // M
 };
 
-// Errors (refused): more than one mode, slow variables without explicit law, an amplitude equation
-// that is not solved by quadratures at leading order (strong damping).
+// One small oscillator of weight 1 at most, at most one slow variable, xi' = eps*const, no angles, style
+// poincare: else the solution is a slow flow.
+[[nodiscard]] bool solves_by_quadratures(const GradedField& field);
+
+// Errors (refused): functions among the coefficients, a slow variable that does not move; by quadratures: an
+// oscillator that is damped or grows at weight 0; else those of slow_flow().
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options);
 
 // Whether only parameters, and roots of what is constant, stand in p.

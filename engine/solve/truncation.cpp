@@ -20,6 +20,30 @@ Place place_of(const Scene& scene, const char* key) {
     return place;
 }
 
+struct Count {
+    int truncation;
+    const char* formula;
+};
+
+// What an output weighs through which a phase is seen.
+int lightest(const GradedField& field) {
+    if (!field.angles.empty() || field.modes.empty()) return 0;
+    return field.mode_weights().back();
+}
+
+Count counted(const GradedField& field, int order, int p) {
+    if (solves_by_quadratures(field)) {
+        if (field.modes.empty()) return {order + p, "N + p"};
+        return {std::max(order + p, order + 2 * p - 2), "max(N + p, N + 2p - 2)"};
+    }
+    const bool driven =
+        std::any_of(field.slow.begin(), field.slow.end(), [](const SlowVariable& s) { return s.driven; });
+    const Count flow{std::max(order + p, order + 2 * p - 1), "max(N + p, N + 2p - 1)"};
+    const int through_slow = order + 2 * p - lightest(field);
+    if (!driven || through_slow <= flow.truncation) return flow;
+    return {through_slow, lightest(field) == 0 ? "N + 2p" : "N + 2p - w"};
+}
+
 } // namespace
 
 void require_whole_weights(const System& system) {
@@ -44,8 +68,7 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
         refuse({"on a time scale beyond 1/eps every variable stays in a compact set",
                 fmt::format("time_scale = {}, {} drifts", p, field.drift.front().name),
                 "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
-    const bool twist = !field.modes.empty();
-    const int truncation = twist ? std::max(order + p, order + 2 * p - 2) : order + p;
+    const auto [truncation, formula] = counted(field, order, p);
     if (truncation > largest_truncation)
         refuse({fmt::format("normal forms are computed through weight {} at most", largest_truncation),
                 fmt::format("order = {}, time_scale = {} ask for weight {}", order, p, truncation),
@@ -54,13 +77,21 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
     if (p == 0) return {truncation, fmt::format("order {} on t = O(1): M = {}", order, truncation)};
     return {truncation,
             fmt::format("order {} on t = O({}): rates neglected at weight {} act over {}, so M = {} = {}",
-                        order, span, truncation + 1, span, twist ? "max(N + p, N + 2p - 2)" : "N + p",
-                        truncation)};
+                        order, span, truncation + 1, span, formula, truncation)};
 }
 
 void check_time_scale(const Solution& solution, const Scene& scene) {
     const int p = scene.time_scale.value_or(1);
     if (scene.truncation || p < 2) return;
+    if (solution.flow) {
+        const auto power = flow_power(*solution.normalization->normal_form.field, *solution.flow);
+        if (power && *power < p)
+            refuse({"on a time scale beyond 1/eps the slow flow goes a finite way",
+                    fmt::format("time_scale = {}, the flow has rates of order eps^{}", p, *power),
+                    fmt::format("use time_scale = {}, or give the truncation yourself", *power),
+                    place_of(scene, "time_scale")});
+        return;
+    }
     for (const ModeSolution& mode : solution.modes) {
         bool constant = mode.envelope == solution.ring->one();
         for (int n = 1; n <= mode.factor.through(); ++n) constant = constant && mode.factor.part(n).empty();

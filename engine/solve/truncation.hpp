@@ -25,14 +25,18 @@ void require_whole_weights(const System& system);
 //   M = max(N + p, N + 2p - 2)   with an oscillator: what is neglected in rates at weight M + 1 acts
 //                                over eps^-p on amplitude, phase and drift, and by the twist eps^2
 //                                delta^2 of the frequency once more on the phase;
-//   M = N + p                    without one.
+//   M = N + p                    without one;
+//   M = max(N + p, N + 2p - 1)   for a slow flow: amplitudes of any kind act on the phases at order eps;
+//   M = N + 2p - w               at least, where slow variables are driven: through their frequencies they
+//                                act on phases at once, and these on outputs of weight w.
 //
 // Errors: refused for p >= 2 with a slow variable xi' = eps c, or a drift, which leave every compact
 // set, so that the count does not hold; refused for M > 99; those of require_whole_weights.
 TruncationCount count_truncation(const GradedField& field, const Scene& scene);
 
 // The part of the count that only the solution shows: for p >= 2 the amplitudes must be constant, since
-// their corrections are powers of T = eps t, which reaches eps^(1-p). Error: refused.
+// their corrections are powers of T = eps t, which reaches eps^(1-p); a slow flow moves as eps^p or more
+// slowly, so that it goes a finite way. Error: refused.
 void check_time_scale(const Solution& solution, const Scene& scene);
 
 } // namespace resonform

@@ -14,7 +14,7 @@ namespace resonform {
 
 namespace {
 
-__extension__ using Wide = unsigned __int128;
+__extension__ using UnsignedWide = unsigned __int128;
 
 constexpr std::string_view magic = "resonform cache 1";
 
@@ -32,8 +32,8 @@ std::string header(std::string_view payload) {
 } // namespace
 
 std::string content_hash(std::string_view bytes) {
-    Wide hash = (Wide(0x6c62272e07bb0142ULL) << 64) | 0x62b821756295c58dULL;
-    constexpr Wide prime = (Wide(1) << 88) | 0x13b;
+    UnsignedWide hash = (UnsignedWide(0x6c62272e07bb0142ULL) << 64) | 0x62b821756295c58dULL;
+    constexpr UnsignedWide prime = (UnsignedWide(1) << 88) | 0x13b;
     for (const char c : bytes) {
         hash ^= static_cast<unsigned char>(c);
         hash *= prime;

@@ -19,7 +19,7 @@ namespace resonform {
 
 namespace {
 
-constexpr long max_steps = 50'000'000;
+constexpr long most_cvode_steps = 50'000'000;
 
 struct Problem {
     BoundTape<double> rates;
@@ -53,7 +53,7 @@ public:
         CVodeInit(memory_.get(), right_hand_side, 0.0, state_.get());
         CVodeSVtolerances(memory_.get(), tolerance, dense_.get()); // copied
         CVodeSetUserData(memory_.get(), &problem);
-        CVodeSetMaxNumSteps(memory_.get(), max_steps);
+        CVodeSetMaxNumSteps(memory_.get(), most_cvode_steps);
         if (method == Method::cvode_adams) {
             iteration_.reset(SUNNonlinSol_FixedPoint(state_.get(), 0, raw));
             CVodeSetNonlinearSolver(memory_.get(), iteration_.get());

@@ -11,7 +11,7 @@ namespace resonform {
 
 namespace {
 
-constexpr std::size_t samples = 64; // points at which long double is compared with Float128
+constexpr std::size_t long_double_samples = 64; // points at which long double is compared with Float128
 constexpr double clear_of_floor = 200;
 constexpr double sample_margin = 4; // the worst of all points may be this much above the worst sample
 
@@ -48,7 +48,8 @@ template <class Real> Errors errors_in(const Trial& trial, const TrialPoint& at,
 
 // The rounding of long double: its distance from Float128 at some points.
 std::vector<double> long_double_floor(const Trial& trial, const TrialPoint& at, const Reference& reference) {
-    const std::size_t points = reference.times.size(), step = std::max<std::size_t>(1, points / samples);
+    const std::size_t points = reference.times.size(),
+                      step = std::max<std::size_t>(1, points / long_double_samples);
     const Evaluator<long double> coarse = trial.evaluator<long double>(at);
     const Evaluator<Float128> fine = trial.evaluator<Float128>(at);
     std::vector<long double> a(reference.values.size());

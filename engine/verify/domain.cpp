@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,14 +26,23 @@ Domain::Domain(const FirstOrderSystem& system, const Scene& scene)
     place_.key = "verify.interval";
     if (scene.verify.interval_source) place_ = place_of(*scene.verify.interval_source);
     GiNaC::exmap motion;
+    GiNaC::lst unknown;
     for (const State& state : system.states) {
         if (system_.variables[state.variable].role != Role::slow) continue;
+        const bool constant = std::none_of(system.states.begin(), system.states.end(),
+                                           [&](const State& s) { return state.rate.has(s.symbol); });
+        if (!constant) {
+            unknown.append(state.symbol);
+            continue;
+        }
         const StartValue* start = scene.start_of(state.name);
         const GiNaC::ex begin = start == nullptr ? GiNaC::ex(0) : start->value;
         motions_.push_back({state.name, scene.fixed(begin + state.rate * time_)});
         motion[state.symbol] = motions_.back().value;
     }
     const auto add = [&](const GiNaC::ex& value, const std::string& text, const std::string& where) {
+        for (const GiNaC::ex& symbol : unknown)
+            if (value.has(symbol)) return;
         Condition condition{scene.fixed(value.subs(motion)), text, where, {}};
         for (std::size_t k = 0; k < motions_.size(); ++k)
             if (value.has(system.state(motions_[k].name).symbol)) condition.slow.push_back(k);

@@ -12,7 +12,8 @@ namespace resonform {
 
 class Domain {
 public:
-    // Precondition: every parameter is fixed, the slow variables have constant rates.
+    // Precondition: every parameter is fixed. Only slow variables of constant rate are followed: conditions
+    // on others are left to the integration and to the evaluator, which answer beyond with a status.
     Domain(const FirstOrderSystem& system, const Scene& scene);
 
     // Errors (bad_input): the slow variables leave the domain within the interval of the scene. The place is

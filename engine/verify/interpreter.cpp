@@ -2,6 +2,7 @@
 #include "verify/interpreter.hpp"
 
 #include "emit/prune.hpp"
+#include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/table.hpp"
@@ -10,6 +11,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace resonform {
 
@@ -68,6 +70,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         for (const Graph::Node condition : program->positive)
             if (!changes[static_cast<std::size_t>(condition)] && !(constants[condition] > Real(0)))
                 return Status::outside_domain;
+        if (const Status built = build_flow(); built != Status::ok) return built;
         if (const Status built = build_tables(); built != Status::ok) return built;
         return build_phases();
     }
@@ -82,6 +85,32 @@ template <class Real> struct Interpreter<Real>::Impl {
         for (std::size_t n = 0; n < all.size(); ++n)
             if (!changes[n]) nodes.push_back(static_cast<Graph::Node>(n));
         walk.compute(nodes);
+    }
+
+    Status build_flow() {
+        if (program->flow.empty()) return Status::ok;
+        Nodes rates;
+        std::vector<Real> starts;
+        for (const ProgramFlow& variable : program->flow) {
+            rates.push_back(variable.rate);
+            starts.push_back(constants[variable.start]);
+        }
+        const Plan plan(*program, rates);
+        GraphWalk<Real> walk = constants;
+        FlowTable<std::vector<Real>> built;
+        const Status solved = built.build(
+            [&](const Real& T, const std::vector<Real>& values) {
+                walk.set(program->slow_time, T);
+                for (std::size_t k = 0; k < values.size(); ++k) walk.set(program->flow[k].value, values[k]);
+                walk.compute(plan.varying);
+                std::vector<Real> result;
+                for (const Graph::Node rate : rates) result.push_back(walk[rate]);
+                return result;
+            },
+            starts, reach);
+        if (const Status kept = interval.shorten(solved, reach); kept != Status::ok) return kept;
+        flow.emplace(std::move(built));
+        return Status::ok;
     }
 
     Status build_tables() {
@@ -122,14 +151,23 @@ template <class Real> struct Interpreter<Real>::Impl {
 
     [[nodiscard]] bool uses_tables(Graph::Node n) const {
         const std::vector<bool> used = reachable(program->graph, {n});
+        const auto in_flow = [&](const ProgramFlow& variable) {
+            return used[static_cast<std::size_t>(variable.value)];
+        };
+        if (std::any_of(program->flow.begin(), program->flow.end(), in_flow)) return true;
         return std::any_of(program->tables.begin(), program->tables.end(), [&](const ProgramTable& table) {
             return used[static_cast<std::size_t>(table.value)];
         });
     }
 
-    // Slow time and the tables built so far.
+    // Slow time, the flow and the tables built so far.
     template <class Number> void set_slow_time(GraphWalk<Number>& walk, const Number& T) const {
         walk.set(program->slow_time, T);
+        if (flow) {
+            const std::vector<Real> values = (*flow)(static_cast<Real>(T));
+            for (std::size_t k = 0; k < values.size(); ++k)
+                walk.set(program->flow[k].value, Number(values[k]));
+        }
         for (std::size_t k = 0; k < tables.size(); ++k)
             walk.set(program->tables[k].value, Number(tables[k](static_cast<Real>(T))[0]));
     }
@@ -189,6 +227,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         for (const Graph::Node n : {program->eps, program->time, program->slow_time}) size(n);
         for (const std::vector<ProgramInput>* inputs : {&program->parameters, &program->start})
             for (const ProgramInput& input : *inputs) size(input.symbol);
+        for (const ProgramFlow& variable : program->flow) size(variable.value);
         for (const ProgramTable& table : program->tables) size(table.value);
         for (const ProgramPhase& phase : program->phases) {
             bounds.set(phase.cosine, Real(1));
@@ -202,6 +241,7 @@ template <class Real> struct Interpreter<Real>::Impl {
     std::vector<Real> parameters, start;
     Real end, reach{}; // of slow time; as far as everything is defined
     Interval<Real> interval;
+    std::optional<FlowTable<std::vector<Real>>> flow;
     std::vector<PrimitiveTable<Real, 1>> tables;
     std::vector<Phase<Real>> phases;
     Status status = Status::ok;

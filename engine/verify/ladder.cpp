@@ -28,7 +28,12 @@ double since(Clock::time_point begin) { return std::chrono::duration<double>(Clo
 // mean motion leaves out the oscillation, and differs from the motion by its first term.
 int default_claim(const Scene& scene, const Solution& solution, const std::string& name) {
     const int claim = scene.order + 1;
-    if (scene.oscillating || solution.modes.empty()) return claim;
+    if (scene.oscillating) return claim;
+    if (solution.flow) {
+        const auto n = first_oscillation(*solution.normalization->normal_form.field, *solution.flow, name);
+        return n ? std::min(*n, claim) : claim;
+    }
+    if (solution.modes.empty()) return claim;
     const auto output = std::find_if(solution.outputs.begin(), solution.outputs.end(),
                                      [&](const SolutionOutput& o) { return o.name == name; });
     if (output == solution.outputs.end()) return claim; // slow variables do not oscillate

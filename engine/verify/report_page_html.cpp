@@ -50,7 +50,7 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-struct Writer {
+struct HtmlWriter {
     std::string html;
 
     void operator()(const Paragraph& paragraph) {
@@ -93,7 +93,7 @@ struct Writer {
 } // namespace
 
 std::string to_html(const Page& page) {
-    Writer writer;
+    HtmlWriter writer;
     writer.html = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
                               "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n"

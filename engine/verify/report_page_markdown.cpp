@@ -17,7 +17,7 @@ std::string row(const std::vector<std::string>& cells) {
     return line + "\n";
 }
 
-struct Writer {
+struct MarkdownWriter {
     std::string text;
 
     void operator()(const Paragraph& paragraph) { text += paragraph.text + "\n\n"; }
@@ -46,7 +46,7 @@ struct Writer {
 } // namespace
 
 std::string to_markdown(const Page& page) {
-    Writer writer{fmt::format("# {}\n\n{}\n\n", page.title, page.subtitle)};
+    MarkdownWriter writer{fmt::format("# {}\n\n{}\n\n", page.title, page.subtitle)};
     for (const Section& section : page.sections) {
         writer.text += "## " + section.title + "\n\n";
         for (const Block& block : section.blocks) std::visit(writer, block);

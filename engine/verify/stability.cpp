@@ -13,7 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 namespace resonform {
 
@@ -33,26 +33,31 @@ public:
         : program_(std::move(program)), library_(std::move(library)), result_(result),
           ulps_(program_->outputs.size()), worst_(program_->outputs.size()) {}
 
-    // One construction, several times; the reference is built only if the emitted code answers.
+    // One construction, several times; the reference is built only if the emitted code answers, and as far as
+    // it does.
     void try_point(const SweepPoint& at) {
         // A little longer than the interval: t = end/eps is rounded.
         const double end = program_->interval_slow_time * (1 + 0x1p-40);
         const Evaluator<double> emitted(library_, at.eps, at.parameters, at.start, end);
-        std::optional<Interpreter<Wide>> symbolic;
-        std::vector<double> values(program_->outputs.size());
+        std::vector<std::pair<double, std::vector<double>>> answers; // t, values
+        double reach = end * shares_of_interval[1];
         for (const double share : shares_of_interval) {
             ++result_.cases;
             const double t = share * program_->interval_slow_time / at.eps;
+            std::vector<double> values(program_->outputs.size());
             const Status status = emitted.call(t, values.data());
             if (status != Status::ok) {
                 ++result_.refused;
                 ++result_.refused_by[to_string(status)];
                 continue;
             }
-            if (!symbolic)
-                symbolic.emplace(program_, Wide(at.eps), widen(at.parameters), widen(at.start), Wide(end));
-            compare(values, *symbolic, at, t);
+            answers.emplace_back(t, std::move(values));
+            reach = std::max(reach, share * end);
         }
+        if (answers.empty()) return;
+        const Interpreter<Wide> symbolic(program_, Wide(at.eps), widen(at.parameters), widen(at.start),
+                                         Wide(reach));
+        for (const auto& [t, values] : answers) compare(values, symbolic, at, t);
     }
 
     void finish() {

@@ -18,7 +18,7 @@ bool scales(const GiNaC::ex& value, const GiNaC::symbol& eps, int weight) {
 
 int weight_of(const System& system, const std::string& name) {
     const Variable* variable = system.variable(name.substr(0, name.find('\'')));
-    return variable != nullptr && variable->role == Role::fast ? 1 : 0;
+    return variable != nullptr && variable->role == Role::fast ? variable->weight : 0;
 }
 
 } // namespace
@@ -29,7 +29,10 @@ std::string start_scaling_complaint(const Scene& scene) {
         if (scales(start.value, scene.system->eps, weight)) continue;
         return fmt::format(
             "{} starts at {}, which is not {}a constant: along a ladder of eps the error has no order",
-            start.name, start.text, weight == 0 ? "" : "eps times ");
+            start.name, start.text,
+            weight == 0   ? ""
+            : weight == 1 ? "eps times "
+                          : fmt::format("eps^{} times ", weight));
     }
     return "";
 }

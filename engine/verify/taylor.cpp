@@ -15,7 +15,7 @@ namespace {
 
 // A run of so many steps (about a million periods) takes minutes in double-double. Whether it gets there
 // is estimated every pilot_steps; the estimate may be off by the factor `doubt` where motions slow down.
-constexpr std::size_t max_steps = 5'000'000, pilot_steps = 10'000;
+constexpr std::size_t most_taylor_steps = 5'000'000, pilot_steps = 10'000;
 constexpr double doubt = 4;
 
 int best_order(double tolerance) {
@@ -70,9 +70,11 @@ private:
                 time_scale = std::min(time_scale, std::pow(low / size(i, n), 1.0 / n));
         }
         if (!std::isfinite(time_scale)) time_scale = 1;
-        for (std::size_t i = 0; i < state_.size(); ++i)
+        for (std::size_t i = 0; i < state_.size(); ++i) {
             scale_[i] = std::max(
                 {scale_[i], size(i, 0), size(i, 1) * time_scale, size(i, 2) * time_scale * time_scale});
+            for (int k = 3; k < n && scale_[i] == 0; ++k) scale_[i] = size(i, k) * std::pow(time_scale, k);
+        }
     }
 
     TaylorJet<Real> jet_;
@@ -83,9 +85,9 @@ private:
 
 // How many steps the whole way takes if the rest is like the way so far.
 bool is_too_far(std::size_t steps, double t, double end) {
-    if (steps >= max_steps) return true;
+    if (steps >= most_taylor_steps) return true;
     return steps % pilot_steps == 0 &&
-           static_cast<double>(steps) * (end / t) > doubt * static_cast<double>(max_steps);
+           static_cast<double>(steps) * (end / t) > doubt * static_cast<double>(most_taylor_steps);
 }
 
 template <class Real>

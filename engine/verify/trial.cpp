@@ -45,9 +45,10 @@ std::vector<Rational> parameter_values(const System& system, const Scene& scene)
     return values;
 }
 
-// The state does not come from the formula: the scene gives it, or it is slow (0 if not given).
+// The state does not come from the formula: the scene gives it, or it is slow or an angle (0 if not given).
 bool is_given(const System& system, const Scene& scene, const State& state) {
-    return system.variables[state.variable].role == Role::slow || scene.start_of(state.name) != nullptr;
+    const Role role = system.variables[state.variable].role;
+    return role == Role::slow || role == Role::angle || scene.start_of(state.name) != nullptr;
 }
 
 std::string pack(const Reference& reference) {
@@ -134,7 +135,9 @@ TrialPoint Trial::point(const Rational& eps) const {
     std::vector<Float128> state(program_->state.size());
     TrialPoint beginning = at; // tables of the whole interval may be costly, and t = 0 needs none
     beginning.slow_time_end = std::min(at.slow_time_end, at.eps_value);
-    const Status status = evaluator<Float128>(beginning).state(Float128(0), state.data());
+    const Status status = state.empty() // everything is given
+                              ? Status::ok
+                              : evaluator<Float128>(beginning).state(Float128(0), state.data());
     if (status != Status::ok)
         refuse({"the formula answers at t = 0",
                 to_string(status),

@@ -24,7 +24,7 @@ constexpr double worth_repeating = 0.05;    // seconds: shorter runs are repeate
 constexpr int most_repetitions = 7;
 
 using Clock = std::chrono::steady_clock;
-using Values = std::vector<std::vector<double>>; // [output][point]
+using OutputValues = std::vector<std::vector<double>>; // [output][point]
 
 // The least time of several runs; a long run is done once.
 template <class Work> double least_seconds(Work&& work) {
@@ -90,7 +90,7 @@ public:
         ComparisonRow row = start("emitted", code.setting(), work);
         row.construction_seconds = least_seconds([&] { (void)code.construct(at_); });
         const Evaluator<double> evaluator = code.construct(at_);
-        Values values(reference_.values.size(), std::vector<double>(work.times.size()));
+        OutputValues values(reference_.values.size(), std::vector<double>(work.times.size()));
         std::vector<double*> rows;
         for (auto& v : values) rows.push_back(v.data());
         std::vector<unsigned char> status(work.times.size());
@@ -111,7 +111,7 @@ public:
                             tolerance);
         });
         row.failure = run.failure;
-        Values values;
+        OutputValues values;
         for (const std::size_t s : trial_.output_states()) values.push_back(std::move(run.values[s]));
         judge(row, work, values);
         return row;
@@ -127,7 +127,7 @@ private:
         return row;
     }
 
-    void judge(ComparisonRow& row, const Workload& work, const Values& values) const {
+    void judge(ComparisonRow& row, const Workload& work, const OutputValues& values) const {
         for (std::size_t k = 0; k < values.size(); ++k) {
             double worst = 0;
             for (std::size_t i = 0; work.first_judged + i < judged_points; ++i) {

@@ -9,13 +9,13 @@
 namespace resonform {
 namespace {
 
-struct Case {
+struct FunctionCase {
     const char* name;
     Function function;
     double (*value)(double);
 };
 
-class Intervals : public ::testing::TestWithParam<Case> {};
+class Intervals : public ::testing::TestWithParam<FunctionCase> {};
 
 TEST_P(Intervals, HoldTheValue) {
     for (int k = -40; k <= 40; ++k) {
@@ -48,11 +48,11 @@ TEST_P(Intervals, HoldWholeIntervals) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Intervals,
-                         ::testing::Values(Case{"exp", Function::exponential, std::exp},
-                                           Case{"sin", Function::sine, std::sin},
-                                           Case{"cos", Function::cosine, std::cos},
-                                           Case{"log", Function::logarithm, std::log},
-                                           Case{"atan", Function::arc_tangent, std::atan}),
+                         ::testing::Values(FunctionCase{"exp", Function::exponential, std::exp},
+                                           FunctionCase{"sin", Function::sine, std::sin},
+                                           FunctionCase{"cos", Function::cosine, std::cos},
+                                           FunctionCase{"log", Function::logarithm, std::log},
+                                           FunctionCase{"atan", Function::arc_tangent, std::atan}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Interval, OutsideTheDomain) {

@@ -14,15 +14,16 @@ namespace {
 
 class RandomTerms {
 public:
-    explicit RandomTerms(unsigned seed) : random_(seed) {}
+    explicit RandomTerms(unsigned seed, int most = 3) : random_(seed), most_(most) {}
 
-    // Up to `count` terms in two fields, numerators and denominators of up to `bits` bits.
-    Polynomial next(std::size_t count, int bits) {
+    // Up to `count` terms in three fields, numerators of up to `bits` bits.
+    Polynomial next(std::size_t count, int bits) { return next(count, bits, bits / 2); }
+    Polynomial next(std::size_t count, int bits, int bits_below) {
         const Packing packing(4);
         std::vector<Term> terms;
         for (std::size_t k = 0; k < count; ++k) {
             const std::vector<int> exponents{small(), small(), 0, small()};
-            const Integer numerator = number(bits), denominator = number(bits / 2) + 1;
+            const Integer numerator = number(bits), denominator = number(bits_below) + 1;
             terms.push_back({packing.pack(exponents),
                              Rational(random_() % 2 == 0 ? numerator : -numerator) / denominator});
         }
@@ -31,7 +32,7 @@ public:
     Rational factor() { return Rational(static_cast<long>(random_() % 9) - 4) / (1 + random_() % 5); }
 
 private:
-    int small() { return static_cast<int>(random_() % 7) - 3; }
+    int small() { return static_cast<int>(random_() % static_cast<unsigned>(2 * most_ + 1)) - most_; }
     Integer number(int bits) {
         Integer n = 0;
         for (int done = 0; done < bits; done += 16)
@@ -40,6 +41,7 @@ private:
     }
 
     std::mt19937 random_;
+    int most_;
 };
 
 struct Summand {
@@ -60,11 +62,28 @@ Polynomial by_definition(const std::vector<Summand>& summands) {
     return Polynomial::from_terms(std::move(terms));
 }
 
-Polynomial by_kernel(const std::vector<Summand>& summands) {
+Polynomial by_kernel(const std::vector<Summand>& summands, const Packing* packing = nullptr) {
     std::vector<FractionProduct> products;
     for (const Summand& s : summands)
         products.push_back(scaled_product(s.factor, s.left.fractions(), s.right.fractions()));
-    return Polynomial::from_fractions(sum_of_products(products));
+    return Polynomial::from_fractions(sum_of_products(products, packing));
+}
+
+// Large enough for two threads. The exponents of one field are even throughout, so that it divides nothing.
+TEST(Products, AreTheSameInTwoThreads) {
+    const Packing packing(4);
+    for (const int bits : {8, 40, 200}) {
+        RandomTerms random(21, 9);
+        std::vector<Summand> summands;
+        for (int k = 0; k < 3; ++k)
+            summands.push_back({random.factor(), random.next(400, bits, 0), random.next(300, bits, 0)});
+        EXPECT_EQ(by_kernel(summands, &packing), by_kernel(summands)) << bits << " bits";
+        std::vector<Term> squares;
+        for (const Term& t : summands[0].left.terms())
+            squares.push_back({t.monomial + t.monomial, t.coefficient});
+        for (Summand& s : summands) s.right = Polynomial::from_terms(squares);
+        EXPECT_EQ(by_kernel(summands, &packing), by_kernel(summands)) << bits << " bits, even exponents";
+    }
 }
 
 TEST(Products, EqualTheirDefinitionAtEveryWidth) {

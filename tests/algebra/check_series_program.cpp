@@ -170,6 +170,35 @@ TEST_F(Functions, CorrectionEqualsRecomputationAboutAUnit) {
                      random_series(s)); // also at weight 0
 }
 
+// f = (1 + z1) (sin u + exp u) + u is asked for at each weight; what only it needs is given back.
+TEST_F(Functions, ForgetWhatNoLaterWeightNeeds) {
+    const Node sine = program.sine(u), e = program.exponential(u);
+    const Node inner = program.sum({{1, sine}, {1, e}});
+    const Node outer = program.product(program.constant(ring->one() + gen(*ring, "z1")), inner);
+    const Node f = program.sum({{1, outer}, {1, u}});
+    const Series input = random_series(Polynomial());
+    SeriesRun all(program), forgetful(program);
+    for (int n = 0; n <= through; ++n) {
+        for (SeriesRun* r : {&all, &forgetful}) {
+            r->set_input(u, n, input.part(n));
+            r->advance(n);
+        }
+        EXPECT_EQ(forgetful.part(f, n), all.part(f, n)) << "weight " << n;
+        const Polynomial change = n == 0 ? Polynomial() : part(n);
+        for (SeriesRun* r : {&all, &forgetful}) {
+            r->set_input(u, n, input.part(n) + change);
+            r->correct(n);
+        }
+        EXPECT_EQ(forgetful.part(f, n), all.part(f, n)) << "corrected, weight " << n;
+        forgetful.forget();
+    }
+    EXPECT_EQ(forgetful.part(sine, 1), all.part(sine, 1));               // its recurrence needs it
+    EXPECT_EQ(forgetful.part(inner, through), all.part(inner, through)); // z1 times it has weight through + 1
+    EXPECT_EQ(forgetful.part(f, 0), all.part(f, 0));
+    EXPECT_THROW(static_cast<void>(forgetful.part(f, through)), std::logic_error);
+    EXPECT_THROW(static_cast<void>(forgetful.part(inner, through - 1)), std::logic_error);
+}
+
 TEST_F(Functions, RefuseOtherStartingValues) {
     const auto rule = [&](Node (SeriesProgram::*function)(Node), const Polynomial& start) {
         SeriesProgram p(ring);

@@ -58,6 +58,20 @@ TEST(BadInput, CommandLine) {
     EXPECT_SAYS(complaint("resonform verify " + scene + " --format yaml"), {"yaml", "text, json"});
 }
 
+TEST(BadInput, OptionsAndTheirPlaces) {
+    for (const char* option : {"--digits", "--style", "--time-limit", "--memory-limit", "--term-limit"})
+        EXPECT_SAYS(complaint(std::string("resonform derive henon_heiles ") + option + " ''"),
+                    {option, "must be followed by its value"});
+    for (const char* terms : {"0.5", "0", "-1", "1.5", "nan", "many"})
+        EXPECT_SAYS(complaint(std::string("resonform derive henon_heiles --term-limit ") + terms),
+                    {"--term-limit must be a whole number >= 1, or none", terms});
+    EXPECT_EQ(complaint("resonform --order 3 derive henon_heiles"),
+              "resonform: an option follows its command, derive\n"
+              "  found: --order\n"
+              "  mend:  write resonform derive ... --order\n");
+    EXPECT_SAYS(complaint("resonform derive --hlp"), {"--hlp", "did you mean --help?"});
+}
+
 TEST(BadInput, Orders) {
     for (const char* order : {"0", "-1", "100", "3.5", "1e3", "''", "three", "99999999999999999999"})
         EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --order " + std::string(order)),

@@ -56,6 +56,24 @@ TEST(Commands, DeriveInEveryStageAndFormat) {
     EXPECT_EQ(form["certificate"]["through_weight"], 2);
 }
 
+// The stages before the normal form want nothing of it: no modes for the equations, no later weight for their
+// expansion.
+TEST(Commands, EarlyStagesDependOnNothingLater) {
+    const Scratch scratch;
+    for (const char* equation : {"x'' = x^2", "x''' + x'' + x' + 2*x = x^2", "x'' + w*x = 0"}) {
+        write(scratch.path() / "t/system.toml",
+              "[system]\nname = \"t\"\n[parameters]\nw = {}\n[variables]\nx = { role = \"fast\" }\n"
+              "[equations]\nx = \"" +
+                  std::string(equation) + "\"\n");
+        const Outcome outcome = run("resonform derive t --stage equations", scratch.path());
+        EXPECT_EQ(outcome.out, std::string("equations of t\n\n") + equation + "\n") << outcome.err;
+    }
+    EXPECT_NE(output_of("resonform derive henon_heiles --stage expand --order 99 --time-limit 20"), "");
+    EXPECT_NE(
+        output_of("resonform derive almost_holonomic_pendulum --stage expand").find("without the known"),
+        std::string::npos);
+}
+
 TEST(Commands, ASystemIsAFolderAFileOrAName) {
     const std::string by_name = output_of("resonform derive almost_holonomic_pendulum");
     EXPECT_EQ(output_of("resonform derive systems/almost_holonomic_pendulum"), by_name);

@@ -21,7 +21,7 @@ const std::string system_file = "[system]\n"
                                 "x = \"x'' + tau*(2 - tau)*x + k*x^3/tau = 0\"\n"
                                 "tau = \"tau' = eps\"\n";
 
-std::string scene(const std::string& tau, const std::string& interval, const std::string& k = "2") {
+std::string scene_of(const std::string& tau, const std::string& interval, const std::string& k = "2") {
     return "order = 2\n[fix]\nk = " + k + "\n[start]\ntau = " + tau +
            "\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = \"" + interval + "\"\n";
 }
@@ -40,7 +40,7 @@ protected:
 } // namespace
 
 TEST_F(DomainOfASystem, EvaluateAnswersPointByPoint) {
-    const Outcome outcome = said("evaluate", scene("1", "3/eps"), "--eps 0.1 --t 0,5,9.9,10.1,25,31");
+    const Outcome outcome = said("evaluate", scene_of("1", "3/eps"), "--eps 0.1 --t 0,5,9.9,10.1,25,31");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     std::string statuses;
@@ -52,7 +52,7 @@ TEST_F(DomainOfASystem, EvaluateAnswersPointByPoint) {
 
 TEST_F(DomainOfASystem, VerifySaysWhereTheMotionLeaves) {
     for (const char* command : {"verify", "compare"}) {
-        const Outcome outcome = said(command, scene("0.5", "3/eps"));
+        const Outcome outcome = said(command, scene_of("0.5", "3/eps"));
         EXPECT_EQ(outcome.code, 2);
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(
@@ -87,8 +87,8 @@ TEST_F(DomainOfASystem, AMotionStartsWithin) {
                   std::string::npos)
             << outcome.err;
     };
-    expect(scene("2.5", "0.1/eps"), "5:7: start.tau", "2 - tau", "tau = 2.5");
-    expect(scene("1", "0.1/eps", "1"), "3:5: fix.k", "k - 1", "k = 1");
+    expect(scene_of("2.5", "0.1/eps"), "5:7: start.tau", "2 - tau", "tau = 2.5");
+    expect(scene_of("1", "0.1/eps", "1"), "3:5: fix.k", "k - 1", "k = 1");
 }
 
 } // namespace resonform::test

@@ -110,6 +110,9 @@ TEST(Locations, TheSourceTreeIsReadWhenThereIsNoneHereAndNeverWritten) {
     EXPECT_EQ(list.code, 0);
     EXPECT_EQ(list.err, note);
     EXPECT_EQ(list.out, run("resonform list", RESONFORM_SOURCE_DIR).out);
+    EXPECT_EQ(run("resonform derive henon_heiles --stage equations", scratch.path()).err, note);
+    write(scratch.path() / "here/system.toml", system_text);
+    EXPECT_EQ(run("resonform derive here --stage equations", scratch.path()).err, "");
     const Outcome regenerate = run("resonform regenerate", scratch.path());
     EXPECT_EQ(regenerate.code, 2);
     EXPECT_NE(regenerate.err.find("regenerate must be run in a folder with systems/"), std::string::npos);

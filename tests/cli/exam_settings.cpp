@@ -37,6 +37,13 @@ TEST_F(Settings, AreShownInTextAndJson) {
     EXPECT_EQ(Json::parse(printed("certify two --order 3 --set p=1 q=3 --format json"))["set"]["q"], "3");
 }
 
+TEST_F(Settings, StandInTheEquations) {
+    EXPECT_EQ(printed("derive two --stage equations --set p=1/2 'a=1+log(2)'"),
+              "equations of two with p = 1/2, a = 1+log(2)\n\n"
+              "x'' + (1/2)^2*x + 2*(1 + log(2))*x*y = 0\n"
+              "y'' + q^2*y + (1 + log(2))*x^2 = 0\n");
+}
+
 TEST_F(Settings, ThatAreWrongAreBadInput) {
     for (const char* wrong :
          {"--set g=1", "--set p", "--set p=-1", "--set p=0", "--set p=q", "--set p=1 p=2"}) {

@@ -9,7 +9,7 @@ namespace resonform::test {
 
 namespace {
 
-const std::string scene = "systems/almost_holonomic_pendulum/scenes/xy_only.toml";
+const std::string quick_scene = "systems/almost_holonomic_pendulum/scenes/xy_only.toml";
 
 Outcome run_here(const std::string& command) { return run(command, RESONFORM_SOURCE_DIR); }
 
@@ -19,8 +19,8 @@ TEST(Streams, ResultsThatCannotBePrinted) {
     for (const std::string& command :
          {std::string("--help"), std::string("--version"), std::string("list"), std::string("list --help"),
           std::string("derive almost_holonomic_pendulum"), std::string("list --format json"),
-          std::string("certify almost_holonomic_pendulum --order 2"), "generate " + scene,
-          "evaluate " + scene + " --eps 0.1 --t 1"})
+          std::string("certify almost_holonomic_pendulum --order 2"), "generate " + quick_scene,
+          "evaluate " + quick_scene + " --eps 0.1 --t 1"})
         for (const auto& [redirection, reason] :
              {std::pair(" >/dev/full", "No space left on device"), {" >&-", "Bad file descriptor"}}) {
             const Outcome outcome = run_here("resonform " + command + redirection);
@@ -36,7 +36,7 @@ TEST(Streams, MessagesThatCannotBePrintedChangeNoExitCode) {
     for (const char* redirection : {" 2>&-", " 2>/dev/full", " 2>&- <&-"}) {
         EXPECT_EQ(run_here(std::string("resonform derive nope") + redirection).code, 2) << redirection;
         EXPECT_EQ(run_here(std::string("resonform derive nope >&-") + redirection).code, 2) << redirection;
-        const Outcome header = run_here("resonform generate " + scene + redirection);
+        const Outcome header = run_here("resonform generate " + quick_scene + redirection);
         EXPECT_EQ(header.code, 0) << redirection;
         EXPECT_NE(header.out, "") << redirection;
     }
@@ -46,8 +46,8 @@ TEST(Streams, MessagesThatCannotBePrintedChangeNoExitCode) {
 TEST(Streams, MessagesDoNotGoIntoTheUsersFile) {
     const Scratch scratch;
     const std::string file = (scratch.path() / "xy.hpp").string();
-    EXPECT_EQ(run_here("resonform generate " + scene + " -o " + file + " 2>&-").code, 0);
-    EXPECT_EQ(read(file), run_here("resonform generate " + scene).out);
+    EXPECT_EQ(run_here("resonform generate " + quick_scene + " -o " + file + " 2>&-").code, 0);
+    EXPECT_EQ(read(file), run_here("resonform generate " + quick_scene).out);
 }
 
 } // namespace resonform::test

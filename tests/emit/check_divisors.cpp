@@ -76,6 +76,25 @@ s = "s' = k*s + x^2"
     EXPECT_NE(text.find("resonance surfaces:\n  k = 0\n"), std::string::npos) << text;
 }
 
+// 1 + tau^2 and 4 + 3 tau^2 vanish nowhere.
+TEST(Divisors, OfOneSignHaveNoSurface) {
+    const std::string text = printed(R"(
+[system]
+name = "test"
+[variables]
+x = { role = "fast" }
+y = { role = "fast" }
+tau = { role = "slow" }
+[equations]
+x = "x' = -(1 + tau^2)*x + y^2"
+y = "y' = -(2 + tau^2)*y + x*y"
+tau = "tau' = eps"
+)",
+                                     2, Format::text);
+    EXPECT_EQ(text.find("tau^2 + 1) = 0"), std::string::npos) << text;
+    EXPECT_NE(text.find("no divisor that was divided by can vanish\n"), std::string::npos) << text;
+}
+
 TEST(Divisors, OfNumbersHaveNoSurface) {
     const std::string text = printed(R"(
 [system]

@@ -15,10 +15,6 @@ Solution as_published(std::shared_ptr<const Normalization> normalization) {
     return solve(std::move(normalization), options);
 }
 
-void expect_part(const std::string& document, const std::string& part) {
-    EXPECT_NE(document.find(part), std::string::npos) << part << "\nis not in\n" << document;
-}
-
 TEST(DeriveText, NormalForm) {
     const auto normalization = pendulum(3);
     const Solution solution = as_published(normalization);
@@ -45,11 +41,11 @@ where:
   z_Y = Y + O(eps^2)
   Y = y - sqrt(r^2 + xi^2)
 )");
-    expect_part(document, R"(
+    test::expect_part(document, R"(
   psi - I*psi'/omega = z1
                        + r*xi/(g*(r^2 + xi^2)^(3/2))*xi'^2 + I*xi/(8*sqrt(g)*(r^2 + xi^2)^(3/4))*z2*xi'
 )");
-    expect_part(document, "\ncertificate: holds through weight 3 (substitution, modular; ");
+    test::expect_part(document, "\ncertificate: holds through weight 3 (substitution, modular; ");
 }
 
 TEST(DeriveLatex, NormalForm) {
@@ -81,8 +77,8 @@ where:
 
 TEST(DeriveText, WithoutASolutionTheDriftStays) {
     const std::string document = print_normal_form(*pendulum(3), 3, Format::text);
-    expect_part(document, "\nz_x' = r/sqrt(r^2 + xi^2)*xi'\n");
-    expect_part(document, "\n  z_x = x + O(eps^2)\n");
+    test::expect_part(document, "\nz_x' = r/sqrt(r^2 + xi^2)*xi'\n");
+    test::expect_part(document, "\n  z_x = x + O(eps^2)\n");
     EXPECT_EQ(document.find('X'), std::string::npos) << document;
 }
 
@@ -122,8 +118,8 @@ without the known drift:
 TEST(DeriveLatex, ExpansionWithoutTheKnownDrift) {
     const auto normalization = pendulum(3);
     const Solution solution = as_published(normalization);
-    expect_part(print_expansion(*normalization->normal_form.field, 3, Format::latex, &solution),
-                R"(without the known drift:
+    test::expect_part(print_expansion(*normalization->normal_form.field, 3, Format::latex, &solution),
+                      R"(without the known drift:
 \begin{align*}
   &\left(r^{2} + \xi^{2}\right) \ddot{\psi} + g \sqrt{r^{2} + \xi^{2}} \psi \\
   &\quad - \frac{r \xi}{r^{2} + \xi^{2}} \dot{\xi}^{2} + \xi \dot{\psi} \dot{\xi} \\
@@ -140,32 +136,49 @@ TEST(DeriveLatex, ExpansionWithoutTheKnownDrift) {
 TEST(DeriveText, Solution) {
     const Solution solution = as_published(pendulum(3));
     const std::string document = print_solution(solution, Format::text);
-    expect_part(document, "\nxi = xi_0 + eps*v*t\n");
-    expect_part(document, "\n  Delta' = -xi/(4*(r^2 + xi^2))*Delta*xi'\n");
-    expect_part(document, "\n  Delta = eps*C_delta/(r^2 + xi^2)^(1/8)\n");
-    expect_part(document, R"(
+    test::expect_part(document, "\nxi = xi_0 + eps*v*t\n");
+    test::expect_part(document, "\n  Delta' = -xi/(4*(r^2 + xi^2))*Delta*xi'\n");
+    test::expect_part(document, "\n  Delta = eps*C_delta/(r^2 + xi^2)^(1/8)\n");
+    test::expect_part(document, R"(
   theta = theta_0
           + integral(sqrt(g)/(r^2 + xi^2)^(1/4) - eps^2*v^2*xi^2/(32*sqrt(g)*(r^2 + xi^2)^(7/4)) - )"
-                          R"(eps^2*sqrt(g)*C_delta^2/(16*sqrt(r^2 + xi^2)), t = 0..t)
+                                R"(eps^2*sqrt(g)*C_delta^2/(16*sqrt(r^2 + xi^2)), t = 0..t)
 )");
-    expect_part(document, "\n  z_Y = C_Y - eps^2*r^2*v^2/(2*g*(r^2 + xi^2)) - "
-                          "eps^2*C_delta^2*(r^2 + xi^2)^(1/4)/2\n");
-    expect_part(document, "\n  f_y = eps^2*r*v*C_delta/(sqrt(g)*(r^2 + xi^2)^(3/8))*sin(theta)\n");
+    test::expect_part(document, "\n  z_Y = C_Y - eps^2*r^2*v^2/(2*g*(r^2 + xi^2)) - "
+                                "eps^2*C_delta^2*(r^2 + xi^2)^(1/4)/2\n");
+    test::expect_part(document, "\n  f_y = eps^2*r*v*C_delta/(sqrt(g)*(r^2 + xi^2)^(3/8))*sin(theta)\n");
 }
 
 TEST(DeriveLatex, Solution) {
     const std::string document = print_solution(as_published(pendulum(3)), Format::latex);
-    expect_part(document, R"(
+    test::expect_part(document, R"(
   z_{X} &= C_{X} - \varepsilon^{2} r \int\limits_{\xi_{0}}^{\xi} \left(\frac{v^{2} \xi^{2}}{g )"
-                          R"(\left(r^{2} + \xi^{2}\right)^{2}} + \frac{C_{\delta}^{2}}{4 )"
-                          R"(\left(r^{2} + \xi^{2}\right)^{3/4}}\right) \, d\xi \\
+                                R"(\left(r^{2} + \xi^{2}\right)^{2}} + \frac{C_{\delta}^{2}}{4 )"
+                                R"(\left(r^{2} + \xi^{2}\right)^{3/4}}\right) \, d\xi \\
 )");
-    expect_part(document, R"(\cos \theta)");
+    test::expect_part(document, R"(\cos \theta)");
 }
 
 std::shared_ptr<const Normalization> normalized(const std::string& tables, int order) {
     return std::make_shared<const Normalization>(
         normalize_poincare(field_from("[system]\nname = \"s\"\n[variables]\n" + tables), order));
+}
+
+// Each has a name of its own, and T is said where it stands.
+TEST(DeriveText, KnownDriftsOfNamesAlike) {
+    const auto normalization = normalized(
+        "x = { role = \"fast\" }\nq = { role = \"drift\" }\nQ = { role = \"drift\" }\n[equations]\n"
+        "x = \"x'' + x + x^3 = 0\"\nq = \"q' = eps*(1 + x)\"\nQ = \"Q' = 2*eps\"\n",
+        3);
+    const Solution solution = as_published(normalization);
+    for (const std::string& text :
+         {print_normal_form(*normalization, 3, Format::text, &solution),
+          print_expansion(*normalization->normal_form.field, 3, Format::text, &solution)}) {
+        test::expect_part(text, "\n  q_new = q - T\n");
+        test::expect_part(text, "\n  Q_new = Q - 2*T\n");
+        test::expect_part(text, "\nT = eps*t\n");
+    }
+    test::expect_part(print_normal_form(*normalization, 3, Format::latex, &solution), "T &= \\varepsilon t");
 }
 
 // Modes that are no oscillators, a driven slow variable, an angle, finite fast variables.
@@ -174,27 +187,27 @@ TEST(DeriveText, OfEveryRole) {
                                  "x = \"x' = x\"\ny = \"y' = 2*y + x + x^2\"\n",
                                  2);
     const std::string modes = print_normal_form(*node, 2, Format::text, nullptr);
-    expect_part(modes,
-                "z1' = z1\nz2' = 2*z2 + z1^2\n\nwhere:\n  z1 = x + O(eps^3)\n  z2 = x + y + O(eps^3)\n");
+    test::expect_part(
+        modes, "z1' = z1\nz2' = 2*z2 + z1^2\n\nwhere:\n  z1 = x + O(eps^3)\n  z2 = x + y + O(eps^3)\n");
     EXPECT_EQ(modes.find("conj"), std::string::npos);
 
     const auto rotation = normalized("J = { role = \"slow\", positive = true }\nphi = { role = \"angle\" }\n"
                                      "[equations]\nJ = \"J' = eps*cos(phi)\"\nphi = \"phi' = J\"\n",
                                      1);
-    expect_part(print_normal_form(*rotation, 1, Format::text, nullptr),
-                "phi' = J\nJ' = 0\n\nnear-identity map:\n"
-                "  old(phi) = phi - 1/(2*J^2)*eps*exp(-I*phi) - 1/(2*J^2)*eps*exp(I*phi)\n"
-                "  old(J) = J + I/(2*J)*eps*exp(-I*phi) - I/(2*J)*eps*exp(I*phi)\n");
-    expect_part(print_normal_form(*rotation, 1, Format::latex, nullptr), "{J}_{\\mathrm{old}} &= J");
-    expect_part(print_expansion(*rotation->normal_form.field, 1, Format::text),
-                "J' = 1/2*eps*exp(-I*phi) + 1/2*eps*exp(I*phi)\nphi' = J\n");
+    test::expect_part(print_normal_form(*rotation, 1, Format::text, nullptr),
+                      "phi' = J\nJ' = 0\n\nnear-identity map:\n"
+                      "  old(phi) = phi - 1/(2*J^2)*eps*exp(-I*phi) - 1/(2*J^2)*eps*exp(I*phi)\n"
+                      "  old(J) = J + I/(2*J)*eps*exp(-I*phi) - I/(2*J)*eps*exp(I*phi)\n");
+    test::expect_part(print_normal_form(*rotation, 1, Format::latex, nullptr), "{J}_{\\mathrm{old}} &= J");
+    test::expect_part(print_expansion(*rotation->normal_form.field, 1, Format::text),
+                      "J' = 1/2*eps*exp(-I*phi) + 1/2*eps*exp(I*phi)\nphi' = J\n");
 
     const auto finite = normalized("x = { role = \"fast\", weight = 0 }\n[equations]\n"
                                    "x = \"x'' + x = eps*(1 - x^2)*x'\"\n",
                                    1);
-    expect_part(print_normal_form(*finite, 1, Format::text, nullptr), "z1 = x - I*x'/omega + O(eps)\n");
-    expect_part(print_expansion(*finite->normal_form.field, 1, Format::text),
-                "x'' + x - x'*eps + x^2*x'*eps = 0\n");
+    test::expect_part(print_normal_form(*finite, 1, Format::text, nullptr), "z1 = x - I*x'/omega + O(eps)\n");
+    test::expect_part(print_expansion(*finite->normal_form.field, 1, Format::text),
+                      "x'' + x - x'*eps + x^2*x'*eps = 0\n");
 }
 
 // Braces, \left and \right, and environments close.

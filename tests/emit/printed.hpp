@@ -7,6 +7,8 @@
 #include "normalize/poincare.hpp"
 #include "support/exact.hpp"
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
 
@@ -90,6 +92,10 @@ tau = "tau' = eps/3"
 )";
     for (std::size_t at; (at = file.find("WORD")) != std::string::npos;) file.replace(at, 4, word);
     return field_from(file);
+}
+
+inline void expect_part(const std::string& document, const std::string& part) {
+    EXPECT_NE(document.find(part), std::string::npos) << part << "\nis not in\n" << document;
 }
 
 } // namespace resonform::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [modes]: what a user gives is proved, and what is wrong with it is said in one message.
-#include "support/exact.hpp"
+#include "expand/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace resonform {
 namespace {
 
 // Two coupled oscillators with frequencies w1 and w2 and the modal matrix given.
-std::string system_with(const std::string& modes, const std::string& w2 = "{ positive = true }") {
+std::string with_modes(const std::string& modes, const std::string& w2 = "{ positive = true }") {
     return "[system]\nname = \"s\"\n[parameters]\nw1 = { positive = true }\nw2 = " + w2 +
            "\n[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
            "x = \"x'' + (w1^2 + w2^2)/2*x + (w1^2 - w2^2)/2*y + x^2*y = 0\"\n"
@@ -24,35 +24,16 @@ const std::string second =
     R"(z3 = { eigenvalue = "I*w2", u = { x = "1/2", y = "-1/2", "x'" = "I*w2/2", "y'" = "-I*w2/2" } })"
     "\n";
 
-std::string message(const std::string& toml, Kind kind) {
-    try {
-        test::field_from(toml);
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), kind) << e.what();
-        EXPECT_LE(std::string(e.what()).size(), 2048U);
-        EXPECT_FALSE(e.diagnostic().mend.empty());
-        EXPECT_NE(std::string(e.what()).find("test/system.toml"), std::string::npos) << e.what();
-        return e.what();
-    }
-    ADD_FAILURE() << "accepted:\n" << toml;
-    return "";
-}
-
-::testing::AssertionResult has(const std::string& text, const std::string& part) {
-    if (text.find(part) != std::string::npos) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << "'" << part << "' is not in: " << text;
-}
-
 std::string with_bad(const std::string& good, const std::string& what, const std::string& by) {
     std::string text = first + second;
     const std::size_t at = text.find(good) + good.find(what);
-    return system_with(text.replace(at, what.size(), by));
+    return with_modes(text.replace(at, what.size(), by));
 }
 
 } // namespace
 
 TEST(GivenModes, AreTakenWithTheRowsOfTheInverse) {
-    const auto field = test::field_from(system_with(first + second));
+    const auto field = test::field_from(with_modes(first + second));
     ASSERT_EQ(field->basis.modes.size(), 2U);
     const ModeShape& mode = field->basis.modes[1];
     const GiNaC::ex w2 = field->system().parameters[1].symbol;
@@ -70,7 +51,7 @@ TEST(GivenModes, AreTakenWithTheRowsOfTheInverse) {
 TEST(GivenModes, HoldUnderRelationsBetweenTheirSymbols) {
     // w2 is given by w1, in the equations and in the modes.
     const std::string relation = "[relations]\nw2 = \"sqrt(1 + w1^2)\"\n";
-    EXPECT_EQ(test::field_from(system_with(first + second + relation))->modes.size(), 2U);
+    EXPECT_EQ(test::field_from(with_modes(first + second + relation))->modes.size(), 2U);
 }
 
 TEST(GivenModes, RealModesAndZeroEntries) {
@@ -84,42 +65,47 @@ TEST(GivenModes, RealModesAndZeroEntries) {
 }
 
 TEST(GivenModes, AResidualIsRefusedWithItsValue) {
-    const std::string m = message(with_bad(first, "I*w1/2", "I*w1"), Kind::bad_input);
-    EXPECT_TRUE(has(m, "A u - eigenvalue u is zero"));
-    EXPECT_TRUE(has(m, "for z1, in the rate of x"));
-    EXPECT_TRUE(has(m, "modes.z1"));
-    EXPECT_TRUE(has(m, "test/system.toml:13"));
-    EXPECT_TRUE(has(message(with_bad(second, "\"I*w2\"", "\"I*w1\""), Kind::bad_input), "for z3"));
+    const std::string m = test::refusal(with_bad(first, "I*w1/2", "I*w1"), Kind::bad_input);
+    EXPECT_TRUE(test::has(m, "A u - eigenvalue u is zero"));
+    EXPECT_TRUE(test::has(m, "for z1, in the rate of x"));
+    EXPECT_TRUE(test::has(m, "modes.z1"));
+    EXPECT_TRUE(test::has(m, "test/system.toml:13"));
+    EXPECT_TRUE(
+        test::has(test::refusal(with_bad(second, "\"I*w2\"", "\"I*w1\""), Kind::bad_input), "for z3"));
 }
 
 TEST(GivenModes, DependentColumnsAreRefused) {
     const std::string again =
         R"(z3 = { eigenvalue = "I*w1", u = { x = 1, y = 1, "x'" = "I*w1", "y'" = "I*w1" } })";
-    EXPECT_TRUE(has(message(system_with(first + again), Kind::bad_input), "linearly independent"));
+    EXPECT_TRUE(test::has(test::refusal(with_modes(first + again), Kind::bad_input), "linearly independent"));
 }
 
 TEST(GivenModes, OfAPairTheFirstIsGiven) {
     const std::string conjugate =
         R"(z1 = { eigenvalue = "-I*w1", u = { x = "1/2", y = "1/2", "x'" = "-I*w1/2", "y'" = "-I*w1/2" } })"
         "\n";
-    EXPECT_TRUE(has(message(system_with(conjugate + second), Kind::bad_input), "positive imaginary part"));
-    const std::string m = message(system_with(first + second, "{}"), Kind::refused);
-    EXPECT_TRUE(has(m, "w2 for z3"));
-    EXPECT_TRUE(has(m, "modes.z3.eigenvalue"));
+    EXPECT_TRUE(
+        test::has(test::refusal(with_modes(conjugate + second), Kind::bad_input), "positive imaginary part"));
+    const std::string m = test::refusal(with_modes(first + second, "{}"), Kind::refused);
+    EXPECT_TRUE(test::has(m, "w2 for z3"));
+    EXPECT_TRUE(test::has(m, "modes.z3.eigenvalue"));
 }
 
 TEST(GivenModes, TheTableIsChecked) {
-    EXPECT_TRUE(has(message(system_with(first), Kind::bad_input), "modes for 2 of 4"));
-    EXPECT_TRUE(has(message(with_bad(second, "z3", "z2"), Kind::bad_input), "call it z3"));
-    EXPECT_TRUE(has(message(with_bad(first, "\"x'\"", "\"x''\""), Kind::bad_input), "below the highest"));
-    EXPECT_TRUE(has(message(with_bad(first, "eigenvalue", "value"), Kind::bad_input), "value"));
-    EXPECT_TRUE(has(message(with_bad(first, "I*w1/2", "I*w3/2"), Kind::bad_input), "w3"));
-    EXPECT_TRUE(has(message(with_bad(first, "I*w1/2", "sqrt(I)*w1"), Kind::bad_input), "outside of roots"));
-    EXPECT_TRUE(has(message(with_bad(first, "I*w1/2", "w1/(I - I)"), Kind::bad_input), "zero"));
+    EXPECT_TRUE(test::has(test::refusal(with_modes(first), Kind::bad_input), "modes for 2 of 4"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(second, "z3", "z2"), Kind::bad_input), "call it z3"));
     EXPECT_TRUE(
-        has(message(system_with("z1 = { eigenvalue = \"-1\", u = { x = \"I\" } }\n"), Kind::bad_input),
-            "a real mode has a real column"));
-    EXPECT_TRUE(has(message(system_with("z1 = { eigenvalue = \"I*w1\" }\n"), Kind::bad_input), "no u"));
+        test::has(test::refusal(with_bad(first, "\"x'\"", "\"x''\""), Kind::bad_input), "below the highest"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "eigenvalue", "value"), Kind::bad_input), "value"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "I*w3/2"), Kind::bad_input), "w3"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "sqrt(I)*w1"), Kind::bad_input),
+                          "outside of roots"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "w1/(I - I)"), Kind::bad_input), "zero"));
+    EXPECT_TRUE(test::has(
+        test::refusal(with_modes("z1 = { eigenvalue = \"-1\", u = { x = \"I\" } }\n"), Kind::bad_input),
+        "a real mode has a real column"));
+    EXPECT_TRUE(
+        test::has(test::refusal(with_modes("z1 = { eigenvalue = \"I*w1\" }\n"), Kind::bad_input), "no u"));
 }
 
 } // namespace resonform

@@ -49,7 +49,8 @@ TEST(Files, NameNoPlaceOfOneMachine) {
 // Systems are files of the user: no name or constant of one may stand in the engine's code. (Comments may
 // show an example; single Greek letters stand in the alphabets of the printers.)
 TEST(Files, OfTheEngineKnowNoSystem) {
-    const std::regex known("pendulum|holonomic|stiffening|\"(psi'|theta_0|C_[A-Za-z]+)\"", std::regex::icase);
+    const std::regex known("pendulum|almost.?holonomic|stiffening|\"(psi'|theta_0|C_[A-Za-z]+)\"",
+                           std::regex::icase);
     for (const SourceFile& file : files_below({"engine"}, code))
         for (const std::string& line : file.lines)
             EXPECT_FALSE(std::regex_search(without_comment(line), known)) << file.path << ": " << line;

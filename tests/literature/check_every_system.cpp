@@ -91,7 +91,9 @@ TEST_P(EverySystem, HasAnInverseMap) {
 
 // Other names of parameters and variables, so that everything that sorts by name or hash sorts anew.
 TEST_P(EverySystem, DoesNotDependOnNames) {
-    const std::string text = text_of(GetParam());
+    // The unit m is none of them.
+    const std::string text =
+        std::regex_replace(text_of(GetParam()), std::regex("unit = \"[^\"]*\""), "unit = \"\"");
     const Normalization n = normalized(text);
     const System& system = n.normal_form.field->system();
     std::vector<std::string> names;

@@ -15,7 +15,7 @@
 namespace resonform {
 namespace {
 
-constexpr int order = 5;
+constexpr int highest_order = 5;
 constexpr int derivatives = 12;
 
 class AdiabaticOscillator : public ::testing::Test {
@@ -38,7 +38,7 @@ protected:
     }
     [[nodiscard]] Polynomial variation(const Polynomial& p) const {
         Polynomial sum;
-        for (int k = 0; k <= order; ++k) {
+        for (int k = 0; k <= highest_order; ++k) {
             std::vector<Term> terms;
             for (const Term& t : p.terms())
                 terms.push_back({t.monomial - ring().monomial(omega(k)),
@@ -50,8 +50,8 @@ protected:
         return sum;
     }
 
-    Normalization n_ =
-        normalize_poincare(with_derivatives(test::field_named("adiabatic_oscillator"), derivatives), order);
+    Normalization n_ = normalize_poincare(
+        with_derivatives(test::field_named("adiabatic_oscillator"), derivatives), highest_order);
 };
 
 TEST_F(AdiabaticOscillator, IsCertified) {

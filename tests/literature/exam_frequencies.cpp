@@ -15,23 +15,12 @@ namespace {
 
 using test::RationalSeries;
 
-// 2/pi K(m) = sum_n ((2n)!/(4^n n!^2))^2 m^n
-RationalSeries elliptic(const RationalSeries& m) {
-    RationalSeries c(m.through(), 1);
-    Rational ratio = 1;
-    for (int n = 1; n <= m.through(); ++n) {
-        ratio = ratio * Rational(2 * n - 1) / Rational(2 * n);
-        c[n] = ratio * ratio;
-    }
-    return RationalSeries::composed(c, m);
-}
-
 RationalSeries frequency_of_duffing(int through) {
     // x'' + x + x^3 = 0: omega = sqrt(1 + A^2)/(2/pi K(m)), m = A^2/(2 (1 + A^2))
     const RationalSeries a = RationalSeries::variable(through), one(through, 1);
     const RationalSeries square = one + a * a;
     const RationalSeries m = RationalSeries(through, Rational(1) / 2) * a * a * square.power(-1);
-    return square.power(Rational(1) / 2) * elliptic(m).power(-1);
+    return square.power(Rational(1) / 2) * test::elliptic(m).power(-1);
 }
 
 RationalSeries frequency_of_pendulum(int through) {
@@ -43,7 +32,7 @@ RationalSeries frequency_of_pendulum(int through) {
         cosine[n] = (n % 4 == 0 ? 1 : -1) / factorial;
     }
     const RationalSeries m = RationalSeries(through, Rational(1) / 2) * (RationalSeries(through, 1) - cosine);
-    return elliptic(m).power(-1);
+    return test::elliptic(m).power(-1);
 }
 
 // A series of an autonomous oscillator at w = wbar = rho, its coefficients divided by i^divide_by_i.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Energies as functions of actions that are known in closed form, by second-order averaging, or from the
 // other style: invariants, no convention enters.
+#include "literature/on_plane.hpp"
 #include "literature/rational_series.hpp"
 #include "normalize/certificate.hpp"
 #include "normalize/hamiltonians.hpp"
@@ -12,6 +13,7 @@
 namespace resonform {
 namespace {
 
+using test::OnPlane;
 using test::RationalSeries;
 
 Normalization certified(const std::string& toml, int order) {
@@ -57,23 +59,12 @@ RationalSeries integral(const RationalSeries& s) {
     return i;
 }
 
-// 2/pi K(m) = sum_n ((2n)!/(4^n n!^2))^2 m^n
-RationalSeries elliptic(const RationalSeries& m) {
-    RationalSeries c(m.through(), 1);
-    Rational ratio = 1;
-    for (int n = 1; n <= m.through(); ++n) {
-        ratio = ratio * Rational(2 * n - 1) / Rational(2 * n);
-        c[n] = ratio * ratio;
-    }
-    return RationalSeries::composed(c, m);
-}
-
 // H = p^2/2 + 1 - cos x = 2 m:  dI/dm = 2/omega = 2 (2/pi K(m))
 TEST(LiteratureHamiltonian, PendulumToOrderEleven) {
     constexpr int pairs = 6; // K through weight 12
     const Normalization n = certified(test::one_degree("px^2/2 + 1 - cos(x)"), 11);
     const RationalSeries energy = energy_by_action(n, "z1", "z2", pairs), m = RationalSeries::variable(pairs);
-    const RationalSeries action = integral(RationalSeries(pairs, 2) * elliptic(m));
+    const RationalSeries action = integral(RationalSeries(pairs, 2) * test::elliptic(m));
     EXPECT_TRUE(RationalSeries::composed(energy, action) == RationalSeries(pairs, 2) * m);
     // omega = dK/dI = 1 - I/8 - 3 I^2/256 - ...   (Lichtenberg and Lieberman, Regular and Stochastic Motion)
     EXPECT_EQ(derivative(energy)[1], Rational(-1) / 8);
@@ -89,7 +80,7 @@ TEST(LiteratureHamiltonian, DuffingToOrderEleven) {
     const RationalSeries energy =
         RationalSeries(pairs, half) * a + RationalSeries(pairs, half * half) * a * a;
     const RationalSeries m = RationalSeries(pairs, half) * a * (one + a).power(-1);
-    const RationalSeries period = elliptic(m) * (one + a).power(-half); // over 2 pi
+    const RationalSeries period = test::elliptic(m) * (one + a).power(-half); // over 2 pi
     EXPECT_TRUE(RationalSeries::composed(energy_by_action(n, "z1", "z2", pairs),
                                          integral(derivative(energy) * period)) == energy);
 }
@@ -127,34 +118,6 @@ TEST(LiteratureHamiltonian, HenonHeilesOfDegreeFour) {
 }
 
 // --- the same invariants from both styles -------------------------------------------------------------
-
-// On the plane w3 = c w1, a power of i: the coefficients of (w1 wbar1)^k, divided by i^phase.
-class OnPlane {
-public:
-    OnPlane(const Ring& ring, int c) : ring_(ring), c_(c) {}
-
-    RationalSeries operator()(const Series& series, int phase, int through) const {
-        RationalSeries s(through);
-        for (int n = 0; n <= series.through(); ++n)
-            for (const Term& t : series.part(n).terms()) {
-                const auto e = [&](const char* name) {
-                    return ring_.exponent(t.monomial, *ring_.find(name));
-                };
-                const bool two = ring_.find("z3").has_value();
-                const int z3 = two ? e("z3") : 0, z4 = two ? e("z4") : 0;
-                const int turns = ring_.exponent(t.monomial, Ring::imaginary_unit) + c_ * (z3 - z4) - phase;
-                const int k = e("z2") + z4;
-                if (k > through) continue;
-                const int quarter = ((turns % 4) + 4) % 4;
-                if (quarter % 2 == 0) s[k] = s[k] + (quarter == 0 ? t.coefficient : -t.coefficient);
-            }
-        return s;
-    }
-
-private:
-    const Ring& ring_;
-    int c_;
-};
 
 // H along the map of a normal form.
 Series energy_along(const Normalization& n) {

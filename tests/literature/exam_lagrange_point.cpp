@@ -14,8 +14,8 @@
 namespace resonform {
 namespace {
 
-Polynomial coefficient_of(const GradedField& field, const Series& series,
-                          const std::vector<std::pair<std::string, int>>& powers) {
+Polynomial cubic_coefficient(const GradedField& field, const Series& series,
+                             const std::vector<std::pair<std::string, int>>& powers) {
     const Monomial wanted = test::monomial(*field.ring, powers).terms().front().monomial;
     for (const auto& [key, value] : field.ring->collect(series.part(3), field.outer()))
         if (key == wanted) return value;
@@ -29,11 +29,11 @@ TEST(LagrangePoint, HasDepritsTwist) {
     const GradedField& field = *n.normal_form.field;
     const Ring& ring = *field.ring;
     const Series &low = n.normal_form.mode[0], &high = n.normal_form.mode[1];
-    const Polynomial low_low = coefficient_of(field, low, {{"z1", 2}, {"z2", 1}});              // -C n2
-    const Polynomial low_high = coefficient_of(field, low, {{"z1", 1}, {"z3", 1}, {"z4", 1}});  // -B n1
-    const Polynomial high_high = coefficient_of(field, high, {{"z3", 2}, {"z4", 1}});           // A n1
-    const Polynomial high_low = coefficient_of(field, high, {{"z1", 1}, {"z2", 1}, {"z3", 1}}); // B n2
-    const std::string p = "(243/373)", q = "(130/373)";                                         // w1^2, w2^2
+    const Polynomial low_low = cubic_coefficient(field, low, {{"z1", 2}, {"z2", 1}});              // -C n2
+    const Polynomial low_high = cubic_coefficient(field, low, {{"z1", 1}, {"z3", 1}, {"z4", 1}});  // -B n1
+    const Polynomial high_high = cubic_coefficient(field, high, {{"z3", 2}, {"z4", 1}});           // A n1
+    const Polynomial high_low = cubic_coefficient(field, high, {{"z1", 1}, {"z2", 1}, {"z3", 1}}); // B n2
+    const std::string p = "(243/373)", q = "(130/373)"; // w1^2, w2^2
     const auto diagonal = [](const std::string& own, const std::string& other) {
         return other + "*(81 - 696*" + own + " + 124*" + own + "^2)/(72*(1 - 2*" + own + ")^2*(1 - 5*" + own +
                "))";

@@ -63,4 +63,15 @@ private:
     std::vector<Rational> c_;
 };
 
+// 2/pi K(m) = sum_n ((2n)!/(4^n n!^2))^2 m^n
+inline RationalSeries elliptic(const RationalSeries& m) {
+    RationalSeries c(m.through(), 1);
+    Rational ratio = 1;
+    for (int n = 1; n <= m.through(); ++n) {
+        ratio = ratio * Rational(2 * n - 1) / Rational(2 * n);
+        c[n] = ratio * ratio;
+    }
+    return RationalSeries::composed(c, m);
+}
+
 } // namespace resonform::test

@@ -12,7 +12,7 @@ TEST_P(BadScene, IsRefusedInOneMessage) {
     EXPECT_EQ(scene_message(edited(pendulum_scene(), bad.from, bad.to)), bad.message);
 }
 
-const BadInput cases[] = {
+const BadInput bad_scenes[] = {
     {"OrderZero", "order = 3", "order = 0",
      "2 scene.toml:3:9: order: 'order' is an integer in 1 ... 99\n"
      "    order = 0\n"
@@ -278,7 +278,7 @@ const BadInput cases[] = {
      "  mend:  did you mean 'fail'? Known are: pass, fail, undecided"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadScene, testing::ValuesIn(cases), name_of);
+INSTANTIATE_TEST_SUITE_P(All, BadScene, testing::ValuesIn(bad_scenes), name_of);
 
 } // namespace
 } // namespace resonform

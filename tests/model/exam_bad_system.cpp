@@ -12,7 +12,7 @@ TEST_P(BadSystem, IsRefusedInOneMessage) {
     EXPECT_EQ(system_message(edited(pendulum_system(), bad.from, bad.to)), bad.message);
 }
 
-const BadInput cases[] = {
+const BadInput bad_systems[] = {
     {"UnknownKey", "unit = \"m/s\" }", "unti = \"m/s\" }",
      "2 system.toml:9:7: parameters.v.unti: a key is one of the known ones\n"
      "    v = { unti = \"m/s\" }\n"
@@ -25,7 +25,8 @@ const BadInput cases[] = {
      "     ^\n"
      "  found: notations\n"
      "  mend:  did you mean 'notation'? Known are: system, parameters, variables, functions, hamiltonian, "
-     "equations, domain, relations, modes, normal_form, notation"},
+     "equations, domain, relations, modes, normal_form, notation, coordinates, prescribed, particles, "
+     "bodies, energy, forces, constraints, integrals, change"},
     {"NotToml", "[parameters]", "[parameters",
      "2 system.toml:6:12: the file is TOML\n"
      "    [parameters\n"
@@ -344,7 +345,7 @@ const BadInput cases[] = {
      "  mend:  known are: g, r, v, xi"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadSystem, testing::ValuesIn(cases), name_of);
+INSTANTIATE_TEST_SUITE_P(All, BadSystem, testing::ValuesIn(bad_systems), name_of);
 
 TEST(BadSystems, DeclarationsAreCounted) {
     std::string many;

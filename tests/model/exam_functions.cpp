@@ -19,13 +19,14 @@ std::string file(const std::string& functions, const std::string& equation = "ps
            functions + "\n[equations]\npsi = \"" + equation + "\"\ntau = \"tau' = eps\"\n";
 }
 
-System read(const std::string& functions, const std::string& equation = "psi'' + omega(tau)^2*psi = 0") {
+System with_functions(const std::string& functions,
+                      const std::string& equation = "psi'' + omega(tau)^2*psi = 0") {
     return read_system_text(file(functions, equation), "system.toml");
 }
 
 std::string message(const std::string& functions, const std::string& equation = "psi'' + psi = 0") {
     try {
-        read(functions, equation);
+        with_functions(functions, equation);
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::bad_input);
         return e.what();
@@ -37,7 +38,7 @@ std::string message(const std::string& functions, const std::string& equation = 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(NamedFunctions, AreReadAndDifferentiated) {
-    const System system = read("omega = { of = [\"tau\"], positive = true }");
+    const System system = with_functions("omega = { of = [\"tau\"], positive = true }");
     ASSERT_EQ(system.functions.size(), 1U);
     const GiNaC::ex omega = named_function("omega", 0, system.variables[1].jet[0]);
     const GiNaC::ex residual = system.equations[0].residual;
@@ -48,7 +49,7 @@ TEST(NamedFunctions, AreReadAndDifferentiated) {
 }
 
 TEST(NamedFunctions, MayBeWrittenWithPrimes) {
-    const System system = read("b = { of = [\"a\"] }", "psi'' + psi + b''(2*a)*psi^2 = 0");
+    const System system = with_functions("b = { of = [\"a\"] }", "psi'' + psi + b''(2*a)*psi^2 = 0");
     EXPECT_TRUE(has(spell(system.equations[0].residual), "b''(2*a)"));
 }
 
@@ -77,7 +78,7 @@ TEST(NamedFunctions, ZeroTest) {
 }
 
 TEST(Bounds, OfFunctions) {
-    const System system = read("omega = { of = [\"tau\"], positive = true }");
+    const System system = with_functions("omega = { of = [\"tau\"], positive = true }");
     const GiNaC::ex tau = system.variables[1].jet[0], a = system.parameters[0].symbol;
     for (const GiNaC::ex& e :
          {GiNaC::ex(2 + cos(tau)), GiNaC::ex(3 - 2 * sin(tau) * cos(a)), GiNaC::ex(2 + tanh(tau) + tau * tau),

@@ -45,7 +45,7 @@ TEST_P(BadHamiltonian, IsRefusedInOneMessage) {
     EXPECT_EQ(system_message(edited(oscillator, bad.from, bad.to)), bad.message);
 }
 
-const BadInput cases[] = {
+const BadInput bad_hamiltonians[] = {
     {"NoEnergy", "energy = \"p^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n", "",
      "2 system.toml:8:1: hamiltonian: a Hamiltonian system has an energy\n"
      "    [hamiltonian]\n"
@@ -116,7 +116,7 @@ const BadInput cases[] = {
      "  mend:  did you mean 'momenta'? Known are: energy, momenta"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadHamiltonian, testing::ValuesIn(cases), name_of);
+INSTANTIATE_TEST_SUITE_P(All, BadHamiltonian, testing::ValuesIn(bad_hamiltonians), name_of);
 
 } // namespace
 } // namespace resonform

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The prover of signs: what it must see, and what it must not claim.
+#include "model/constant_sign.hpp"
 #include "model/positivity.hpp"
 #include "model/zero_test.hpp"
 
@@ -47,6 +48,21 @@ TEST_F(Positivity, Proves) {
                              "sqrt(p^2 + r) - p",
                              "sqrt(5) - sqrt(3)",
                              "13 + 12*q - 4*q^2",
+                             "log(2)",
+                             "sin(1)",
+                             "sin(pi/5)",
+                             "tan(1)",
+                             "asin(1/3)",
+                             "acos(1/3)",
+                             "tanh(1)",
+                             "-cos(2)",
+                             "-cos(2)*r",
+                             "log(1/2)*(tau - k)",
+                             "1e400*log(2)",
+                             "1e-400*sqrt(2)",
+                             "sqrt(2)*1e-200 - sqrt(2)*1e-201",
+                             "2^(1/3) - 5/4",
+                             "exp(pi) - pi - 19",
                              "c^2",
                              "1/c^2",
                              "exp(tau)",
@@ -100,16 +116,23 @@ TEST_F(Positivity, DoesNotClaim) {
                              "1 + tau - tau^2",
                              "-(1 + tau)",
                              "tan(tau)^2 + 1",
+                             "cos(2)",
+                             "log(1/2)",
+                             "sin(1)^2 + cos(1)^2 - 1",
+                             "atan(3) + atan(1/3) - pi/2",
+                             "log(1 - pi)",
+                             "r*cos(2)",
                              "1 + 1/tau^2"}) {
         EXPECT_FALSE(positive(text)) << text;
     }
 }
 
 TEST_F(Positivity, Nonzero) {
-    for (const char* text : {"c", "-r", "c*r", "c^3", "1/c", "-(1 + tau)", "tau - k", "c*(1 + tau)^(1/2)"}) {
+    for (const char* text : {"c", "-r", "c*r", "c^3", "1/c", "-(1 + tau)", "tau - k", "c*(1 + tau)^(1/2)",
+                             "cos(2)", "c*tan(1)", "1/log(2)", "exp(1) - 3", "1e-400"}) {
         EXPECT_TRUE(nonzero(text)) << text;
     }
-    for (const char* text : {"k", "tau", "c + 1", "c - r", "sin(r)", "0"})
+    for (const char* text : {"k", "tau", "c + 1", "c - r", "sin(r)", "0", "exp(2) - exp(1)^2"})
         EXPECT_FALSE(nonzero(text)) << text;
 }
 
@@ -120,7 +143,27 @@ TEST_F(Positivity, ZeroTestHasThreeAnswers) {
     EXPECT_EQ(vanishes(read("1/(tau+1) - 1/(tau-1) + 2/(tau^2-1)")), Zero::yes);
     EXPECT_EQ(vanishes(read("sin(tau)^2 + cos(tau)^2 - 1")), Zero::unknown);
     EXPECT_EQ(vanishes(read("1e-30*tau")), Zero::no);
+    for (const char* beyond_doubles :
+         {"1e400", "1e-400", "1e400*tau", "1e-400*tau*sqrt(tau + k)", "1e154*1e154*k"})
+        EXPECT_EQ(vanishes(read(beyond_doubles)), Zero::no) << beyond_doubles;
+    EXPECT_EQ(vanishes(read("1e400*tau - 1e200*1e200*tau")), Zero::yes);
+    EXPECT_EQ(vanishes(read("atan(3) + atan(1/3) - pi/2")), Zero::unknown);
     EXPECT_EQ(vanishes(read("exp(tau)*exp(k) - exp(tau + k) + 1e-30")), Zero::unknown);
+}
+
+TEST_F(Positivity, IntervalsHoldTheValue) {
+    for (const char* text :
+         {"sin(2)^2 + cos(2)^2 - 1", "exp(log(3) + 1) - 3*exp(1)", "cosh(2)^2 - sinh(2)^2 - 1",
+          "tan(2)*cos(2) - sin(2)", "asin(1/7) + acos(1/7) - pi/2", "(5^(1/3))^6 - 25",
+          "tanh(2)*cosh(2) - sinh(2)", "tan(atan(9)) - 9", "log(1e-300) + log(1e300)"}) {
+        const auto value = enclosure(read(text), {}, 200);
+        ASSERT_TRUE(value) << text;
+        EXPECT_FALSE(value->excludes_zero()) << text;
+        EXPECT_LT(cln::double_approx(value->high - value->low), 1e-50) << text;
+    }
+    for (const char* no_value :
+         {"log(cos(2))", "sqrt(1 - pi)", "asin(pi)", "tau", "1/(atan(3) + atan(1/3) - pi/2)"})
+        EXPECT_FALSE(enclosure(read(no_value), {}, 64)) << no_value;
 }
 
 TEST_F(Positivity, BallsHoldTheValue) {

@@ -57,9 +57,24 @@ TEST(Settings, ThatAreWrongAreNamed) {
     EXPECT_NE(complaint({"g=-1"}).find("declares g positive"), std::string::npos);
     EXPECT_NE(complaint({"g=0"}).find("declares g positive"), std::string::npos);
     EXPECT_NE(complaint({"g=r"}).find("r"), std::string::npos); // numbers only
+    EXPECT_NE(complaint({"g=ln(2)"}).find("write log"), std::string::npos);
     EXPECT_NE(complaint({"g=1/0"}).find("zero"), std::string::npos);
     EXPECT_NE(complaint({"g=nan"}).find("nan"), std::string::npos);
     EXPECT_EQ(complaint({"v=-3/2"}), "");
+}
+
+TEST(Settings, SignsOfConstantsAreDecidedByIntervals) {
+    for (const char* positive : {"g=log(2)", "g=sin(1)", "g=1e400", "g=exp(1)-2"})
+        EXPECT_NO_THROW(set({positive})) << positive;
+    for (const char* negative : {"g=cos(2)", "g=log(1/2)", "g=1-1"})
+        EXPECT_NE(complaint({negative}).find("declares g positive"), std::string::npos) << negative;
+    try {
+        set({"g=sin(1)^2+cos(1)^2-1"});
+        FAIL() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_NE(std::string(error.what()).find("may be zero"), std::string::npos) << error.what();
+    }
 }
 
 TEST(Settings, MustLieInTheDeclaredDomain) {

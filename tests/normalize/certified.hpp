@@ -3,6 +3,7 @@
 #pragma once
 
 #include "normalize/certificate.hpp"
+#include "normalize/normalize.hpp"
 #include "normalize/poincare.hpp"
 #include "support/exact.hpp"
 
@@ -29,6 +30,13 @@ inline std::shared_ptr<const GradedField> pendulum() { return field_named("almos
 
 inline Certificate certificate_of(const Normalization& n, std::uint64_t seed = 1) {
     return certify(n.normal_form, n.map, seed);
+}
+
+inline Normalization certified(const std::shared_ptr<const GradedField>& field, int through = 4) {
+    Normalization n = normalize(field, through);
+    n.certificate = certificate_of(n);
+    EXPECT_TRUE(n.certificate.holds) << n.certificate.complaint;
+    return n;
 }
 
 // The coefficient of a monomial of modes, phases and eps: {{"z1", 2}, {"z2", 1}}.

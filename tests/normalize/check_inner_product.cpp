@@ -14,13 +14,13 @@ using test::certificate_of;
 using test::coefficient;
 using test::coefficient_of;
 
-std::string file(const std::string& declarations, const std::string& equations,
-                 const std::string& style = "inner_product") {
+std::string inner_product_file(const std::string& declarations, const std::string& equations,
+                               const std::string& style = "inner_product") {
     return "[system]\nname = \"test\"\n" + declarations + "[equations]\n" + equations +
            "[normal_form]\nstyle = \"" + style + "\"\n";
 }
 
-constexpr const char* two = "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n";
+constexpr const char* two_variables = "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n";
 
 Normalization certified(const std::string& toml, int through) {
     const Normalization n = normalize(test::field_from(toml), through);
@@ -30,11 +30,11 @@ Normalization certified(const std::string& toml, int through) {
     return n;
 }
 
-using Powers = std::vector<std::pair<std::string, int>>;
+using NamedPowers = std::vector<std::pair<std::string, int>>;
 
 // Every term of a rate of weight >= 2 is among those listed.
 void expect_terms(const Normalization& n, const Series& rate,
-                  const std::vector<std::pair<Powers, std::string>>& expected) {
+                  const std::vector<std::pair<NamedPowers, std::string>>& expected) {
     const GradedField& field = *n.normal_form.field;
     Polynomial rest = rate.total(n.normal_form.through) - rate.part(0) - rate.part(1);
     for (const auto& [powers, text] : expected)
@@ -47,8 +47,10 @@ void expect_terms(const Normalization& n, const Series& rate,
 // coefficients of w1^2 and w1 w2 in w2' with w1' = w2, are alpha = b20 and 3 beta = b11 + 2 a20.
 TEST(InnerProduct, BogdanovTakensOfDegreeTwo) {
     const Normalization n = certified(
-        file("[parameters]\na20 = {}\na11 = {}\na02 = {}\nb20 = {}\nb11 = {}\nb02 = {}\n" + std::string(two),
-             "x = \"x' = y + a20*x^2 + a11*x*y + a02*y^2\"\ny = \"y' = b20*x^2 + b11*x*y + b02*y^2\"\n"),
+        inner_product_file(
+            "[parameters]\na20 = {}\na11 = {}\na02 = {}\nb20 = {}\nb11 = {}\nb02 = {}\n" +
+                std::string(two_variables),
+            "x = \"x' = y + a20*x^2 + a11*x*y + a02*y^2\"\ny = \"y' = b20*x^2 + b11*x*y + b02*y^2\"\n"),
         2);
     expect_terms(n, n.normal_form.mode[0], {{{{"z1", 2}}, "(2*a20 + b11)/3"}});
     expect_terms(n, n.normal_form.mode[1],
@@ -57,10 +59,12 @@ TEST(InnerProduct, BogdanovTakensOfDegreeTwo) {
 
 TEST(InnerProduct, BogdanovTakensOfAnyDegreeHasTwoTermsInEach) {
     const Normalization n = certified(
-        file(two, "x = \"x' = 2*y + x^2 - x*y^2\"\ny = \"y' = 3*x^2 + x*y - y^2 + x^3 + x^2*y\"\n"), 7);
+        inner_product_file(two_variables,
+                           "x = \"x' = 2*y + x^2 - x*y^2\"\ny = \"y' = 3*x^2 + x*y - y^2 + x^3 + x^2*y\"\n"),
+        7);
     const GradedField& field = *n.normal_form.field;
     for (int degree = 2; degree <= 7; ++degree) {
-        const Powers first{{"z1", degree}}, second{{"z1", degree - 1}, {"z2", 1}};
+        const NamedPowers first{{"z1", degree}}, second{{"z1", degree - 1}, {"z2", 1}};
         EXPECT_LE(n.normal_form.mode[0].part(degree).size(), 1U);
         EXPECT_LE(n.normal_form.mode[1].part(degree).size(), 2U);
         EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], first),
@@ -70,10 +74,10 @@ TEST(InnerProduct, BogdanovTakensOfAnyDegreeHasTwoTermsInEach) {
 
 // x'' = eps^2 mu1 + eps mu2 x' + x^2 + x x': parameters of the unfolding, of the weights of Kuznetsov's.
 TEST(InnerProduct, UnfoldingByParameters) {
-    const Normalization n =
-        certified(file("[parameters]\nmu1 = {}\nmu2 = {}\n[variables]\nx = { role = \"fast\" }\n",
-                       "x = \"x'' = eps^2*mu1 + eps*mu2*x' + x^2 + x*x'\"\n"),
-                  4);
+    const Normalization n = certified(
+        inner_product_file("[parameters]\nmu1 = {}\nmu2 = {}\n[variables]\nx = { role = \"fast\" }\n",
+                           "x = \"x'' = eps^2*mu1 + eps*mu2*x' + x^2 + x*x'\"\n"),
+        4);
     const GradedField& field = *n.normal_form.field;
     EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"eps", 2}}), coefficient(field, "mu1"));
     // the trace of the linear part, shared by both
@@ -87,8 +91,9 @@ TEST(InnerProduct, UnfoldingByParameters) {
 // as the others.
 TEST(InnerProduct, UnfoldingByVariables) {
     const Normalization n = certified(
-        file("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\nm = { role = \"fast\" }\n",
-             "x = \"x' = y\"\ny = \"y' = 2*m + m*y + x^2 + x*y\"\nm = \"m' = 0\"\n"),
+        inner_product_file(
+            "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\nm = { role = \"fast\" }\n",
+            "x = \"x' = y\"\ny = \"y' = 2*m + m*y + x^2 + x*y\"\nm = \"m' = 0\"\n"),
         4);
     ASSERT_EQ(n.normal_form.field->couplings(1).size(), 1U);
     EXPECT_EQ(n.normal_form.field->couplings(1)[0].mode, 2U);
@@ -99,15 +104,17 @@ TEST(InnerProduct, UnfoldingByVariables) {
 // = z3, u = A conj A, v = A conj B - B conj A,
 //   A' = i w A + B + A P(u, v),   B' = i w B + B P(u, v) + A Q(u, v)
 TEST(InnerProduct, ResonanceOfTwoEqualOscillators) {
-    const Normalization n = certified(file("[parameters]\nw = { positive = true }\n" + std::string(two),
-                                           "x = \"x'' + w^2*x = y + 2*x^3 - x*y*y'\"\ny = \"y'' + w^2*y = "
-                                           "3*x^2*y - y^3 + x'^3 + 5*x*x'*y\"\n"),
-                                      3);
+    const Normalization n =
+        certified(inner_product_file("[parameters]\nw = { positive = true }\n" + std::string(two_variables),
+                                     "x = \"x'' + w^2*x = y + 2*x^3 - x*y*y'\"\ny = \"y'' + w^2*y = "
+                                     "3*x^2*y - y^3 + x'^3 + 5*x*x'*y\"\n"),
+                  3);
     const GradedField& field = *n.normal_form.field;
-    const auto c = [&](std::size_t mode, const Powers& powers) {
+    const auto c = [&](std::size_t mode, const NamedPowers& powers) {
         return coefficient_of(field, n.normal_form.mode[mode], powers);
     };
-    const Powers a2b{{"z1", 2}, {"z4", 1}}, abc{{"z1", 1}, {"z2", 1}, {"z3", 1}}, a2{{"z1", 2}, {"z2", 1}};
+    const NamedPowers a2b{{"z1", 2}, {"z4", 1}}, abc{{"z1", 1}, {"z2", 1}, {"z3", 1}},
+        a2{{"z1", 2}, {"z2", 1}};
     for (const auto& term : field.ring->collect(n.normal_form.mode[0].part(3), field.outer()))
         EXPECT_GE(field.ring->exponent(term.first, field.modes[0].z), 1); // A P
     EXPECT_EQ(c(0, abc), -c(0, a2b));
@@ -121,8 +128,9 @@ TEST(InnerProduct, ResonanceOfTwoEqualOscillators) {
 // Graded by eps alone: x' = y, y' = eps (x^2 y - x^3) with finite x and y.
 TEST(InnerProduct, FiniteVariables) {
     const Normalization n = certified(
-        file("[variables]\nx = { role = \"fast\", weight = 0 }\ny = { role = \"fast\", weight = 0 }\n",
-             "x = \"x' = y + eps*x^2\"\ny = \"y' = eps*(x^2*y - x^3)\"\n"),
+        inner_product_file(
+            "[variables]\nx = { role = \"fast\", weight = 0 }\ny = { role = \"fast\", weight = 0 }\n",
+            "x = \"x' = y + eps*x^2\"\ny = \"y' = eps*(x^2*y - x^3)\"\n"),
         3);
     const GradedField& field = *n.normal_form.field;
     EXPECT_EQ(coefficient_of(field, n.normal_form.mode[1], {{"z1", 3}, {"eps", 1}}),
@@ -134,9 +142,9 @@ TEST(InnerProduct, FiniteVariables) {
 // A kept small divisor beside a chain; what is zero exactly is not kept for being small.
 TEST(InnerProduct, NearDivisors) {
     const std::string text =
-        file("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\nu = { role = "
-             "\"fast\" }\n",
-             "x = \"x' = y + x*u\"\ny = \"y' = x^2 + x*y\"\nu = \"u' = 1/10*u + x^2\"\n");
+        inner_product_file("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\nu = { role = "
+                           "\"fast\" }\n",
+                           "x = \"x' = y + x*u\"\ny = \"y' = x^2 + x*y\"\nu = \"u' = 1/10*u + x^2\"\n");
     const Normalization n = certified(text + "near = 0.2\n", 3);
     const GradedField& field = *n.normal_form.field;
     EXPECT_FALSE(coefficient_of(field, n.normal_form.mode[2], {{"z1", 2}}).empty());
@@ -145,13 +153,13 @@ TEST(InnerProduct, NearDivisors) {
     EXPECT_TRUE(coefficient_of(*all.normal_form.field, all.normal_form.mode[2], {{"z1", 2}}).empty());
 }
 
-struct Case {
+struct StyleCase {
     std::string name, declarations, equations;
     int through, couplings;
 };
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+std::ostream& operator<<(std::ostream& out, const StyleCase& c) { return out << c.name; }
 
-const std::vector<Case> cases = {
+const std::vector<StyleCase> styles_compared = {
     {"double_real", "", "x = \"x' = x + y + x*y\"\ny = \"y' = -x - y + x^2\"\n", 4, 1},
     {"critical_damping", "[parameters]\nd = { positive = true }\n",
      "x = \"x'' + 2*d*x' + d^2*x + x^2 = 0\"\n", 3, 1},
@@ -166,10 +174,11 @@ const std::vector<Case> cases = {
 };
 
 TEST(InnerProduct, SystemsOfEveryKind) {
-    for (const Case& c : cases) {
+    for (const StyleCase& c : styles_compared) {
         const bool both = c.equations.find("y = ") != std::string::npos;
-        const std::string variables = both ? two : "[variables]\nx = { role = \"fast\" }\n";
-        const Normalization n = certified(file(c.declarations + variables, c.equations), c.through);
+        const std::string variables = both ? two_variables : "[variables]\nx = { role = \"fast\" }\n";
+        const Normalization n =
+            certified(inner_product_file(c.declarations + variables, c.equations), c.through);
         int couplings = 0;
         for (std::size_t k = 0; k < n.normal_form.field->modes.size(); ++k)
             couplings += static_cast<int>(n.normal_form.field->couplings(k).size());
@@ -187,7 +196,7 @@ constexpr const char* equations_of_every_role =
     "p = \"p' = 1 + s + x*y\"\nX = \"X' = y^2 + eps*x\"\n";
 
 TEST(InnerProduct, EveryRole) {
-    const Normalization n = certified(file(every_role, equations_of_every_role), 4);
+    const Normalization n = certified(inner_product_file(every_role, equations_of_every_role), 4);
     const GradedField& field = *n.normal_form.field;
     for (const auto* list : {&n.normal_form.slow, &n.normal_form.angle, &n.normal_form.drift, &n.map.slow,
                              &n.map.angle, &n.map.drift})
@@ -202,21 +211,23 @@ TEST(InnerProduct, EveryRole) {
 }
 
 TEST(InnerProductLies, AreFound) {
-    EXPECT_GT(test::expect_all_lies_found(normalize(
-                  test::field_from(file(two, "x = \"x' = y + x*y\"\ny = \"y' = x^2 + 2*x*y - y^2\"\n")), 3)),
+    EXPECT_GT(test::expect_all_lies_found(
+                  normalize(test::field_from(inner_product_file(
+                                two_variables, "x = \"x' = y + x*y\"\ny = \"y' = x^2 + 2*x*y - y^2\"\n")),
+                            3)),
               26);
     EXPECT_GT(test::expect_all_lies_found(
-                  normalize(test::field_from(file(every_role, equations_of_every_role)), 2)),
+                  normalize(test::field_from(inner_product_file(every_role, equations_of_every_role)), 2)),
               40);
 }
 
 // Through the top weight h - c and N + L c obey the equations whatever c is; only one of them is the normal
 // form.
 TEST(InnerProductLies, AnotherComplementIsFound) {
-    const Normalization truth =
-        normalize(test::field_from(file(two, "x = \"x' = y\"\ny = \"y' = x^2 + x*y\"\n")), 3);
+    const Normalization truth = normalize(
+        test::field_from(inner_product_file(two_variables, "x = \"x' = y\"\ny = \"y' = x^2 + x*y\"\n")), 3);
     const Ring& ring = *truth.normal_form.field->ring;
-    const auto term = [&](const Powers& powers) { return test::monomial(ring, powers); };
+    const auto term = [&](const NamedPowers& powers) { return test::monomial(ring, powers); };
     const auto add = [](Series& s, const Polynomial& p) { s.set(3, s.part(3) + p); };
     { // c = (z1^2 z2, 0): L c = (2 z1 z2^2, 0)
         Normalization n = truth;
@@ -239,7 +250,8 @@ TEST(InnerProductLies, AnotherComplementIsFound) {
 }
 
 TEST(InnerProductLies, TheFieldItselfIsNoNormalForm) {
-    const auto field = test::field_from(file(two, "x = \"x' = y + x*y\"\ny = \"y' = x^2\"\n"));
+    const auto field =
+        test::field_from(inner_product_file(two_variables, "x = \"x' = y + x*y\"\ny = \"y' = x^2\"\n"));
     Normalization n = normalize(field, 3);
     const FieldSeries given = evaluate_field(*field, 3);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -253,7 +265,8 @@ TEST(InnerProductLies, TheFieldItselfIsNoNormalForm) {
 }
 
 TEST(InnerProductLies, ACouplingLeftOutIsFound) {
-    Normalization n = normalize(test::field_from(file(two, "x = \"x' = y\"\ny = \"y' = x^2\"\n")), 2);
+    Normalization n = normalize(
+        test::field_from(inner_product_file(two_variables, "x = \"x' = y\"\ny = \"y' = x^2\"\n")), 2);
     const GradedField& field = *n.normal_form.field;
     n.normal_form.mode[0].set(1, Polynomial());
     EXPECT_NE(certificate_of(n).complaint.find("with its couplings"), std::string::npos);
@@ -264,10 +277,11 @@ TEST(InnerProductLies, ACouplingLeftOutIsFound) {
 TEST(InnerProduct, OfASemisimpleLinearPartIsPoincares) {
     for (const auto& [variables, equations] : std::vector<std::pair<std::string, std::string>>{
              {"[variables]\nx = { role = \"fast\" }\n", "x = \"x'' + x + x^2 + x*x'^2 = 0\"\n"},
-             {two, "x = \"x' = x\"\ny = \"y' = 2*y + x + x^2 + x*y\"\n"},
-             {two, "x = \"x'' + x = x^2 + y\"\ny = \"y'' + 4*y = x*y\"\n"}}) {
-        Normalization a = normalize(test::field_from(file(variables, equations)), 4);
-        Normalization b = normalize(test::field_from(file(variables, equations, "poincare")), 4);
+             {two_variables, "x = \"x' = x\"\ny = \"y' = 2*y + x + x^2 + x*y\"\n"},
+             {two_variables, "x = \"x'' + x = x^2 + y\"\ny = \"y'' + 4*y = x*y\"\n"}}) {
+        Normalization a = normalize(test::field_from(inner_product_file(variables, equations)), 4);
+        Normalization b =
+            normalize(test::field_from(inner_product_file(variables, equations, "poincare")), 4);
         const auto one = test::all_series(a), other = test::all_series(b);
         for (std::size_t k = 0; k < one.size(); ++k)
             for (int w = 0; w <= 4; ++w)
@@ -288,19 +302,21 @@ std::string refusal(const std::string& toml) {
 }
 
 TEST(InnerProduct, Refusals) {
-    EXPECT_NE(refusal(file(two, "x = \"x' = y\"\ny = \"y' = x^2\"\n", "poincare"))
+    EXPECT_NE(refusal(inner_product_file(two_variables, "x = \"x' = y\"\ny = \"y' = x^2\"\n", "poincare"))
                   .find("write style = \"inner_product\" in [normal_form]"),
               std::string::npos);
-    EXPECT_NE(refusal(file(two, "x = \"x' = y + x\"\ny = \"y' = -x - y\"\n", "poincare"))
-                  .find("write style = \"inner_product\" in [normal_form]"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal(inner_product_file(two_variables, "x = \"x' = y + x\"\ny = \"y' = -x - y\"\n", "poincare"))
+            .find("write style = \"inner_product\" in [normal_form]"),
+        std::string::npos);
     // z drives x by two ways
-    EXPECT_NE(refusal(file("[parameters]\na = { nonzero = true }\n" + std::string(two) +
-                               "z = { role = \"fast\" }\n",
-                           "x = \"x' = y + a*z\"\ny = \"y' = z\"\nz = \"z' = x^2\"\n"))
+    EXPECT_NE(refusal(inner_product_file("[parameters]\na = { nonzero = true }\n" +
+                                             std::string(two_variables) + "z = { role = \"fast\" }\n",
+                                         "x = \"x' = y + a*z\"\ny = \"y' = z\"\nz = \"z' = x^2\"\n"))
                   .find("couplings of modes that have one eigenvalue can be scaled to numbers"),
               std::string::npos);
-    EXPECT_NE(refusal(file(two, "x = \"x' = y\"\ny = \"y' = eps + x^2\"\n")).find("a forcing as large"),
+    EXPECT_NE(refusal(inner_product_file(two_variables, "x = \"x' = y\"\ny = \"y' = eps + x^2\"\n"))
+                  .find("a forcing as large"),
               std::string::npos);
 }
 
@@ -335,7 +351,7 @@ std::string random_system(unsigned seed) {
         variables += "s = { role = \"slow\", positive = true }\n";
         equations += "s = \"s' = eps*" + number() + (pick(2) == 0 ? "*x0" : "") + "\"\n";
     }
-    return file(variables, equations);
+    return inner_product_file(variables, equations);
 }
 
 TEST(InnerProduct, RandomSystemsAreCertified) {

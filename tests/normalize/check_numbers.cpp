@@ -182,6 +182,26 @@ std::vector<std::pair<std::string, std::string>> doubled() {
             {"p", "p'' = q + a^2"}, {"q", "q'' = r"}, {"r", "r'' = -192*p - 144*q - 24*r"}};
 }
 
+// With lambda, -lambda is an eigenvalue of a conservative block: a saddle has its resonances exactly, and so
+// has a quadruple +-a +- i b.
+TEST(Numbers, OppositeEigenvaluesAreResonantExactly) {
+    const auto in_z1 = [](const std::string& toml, const std::vector<std::pair<std::string, int>>& powers) {
+        const InNumbers found = normalized(toml, 3, 15);
+        const Ring& ring = *found.n.normal_form.field->ring;
+        const Monomial wanted = test::monomial(ring, powers).terms().front().monomial;
+        const auto record =
+            std::find_if(found.n.divisors.begin(), found.n.divisors.end(),
+                         [&](const DivisorRecord& d) { return d.variable == "z1" && d.monomial == wanted; });
+        return record == found.n.divisors.end() ? DivisorVerdict::ambiguous : record->verdict;
+    };
+    const std::string saddle = fast(
+        {{"x", "x'' - 2*x - y/3 = x^3"}, {"y", "y'' + 3*y - x/3 - w/7 = 0"}, {"w", "w'' + 5*w - y/7 = 0"}});
+    EXPECT_EQ(in_z1(saddle, {{"z1", 2}, {"z2", 1}}), DivisorVerdict::kept_exact);
+    const std::string gyroscope =
+        fast({{"x", "x'' - y' - x + w/5 = x^3"}, {"y", "y'' + x' - 2*y = 0"}, {"w", "w'' + 5*w - x/7 = 0"}});
+    EXPECT_EQ(in_z1(gyroscope, {{"z1", 2}, {"z4", 1}}), DivisorVerdict::kept_exact);
+}
+
 TEST(Numbers, WhatCannotBeToldFromZeroIsRefusedOrKeptNear) {
     try {
         normalize_in_numbers(field_of(fast(doubled()), 15), 2);

@@ -11,22 +11,15 @@ namespace {
 using test::expect_same;
 using test::field_from;
 
-std::string file(const std::string& equation, const std::string& parameters = "",
-                 const std::string& domain = "") {
+std::string pi_file(const std::string& equation, const std::string& parameters = "",
+                    const std::string& domain = "") {
     return test::oscillator_file(equation, "s = { role = \"slow\" }\n", "s = \"s' = eps\"\n", parameters) +
            (domain.empty() ? "" : "[domain]\npositive = [\"" + domain + "\"]\n");
 }
 
-Normalization certified(const std::shared_ptr<const GradedField>& field, int through = 4) {
-    Normalization n = normalize_poincare(field, through);
-    n.certificate = test::certificate_of(n);
-    EXPECT_TRUE(n.certificate.holds) << n.certificate.complaint;
-    return n;
-}
-
 TEST(Pi, OfDuffing) {
-    const auto field = field_from(file("x'' + pi^2*x + pi/2*x^3 = 0"));
-    const Normalization n = certified(field);
+    const auto field = field_from(pi_file("x'' + pi^2*x + pi/2*x^3 = 0"));
+    const Normalization n = test::certified(field);
     EXPECT_EQ(test::coefficient_of(*field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}}),
               test::coefficient(*field, "3/16", true));
     EXPECT_EQ(test::coefficient_of(*field, n.normal_form.mode[0], {{"z1", 1}}),
@@ -39,19 +32,19 @@ TEST(Pi, IsLikeAParameter) {
         return "x'' + (" + p + "^2 + s^2)*x + sqrt(" + p + ")*x^2 + sin(" + p + "*s + x)*x^2 + exp(x/" + p +
                ")*x^3 = eps*x'/(1 + " + p + ")";
     };
-    expect_same(certified(field_from(file(equation("pi")))),
-                certified(field_from(file(equation("p"), "p = { positive = true }\n"))));
+    expect_same(test::certified(field_from(pi_file(equation("pi")))),
+                test::certified(field_from(pi_file(equation("p"), "p = { positive = true }\n"))));
 }
 
 TEST(Pi, FractionsOfATurnAreRoots) {
     expect_same(
-        certified(
-            field_from(file("x'' + x = x^2*cos(s + pi/3) + x*sin(x - pi/4)*sqrt(2) + x + pi*sqrt(2)*x^3"))),
-        certified(field_from(
-            file("x'' + x = x^2*(cos(s) - sqrt(3)*sin(s))/2 + x*(sin(x) - cos(x)) + x + pi*sqrt(2)*x^3"))));
-    certified(field_from(file("x'' + x = x^2*sin(s + pi/12 - pi/3) + eps*acos(x)*x")));
+        test::certified(field_from(
+            pi_file("x'' + x = x^2*cos(s + pi/3) + x*sin(x - pi/4)*sqrt(2) + x + pi*sqrt(2)*x^3"))),
+        test::certified(field_from(pi_file(
+            "x'' + x = x^2*(cos(s) - sqrt(3)*sin(s))/2 + x*(sin(x) - cos(x)) + x + pi*sqrt(2)*x^3"))));
+    test::certified(field_from(pi_file("x'' + x = x^2*sin(s + pi/12 - pi/3) + eps*acos(x)*x")));
     try {
-        field_from(file("x'' + x = x^2*cos(s + pi/7)"));
+        field_from(pi_file("x'' + x = x^2*cos(s + pi/7)"));
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.diagnostic().rule,
@@ -63,7 +56,7 @@ TEST(Pi, FractionsOfATurnAreRoots) {
 DivisorVerdict verdict_of(const std::string& second) {
     const auto field = field_from(test::oscillator_file("x'' + pi^2*x + y^2 = 0", "y = { role = \"fast\" }\n",
                                                         "y = \"y'' + (" + second + ")^2*y + x^2 = 0\"\n"));
-    const Normalization n = certified(field, 2);
+    const Normalization n = test::certified(field, 2);
     const Monomial squared = field->ring->monomial(field->modes[0].z, 2);
     for (const DivisorRecord& record : n.divisors)
         if (record.variable == "z3" && record.monomial == squared) return record.verdict;
@@ -74,28 +67,29 @@ TEST(Pi, IsNoAlgebraicNumber) {
     EXPECT_EQ(verdict_of("2*pi"), DivisorVerdict::kept_exact);
     EXPECT_EQ(verdict_of("710/113"), DivisorVerdict::removed);
     EXPECT_EQ(verdict_of("2*sqrt(2) + 2*sqrt(3)"), DivisorVerdict::removed);
-    const auto field = field_from(file("x'' + x = (exp(1) + log(2) + pi + exp(s))*x^2"));
+    const auto field = field_from(pi_file("x'' + x = (exp(1) + log(2) + pi + exp(s))*x^2"));
     for (GeneratorId id = 0; id < field->ring->size(); ++id) {
         const Generator& g = field->ring->generator(id);
         const bool constant = g.name == "exp(1)" || g.name == "log(2)";
         EXPECT_EQ(g.independent, !constant) << g.name;
     }
-    certified(field);
+    test::certified(field);
 }
 
 TEST(Pi, ArcSinesAreArcTangents) {
-    const auto direct = [](const std::string& f) { return field_from(file(f, "a = {}\n", "1 - a^2")); };
-    expect_same(certified(direct("x'' + x = asin(a)*x^2 + eps*asin(a)^2*x")),
-                certified(direct("x'' + x = atan(a/sqrt(1 - a^2))*x^2 + eps*atan(a/sqrt(1 - a^2))^2*x")));
-    certified(direct("x'' + x = acos(a)*x^2"));
-    certified(direct("x'' + x = asin(a + x)*x^2"));
-    certified(field_from(file("x'' + x = asin(1/3 + x)*x^2 - acos(1/3)*x^2 + asin(1/2)*x^3")));
-    certified(field_from(file("x'' + x = asin(s/2 + x)*x^2 + acos(s/2)*x^2", "", "4 - s^2")));
+    const auto direct = [](const std::string& f) { return field_from(pi_file(f, "a = {}\n", "1 - a^2")); };
+    expect_same(
+        test::certified(direct("x'' + x = asin(a)*x^2 + eps*asin(a)^2*x")),
+        test::certified(direct("x'' + x = atan(a/sqrt(1 - a^2))*x^2 + eps*atan(a/sqrt(1 - a^2))^2*x")));
+    test::certified(direct("x'' + x = acos(a)*x^2"));
+    test::certified(direct("x'' + x = asin(a + x)*x^2"));
+    test::certified(field_from(pi_file("x'' + x = asin(1/3 + x)*x^2 - acos(1/3)*x^2 + asin(1/2)*x^3")));
+    test::certified(field_from(pi_file("x'' + x = asin(s/2 + x)*x^2 + acos(s/2)*x^2", "", "4 - s^2")));
 }
 
 TEST(Pi, ArcSinesAreOfWhatLiesBetween) {
     try {
-        field_from(file("x'' + x = acos(a)*x^2", "a = {}\n"));
+        field_from(pi_file("x'' + x = acos(a)*x^2", "a = {}\n"));
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
         const Diagnostic& d = error.diagnostic();

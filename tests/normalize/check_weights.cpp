@@ -30,13 +30,6 @@ std::string file(const std::vector<FastVariable>& fast, const std::string& equat
     return text + more + "[equations]\n" + equations;
 }
 
-Normalization certified(const std::shared_ptr<const GradedField>& field, int through) {
-    Normalization n = normalize(field, through);
-    n.certificate = certify(n.normal_form, n.map);
-    EXPECT_TRUE(n.certificate.holds) << n.certificate.complaint;
-    return n;
-}
-
 // x = sqrt(eps) X: with eps = d^2, x is of weight 1 in d.
 TEST(Weights, VanDerPolOfTheSizeOfTheRootOfEps) {
     const auto roots =
@@ -45,9 +38,9 @@ TEST(Weights, VanDerPolOfTheSizeOfTheRootOfEps) {
         field_from(file({{"x", "1"}}, "x = \"x'' + x + x^2*eps - (eps^2 - x^2)*x' = eps^3\"\n"));
     EXPECT_EQ(roots->system().eps_root, 2);
     EXPECT_EQ(roots->system().weight(3), Rational(3) / 2);
-    const Normalization n = certified(roots, 7);
+    const Normalization n = test::certified(roots, 7);
     EXPECT_EQ(n.certificate.through_weight, Rational(7) / 2);
-    expect_same(n, certified(integers, 7));
+    expect_same(n, test::certified(integers, 7));
     const Polynomial growth = test::coefficient_of(*roots, n.normal_form.mode[0], {{"z1", 1}, {"eps", 2}});
     EXPECT_EQ(growth, test::coefficient(*roots, "1/2"));
 }
@@ -61,14 +54,15 @@ TEST(Weights, StrongDamping) {
     const auto integers = field_from(
         file({{"x", "2"}}, "x = \"x'' + 2*sqrt(d)*eps*x' + (1 + s^2)*x + x^3 = m*x\"\ns = \"s' = eps^3\"\n",
              "d = { positive = true }\nm = { weight = 3 }\n", slow));
-    expect_same(certified(roots, 7), certified(integers, 7));
+    expect_same(test::certified(roots, 7), test::certified(integers, 7));
 }
 
 // The Poincare normal form and its map are determined as formal series: other weights give other
 // truncations of the same.
 void expect_common_terms(const std::shared_ptr<const GradedField>& a,
                          const std::shared_ptr<const GradedField>& b, int through, std::size_t fewest) {
-    Normalization one = certified(a, through * a->system().eps_root), other = certified(b, through);
+    Normalization one = test::certified(a, through * a->system().eps_root),
+                  other = test::certified(b, through);
     const Ring &of_one = *one.normal_form.field->ring, &of_other = *other.normal_form.field->ring;
     const auto left = test::all_series(one), right = test::all_series(other);
     ASSERT_EQ(left.size(), right.size());
@@ -103,11 +97,11 @@ TEST(Weights, TwoOscillatorsOfWeightsOneAndTwo) {
     // y drives x linearly: a term of higher weight, removed by the map.
     const auto coupled = field_from(file({{"x", "1"}, {"y", "2"}}, equations));
     EXPECT_TRUE(coupled->basis.modes[0].column[2].is_zero());
-    certified(coupled, 5);
+    test::certified(coupled, 5);
 }
 
 TEST(Weights, AFiniteVariableBesideASmallOne) {
-    certified(
+    test::certified(
         field_from(file({{"u", "0"}, {"x", "1"}},
                         "u = \"u'' + u = eps*(1 - u^2)*u' + x^2\"\nx = \"x'' + 2*x = eps*u^2 + x^2*u\"\n")),
         3);
@@ -119,7 +113,7 @@ TEST(Weights, TheMapHasAnInverse) {
         "x = \"x'' + x + y + x*y + sqrt(eps)*x' = eps*sin(p)\"\ny = \"y' = -y + x^2 + s*x*sqrt(eps)\"\n"
         "s = \"s' = eps*x + sqrt(eps)*y\"\np = \"p' = 2 + s^2 + eps*u\"\nu = \"u' = -2*u + x + eps*u^2\"\n",
         "", "s = { role = \"slow\" }\np = { role = \"angle\" }\n"));
-    const Normalization n = certified(field, 5);
+    const Normalization n = test::certified(field, 5);
     const NearIdentityMap inverse = invert(n.normal_form, n.map);
     const GradedField& used = *n.normal_form.field;
     const auto check = [&](const std::vector<Series>& a, const std::vector<Series>& b) {
@@ -138,7 +132,7 @@ TEST(Weights, TheCatalanSlowManifoldOfTheWeightOfASquare) {
         return field_from(file({{"x", "1"}, {"y", y}}, "x = \"x' = x*y\"\ny = \"y' = -y + x^2\"\n"));
     };
     expect_common_terms(of("2"), of("1"), 7, 8);
-    EXPECT_NO_THROW(centre_manifold(certified(of("2"), 7)));
+    EXPECT_NO_THROW(centre_manifold(test::certified(of("2"), 7)));
 }
 
 TEST(Weights, JordanBlocksOfEachWeight) {
@@ -148,8 +142,8 @@ TEST(Weights, JordanBlocksOfEachWeight) {
                                    "*x + x*u\"\nu = \"u' = v\"\nv = \"v' = x*v + u^2\"\n",
                                "", "[normal_form]\nstyle = \"inner_product\"\n"));
     };
-    certified(of("1", "eps"), 4);
-    certified(of("1/2", "sqrt(eps)"), 6);
+    test::certified(of("1", "eps"), 4);
+    test::certified(of("1/2", "sqrt(eps)"), 6);
 }
 
 TEST(Weights, OfAnEnergy) {
@@ -159,8 +153,8 @@ TEST(Weights, OfAnEnergy) {
             text.replace(text.find(name) + std::string(name).size(), 0, " weight = \"" + weight + "\",");
         return field_from(text + "[normal_form]\nstyle = \"hamiltonian\"\n");
     };
-    const Normalization roots = certified(of("1/2", "sqrt(eps)"), 6);
-    const Normalization integers = certified(of("1", "eps"), 6);
+    const Normalization roots = test::certified(of("1/2", "sqrt(eps)"), 6);
+    const Normalization integers = test::certified(of("1", "eps"), 6);
     expect_same(roots, integers);
     for (int n = 0; n <= 7; ++n)
         EXPECT_EQ(roots.normal_form.hamiltonian->energy.part(n),

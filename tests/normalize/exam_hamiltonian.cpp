@@ -16,15 +16,15 @@ Normalization normalized(const std::string& toml, int order) {
     return normalize_hamiltonian(test::field_from(toml), order);
 }
 
-struct Case {
+struct EnergyCase {
     const char* name;
     std::string toml;
     int order;
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+std::ostream& operator<<(std::ostream& out, const EnergyCase& c) { return out << c.name; }
 
-class Hamiltonian : public testing::TestWithParam<Case> {};
+class Hamiltonian : public testing::TestWithParam<EnergyCase> {};
 
 TEST_P(Hamiltonian, IsCertified) {
     const Normalization n = normalized(GetParam().toml, GetParam().order);
@@ -44,7 +44,7 @@ TEST_P(Hamiltonian, IsReal) {
 
 const std::string w1_w2 = "w1 = { positive = true }\nw2 = { positive = true }\na = {}\n";
 
-const Case cases[] = {
+const EnergyCase energies[] = {
     {"Duffing", test::one_degree("px^2/2 + x^2/2 + x^4/4"), 7},
     {"Pendulum", test::one_degree("px^2/2 + g*(1 - cos(x))", "g = { positive = true }\n"), 5},
     {"Saddle", test::one_degree("px^2/2 + cos(x)"), 6},
@@ -63,7 +63,7 @@ const Case cases[] = {
      test::two_degrees("w1*(px^2 + x^2)/2 - w2*(py^2 + y^2)/2 + a*x^2*y + py^3", w1_w2), 3},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Hamiltonian, testing::ValuesIn(cases),
+INSTANTIATE_TEST_SUITE_P(All, Hamiltonian, testing::ValuesIn(energies),
                          [](const auto& tested) { return tested.param.name; });
 
 TEST(HamiltonianStyle, IsChosenByTheSystem) {

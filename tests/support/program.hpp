@@ -3,7 +3,7 @@
 #pragma once
 
 #include "emit/program.hpp"
-#include "normalize/poincare.hpp"
+#include "normalize/normalize.hpp"
 #include "support/exact.hpp"
 
 #include <memory>
@@ -13,17 +13,20 @@
 namespace resonform::test {
 
 inline Solution solution_of(const Scene& scene) {
-    const int truncation = scene.truncation ? *scene.truncation : scene.order + *scene.time_scale;
     const auto first_order = std::make_shared<const FirstOrderSystem>(solve_for_highest(scene.system));
     const auto field = std::make_shared<const GradedField>(expand(first_order));
-    auto normalization = std::make_shared<const Normalization>(normalize_poincare(field, truncation));
+    const int truncation = count_truncation(*field, scene).truncation;
+    auto normalization = std::make_shared<const Normalization>(normalize(field, truncation));
     return solve(std::move(normalization), {scene.order, truncation});
 }
 
-inline Scene pendulum_scene(const std::string& name) {
+// systems/<system>/scenes/<name>.toml
+inline Scene scene_of(const std::string& system, const std::string& name) {
     const std::filesystem::path systems = source_dir() / "systems";
-    return read_scene(systems / "almost_holonomic_pendulum" / "scenes" / (name + ".toml"), systems);
+    return read_scene(systems / system / "scenes" / (name + ".toml"), systems);
 }
+
+inline Scene pendulum_scene(const std::string& name) { return scene_of("almost_holonomic_pendulum", name); }
 
 inline std::shared_ptr<const Program> program_of(const Scene& scene, const ProgramOptions& options = {}) {
     return std::make_shared<const Program>(build_program(solution_of(scene), scene, options));

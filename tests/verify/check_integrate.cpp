@@ -90,6 +90,20 @@ TEST(Taylor, StartsAtZeroValuesAndKeepsPolynomialsExact) {
     EXPECT_NEAR(run.values[1][2], 1000.0, 1e-11);
 }
 
+// y' = sin(t)^3: the first derivatives of y that do not vanish are the fourth and later ones.
+TEST(Taylor, StartsWithSeveralDerivativesZero) {
+    test::Builder b;
+    const GiNaC::symbol x = b.state("x"), p = b.state("x'"), y = b.state("y");
+    const FirstOrderSystem system = b.build({p, -x, GiNaC::pow(x, 3)});
+    const std::vector<double> times = grid(20, 10);
+    const auto run = integrate_taylor<double>(system, {}, 1.0, {0.0, 1.0, 0.0}, times, 1e-15);
+    ASSERT_EQ(run.failure, "");
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const double c = std::cos(times[i]);
+        EXPECT_NEAR(run.values[2][i], c * c * c / 3 - c + 2.0 / 3, 1e-13) << "t = " << times[i];
+    }
+}
+
 TEST(Taylor, ReportsASingularityInsteadOfRunningForever) {
     test::Builder b;
     const GiNaC::symbol x = b.state("x");

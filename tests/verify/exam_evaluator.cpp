@@ -25,7 +25,7 @@ fs::path empty_folder(const std::string& name) {
     return path;
 }
 
-Scene oscillator() {
+Scene stiffening_scene() {
     const fs::path systems = test::source_dir() / "systems";
     return read_scene(systems / "slowly_stiffening_oscillator" / "scenes" / "third_order.toml", systems);
 }
@@ -49,7 +49,7 @@ public:
 Diagnostic refusal_with(const char* compiler, const fs::path& cache) {
     const Compiler chosen(compiler);
     try {
-        EvaluatorLibrary::build(*test::program_of(oscillator()), cache, {});
+        EvaluatorLibrary::build(*test::program_of(stiffening_scene()), cache, {});
     } catch (const Error& error) {
         return error.diagnostic();
     }
@@ -58,7 +58,7 @@ Diagnostic refusal_with(const char* compiler, const fs::path& cache) {
 
 TEST(SlowEvaluatorLibrary, IsCompiledAnewWhenTheCachedOneIsDamaged) {
     const fs::path cache = empty_folder("test_evaluator_cut");
-    const auto program = test::program_of(oscillator());
+    const auto program = test::program_of(stiffening_scene());
     int compilations = 0;
     const auto count = [&](const std::string&) { ++compilations; };
     const auto answer = [&] {
@@ -106,7 +106,7 @@ template <class Real> void expect_pi(const std::shared_ptr<const Program>& progr
 }
 
 TEST(SlowEvaluatorLibrary, StartsAtPi) {
-    Scene scene = oscillator();
+    Scene scene = stiffening_scene();
     for (StartValue& value : scene.start)
         if (value.name == "phase.x" || value.name == "theta_0") value.value = GiNaC::Pi;
     const auto program = test::program_of(scene);

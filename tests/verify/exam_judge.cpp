@@ -12,14 +12,14 @@
 namespace resonform {
 namespace {
 
-using Error = std::function<double(double)>;
+using ErrorLaw = std::function<double(double)>;
 
 Rational rung(int digit, int decade) {
     return Rational(digit) / cln::expt_pos(cln::cl_I(10), cln::cl_I(decade));
 }
 
 // 0.2, 0.1, 0.05, 0.02, ... down to 10^-lowest, errors as given, floor for each rung.
-OutputVerdict ladder(const Error& error, int claim, double floor = 0, int lowest = 4) {
+OutputVerdict ladder(const ErrorLaw& error, int claim, double floor = 0, int lowest = 4) {
     OutputVerdict output;
     output.name = "psi";
     output.claimed_order = claim;
@@ -148,7 +148,7 @@ TEST(Judge, UndecidedSaysWhy) {
 
 // Every rung lies below 100 times the noise, yet the noise is as large as what the claim forbids.
 TEST(Judge, WhatNoiseHidesDoesNotPass) {
-    const auto hidden = [](const Error& error, int claim, const Error& reference, double scale) {
+    const auto hidden = [](const ErrorLaw& error, int claim, const ErrorLaw& reference, double scale) {
         OutputVerdict output = ladder(error, claim);
         for (LadderRung& r : output.ladder) {
             r.reference_error = reference(to_double(r.eps));

@@ -8,10 +8,6 @@
 namespace resonform {
 namespace {
 
-Verification verified(const test::SceneLine& line) {
-    return verify(line.system, line.scene, line.solution, test::options());
-}
-
 // The factor of eps^weight in one output gets the opposite sign.
 void plant_sign_error(Solution& solution, const std::string& name, int weight) {
     for (SolutionOutput& output : solution.outputs)
@@ -21,7 +17,7 @@ void plant_sign_error(Solution& solution, const std::string& name, int weight) {
 TEST(Ladder, ThirdOrderSceneIsFourthOrderAccurate) {
     test::SceneLine line = test::pendulum("third_order");
     test::shorten_ladder(line.scene);
-    const Verification v = verified(line);
+    const Verification v = test::verified(line);
     ASSERT_EQ(v.outputs.size(), 3U);
     const std::vector<double> constants{2.03, 1.48, 1.42};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -48,7 +44,7 @@ TEST(Ladder, LiarsFail) {
         test::SceneLine line = test::pendulum("third_order");
         test::shorten_ladder(line.scene);
         plant_sign_error(line.solution, lie.output, lie.weight);
-        const Verification v = verified(line);
+        const Verification v = test::verified(line);
         for (const OutputVerdict& o : v.outputs) {
             const bool lied = o.name == lie.output;
             EXPECT_EQ(o.verdict, lied ? Verdict::fail : Verdict::pass) << o.name << ", weight " << lie.weight;
@@ -66,7 +62,7 @@ TEST(Ladder, StartValuesAgainstTheGradingAreUndecided) {
             start.value = 1 + line.scene.system->eps;
             start.text = "1 + eps";
         }
-    const Verification v = verified(line);
+    const Verification v = test::verified(line);
     for (const OutputVerdict& o : v.outputs) {
         EXPECT_EQ(o.verdict, Verdict::undecided);
         EXPECT_EQ(o.reason,
@@ -79,7 +75,7 @@ TEST(Ladder, RefusesAParameterWithoutValue) {
     test::SceneLine line = test::pendulum("third_order");
     line.scene.fix.erase("r");
     try {
-        verified(line);
+        test::verified(line);
         FAIL() << "a free parameter was integrated";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Kind::bad_input);
@@ -94,7 +90,7 @@ TEST(Ladder, RefusesIntervalsThatTakeHours) {
         test::shorten_ladder(line.scene);
         line.scene.verify.interval = interval;
         try {
-            verified(line);
+            test::verified(line);
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), Kind::refused);
             return error.diagnostic();
@@ -133,11 +129,11 @@ TEST(Ladder, AMeanMotionClaimsWhatItLeavesOut) {
     test::SceneLine line = test::pendulum("mean_motion");
     test::shorten_ladder(line.scene);
     line.scene.verify.claim.clear();
-    const Verification v = verified(line);
+    const Verification v = test::verified(line);
     EXPECT_TRUE(v.as_expected()) << to_text(v);
     for (const OutputVerdict& o : v.outputs) EXPECT_EQ(o.claimed_order, 2) << o.name;
     line.scene.verify.claim["x"] = 4;
-    const Verification claimed = verified(line);
+    const Verification claimed = test::verified(line);
     EXPECT_EQ(claimed.outputs[0].claimed_order, 4);
     EXPECT_EQ(claimed.outputs[0].verdict, Verdict::fail);
     EXPECT_EQ(claimed.outputs[0].found_order, 2);
@@ -146,7 +142,7 @@ TEST(Ladder, AMeanMotionClaimsWhatItLeavesOut) {
 TEST(Ladder, JsonHasTheAgreedKeys) {
     test::SceneLine line = test::pendulum("xy_only");
     test::shorten_ladder(line.scene);
-    const auto json = to_json(verified(line));
+    const auto json = to_json(test::verified(line));
     EXPECT_EQ(json["schema"], "resonform.verification/1");
     EXPECT_EQ(json["system"], "almost_holonomic_pendulum");
     EXPECT_EQ(json["scene"], "xy_only");
@@ -178,7 +174,7 @@ TEST(Ladder, CurvesAreEmittedAndDirect) {
 // The whole default ladder, extended by the judge: what the issue asks to be found.
 TEST(SlowLadder, PublishedPsiIsThirdOrderOnly) {
     const test::SceneLine line = test::pendulum("as_published");
-    const Verification v = verified(line);
+    const Verification v = test::verified(line);
     EXPECT_TRUE(v.as_expected());
     ASSERT_EQ(v.outputs.size(), 3U);
     EXPECT_EQ(v.outputs[0].verdict, Verdict::fail);

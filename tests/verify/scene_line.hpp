@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace resonform::test {
 
@@ -16,12 +17,14 @@ struct SceneLine {
     std::shared_ptr<const FirstOrderSystem> system;
 };
 
-inline SceneLine pendulum(const std::string& name) {
-    SceneLine line{pendulum_scene(name), {}, nullptr};
+inline SceneLine line_of(Scene scene) {
+    SceneLine line{std::move(scene), {}, nullptr};
     line.solution = solution_of(line.scene);
     line.system = line.solution.normalization->normal_form.field->first_order;
     return line;
 }
+
+inline SceneLine pendulum(const std::string& name) { return line_of(pendulum_scene(name)); }
 
 // eps = 0.02, 0.01, 0.005, 0.002, 0.001: the slopes of the pendulum are straight there, and it is quick.
 inline void shorten_ladder(Scene& scene) {
@@ -35,6 +38,10 @@ inline VerifyOptions options() {
     VerifyOptions o;
     o.cache = std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache";
     return o;
+}
+
+inline Verification verified(const SceneLine& line) {
+    return verify(line.system, line.scene, line.solution, options());
 }
 
 } // namespace resonform::test

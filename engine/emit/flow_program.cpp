@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/flow_program.hpp"
+
+#include "algebra/error.hpp"
+#include "emit/conditioning.hpp"
+#include "emit/flow_moment.hpp"
+#include "emit/flow_start.hpp"
+#include "emit/identifier.hpp"
+#include "emit/prune.hpp"
+#include "emit/scene_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+class FlowProgram : SceneProgram {
+public:
+    FlowProgram(const Solution& solution, const Scene& scene, const ProgramOptions& options)
+        : SceneProgram(solution, scene, options), flow_(*solution.flow),
+          field_(*solution.normalization->normal_form.field), real_(field_) {}
+
+    Program build() {
+        open(field_.ring->generator(field_.eps).name);
+        start_ = flow_start(program_, solution_, scene_, real_, surroundings_, names_);
+        define_flow();
+        frame_.emplace(program_, real_, surroundings_, moving_, true);
+        keep_signs();
+        lower_rates();
+        integrate_drifts();
+        turn();
+        define_results();
+        close();
+        return std::move(program_);
+    }
+
+private:
+    void define_flow();
+    void define_slow(std::size_t k);
+    void keep_signs();
+    FlowMoment::Unit moving_unit(const std::string& variable, const FlowMoment::Unit& start, bool moves);
+    void lower_rates();
+    void integrate_drifts();
+    void turn();
+    void define_results();
+    Graph::Node result(const FlowOutput& output, bool oscillating);
+    const FlowOutput& output_of(const std::string& name) const;
+
+    [[nodiscard]] static bool moves(const FlowMode& mode) {
+        return !mode.rate.total(mode.rate.through()).empty();
+    }
+    // Per unit of slow time, times eps^-power besides.
+    [[nodiscard]] Graph::Node lowered(const Polynomial& p, int power) {
+        return frame_->lowering.polynomial(over_eps(real_, p, power + 1));
+    }
+    [[nodiscard]] const std::string& name(std::size_t variable) const {
+        return solution_.system().variables[variable].name;
+    }
+
+    const SlowFlow& flow_;
+    const GradedField& field_;
+    RealForm real_;
+    FlowValues start_, moving_, turned_; // at t = 0; within the frame; with their phases
+    std::optional<FlowMoment> frame_;    // everything at moving_
+    std::vector<Graph::Node> drift_;     // Z
+};
+
+// Symbols for what the flow changes; what it does not change stays as it starts.
+FlowMoment::Unit FlowProgram::moving_unit(const std::string& variable, const FlowMoment::Unit& start,
+                                          bool moves) {
+    if (!moves) return start;
+    const auto part = [&](const char* letter, Graph::Node begin) {
+        const std::string called = identifier(letter + ("_" + variable));
+        const Graph::Node value = program_.graph.symbol("flow " + called); // a space: no parameter's name
+        program_.flow.push_back({called, begin, -1, value});
+        return value;
+    };
+    const Graph::Node u = part("u", start.u);
+    return {u, part("v", start.v)};
+}
+
+void FlowProgram::define_flow() {
+    for (std::size_t k = 0; k < field_.modes.size(); ++k)
+        moving_.modes.push_back(
+            moving_unit(name(field_.modes[k].variable), start_.modes[k], moves(flow_.modes[k])));
+    for (std::size_t k = 0; k < field_.angles.size(); ++k)
+        moving_.angles.push_back(
+            moving_unit(name(field_.angles[k].variable), start_.angles[k], moves(flow_.angles[k])));
+    for (std::size_t k = 0; k < field_.slow.size(); ++k) define_slow(k);
+}
+
+// xi = xi_0 + rate T where the rate is a constant, else a variable of the flow.
+void FlowProgram::define_slow(std::size_t k) {
+    Graph& graph = program_.graph;
+    const SlowVariable& slow = field_.slow[k];
+    const Variable& variable = solution_.system().variables[slow.variable];
+    const Polynomial rate = flow_.slow[k].total(flow_.slow[k].through());
+    const bool constant = std::all_of(rate.terms().begin(), rate.terms().end(), [&](const Term& t) {
+        return is_constant(
+            *field_.ring,
+            Polynomial(t.monomial -
+                           field_.ring->monomial(field_.eps, field_.ring->exponent(t.monomial, field_.eps)),
+                       1));
+    });
+    Graph::Node value = -1;
+    if (constant) {
+        FlowMoment at_start(program_, real_, surroundings_, start_, false);
+        const Graph::Node speed = at_start.lowering.polynomial(over_eps(real_, real_(rate).re, 1));
+        value = graph.add({start_.slow[k], graph.multiply({speed, program_.slow_time})});
+    } else {
+        value = graph.symbol("flow " + slow.name);
+        program_.flow.push_back({identifier(slow.name), start_.slow[k], -1, value});
+    }
+    moving_.slow.push_back(value);
+    names_[variable.name] = value;
+    program_.names.push_back({slow.driven ? variable.name + "_mean" : variable.name, value});
+    // What must not vanish keeps the sign that it starts with.
+    if (variable.nonzero && !variable.positive)
+        program_.positive.push_back(graph.multiply({start_.slow[k], value}));
+    if (!variable.positive) return;
+    program_.positive.push_back(value);
+    surroundings_.positive.insert({start_.slow[k], value});
+}
+
+// Small divisors that move keep the sign that they start with: between lies a resonance surface.
+void FlowProgram::keep_signs() {
+    const FlowMoment at_start(program_, real_, surroundings_, start_, false);
+    for (GeneratorId id = 0; id < real_.ring()->size(); ++id) {
+        const Generator& g = real_.ring()->generator(id);
+        if (g.kind == GeneratorKind::root && g.index == 1 && !g.positive && frame_->lowering.varying(id))
+            program_.positive.push_back(
+                program_.graph.multiply({at_start.lowering.node(id), frame_->lowering.node(id)}));
+    }
+}
+
+// d(u + i v)/dT = rate/eps^(w + 1); of an angle i (u + i v) rate/eps.
+void FlowProgram::lower_rates() {
+    Graph& graph = program_.graph;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+        if (!moves(flow_.modes[k])) continue;
+        const RealForm::Value rate = real_(flow_.modes[k].rate.total(flow_.modes[k].rate.through()));
+        const int weight = field_.ring->generator(field_.modes[k].z).weight;
+        program_.flow[next++].rate = lowered(rate.re, weight);
+        program_.flow[next++].rate = lowered(rate.im, weight);
+    }
+    for (std::size_t k = 0; k < field_.angles.size(); ++k) {
+        if (!moves(flow_.angles[k])) continue;
+        const Graph::Node speed =
+            lowered(real_(flow_.angles[k].rate.total(flow_.angles[k].rate.through())).re, 0);
+        const FlowMoment::Unit& unit = moving_.angles[k];
+        program_.flow[next++].rate = graph.negate(graph.multiply({unit.v, speed}));
+        program_.flow[next++].rate = graph.multiply({unit.u, speed});
+    }
+    for (std::size_t k = 0; k < field_.slow.size(); ++k)
+        if (next < program_.flow.size() && program_.flow[next].value == moving_.slow[k])
+            program_.flow[next++].rate = lowered(real_(flow_.slow[k].total(flow_.slow[k].through())).re, 0);
+}
+
+void FlowProgram::integrate_drifts() {
+    Graph& graph = program_.graph;
+    for (std::size_t k = 0; k < field_.drift.size(); ++k) {
+        const Graph::Node rate = lowered(real_(flow_.drift[k].total(flow_.drift[k].through())).re, 0);
+        const bool varies = depending(graph, varying_symbols(program_))[static_cast<std::size_t>(rate)];
+        Graph::Node integral = graph.multiply({rate, program_.slow_time});
+        if (varies) {
+            const std::string called = "Q_" + identifier(field_.drift[k].name);
+            integral = graph.symbol("table " + called); // a space: no parameter has this name
+            program_.tables.push_back({called, rate, integral});
+        }
+        drift_.push_back(graph.add({start_.drift[k], integral}));
+    }
+}
+
+// One cosine and one sine for every frequency.
+void FlowProgram::turn() {
+    Graph& graph = program_.graph;
+    std::vector<std::pair<Graph::Node, Graph::Node>> turns;
+    for (std::size_t p = 0; p < flow_.phases.size(); ++p) {
+        const std::string called = flow_.phases.size() == 1 ? "theta" : fmt::format("theta_{}", p + 1);
+        const Graph::Node cosine = graph.symbol("cos " + called), sine = graph.symbol("sin " + called);
+        const Graph::Node rate = frame_->lowering.polynomial(real_(flow_.phases[p]).re);
+        program_.names.push_back({called + "_dot", rate});
+        program_.phases.push_back(
+            {called, graph.rational(0), graph.multiply({graph.power(program_.eps, -1), rate}), cosine, sine});
+        turns.emplace_back(cosine, sine);
+    }
+    const auto turned = [&](const FlowMoment::Unit& unit, const FlowMode& mode, const std::string& variable) {
+        const auto [c, s] = turns[mode.phase];
+        const FlowMoment::Unit result{
+            graph.add({graph.multiply({unit.u, c}), graph.negate(graph.multiply({unit.v, s}))}),
+            graph.add({graph.multiply({unit.u, s}), graph.multiply({unit.v, c})})};
+        program_.names.push_back({"re_" + identifier(variable), result.u});
+        program_.names.push_back({"im_" + identifier(variable), result.v});
+        return result;
+    };
+    turned_.slow = moving_.slow;
+    for (std::size_t k = 0; k < field_.modes.size(); ++k)
+        turned_.modes.push_back(turned(moving_.modes[k], flow_.modes[k], name(field_.modes[k].variable)));
+    for (std::size_t k = 0; k < field_.angles.size(); ++k)
+        turned_.angles.push_back(turned(moving_.angles[k], flow_.angles[k], name(field_.angles[k].variable)));
+}
+
+Graph::Node FlowProgram::result(const FlowOutput& output, bool oscillating) {
+    FlowMoment call(program_, real_, surroundings_, oscillating ? turned_ : moving_, false);
+    Polynomial all = output.value.total(output.value.through());
+    if (!oscillating) all = mean_part(field_, flow_, all);
+    Graph::Node value =
+        by_powers_of_eps(*real_.ring(), real_.eps(), real_(all).re, output.name,
+                         [&](const Polynomial& part) { return call.lowering.polynomial(part); });
+    if (output.drift) value = program_.graph.add({drift_[*output.drift], value});
+    return value;
+}
+
+const FlowOutput& FlowProgram::output_of(const std::string& name) const {
+    const auto found = std::find_if(flow_.outputs.begin(), flow_.outputs.end(),
+                                    [&](const FlowOutput& output) { return output.name == name; });
+    if (found == flow_.outputs.end())
+        bad_input({"an output is a fast, a slow or a drift variable of the system",
+                   name,
+                   "remove it from outputs",
+                   {}});
+    return *found;
+}
+
+void FlowProgram::define_results() {
+    for (std::size_t k = 0; k < field_.slow.size(); ++k)
+        if (!field_.slow[k].driven) program_.slow.push_back({field_.slow[k].name, moving_.slow[k]});
+    for (const std::string& wanted : scene_.outputs)
+        program_.outputs.push_back({wanted, result(output_of(wanted), scene_.oscillating)});
+    if (options_.keep_state)
+        for (const FlowOutput& state : flow_.state)
+            program_.state.push_back({state.name, result(state, true)});
+}
+
+} // namespace
+
+Program build_flow_program(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
+    return FlowProgram(solution, scene, options).build();
+}
+
+} // namespace resonform

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a slow flow starts: a_j = amplitude e^{i phase}, or through the inverse map from physical values,
+//
+//   z_0 = rows of the modal matrix * (x_0, x'_0, ...),   w_0 = z_0 + g(z_0, ...; xi_0),   a_j = w_0/eps^w
+//
+// at the full weight of the map. Angles, slow variables and drifts have physical values (drifts: or their
+// constants); where the oscillators start from constants, zeta_0 = xi_0 - k(w_0; zeta_0) is solved by M + 1
+// substitutions, each of which gains a power of eps.
+#pragma once
+
+#include "emit/flow_moment.hpp"
+
+#include <map>
+#include <string>
+
+namespace resonform {
+
+FlowValues flow_start(Program& program, const Solution& solution, const Scene& scene, const RealForm& real,
+                      const Surroundings& surroundings, const std::map<std::string, Graph::Node>& names);
+
+} // namespace resonform

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/scene_program.hpp"
+
+#include "algebra/error.hpp"
+#include "emit/from_expression.hpp"
+#include "emit/identifier.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+Graph::Node add_start_input(Program& program, const Scene& scene,
+                            const std::map<std::string, Graph::Node>& names, const std::string& name,
+                            const std::string& meaning, const std::string& canonical) {
+    const Graph::Node symbol = program.graph.symbol("start " + name); // no parameter has a space in its name
+    const StartValue* given = scene.start_of(canonical);
+    const Graph::Node value =
+        given == nullptr ? program.graph.rational(0) : from_expression(program.graph, given->value, names);
+    program.start.push_back({identifier(name), meaning, symbol, value});
+    return symbol;
+}
+
+Graph::Node SceneProgram::input(const std::string& name, const std::string& meaning,
+                                const std::string& canonical) {
+    return add_start_input(program_, scene_, names_, name, meaning, canonical);
+}
+
+void SceneProgram::open(const std::string& eps) {
+    program_.system = solution_.system().name;
+    program_.scene = scene_.name;
+    program_.title = scene_.title;
+    program_.order = solution_.order;
+    program_.truncation = solution_.truncation;
+    program_.eps = program_.graph.symbol("eps");
+    program_.time = program_.graph.symbol("t");
+    program_.slow_time = program_.graph.symbol("slow time"); // a space: no parameter has this name
+    names_["eps"] = program_.eps;
+    surroundings_.symbols[eps] = program_.eps;
+    surroundings_.positive.insert(program_.eps);
+    program_.slow_time_end = program_.graph.rational(1);
+    define_parameters();
+}
+
+void SceneProgram::define_parameters() {
+    surroundings_.symbols["pi"] = from_expression(program_.graph, GiNaC::Pi, {});
+    surroundings_.positive.insert(surroundings_.symbols["pi"]);
+    for (const Parameter& parameter : solution_.system().parameters) {
+        const auto fixed = scene_.fix.find(parameter.name);
+        const Graph::Node value = fixed == scene_.fix.end() ? -1 : program_.graph.rational(fixed->second);
+        Graph::Node node = value;
+        if (node < 0 || !options_.fold_fixed) {
+            node = program_.graph.symbol(parameter.name);
+            program_.parameters.push_back(
+                {identifier(parameter.name), "parameter " + parameter.name, node, value});
+            if (parameter.positive) {
+                program_.positive.push_back(node);
+                surroundings_.positive.insert(node);
+            }
+        }
+        surroundings_.symbols[parameter.name] = names_[parameter.name] = node;
+    }
+}
+
+// c_0 + eps (c_1 + eps (c_2 + ...)), each c_n named
+Graph::Node SceneProgram::by_powers_of_eps(const Ring& ring, GeneratorId eps, const Polynomial& p,
+                                           const std::string& name,
+                                           const std::function<Graph::Node(const Polynomial&)>& value) {
+    Graph& graph = program_.graph;
+    std::map<int, Polynomial> parts;
+    for (auto& [power, coefficient] : ring.collect(p, {eps}))
+        parts.emplace(ring.exponent(power, eps), std::move(coefficient));
+    Graph::Node sum = graph.rational(0);
+    int above = 0;
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+        const Graph::Node node = value(part->second);
+        program_.names.push_back({fmt::format("{}_{}", identifier(name), part->first), node});
+        sum = graph.add({node, graph.multiply({graph.power(program_.eps, above - part->first), sum})});
+        above = part->first;
+    }
+    return graph.multiply({graph.power(program_.eps, above), sum});
+}
+
+// The value of an expression in eps and fixed parameters, at the smallest eps of the ladder if it
+// depends on eps.
+double SceneProgram::number_of(const GiNaC::ex& e) const {
+    GiNaC::exmap values;
+    for (const Parameter& parameter : solution_.system().parameters)
+        if (const auto fixed = scene_.fix.find(parameter.name); fixed != scene_.fix.end())
+            values[parameter.symbol] = GiNaC::numeric(cln::cl_N(fixed->second));
+    if (!scene_.verify.eps.empty())
+        values[solution_.system().eps] = GiNaC::numeric(cln::cl_N(scene_.verify.eps.back()));
+    const GiNaC::ex value = e.subs(values).evalf();
+    if (!GiNaC::is_a<GiNaC::numeric>(value))
+        bad_input({"the interval of a scene is a number once [fix] and eps are put in",
+                   scene_.verify.interval_text,
+                   "give the parameters in it under [fix]",
+                   {}});
+    return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+}
+
+void SceneProgram::close() {
+    for (const Declaration& condition : solution_.system().positive) {
+        const Graph::Node node = from_expression(program_.graph, condition.value, names_);
+        const bool known =
+            std::find(program_.positive.begin(), program_.positive.end(), node) != program_.positive.end();
+        if (!known) program_.positive.push_back(node);
+    }
+    const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
+    program_.interval_slow_time = number_of(slow_time);
+    program_.slow_time_end = from_expression(program_.graph, slow_time, names_);
+}
+
+} // namespace resonform

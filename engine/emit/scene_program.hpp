@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every program of a scene begins and ends with: title, symbols, parameters, start values, the domain
+// and the interval.
+#pragma once
+
+#include "emit/moment.hpp"
+#include "emit/program.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace resonform {
+
+class SceneProgram {
+public:
+    SceneProgram(const Solution& solution, const Scene& scene, const ProgramOptions& options)
+        : solution_(solution), scene_(scene), options_(options) {}
+
+protected:
+    // Title, symbols and parameters. eps: the name of its generator.
+    void open(const std::string& eps);
+    // What the files declare positive, and the interval.
+    void close();
+
+    // An argument of the evaluator with its default from the scene (0 if it gives none).
+    Graph::Node input(const std::string& name, const std::string& meaning, const std::string& canonical);
+    // c_0 + eps (c_1 + eps (c_2 + ...)), each c_n = value(part) named
+    Graph::Node by_powers_of_eps(const Ring& ring, GeneratorId eps, const Polynomial& p,
+                                 const std::string& name,
+                                 const std::function<Graph::Node(const Polynomial&)>& value);
+
+    const Solution& solution_;
+    const Scene& scene_;
+    const ProgramOptions& options_;
+    Program program_;
+    Surroundings surroundings_;
+    std::map<std::string, Graph::Node> names_; // of the user's files: eps, parameters, slow variables
+
+private:
+    void define_parameters();
+    [[nodiscard]] double number_of(const GiNaC::ex& e) const;
+};
+
+// An argument of the evaluator's constructor that [start] of the scene may give.
+Graph::Node add_start_input(Program& program, const Scene& scene,
+                            const std::map<std::string, Graph::Node>& names, const std::string& name,
+                            const std::string& meaning, const std::string& canonical);
+
+} // namespace resonform

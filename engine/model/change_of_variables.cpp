@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/change_of_variables.hpp"
+
+#include "model/canonical.hpp"
+#include "model/substitution.hpp"
+#include "model/written_form.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+const Change* change_of(const Mechanism& mechanism, std::size_t coordinate) {
+    for (const Change& change : mechanism.changes)
+        if (change.coordinate == coordinate) return &change;
+    return nullptr;
+}
+
+std::string names_of(const std::vector<Coordinate>& all) {
+    std::string names;
+    for (const Coordinate& c : all) names += (names.empty() ? "" : ", ") + c.name;
+    return names.empty() ? "none" : names;
+}
+
+} // namespace
+
+ChangeOfVariables::ChangeOfVariables(const Motion& motion, const SolvedConstraints& constraints,
+                                     const std::vector<Constant>& constants)
+    : motion_(motion), constraints_(constraints) {
+    const auto& coordinates = motion.mechanism().coordinates;
+    choose_variables();
+    for (const std::size_t i : constraints.independent)
+        if (const Change* change = change_of(motion.mechanism(), i))
+            positions_[coordinates[i].at] = change->value.value;
+    for (const Constant& constant : constants)
+        if (!constant.itself)
+            positions_[coordinates[constraints.dependent[constant.dependent]].at] =
+                put(constant.value, positions_);
+    require_invertible();
+    for (const Coordinate& c : coordinates) {
+        const auto found = positions_.find(c.at);
+        if (found == positions_.end()) continue;
+        all_[c.at] = found->second;
+        all_[c.velocity] = motion.derivative(found->second);
+        all_[c.acceleration] = motion.derivative(all_[c.velocity]);
+    }
+    find_rates(constants);
+}
+
+void ChangeOfVariables::choose_variables() {
+    const Mechanism& mechanism = motion_.mechanism();
+    std::size_t used = 0, changed = 0;
+    for (const std::size_t i : constraints_.independent) {
+        const bool stays = change_of(mechanism, i) == nullptr;
+        if (!stays) ++changed;
+        if (stays)
+            variables_.push_back(mechanism.coordinates[i]);
+        else if (used < mechanism.fresh.size())
+            variables_.push_back(mechanism.fresh[used++]);
+    }
+    if (changed == mechanism.fresh.size()) return;
+    const Place place = mechanism.fresh.empty() ? place_of(mechanism.source) : mechanism.fresh.front().place;
+    bad_input(
+        {"each variable of a mechanism is a coordinate, prescribed, an integral, or new in [change], which "
+         "has one new variable for each coordinate that it replaces",
+         "new: " + names_of(mechanism.fresh) + "; coordinates replaced: " + std::to_string(changed),
+         "correct the names, or write [change]", place});
+}
+
+void ChangeOfVariables::require_invertible() const {
+    const auto& fresh = motion_.mechanism().fresh;
+    std::vector<ex> values;
+    for (const std::size_t i : constraints_.independent)
+        if (const Change* change = change_of(motion_.mechanism(), i)) values.push_back(change->value.value);
+    if (values.empty()) return;
+    GiNaC::matrix jacobian(static_cast<unsigned>(fresh.size()), static_cast<unsigned>(fresh.size()));
+    for (unsigned r = 0; r < jacobian.rows(); ++r)
+        for (unsigned c = 0; c < jacobian.cols(); ++c) jacobian(r, c) = values[r].diff(fresh[c].at);
+    const Zero zero = motion_.form().vanishes(at_origin(jacobian.determinant()));
+    const Place place = place_of(motion_.mechanism().changes.front().value.source);
+    if (zero == Zero::yes)
+        bad_input({"a change of variables is invertible", "the determinant of its derivatives is zero",
+                   "correct it", place});
+    if (zero == Zero::unknown)
+        refuse({"a change of variables is seen to be invertible",
+                "the determinant of its derivatives can be told neither zero nor nonzero",
+                "write it in a plainer form", place});
+}
+
+void ChangeOfVariables::find_rates(const std::vector<Constant>& constants) {
+    ExactForm& form = motion_.form();
+    for (const Constant& constant : constants) {
+        const ex old = put(motion_.derivative(constant.integral), constraints_.velocities);
+        const ex rate = form.simplified(put(old, all_));
+        for (const Constant& other : constants)
+            if (rate.has(other.coordinate.velocity))
+                refuse(
+                    {"a change of variables holds no constant of the constraints that it needs the rate of",
+                     excerpt(written(form, rate)), "leave " + other.coordinate.name + " out of [change]",
+                     place_of(motion_.mechanism().changes.front().value.source)});
+        rates_.push_back(rate);
+        constants_[constant.coordinate.velocity] = rate;
+    }
+    GiNaC::exmap second;
+    for (const Constant& constant : constants)
+        second[constant.coordinate.acceleration] =
+            put(motion_.derivative(constants_[constant.coordinate.velocity]), constants_);
+    constants_.insert(second.begin(), second.end());
+}
+
+ex ChangeOfVariables::operator()(const ex& e) const { return put(put(e, all_), constants_); }
+
+ex ChangeOfVariables::at_origin(const ex& e) const {
+    GiNaC::exmap origin;
+    for (const Coordinate& c : variables_) {
+        const Variable* variable = motion_.system().variable(c.name);
+        origin[c.velocity] = 0;
+        if (variable != nullptr && variable->role == Role::fast && variable->weight > 0) origin[c.at] = 0;
+    }
+    const ex value = put(e, positions_);
+    try {
+        return put(motion_.unperturbed(value), origin);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception&) { // GiNaC::pole_error, division by zero
+        bad_input({"nothing is divided by an expression that is zero at the origin", excerpt(spell(value)),
+                   "choose other coordinates, or another origin by [change]",
+                   place_of(motion_.mechanism().source)});
+    }
+}
+
+} // namespace resonform

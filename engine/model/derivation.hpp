@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a mechanism to its equations, line by line, to be followed beside a paper.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+struct DerivationSection {
+    std::string heading;
+    std::vector<std::string> equations; // in the notation of the file: "z'' = eps*y*x'' - eps*x*y''"
+};
+
+struct Derivation {
+    std::vector<DerivationSection> constraints, accelerations;
+    std::vector<std::string> remarks; // on the constraints
+    // Parameters of the file that are in no equation, as a mass that cancels: System has them no more.
+    std::vector<std::string> cancelled;
+};
+
+} // namespace resonform

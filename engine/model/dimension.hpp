@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a quantity is measured in, as powers of base units and of units not known yet.
+//
+//   "kg*m^2/s^2", "N*m", "J"  ->  { kg: 1, m: 2, s: -2 }
+#pragma once
+
+#include "algebra/number.hpp"
+#include "model/toml_tree.hpp"
+
+#include <map>
+#include <string>
+
+namespace resonform {
+
+// Base unit, or the name of a symbol with '?' in front -> exponent, not zero.
+using Dimension = std::map<std::string, Rational>;
+
+Dimension product(const Dimension& a, const Dimension& b);
+Dimension power(const Dimension& a, const Rational& exponent);
+Dimension quotient(const Dimension& a, const Dimension& b);
+std::string to_string(const Dimension& dimension); // "kg*m^2/s^2"
+
+// A unit as a file has it: SI units, derived ones, and any other names, which are units by themselves.
+// Errors (bad_input): no product of rational powers of names.
+Dimension read_unit(const std::string& text, const SourceText& source);
+
+// What is known of units by equations between them.
+class Dimensions {
+public:
+    static Dimension unknown(const std::string& symbol) { return {{"?" + symbol, 1}}; }
+    // By all that is known.
+    [[nodiscard]] Dimension resolved(const Dimension& dimension) const;
+    // Learns that two are equal; false: they are not.
+    bool equate(const Dimension& a, const Dimension& b);
+
+private:
+    std::map<std::string, Dimension> known_; // of what was unknown
+};
+
+} // namespace resonform

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/integrals.hpp"
+
+#include "model/antiderivative.hpp"
+#include "model/canonical.hpp"
+#include "model/written_form.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+class Search {
+public:
+    Search(const SolvedConstraints& constraints, Motion& motion)
+        : constraints_(constraints), motion_(motion), form_(motion.form()),
+          found_(constraints.dependent.size()) {}
+
+    std::vector<Constant> run() {
+        for (const Integral& integral : motion_.mechanism().integrals) take(integral);
+        std::vector<Constant> constants;
+        for (std::size_t d = 0; d < found_.size(); ++d) {
+            if (!found_[d]) found_[d] = stays(d) ? itself(d) : integrated(d);
+            constants.push_back(*found_[d]);
+        }
+        return constants;
+    }
+
+private:
+    const Coordinate& dependent(std::size_t d) const {
+        return motion_.mechanism().coordinates[constraints_.dependent[d]];
+    }
+    const Coordinate& independent(std::size_t i) const {
+        return motion_.mechanism().coordinates[constraints_.independent[i]];
+    }
+    ex slope(std::size_t d, std::size_t i) const { return motion_.unperturbed(constraints_.slope[d][i]); }
+    bool zero(const ex& e) const { return form_.vanishes(e) == Zero::yes; }
+    bool stays(std::size_t d) const {
+        for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+            if (!zero(slope(d, i))) return false;
+        return true;
+    }
+    Constant itself(std::size_t d) const { return {dependent(d), dependent(d).at, d, dependent(d).at, true}; }
+
+    void take(const Integral& integral);
+    Constant integrated(std::size_t d);
+    ex potential(std::size_t d) const;
+    // phi = R solved for the coordinate, or what [change] says.
+    ex solved(const Coordinate& constant, const ex& integral, std::size_t d, const Place& place) const;
+    [[noreturn]] void not_found(std::size_t d) const;
+
+    const SolvedConstraints& constraints_;
+    Motion& motion_;
+    ExactForm& form_;
+    std::vector<std::optional<Constant>> found_;
+};
+
+void Search::take(const Integral& integral) {
+    const Place place = place_of(integral.value.source);
+    const ex phi = integral.value.value;
+    for (std::size_t i = 0; i < constraints_.independent.size(); ++i) {
+        ex along = phi.diff(independent(i).at);
+        for (std::size_t d = 0; d < found_.size(); ++d) along += slope(d, i) * phi.diff(dependent(d).at);
+        const Zero constant = form_.vanishes(motion_.unperturbed(along));
+        if (constant == Zero::yes) continue;
+        const std::string value = "its derivative holds (" +
+                                  excerpt(written(form_, motion_.unperturbed(along))) + ")*" +
+                                  independent(i).name + "'";
+        if (constant == Zero::no)
+            bad_input({"an integral is constant at eps = 0", value, "correct it", place});
+        refuse({"an integral is seen to be constant at eps = 0", value, "write it in a plainer form", place});
+    }
+    for (const bool any : {false, true}) // those that are not constant themselves come first
+        for (std::size_t d = 0; d < found_.size(); ++d) {
+            if (found_[d] || (!any && stays(d)) || form_.vanishes(phi.diff(dependent(d).at)) != Zero::no)
+                continue;
+            found_[d] =
+                Constant{integral.coordinate, phi, d, solved(integral.coordinate, phi, d, place), false};
+            return;
+        }
+    bad_input({"each constraint has one integral", in_quotes(integral.coordinate.name) + " is one more",
+               "leave it out", place});
+}
+
+ex Search::solved(const Coordinate& constant, const ex& integral, std::size_t d, const Place& place) const {
+    for (const Change& change : motion_.mechanism().changes)
+        if (change.coordinate == constraints_.dependent[d]) {
+            const ex back = integral.subs(dependent(d).at == change.value.value);
+            if (zero(back - constant.at)) return change.value.value;
+            bad_input({"a change of variables inverts the integral", in_quotes(change.value.text),
+                       "correct one of the two", place_of(change.value.source)});
+        }
+    const ex slope = form_.simplified(integral.diff(dependent(d).at));
+    if (!slope.has(dependent(d).at))
+        return form_.simplified(dependent(d).at + (constant.at - integral) / slope);
+    refuse({"an integral is linear in the coordinate that it replaces", "not in " + dependent(d).name,
+            "solve it: write " + dependent(d).name + " = \"...\" in " + constant.name + " under [change]",
+            place});
+}
+
+void Search::not_found(std::size_t d) const {
+    refuse({"an integral of the constraints at eps = 0 is found where it is elementary",
+            "none for " + dependent(d).name, "give it, as R = \"...\" under [integrals]",
+            place_of(motion_.mechanism().constraints.front().condition.source)});
+}
+
+// W with dW/dx_i = slope, in independent coordinates.
+ex Search::potential(std::size_t d) const {
+    ex sum = 0;
+    for (std::size_t i = 0; i < constraints_.independent.size(); ++i) {
+        const ex left = form_.simplified(slope(d, i) - sum.diff(independent(i).at));
+        for (std::size_t k = 0; k < found_.size(); ++k)
+            if (left.has(dependent(k).at)) not_found(d);
+        const auto part = antiderivative(left, independent(i).at);
+        if (!part) not_found(d);
+        sum += *part;
+    }
+    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+        if (!zero(sum.diff(independent(i).at) - slope(d, i))) not_found(d);
+    return sum;
+}
+
+Constant Search::integrated(std::size_t d) {
+    const ex sum = potential(d);
+    Coordinate r = dependent(d);
+    r.name = name_of_integral(r);
+    r.at = GiNaC::symbol(r.name);
+    r.velocity = GiNaC::symbol(r.name + "'");
+    r.acceleration = GiNaC::symbol(r.name + "''");
+    motion_.add(r);
+    return {r, dependent(d).at - sum, d, r.at + sum, false};
+}
+
+} // namespace
+
+std::vector<Constant> find_constants(const SolvedConstraints& constraints, Motion& motion) {
+    return Search(constraints, motion).run();
+}
+
+} // namespace resonform

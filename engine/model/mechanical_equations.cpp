@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/mechanical_equations.hpp"
+
+#include "model/canonical.hpp"
+#include "model/change_of_variables.hpp"
+#include "model/frobenius.hpp"
+#include "model/gibbs_appell.hpp"
+#include "model/multipliers.hpp"
+#include "model/written_form.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+
+class Deriver {
+public:
+    Deriver(const Mechanism& mechanism, const System& system)
+        : mechanism_(mechanism), system_(system), form_(system), motion_(mechanism, system, form_),
+          constraints_(solve_constraints(motion_)) {
+        require_integrable_at_rest(constraints_, motion_);
+        constants_ = find_constants(constraints_, motion_);
+        appell_ = appell_equations(motion_, constraints_);
+        check_by_multipliers(mechanism_, form_, constraints_.velocities, all_accelerations());
+    }
+
+    MechanicalEquations run() {
+        const ChangeOfVariables change(motion_, constraints_, constants_);
+        require_regular(change);
+        write_prescribed();
+        write_independent(change);
+        write_constants(change);
+        write_constraints();
+        write_accelerations();
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] const Coordinate& independent(std::size_t i) const {
+        return mechanism_.coordinates[constraints_.independent[i]];
+    }
+    [[nodiscard]] const Coordinate& dependent(std::size_t d) const {
+        return mechanism_.coordinates[constraints_.dependent[d]];
+    }
+    [[nodiscard]] GiNaC::exmap all_accelerations() const;
+    void require_regular(const ChangeOfVariables& change);
+    void write_prescribed();
+    void write_independent(const ChangeOfVariables& change);
+    void write_constants(const ChangeOfVariables& change);
+    void write_constraints();
+    void write_coefficients(DerivationSection& section, const Constant& constant);
+    void write_accelerations();
+    void derived(const std::string& variable, const std::string& text);
+    [[nodiscard]] ex without_content(const ex& residual);
+    // Linear equations in accelerations: the coefficients, and minus the rest.
+    std::vector<ExactRow> rows_of(const std::vector<ex>& residuals, const std::vector<Coordinate>& unknowns);
+
+    const Mechanism& mechanism_;
+    const System& system_;
+    ExactForm form_;
+    Motion motion_;
+    SolvedConstraints constraints_;
+    std::vector<Constant> constants_;
+    AppellEquations appell_;
+    MechanicalEquations result_;
+};
+
+GiNaC::exmap Deriver::all_accelerations() const {
+    GiNaC::exmap all;
+    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+        all[independent(i).acceleration] = appell_.accelerations[i];
+    GiNaC::exmap result = all;
+    for (const auto& [acceleration, value] : appell_.differentiated)
+        result[acceleration] = value.subs(all, GiNaC::subs_options::no_pattern);
+    return result;
+}
+
+void Deriver::require_regular(const ChangeOfVariables& change) {
+    const std::size_t n = constraints_.independent.size();
+    GiNaC::matrix masses(static_cast<unsigned>(n), static_cast<unsigned>(n));
+    for (unsigned r = 0; r < n; ++r)
+        for (unsigned c = 0; c < n; ++c)
+            masses(r, c) = change.at_origin(appell_.equations[r].diff(independent(c).acceleration));
+    const Zero zero = form_.vanishes(masses.determinant());
+    const Place place = place_of(mechanism_.source);
+    if (zero == Zero::yes)
+        bad_input({"the matrix of the accelerations is regular where the equations are expanded",
+                   "its determinant is zero there", "choose other coordinates, or another point by [change]",
+                   place});
+    if (zero == Zero::unknown)
+        refuse({"the matrix of the accelerations is seen to be regular where the equations are expanded",
+                "its determinant can be told neither zero nor nonzero", "choose other coordinates", place});
+}
+
+void Deriver::derived(const std::string& variable, const std::string& text) {
+    SourceText source = mechanism_.source;
+    source.verbatim = false; // the text stands in no file
+    result_.equations.push_back({variable, text, source});
+}
+
+void Deriver::write_prescribed() {
+    for (const Prescribed& p : mechanism_.prescribed)
+        result_.equations.push_back({p.coordinate.name, p.law.text, p.law.source});
+}
+
+// Divided by a number and by what is declared not zero, multiplied by a denominator that moves.
+ex Deriver::without_content(const ex& residual) {
+    const ExactForm::Fraction f = form_.fraction(residual);
+    if (f.numerator.is_zero()) return residual;
+    const bool moves = std::any_of(form_.generators().begin(), form_.generators().end(), [&](const auto& g) {
+        return g.kind <= ExactForm::Kind::rate && f.denominator.has(g.symbol);
+    });
+    if (moves) return without_content(form_.meaning(f.numerator));
+    ex factor = f.denominator.integer_content() / f.numerator.integer_content();
+    const auto divide_by = [&](const ex& symbol) {
+        factor *= GiNaC::pow(symbol, f.denominator.ldegree(symbol) - f.numerator.ldegree(symbol));
+    };
+    divide_by(system_.eps);
+    for (const Parameter& p : system_.parameters)
+        if (p.nonzero) divide_by(p.symbol);
+    for (const Variable& v : system_.variables)
+        if (v.nonzero) divide_by(v.jet.front());
+    return form_.simplified(residual * factor);
+}
+
+std::vector<ExactRow> Deriver::rows_of(const std::vector<ex>& residuals,
+                                       const std::vector<Coordinate>& unknowns) {
+    GiNaC::exmap none;
+    for (const Coordinate& c : unknowns) none[c.acceleration] = 0;
+    std::vector<ExactRow> rows;
+    for (const ex& residual : residuals) {
+        ExactRow row;
+        for (const Coordinate& c : unknowns) row.push_back(form_.simplified(residual.diff(c.acceleration)));
+        row.push_back(form_.simplified(-residual.subs(none, GiNaC::subs_options::no_pattern)));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+// As they are where each holds its own acceleration only, else solved.
+void Deriver::write_independent(const ChangeOfVariables& change) {
+    std::vector<ex> residuals;
+    std::vector<Coordinate> unknowns;
+    for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
+        residuals.push_back(form_.simplified(change(appell_.equations[i])));
+        unknowns.push_back(change.variable(i));
+    }
+    const std::vector<ExactRow> rows = rows_of(residuals, unknowns);
+    bool coupled = false;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t k = 0; k < unknowns.size(); ++k)
+            coupled = coupled || (i != k && form_.vanishes(rows[i][k]) != Zero::yes);
+    const std::vector<ex> solution =
+        coupled ? solve_exactly(rows, form_, place_of(mechanism_.source)) : std::vector<ex>{};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        derived(unknowns[i].name, coupled ? unknowns[i].name + "'' = " + written(form_, solution[i])
+                                          : written(form_, without_content(residuals[i])) + " = 0");
+}
+
+void Deriver::write_constants(const ChangeOfVariables& change) {
+    std::vector<ex> others; // what may depend on a constant
+    for (const ex& equation : appell_.equations) others.push_back(form_.simplified(change(equation)));
+    for (std::size_t k = 0; k < constants_.size(); ++k) others.push_back(change.rate(k));
+    for (std::size_t k = 0; k < constants_.size(); ++k) {
+        const Coordinate& c = constants_[k].coordinate;
+        const bool slow = std::any_of(others.begin(), others.end(), [&](const ex& e) { return e.has(c.at); });
+        const bool fixed = slow && form_.vanishes(change.rate(k)) == Zero::yes;
+        result_.constants.push_back(
+            {c, dependent(constants_[k].dependent).name, slow ? Role::slow : Role::drift, fixed});
+        if (!fixed) derived(c.name, c.name + "' = " + written(form_, change.rate(k)));
+    }
+}
+
+// q' = eps*(sum of c_q_x x' + c_q_0), in the coordinates before a change
+void Deriver::write_coefficients(DerivationSection& section, const Constant& constant) {
+    GiNaC::exmap values, none;
+    for (const Constant& other : constants_)
+        if (!other.itself) values[dependent(other.dependent).at] = other.value;
+    for (std::size_t i = 0; i < constraints_.independent.size(); ++i) none[independent(i).velocity] = 0;
+    const ex rate = motion_.with_laws(motion_.derivative(constant.integral)
+                                          .subs(constraints_.velocities, GiNaC::subs_options::no_pattern)
+                                          .subs(values, GiNaC::subs_options::no_pattern));
+    const auto add = [&](const std::string& name, const ex& part) {
+        if (form_.vanishes(part) != Zero::yes)
+            section.equations.push_back("c_" + constant.coordinate.name + "_" + name + " = " +
+                                        written(form_, part / system_.eps));
+    };
+    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+        add(independent(i).name, rate.diff(independent(i).velocity));
+    add("0", rate.subs(none, GiNaC::subs_options::no_pattern));
+}
+
+void Deriver::write_constraints() {
+    if (constants_.empty()) return;
+    DerivationSection solved{"constraints", {}}, rest{"at eps = 0, what is prescribed at rest", {}},
+        integrals{"constants of these", {}},
+        coefficients{"(2): q' = eps*(sum of c_q_x*x' + c_q_0), with", {}};
+    Derivation& derivation = result_.derivation;
+    for (const Constant& constant : constants_) {
+        const Coordinate& d = dependent(constant.dependent);
+        const ex velocity = constraints_.velocities[d.velocity];
+        solved.equations.push_back(d.name + "' = " + written(form_, velocity));
+        rest.equations.push_back(d.name + "' = " + written(form_, motion_.unperturbed(velocity)));
+        if (!constant.itself)
+            integrals.equations.push_back(constant.coordinate.name + " = " +
+                                          written(form_, constant.integral));
+        write_coefficients(coefficients, constant);
+    }
+    derivation.constraints = {solved, rest};
+    for (const DerivationSection& section : {integrals, coefficients})
+        if (!section.equations.empty()) derivation.constraints.push_back(section);
+    derivation.remarks.push_back(integrable_for_every_eps(constraints_, motion_)
+                                     ? "holonomic after all: the constraints are integrable for every eps"
+                                     : "weakly nonholonomic: the constraints are integrable at eps = 0");
+    for (const MechanicalEquations::Former& former : result_.constants)
+        derivation.remarks.push_back(former.coordinate.name +
+                                     (former.fixed                ? " is constant for every eps: a parameter"
+                                      : former.role == Role::slow ? " is slow: something depends on it"
+                                                                  : " is a drift: nothing depends on it"));
+}
+
+void Deriver::write_accelerations() {
+    std::vector<DerivationSection>& sections = result_.derivation.accelerations;
+    sections.push_back({"energy of accelerations", {"S = " + written(form_, appell_.energy)}});
+    if (!constants_.empty()) {
+        DerivationSection differentiated{"the constraints, differentiated", {}};
+        for (std::size_t d = 0; d < constraints_.dependent.size(); ++d)
+            differentiated.equations.push_back(
+                dependent(d).name +
+                "'' = " + written(form_, appell_.differentiated[dependent(d).acceleration]));
+        sections.push_back(std::move(differentiated));
+        sections.push_back(
+            {"energy of accelerations with the constraints", {"S = " + written(form_, appell_.constrained)}});
+    }
+    DerivationSection equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
+    for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
+        equations.equations.push_back(written(form_, without_content(appell_.equations[i])) + " = 0");
+        solved.equations.push_back(independent(i).name + "'' = " + written(form_, appell_.accelerations[i]));
+    }
+    sections.push_back(std::move(equations));
+    sections.push_back(std::move(solved));
+}
+
+} // namespace
+
+MechanicalEquations equations_of(const Mechanism& mechanism, const System& system) {
+    return Deriver(mechanism, system).run();
+}
+
+} // namespace resonform

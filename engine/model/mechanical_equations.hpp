@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a mechanism to the equations of an ordinary system, as texts.
+#pragma once
+
+#include "model/derivation.hpp"
+#include "model/mechanism.hpp"
+
+namespace resonform {
+
+struct MechanicalEquations {
+    struct Line {
+        std::string variable, text;
+        SourceText source;
+    };
+    std::vector<Line> equations; // of what moves
+    struct Former { // constant at eps = 0
+        Coordinate coordinate;
+        std::string instead_of; // the coordinate that it replaces
+        Role role;              // slow where something depends on it, else drift
+        bool fixed = false;     // slow, and constant for every eps: a parameter of the equations
+    };
+    std::vector<Former> constants;
+    Derivation derivation;
+};
+
+// Constraints, their constants, the equations of Gibbs and Appell, the same by multipliers, and the change of
+// variables. `system` has parameters, variables (three symbols in each jet) and domain.
+// Errors: those of every step.
+MechanicalEquations equations_of(const Mechanism& mechanism, const System& system);
+
+} // namespace resonform

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [bodies] of a mechanism: in a plane by their angle, in space by Euler's angles.
+#include "model/mechanism_reader.hpp"
+#include "model/toml_values.hpp"
+
+namespace resonform {
+
+using GiNaC::ex;
+
+void MechanismReader::read_body(const TomlEntry& entry) {
+    const TomlNode* attitude = entry.value.find("attitude");
+    if (attitude == nullptr) {
+        PlaneBody body{particle_of(entry, {"mass", "position", "inertia", "angle", "attitude"}), 0, 0};
+        body.inertia = needed(entry, "inertia", constants_);
+        body.angle = needed(entry, "angle", at_rest());
+        mechanism_.plane_bodies.push_back(std::move(body));
+        return;
+    }
+    SpatialBody body{particle_of(entry, {"mass", "position", "inertia", "attitude"}), {}, {}};
+    body.inertia = three(entry, "inertia", constants_);
+    body.spin = spin_of(three(entry, "attitude", at_rest()));
+    mechanism_.spatial_bodies.push_back(std::move(body));
+}
+
+std::vector<ex> MechanismReader::three(const TomlEntry& entry, const std::string& key,
+                                       const Scope& scope) const {
+    const TomlNode* node = entry.value.find(key);
+    if (node == nullptr || node->type != TomlNode::Type::array || node->items.size() != 3)
+        bad_input({"a body in space has three principal moments of inertia and three Euler angles",
+                   in_quotes(entry.key),
+                   "write inertia = [\"A\", \"B\", \"C\"], attitude = [\"psi\", \"theta\", \"phi\"]",
+                   node == nullptr ? entry.place : place_of(node->source)});
+    std::vector<ex> values;
+    for (const TomlNode& item : node->items) values.push_back(expression_of(item, scope));
+    return values;
+}
+
+ex MechanismReader::rate_of(const ex& position) const {
+    ex rate = 0;
+    for (const Coordinate& c : mechanism_.coordinates) rate += position.diff(c.at) * c.velocity;
+    for (const Prescribed& p : mechanism_.prescribed)
+        rate += position.diff(p.coordinate.at) * p.coordinate.velocity;
+    return rate;
+}
+
+// Precession about the vertical, nutation about the line of nodes, rotation about the third axis of the body.
+std::vector<ex> MechanismReader::spin_of(const std::vector<ex>& angles) const {
+    const ex precession = rate_of(angles[0]), nutation = rate_of(angles[1]), rotation = rate_of(angles[2]);
+    const ex sine = GiNaC::sin(angles[2]), cosine = GiNaC::cos(angles[2]);
+    return {precession * GiNaC::sin(angles[1]) * sine + nutation * cosine,
+            precession * GiNaC::sin(angles[1]) * cosine - nutation * sine,
+            precession * GiNaC::cos(angles[1]) + rotation};
+}
+
+} // namespace resonform

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/motion.hpp"
+
+#include "model/canonical.hpp"
+
+#include <utility>
+
+namespace resonform {
+
+using GiNaC::ex;
+
+Motion::Motion(const Mechanism& mechanism, const System& system, ExactForm& form)
+    : mechanism_(&mechanism), system_(&system), form_(&form) {
+    std::vector<const Coordinate*> all;
+    for (const Variable& v : system.variables) { // the order of the system's variables comes first
+        for (const auto* list : {&mechanism.coordinates, &mechanism.fresh})
+            for (const Coordinate& c : *list)
+                if (c.name == v.name) all.push_back(&c);
+        for (const Integral& i : mechanism.integrals)
+            if (i.coordinate.name == v.name) all.push_back(&i.coordinate);
+    }
+    for (const Coordinate& c : mechanism.coordinates)
+        if (system.variable(c.name) == nullptr) all.push_back(&c);
+    for (const Integral& i : mechanism.integrals)
+        if (system.variable(i.coordinate.name) == nullptr) all.push_back(&i.coordinate);
+    add_symbols(all);
+    for (const Prescribed& p : mechanism.prescribed) {
+        const Variable* variable = system.variable(p.coordinate.name);
+        const bool turns = variable != nullptr && variable->role == Role::angle;
+        form.add(p.coordinate.velocity, ExactForm::Kind::rate);
+        form.add(p.coordinate.at, turns ? ExactForm::Kind::coordinate : ExactForm::Kind::slow);
+        steps_.push_back({p.coordinate.at, p.coordinate.velocity});
+        laws_[p.coordinate.velocity] = p.rate;
+    }
+    for (const Parameter& p : system.parameters) form.add(p.symbol, ExactForm::Kind::parameter);
+    form.add(system.eps, ExactForm::Kind::eps);
+    std::vector<Step> second; // xi'' from the law of xi
+    for (const Prescribed& p : mechanism.prescribed)
+        second.push_back({p.coordinate.velocity, derivative(p.rate)});
+    steps_.insert(steps_.end(), second.begin(), second.end());
+}
+
+void Motion::add_symbols(const std::vector<const Coordinate*>& all) {
+    for (const Coordinate* c : all) {
+        form_->add(c->acceleration, ExactForm::Kind::acceleration);
+        form_->add(c->velocity, ExactForm::Kind::velocity);
+        const Variable* variable = system_->variable(c->name);
+        const bool slow = variable != nullptr && variable->role == Role::slow;
+        form_->add(c->at, slow ? ExactForm::Kind::slow : ExactForm::Kind::coordinate);
+        steps_.push_back({c->at, c->velocity});
+        steps_.push_back({c->velocity, c->acceleration});
+    }
+}
+
+void Motion::add(const Coordinate& constant) { add_symbols({&constant}); }
+
+ex Motion::derivative(const ex& e) const {
+    ex sum = 0;
+    for (const Step& step : steps_) sum += e.diff(step.from) * step.to;
+    return sum;
+}
+
+ex Motion::with_laws(const ex& e) const { return e.subs(laws_, GiNaC::subs_options::no_pattern); }
+
+ex Motion::unperturbed(const ex& e) const {
+    try {
+        return with_laws(e).subs(system_->eps == 0);
+    } catch (const std::exception&) {
+        bad_input({"a mechanism is regular at eps = 0", excerpt(spell(e)), "scale it by a power of eps",
+                   place_of(mechanism_->source)});
+    }
+}
+
+std::vector<ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const Place& place) {
+    const std::size_t n = rows.size();
+    for (std::size_t column = 0; column < n; ++column) {
+        std::size_t pivot = column;
+        while (pivot < n && form.vanishes(rows[pivot][column]) != Zero::no) ++pivot;
+        if (pivot == n)
+            refuse({"the accelerations can be solved for",
+                    "the determinant of their coefficients is not seen to differ from zero",
+                    "simplify the mechanism", place});
+        std::swap(rows[column], rows[pivot]);
+        const ex divisor = rows[column][column];
+        for (ex& entry : rows[column]) entry = form.simplified(entry / divisor);
+        for (std::size_t other = 0; other < n; ++other) {
+            const ex factor = rows[other][column];
+            if (other == column || factor.is_zero()) continue;
+            for (std::size_t k = column; k <= n; ++k)
+                rows[other][k] = form.simplified(rows[other][k] - factor * rows[column][k]);
+        }
+    }
+    std::vector<ex> solution;
+    for (const ExactRow& row : rows) solution.push_back(row[n]);
+    return solution;
+}
+
+} // namespace resonform

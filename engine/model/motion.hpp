@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The symbols of a mechanism in motion: what is the time derivative of what, and their values at eps = 0.
+#pragma once
+
+#include "model/exact_form.hpp"
+#include "model/mechanism.hpp"
+
+namespace resonform {
+
+class Motion {
+public:
+    // Adds all symbols to `form`. The referents outlive the motion.
+    Motion(const Mechanism& mechanism, const System& system, ExactForm& form);
+    // The symbols of an integral that the engine found.
+    void add(const Coordinate& constant);
+
+    // d/dt of an expression in coordinates, velocities and prescribed ones; x'' has none.
+    [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& e) const;
+    // At eps = 0, where prescribed velocities have their values there.
+    // Errors (bad_input): a pole.
+    [[nodiscard]] GiNaC::ex unperturbed(const GiNaC::ex& e) const;
+    // With the laws of what is prescribed put in.
+    [[nodiscard]] GiNaC::ex with_laws(const GiNaC::ex& e) const;
+    [[nodiscard]] const Mechanism& mechanism() const { return *mechanism_; }
+    [[nodiscard]] const System& system() const { return *system_; }
+    [[nodiscard]] ExactForm& form() const { return *form_; }
+
+private:
+    void add_symbols(const std::vector<const Coordinate*>& all);
+    struct Step {
+        GiNaC::symbol from;
+        GiNaC::ex to;
+    };
+    const Mechanism* mechanism_;
+    const System* system_;
+    ExactForm* form_;
+    std::vector<Step> steps_;
+    GiNaC::exmap laws_; // xi' -> eps*v
+};
+
+using ExactRow = std::vector<GiNaC::ex>;
+
+// The solution of rows a_1 x_1 + ... + a_n x_n = b, each written as { a_1, ..., a_n, b }.
+// Errors (refused): a determinant that is not seen to differ from zero.
+std::vector<GiNaC::ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const Place& place);
+
+} // namespace resonform

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/real_form.hpp"
+
+#include "solve/ring_copy.hpp"
+
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+RealForm::Pair add_pair(RingBuilder& builder, const std::string& variable) {
+    const auto add = [&](const char* part) {
+        Generator g;
+        g.kind = GeneratorKind::constant;
+        g.name = fresh_name(builder, part + ("_" + variable));
+        return builder.add(std::move(g));
+    };
+    const GeneratorId u = add("u");
+    return {u, add("v")};
+}
+
+} // namespace
+
+RealForm::RealForm(const GradedField& field) : field_(field) {
+    const Ring& old = *field.ring;
+    RingBuilder builder;
+    RingCopy copy(old, builder);
+    std::vector<std::pair<GeneratorId, Polynomial>> gone;
+    for (GeneratorId id = Ring::imaginary_unit + 1; id < old.size(); ++id) {
+        const GeneratorKind kind = old.generator(id).kind;
+        if (kind == GeneratorKind::fast || kind == GeneratorKind::phase)
+            gone.emplace_back(id, Polynomial(Rational(1))); // never met
+        else
+            copy.copy(id);
+    }
+    const auto name = [&](std::size_t variable) { return field.system().variables[variable].name; };
+    for (const Mode& mode : field.modes) modes_.push_back(add_pair(builder, name(mode.variable)));
+    for (const AngleVariable& angle : field.angles)
+        angles_.push_back(add_pair(builder, name(angle.variable)));
+    ring_ = builder.freeze();
+    lift_ = RingMap::by_name(field.ring, ring_, std::move(gone));
+
+    eps_ = *ring_->find(old.generator(field.eps).name);
+    for (const SlowVariable& slow : field.slow)
+        slow_.push_back(*ring_->find(old.generator(slow.generator).name));
+    const auto add_unit = [&](GeneratorId id, const Pair& pair, bool conjugate) {
+        const Polynomial v = ring_->multiply(ring_->imaginary(), ring_->gen(pair.v));
+        const Polynomial unit = conjugate ? ring_->gen(pair.u) - v : ring_->gen(pair.u) + v;
+        outer_.push_back(id);
+        units_.push_back(ring_->multiply(ring_->gen(eps_, old.generator(id).weight), unit));
+    };
+    for (std::size_t k = 0; k < modes_.size(); ++k) {
+        add_unit(field.modes[k].z, modes_[k], false);
+        add_unit(field.modes[k].zbar, modes_[k], true);
+    }
+    // Positive and negative powers of a phase: unit 2 k and 2 k + 1 after those of the modes.
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+        add_unit(field.angles[k].phase, angles_[k], false);
+        add_unit(field.angles[k].phase, angles_[k], true);
+    }
+    powers_.assign(units_.size(), {ring_->one()});
+}
+
+const Polynomial& RealForm::power(std::size_t unit, int exponent) const {
+    std::vector<Polynomial>& known = powers_[unit];
+    while (static_cast<int>(known.size()) <= exponent)
+        known.push_back(ring_->multiply(known.back(), units_[unit]));
+    return known[static_cast<std::size_t>(exponent)];
+}
+
+RealForm::Value RealForm::operator()(const Polynomial& p) const {
+    const Ring& old = *field_.ring;
+    std::vector<GeneratorId> outer = field_.outer();
+    outer.pop_back(); // eps stays
+    std::vector<Polynomial> parts;
+    for (const auto& [monomial, coefficient] : old.collect(p, outer)) {
+        Polynomial part = (*lift_)(coefficient);
+        for (std::size_t unit = 0; unit < outer_.size(); ++unit) {
+            int exponent = old.exponent(monomial, outer_[unit]);
+            if (old.generator(outer_[unit]).kind == GeneratorKind::phase) {
+                const bool conjugate = unit > 0 && outer_[unit - 1] == outer_[unit];
+                exponent = std::max(conjugate ? -exponent : exponent, 0);
+            }
+            if (exponent > 0) part = ring_->multiply(part, power(unit, exponent));
+        }
+        parts.push_back(std::move(part));
+    }
+    std::vector<Term> re, im;
+    for (const Term& t : sum(parts).terms()) {
+        const int i = ring_->exponent(t.monomial, Ring::imaginary_unit);
+        (i == 0 ? re : im).push_back({t.monomial - ring_->monomial(Ring::imaginary_unit, i), t.coefficient});
+    }
+    return {Polynomial::from_terms(std::move(re)), Polynomial::from_terms(std::move(im))};
+}
+
+} // namespace resonform

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polynomials of a normal form as real and imaginary part, for computers: z = eps^w (u + i v),
+// zbar = eps^w (u - i v), e^{i phi} = u + i v with u^2 + v^2 = 1.
+//
+//   -i eps^3 z1 zbar1/2 (weights 1)   ->   0, -eps^5 (u^2 + v^2)/2
+#pragma once
+
+#include "normalize/normal_form.hpp"
+
+#include <map>
+#include <optional>
+
+namespace resonform {
+
+class RealForm {
+public:
+    explicit RealForm(const GradedField& field);
+
+    // eps, parameters, slow variables and roots of the normal form's ring by their names; u and v of every
+    // mode and angle. They are independent: nothing is reduced by u^2 + v^2 = 1.
+    [[nodiscard]] const RingPtr& ring() const { return ring_; }
+    struct Pair {
+        GeneratorId u, v;
+    };
+    [[nodiscard]] const std::vector<Pair>& modes() const { return modes_; }
+    [[nodiscard]] const std::vector<Pair>& angles() const { return angles_; }
+    [[nodiscard]] const std::vector<GeneratorId>& slow() const { return slow_; }
+    [[nodiscard]] GeneratorId eps() const { return eps_; }
+
+    struct Value {
+        Polynomial re, im;
+    };
+    [[nodiscard]] Value operator()(const Polynomial& p) const;
+
+private:
+    [[nodiscard]] const Polynomial& power(std::size_t unit, int exponent) const;
+
+    const GradedField& field_;
+    RingPtr ring_;
+    std::vector<Pair> modes_, angles_;
+    std::vector<GeneratorId> slow_;
+    GeneratorId eps_ = -1;
+    std::vector<GeneratorId> outer_; // z1, zbar1, ..., e^{i phi}, ...
+    std::vector<Polynomial> units_;  // what stands for them
+    std::optional<RingMap> lift_;    // of what is free of them
+    mutable std::vector<std::vector<Polynomial>> powers_;
+};
+
+} // namespace resonform

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The normal form as a slow flow, in a frame of phases that obeys the resonance relations:
+//
+//   z_j = eps^w a_j e^{i theta_j},   theta_j' = omega_j(zeta),
+//   a_j' = (N_j - i omega_j z_j)/(eps^w e^{i theta_j}),   zeta' = N,   Z' = N
+//
+// Every monomial of N_j turns with theta_j, so that in the new variables nothing fast is left: an evaluator
+// solves this once, in slow time T = eps t, with large steps, and adds the phases (design 2.5). Amplitudes
+// stay complex: polar coordinates break down where one passes zero.
+//
+// Where no rate changes a modulus, N_j = i (omega_j + Theta_j(|z|^2)) z_j, the phases take all of it,
+// theta_j' = omega_j + Theta_j, and every a_j is a constant: then nothing is left to be solved.
+#pragma once
+
+#include "normalize/normal_form.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// Series are in the ring of the normal form, in which z stands for z_j and e^{i phi} for an angle.
+struct FlowMode {
+    std::size_t phase; // theta_j: index into SlowFlow::phases
+    Series rate;       // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
+};
+
+struct FlowOutput {
+    std::string name;                 // "x", "x'", "xi"
+    std::size_t variable;             // index into System::variables
+    Series value;                     // by weight
+    std::optional<std::size_t> drift; // index into SlowFlow::drift: Z is to be added
+};
+
+struct SlowFlow {
+    std::vector<Polynomial> phases;  // theta', different from each other: real, without whole harmonics
+    std::vector<FlowMode> modes;     // one for each of GradedField::modes
+    std::vector<FlowMode> angles;    // one for each of GradedField::angles
+    std::vector<Series> slow, drift; // their rates
+    std::vector<FlowOutput> outputs; // every variable of the system but angles, cut at the order
+    std::vector<FlowOutput> state;   // every state but slow variables and angles, at the full weight
+
+    // No mode, angle or slow variable has a rate within the frame.
+    [[nodiscard]] bool at_rest() const;
+};
+
+// The net phase of a monomial of the normal form's ring: <alpha, theta'>; empty: it does not oscillate.
+Polynomial net_rate(const GradedField& field, const SlowFlow& flow, const Monomial& monomial);
+
+// p without what oscillates.
+Polynomial mean_part(const GradedField& field, const SlowFlow& flow, const Polynomial& p);
+
+// The weight of the first oscillating term of an output; nullopt: it has none.
+std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& flow,
+                                     const std::string& output);
+
+// The lowest power of eps in a_j'/a_j or zeta': the flow moves on the time scale eps^-power. nullopt: at
+// rest.
+std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow);
+
+// order: outputs are cut at eps^order; truncation: normal form and map are used through this weight.
+// Errors (refused): a mode that is damped or grows at eps = 0, or does not oscillate; couplings between modes
+// of one eigenvalue; a monomial that is kept though its divisor is only near zero; modes in numbers.
+SlowFlow slow_flow(const Normalization& normalization, int order, int truncation);
+
+} // namespace resonform

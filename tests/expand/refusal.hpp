@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A system that is not expanded, and what is said of it.
+#pragma once
+
+#include "support/exact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace resonform::test {
+
+// The message: of this kind, of at most 2 kB, with its place and its mend.
+inline std::string refusal(const std::string& toml, Kind kind) {
+    try {
+        field_from(toml);
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), kind) << e.what();
+        EXPECT_LE(std::string(e.what()).size(), 2048U);
+        EXPECT_FALSE(e.diagnostic().mend.empty());
+        EXPECT_NE(std::string(e.what()).find("test/system.toml"), std::string::npos) << e.what();
+        return e.what();
+    }
+    ADD_FAILURE() << "accepted:\n" << toml;
+    return "";
+}
+
+inline ::testing::AssertionResult has(const std::string& text, const std::string& part) {
+    if (text.find(part) != std::string::npos) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "'" << part << "' is not in: " << text;
+}
+
+} // namespace resonform::test

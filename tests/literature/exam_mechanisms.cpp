@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Normal forms of mechanisms against what is known: the drift of the particle, the catenary's pendulum by two
+// files, the adiabatic invariant of a lengthening string.
+#include "emit/derive.hpp"
+#include "normalize/certified.hpp"
+#include "normalize/normalize.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace resonform {
+namespace {
+
+Normalization form_of(const std::string& system, int order) {
+    Normalization n = normalize(test::field_named(system), order);
+    n.certificate = test::certificate_of(n);
+    return n;
+}
+
+// z' = eps*omega*(C2*C3 - C1*C4), with z1 = (C1 - I*C2)*exp(I*omega*t), z3 = (C3 - I*C4)*exp(I*omega*t):
+// the rate is I/2*eps*omega*(z1*z4 - z2*z3), and nothing else, neither in the rate nor in the map.
+TEST(ParticleOfThePaper, RisesUniformly) {
+    const Normalization n = form_of("nonholonomic_particle", 4);
+    const GradedField& field = *n.normal_form.field;
+    const Ring& ring = *field.ring;
+    const Polynomial half = test::coefficient(field, "sqrt(c/m)/2", true);
+    const Polynomial rise = ring.multiply(half, test::monomial(ring, {{"z1", 1}, {"z4", 1}, {"eps", 1}}) -
+                                                    test::monomial(ring, {{"z2", 1}, {"z3", 1}, {"eps", 1}}));
+    Polynomial rate, map;
+    for (int k = 0; k <= 4; ++k) {
+        rate = rate + n.normal_form.drift.at(0).part(k);
+        map = map + n.map.drift.at(0).part(k);
+        for (const Series& mode : n.map.mode) map = map + mode.part(k);
+    }
+    EXPECT_EQ(rate, rise);
+    EXPECT_TRUE(map.empty());
+}
+
+// The file with (15) and the one with the mechanism give the same bytes, but for the name.
+TEST(PendulumOfThePaper, IsTheSameFromItsMechanism) {
+    for (const int order : {3, 5}) {
+        const auto json = [&](const std::string& name) {
+            return std::regex_replace(json_document(normal_form_json(form_of(name, order), order)),
+                                      std::regex("\"" + name + "\""), "\"the pendulum\"");
+        };
+        EXPECT_EQ(json("almost_holonomic_pendulum"), json("pendulum_mechanism"));
+    }
+}
+
+// E/omega with E = m*g*l*amplitude^2/2 is constant: the amplitude goes as l^(-3/4).
+TEST(LengtheningPendulum, HasItsAdiabaticInvariant) {
+    const Normalization n = form_of("lengthening_pendulum", 3);
+    EXPECT_EQ(test::coefficient_of(*n.normal_form.field, n.normal_form.mode.at(0), {{"z1", 1}, {"eps", 1}}),
+              test::coefficient(*n.normal_form.field, "-3*v/(4*l)"));
+}
+
+// <eps*theta*x'>, both of frequency omega: y' = eps*omega/2*Im(conj(z1)*z3) to first order.
+TEST(SteeredKnifeEdge, MovesAside) {
+    const Normalization n = form_of("steered_knife_edge", 2);
+    const GradedField& field = *n.normal_form.field;
+    const auto rate = [&](const char* a, const char* b) {
+        return test::coefficient_of(field, n.normal_form.drift.at(0), {{a, 1}, {b, 1}, {"eps", 1}});
+    };
+    EXPECT_EQ(rate("z1", "z4"), test::coefficient(field, "sqrt(c/m)/4", true));
+    EXPECT_EQ(rate("z2", "z3"), test::coefficient(field, "-sqrt(c/m)/4", true));
+}
+
+} // namespace
+} // namespace resonform

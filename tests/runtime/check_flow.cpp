@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solutions of differential equations against known ones, in every real type.
+#include "runtime/flow.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
+
+namespace resonform {
+
+namespace {
+
+using Fifty = boost::multiprecision::cpp_bin_float_50;
+
+template <class Real> class Flow : public ::testing::Test {};
+using Reals = ::testing::Types<double, long double, Float128, Fifty>;
+TYPED_TEST_SUITE(Flow, Reals);
+
+template <class Real> Real ulps(const Real& a, const Real& b) {
+    return math::magnitude(Real(a - b)) / math::epsilon<Real>();
+}
+
+} // namespace
+
+// A circle and a decay: cos T, sin T, 3 exp(-T).
+TYPED_TEST(Flow, LinearSystemsHaveFullPrecision) {
+    using Real = TypeParam;
+    using math::cos;
+    using math::exp;
+    using math::sin;
+    FlowTable<std::array<Real, 3>> flow;
+    Real end(7);
+    const auto rates = [](const Real&, const std::array<Real, 3>& y) {
+        return std::array<Real, 3>{Real(-y[1]), y[0], Real(-y[2])};
+    };
+    ASSERT_EQ(flow.build(rates, {Real(1), Real(0), Real(3)}, end), Status::ok);
+    EXPECT_EQ(end, Real(7));
+    EXPECT_LT(flow.panels(), 40U);
+    for (int i = 0; i <= 200; ++i) {
+        const Real T = Real(7) * Real(i) / Real(200);
+        const auto y = flow(T);
+        EXPECT_LT(ulps<Real>(y[0], cos(T)), Real(100)) << i;
+        EXPECT_LT(ulps<Real>(y[1], sin(T)), Real(100)) << i;
+        EXPECT_LT(ulps<Real>(y[2], Real(3) * exp(Real(-T))), Real(100)) << i;
+    }
+}
+
+// y' = 2 T y^2, y(0) = 1: 1/(1 - T^2), infinite at T = 1.
+TYPED_TEST(Flow, NonlinearAndDependentOnTime) {
+    using Real = TypeParam;
+    FlowTable<std::array<Real, 1>> flow;
+    Real end = Real(3) / Real(4);
+    const auto rates = [](const Real& T, const std::array<Real, 1>& y) {
+        return std::array<Real, 1>{Real(Real(2) * T * y[0] * y[0])};
+    };
+    ASSERT_EQ(flow.build(rates, {Real(1)}, end), Status::ok);
+    for (int i = 0; i <= 100; ++i) {
+        const Real T = end * Real(i) / Real(100);
+        EXPECT_LT(ulps<Real>(flow(T)[0], Real(1) / (Real(1) - T * T)), Real(500)) << i;
+    }
+}
+
+// What rests, and what is zero for ever, costs nothing.
+TYPED_TEST(Flow, ARestNeedsOnePanel) {
+    using Real = TypeParam;
+    FlowTable<std::array<Real, 2>> flow;
+    Real end(1000);
+    const auto rates = [](const Real&, const std::array<Real, 2>& y) {
+        return std::array<Real, 2>{Real(y[1] * y[0]), Real(-y[1])};
+    };
+    ASSERT_EQ(flow.build(rates, {Real(2), Real(0)}, end), Status::ok);
+    EXPECT_EQ(flow.panels(), 1U);
+    EXPECT_EQ(flow(Real(999))[0], Real(2));
+    EXPECT_EQ(flow(Real(999))[1], Real(0));
+}
+
+// Beyond the place where the solution becomes infinite there is none; up to it there is.
+TYPED_TEST(Flow, EndsWhereTheSolutionDoes) {
+    using Real = TypeParam;
+    FlowTable<std::array<Real, 1>> flow;
+    Real end(3);
+    const auto rates = [](const Real&, const std::array<Real, 1>& y) {
+        return std::array<Real, 1>{Real(y[0] * y[0])};
+    };
+    EXPECT_NE(flow.build(rates, {Real(1)}, end), Status::ok);
+    EXPECT_LT(end, Real(1));
+    EXPECT_GT(end, Real(0.999));
+    EXPECT_LT(ulps<Real>(flow(Real(0.5))[0], Real(2)), Real(500));
+}
+
+// The same whether the number of values is known to the compiler or not.
+TEST(FlowOfVectors, AgreesWithThatOfArrays) {
+    const auto rate = [](double T, double y) { return std::cos(T) * y - y * y; };
+    FlowTable<std::array<double, 1>> fixed;
+    FlowTable<std::vector<double>> free;
+    double end = 5, free_end = 5;
+    ASSERT_EQ(fixed.build([&](double T, const auto& y) { return std::array{rate(T, y[0])}; }, {0.5}, end),
+              Status::ok);
+    ASSERT_EQ(
+        free.build([&](double T, const auto& y) { return std::vector{rate(T, y[0])}; }, {0.5}, free_end),
+        Status::ok);
+    for (const double T : {0.0, 0.3, 2.5, 5.0}) EXPECT_EQ(fixed(T)[0], free(T)[0]);
+}
+
+TEST(FlowOfNothing, ARateThatIsNoNumberIsSaid) {
+    FlowTable<std::array<double, 1>> flow;
+    double end = 1;
+    const auto rates = [](double T, const std::array<double, 1>&) { return std::array{std::sqrt(-1 - T)}; };
+    EXPECT_EQ(flow.build(rates, {1.0}, end), Status::outside_domain);
+    EXPECT_EQ(end, 0);
+}
+
+} // namespace resonform
