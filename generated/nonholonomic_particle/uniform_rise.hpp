@@ -81,7 +81,7 @@ public:
         start.x_0 = Real(1);
         start.x_dot_0 = Real(0);
         start.y_0 = Real(0);
-        start.y_dot_0 = Real(1);
+        start.y_dot_0 = -Real(1);
         start.z_0 = Real(0);
         return start;
     }
