@@ -37,6 +37,7 @@ bool is_strong_probable_prime(const Arithmetic& modulo, std::uint64_t n,
     const int twos = std::countr_zero(n - 1);
     const std::uint64_t one = modulo.enter(1), minus_one = modulo.negate(one);
     return std::all_of(bases.begin(), bases.end(), [&](std::uint64_t base) {
+        if (base % n == 0) return true;
         std::uint64_t x = power_of(modulo, modulo.enter(base), (n - 1) >> twos);
         bool found = x == one || x == minus_one;
         for (int j = 1; j < twos && !found; ++j) {
@@ -50,10 +51,13 @@ bool is_strong_probable_prime(const Arithmetic& modulo, std::uint64_t n,
 } // namespace
 
 bool is_prime(std::uint64_t n) {
-    static constexpr std::uint64_t bases[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+    static constexpr std::uint64_t small[] = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31,
+                                              37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79};
     if (n < 2) return false;
-    for (const std::uint64_t base : bases)
-        if (n % base == 0) return n == base;
+    for (const std::uint64_t factor : small)
+        if (n % factor == 0) return n == factor;
+    // Strong probable primes below 2^64 for all of these are primes (J. Sinclair, 2011).
+    static constexpr std::uint64_t bases[] = {2, 325, 9375, 28178, 450775, 9780504, 1795265022};
     if (n >> 62 != 0) return is_strong_probable_prime(Division(n), n, bases);
     return is_strong_probable_prime(Montgomery(PrimeField(n)), n, bases);
 }

@@ -140,6 +140,8 @@ public:
     // Refused: the derivative of a primitive with respect to a parameter it does not list, and one that
     // needs a derivative of a named function that the ring does not hold.
     [[nodiscard]] Polynomial derivative(const Polynomial& p, GeneratorId id) const;
+    // Whether the ring holds every derivative of named functions that derivative(p, id) needs.
+    [[nodiscard]] bool derivative_known(const Polynomial& p, GeneratorId id) const;
     // i -> -i, fast <-> conjugate, phase -> 1/phase.
     [[nodiscard]] Polynomial conjugate(const Polynomial& p) const;
     // Splits by weight: result[n] is the homogeneous part of weight n (0 <= n <= through). Heavier
@@ -185,7 +187,6 @@ private:
 
     [[nodiscard]] Polynomial cleared(const Polynomial& p) const; // reduced, times a unit
     [[nodiscard]] bool may_depend(GeneratorId generator, GeneratorId id) const;
-    [[nodiscard]] bool derivative_known(const Polynomial& p, GeneratorId id) const;
     [[nodiscard]] std::optional<Polynomial> slope(GeneratorId function) const;
     void derive(GeneratorId id);
     void relate_circle(GeneratorId cosine);

@@ -48,6 +48,7 @@ std::string runtime(const Program& program, bool inlined) {
     if (!inlined) {
         if (!program.flow.empty()) text += "#include \"runtime/flow.hpp\"\n";
         text += "#include \"runtime/interval.hpp\"\n";
+        if (!program.layers.empty()) text += "#include \"runtime/layer.hpp\"\n";
         if (!program.phases.empty()) text += "#include \"runtime/phase.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
         return text + "\n";

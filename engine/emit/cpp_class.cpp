@@ -28,6 +28,7 @@ private:
     std::string widened() const;
     std::string prepare() const;
     std::string flow_starts() const;
+    std::string layers() const;
     std::string construct() const;
     std::string data_members() const;
 
@@ -111,6 +112,13 @@ std::string CppFrame::flow_starts() const {
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
+std::string CppFrame::layers() const {
+    if (plan_.layers.empty()) return "";
+    return built_or_return(
+        fmt::format("resonform::clear_of_layers([this](const Real& T) {{ return layers(c_, T{}); }}, reach)",
+                    plan_.layers_use_flow ? ", look_up_1(T)" : ""));
+}
+
 std::string CppFrame::construct() const {
     std::string text =
         "    Status construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
@@ -125,14 +133,16 @@ std::string CppFrame::construct() const {
     for (const StraightLine::Value condition : plan_.constant_conditions)
         text += fmt::format("        if (!(c_.{} > Real(0))) return Status::outside_domain;\n",
                             plan_.members.at(condition));
-    if (!plan_.levels.empty() || !program_.phases.empty())
+    if (!plan_.levels.empty() || !program_.phases.empty() || !plan_.layers.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
+    if (program_.flow.empty()) text += layers();
     for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
         if (plan_.levels[level].flow) {
             text += built_or_return(fmt::format(
                 "tables_{}_.build([this](const Real& T, const std::array<Real, {}>& flow) {{ return "
                 "flow_rates(c_, T, flow); }},\n                              {{{}}}, reach)",
                 level, program_.flow.size(), flow_starts()));
+            text += layers();
             continue;
         }
         const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);

@@ -94,13 +94,17 @@ void CppPlan::lower_results() {
         const Value v = code.lower(condition);
         (code.at(v).varying ? varying_conditions : constant_conditions).push_back(v);
     }
+    const std::vector<bool> behind_layers = reachable(program->graph, program->layers);
+    for (const Graph::Node margin : program->layers) layers.push_back(code.lower(margin));
+    for (const ProgramFlow& variable : program->flow)
+        layers_use_flow = layers_use_flow || behind_layers[static_cast<std::size_t>(variable.value)];
 }
 
 // Constants that varying values use, and results that are constant; small integers are written in place.
 void CppPlan::find_members() {
     std::vector<Value> roots = integrands;
-    for (const std::vector<Value>* more :
-         {&flow_starts, &flow_rates, &phase_starts, &phase_rates, &constant_conditions, &varying_conditions})
+    for (const std::vector<Value>* more : {&flow_starts, &flow_rates, &phase_starts, &phase_rates,
+                                           &constant_conditions, &varying_conditions, &layers})
         roots.insert(roots.end(), more->begin(), more->end());
     for (const std::vector<CppResult>* results : {&outputs, &state})
         for (const CppResult& result : *results) roots.push_back(result.value);

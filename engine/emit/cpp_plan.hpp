@@ -37,6 +37,8 @@ struct CppPlan {
     std::vector<bool> phase_uses_tables; // or the flow
     std::vector<CppResult> outputs, state;
     std::vector<StraightLine::Value> constant_conditions, varying_conditions;
+    std::vector<StraightLine::Value> layers; // of program.layers
+    bool layers_use_flow = false;
     // Constants that outlive the construction, and the names of their members.
     std::map<StraightLine::Value, std::string> members;
     // All values that are looked up: of the flow, and of the tables, level by level.

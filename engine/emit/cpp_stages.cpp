@@ -17,13 +17,14 @@ public:
     explicit CppStages(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() {
-        return constants() + flow_rates() + integrands() + phase_rates() + arguments() +
+        return constants() + flow_rates() + layers() + integrands() + phase_rates() + arguments() +
                evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state);
     }
 
 private:
     std::string constants();
     std::string flow_rates();
+    std::string layers();
     std::string integrands();
     std::string integrands_of(std::size_t level);
     std::string phase_rates();
@@ -100,6 +101,28 @@ std::string CppStages::flow_rates() {
              {{"const Constants<Number>&", "c"}, {"const Number&", "T"}, {"const " + type + "&", "flow"}},
              {},
              {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}));
+}
+
+std::string CppStages::layers() {
+    if (plan_.layers.empty()) return "";
+    CppFunction function(plan_.code, "Number", "q");
+    know_members(function);
+    function.know(plan_.code.lower(program_.slow_time), "T");
+    know_tables(function, "flow");
+    function.compute(plan_.layers, false);
+    std::vector<std::string> texts;
+    for (const Value margin : plan_.layers) texts.push_back("Number(" + function.text(margin) + ")");
+    CppFunction::Frame frame{"template <class Number> static",
+                             fmt::format("std::array<Number, {}>", texts.size()),
+                             "layers",
+                             {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
+                             {},
+                             {fmt::format("return {{{}}};", fmt::join(texts, ", "))}};
+    if (plan_.layers_use_flow)
+        frame.parameters.emplace_back(fmt::format("const std::array<Number, {}>&", program_.flow.size()),
+                                      "flow");
+    return "    // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.\n" +
+           function.print(frame) + "\n";
 }
 
 std::string CppStages::integrands() {

@@ -6,6 +6,7 @@
 #include "emit/flow_moment.hpp"
 #include "emit/flow_start.hpp"
 #include "emit/identifier.hpp"
+#include "emit/layers.hpp"
 #include "emit/prune.hpp"
 #include "emit/scene_program.hpp"
 
@@ -33,6 +34,8 @@ public:
         integrate_drifts();
         turn();
         define_results();
+        add_layers(program_, *solution_.normalization, surroundings_,
+                   [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); });
         close();
         return std::move(program_);
     }

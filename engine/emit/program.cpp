@@ -5,6 +5,7 @@
 #include "emit/count.hpp"
 #include "emit/flow_program.hpp"
 #include "emit/identifier.hpp"
+#include "emit/layers.hpp"
 #include "emit/moment.hpp"
 #include "emit/prune.hpp"
 #include "emit/quadratures.hpp"
@@ -41,6 +42,9 @@ public:
         Moment call(program_, solution_, solution_.ring, surroundings_, plan);
         define_phase(call, phase_start);
         define_results(call);
+        add_layers(program_, *solution_.normalization, surroundings_, [&](const Polynomial& p) {
+            return call.lowering.polynomial((*solution_.from_normal_form)(p));
+        });
         close();
         return std::move(program_);
     }

@@ -72,7 +72,9 @@ struct Program {
     std::vector<ProgramOutput> outputs;              // as the scene lists them
     std::vector<ProgramOutput> state;  // all states at full weight (for direct integration), at any t
     std::vector<Graph::Node> positive; // must be > 0 at every call, else status outside_domain
-    std::vector<ProgramOutput> names;  // sub-expressions that a reader knows by name: "psi_2", "rho_8"
+    std::vector<Graph::Node>
+        layers; // > 0 up to where the evaluator ends (emit/layers.hpp); no tables in them
+    std::vector<ProgramOutput> names; // sub-expressions that a reader knows by name: "psi_2", "rho_8"
     // The horizon in slow time that the scene asks for, verify.interval * eps: in eps and parameters, and
     // as a number (at the smallest eps of the scene's ladder if it depends on eps).
     Graph::Node slow_time_end = -1;

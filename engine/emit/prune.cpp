@@ -99,7 +99,8 @@ void prune(Program& program) {
     keep(program.names, [&](const ProgramOutput& o) { return is_used(o.value); });
     std::vector<bool> known = used; // eps and the slow time are there in any case
     known[static_cast<std::size_t>(program.eps)] = known[static_cast<std::size_t>(program.slow_time)] = true;
-    keep(program.positive, [&](Graph::Node n) { return is_about(program.graph, n, known); });
+    for (std::vector<Graph::Node>* conditions : {&program.positive, &program.layers})
+        keep(*conditions, [&](Graph::Node n) { return is_about(program.graph, n, known); });
 
     // the default of a start value may need a parameter that nothing else does
     std::vector<Graph::Node> defaults;

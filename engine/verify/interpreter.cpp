@@ -4,6 +4,7 @@
 #include "emit/prune.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/table.hpp"
 #include "verify/graph_walk.hpp"
@@ -71,6 +72,7 @@ template <class Real> struct Interpreter<Real>::Impl {
             if (!changes[static_cast<std::size_t>(condition)] && !(constants[condition] > Real(0)))
                 return Status::outside_domain;
         if (const Status built = build_flow(); built != Status::ok) return built;
+        if (const Status clear = keep_clear_of_layers(); clear != Status::ok) return clear;
         if (const Status built = build_tables(); built != Status::ok) return built;
         return build_phases();
     }
@@ -111,6 +113,20 @@ template <class Real> struct Interpreter<Real>::Impl {
         if (const Status kept = interval.shorten(solved, reach); kept != Status::ok) return kept;
         flow.emplace(std::move(built));
         return Status::ok;
+    }
+
+    Status keep_clear_of_layers() {
+        if (program->layers.empty()) return Status::ok;
+        const Plan plan(*program, program->layers);
+        GraphWalk<Real> walk = constants;
+        const auto margins = [&](const Real& T) {
+            set_slow_time(walk, T);
+            walk.compute(plan.varying);
+            std::vector<Real> values;
+            for (const Graph::Node margin : program->layers) values.push_back(walk[margin]);
+            return values;
+        };
+        return interval.shorten(clear_of_layers(margins, reach), reach);
     }
 
     Status build_tables() {

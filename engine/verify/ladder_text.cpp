@@ -2,8 +2,10 @@
 #include "verify/ladder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <vector>
 
 namespace resonform {
 
@@ -50,11 +52,24 @@ std::string ladder_table(const Verification& v) {
     return text;
 }
 
+// What inf in the table means; nothing where there is none.
+std::string unanswered(const Verification& v) {
+    std::vector<double> eps;
+    if (!v.outputs.empty())
+        for (const LadderRung& rung : v.outputs.front().ladder)
+            if (std::isinf(rung.max_error)) eps.push_back(to_double(rung.eps));
+    if (eps.empty()) return "";
+    return fmt::format("  inf: the evaluator does not answer over the whole interval at eps = {:g}; "
+                       "`resonform evaluate` shows from which t on, and with which status\n",
+                       fmt::join(eps, ", "));
+}
+
 } // namespace
 
 std::string to_text(const Verification& v) {
     std::string text = fmt::format("{} / {}: emitted code against direct integration\n", v.system, v.scene);
     text += ladder_table(v);
+    text += unanswered(v);
     for (const OutputVerdict& o : v.outputs) text += verdict_line(o);
     text += fmt::format("  emitted = symbolic within {:.1f} ulp of the output's scale\n",
                         v.emitted_against_symbolic);

@@ -32,6 +32,7 @@
 #pragma once
 
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/table.hpp"
 
@@ -141,6 +142,7 @@ private:
         Number c_12{};
         Number c_13{};
         Number c_14{};
+        Number c_15{};
     };
 
     template <class Number> static void compute_constants(
@@ -167,6 +169,21 @@ private:
         c.c_12 = Number(1) / Number(2);
         c.c_13 = c.c_12 * k_1;
         c.c_14 = Number(7) / Number(8) * c.C_delta;
+        c.c_15 = c.c_12 * c.eps;
+    }
+
+    // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
+    template <class Number> static std::array<Number, 2> layers(
+            const Constants<Number>& c, const Number& T) {
+        const Number xi = T + c.xi_0;
+        const Number s = xi * xi + Number(1);
+        const Number per_s = Number(1) / s;
+        const Number s_2 = sqrt(s);
+        const Number s_4 = sqrt(s_2);
+        const Number s_m1_2 = s_2 * per_s;
+        const Number s_m5_4 = s_2 * s_4 * (per_s * per_s);
+        const Number q_1 = c.c_15 * s_m5_4 * xi;
+        return {Number(s_m1_2 - q_1), Number(s_m1_2 + q_1)};
     }
 
     // dQ_x/dT
@@ -266,6 +283,10 @@ private:
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
         Real reach = end; // less where the domain ends before
+        if (const Status built = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
+            built != Status::ok)
+            return built;
         if (const Status built = interval_.shorten(
                 tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), reach);
             built != Status::ok)

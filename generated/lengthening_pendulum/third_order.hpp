@@ -20,6 +20,7 @@
 #pragma once
 
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 
 #include <algorithm>
@@ -132,6 +133,16 @@ private:
         c.c_8 = Number(1) / Number(192) * k_2;
     }
 
+    // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
+    template <class Number> static std::array<Number, 1> layers(
+            const Constants<Number>& c, const Number& T) {
+        const Number l = T + c.l_0;
+        const Number l_2 = sqrt(l);
+        const Number per_l = Number(1) / l;
+        const Number l_m3_2 = l_2 * (per_l * per_l);
+        return {Number(Number(4) * per_l - c.eps * l_m3_2)};
+    }
+
     // dtheta/dT
     template <class Number> static Number theta_rate(const Constants<Number>& c, const Number& T) {
         const Number l = T + c.l_0;
@@ -192,6 +203,10 @@ private:
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
         Real reach = end; // less where the domain ends before
+        if (const Status built = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
+            built != Status::ok)
+            return built;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 
 #include <algorithm>
@@ -110,6 +111,7 @@ private:
         Number c_6{};
         Number c_7{};
         Number c_8{};
+        Number c_9{};
     };
 
     template <class Number> static void compute_constants(
@@ -128,6 +130,20 @@ private:
         const Number k_2 = k_1 * c.C;
         c.c_7 = Number(3) / Number(16) * k_2;
         c.c_8 = Number(1) / Number(32) * k_2;
+        c.c_9 = Number(2) * c.eps;
+    }
+
+    // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
+    template <class Number> static std::array<Number, 2> layers(
+            const Constants<Number>& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number s = tau * tau + Number(2);
+        const Number s_2 = sqrt(s);
+        const Number per_s = Number(1) / s;
+        const Number q_1 = Number(4) * s;
+        const Number s_m1_2 = s_2 * per_s;
+        const Number q_2 = c.c_9 * s_m1_2 * tau;
+        return {Number(q_1 + q_2), Number(q_1 - q_2)};
     }
 
     // dtheta/dT
@@ -191,6 +207,10 @@ private:
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
         Real reach = end; // less where the domain ends before
+        if (const Status built = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
+            built != Status::ok)
+            return built;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };

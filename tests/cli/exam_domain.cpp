@@ -40,13 +40,15 @@ protected:
 } // namespace
 
 TEST_F(DomainOfASystem, EvaluateAnswersPointByPoint) {
-    const Outcome outcome = said("evaluate", scene_of("1", "3/eps"), "--eps 0.1 --t 0,5,9.9,10.1,25,31");
+    const Outcome outcome = said("evaluate", scene_of("1", "3/eps"), "--eps 0.1 --t 0,5,8,9.9,10.1,25,31");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     std::string statuses;
     for (std::size_t at = 0, end; (end = outcome.out.find('\n', at)) != std::string::npos; at = end + 1)
         statuses += outcome.out.substr(0, end).substr(outcome.out.rfind(',', end) + 1) + " ";
-    EXPECT_EQ(statuses, "status ok ok ok outside_domain outside_domain outside_interval ") << outcome.out;
+    // At t = 9.9 the frequency, sqrt(0.0199), changes too fast already.
+    EXPECT_EQ(statuses, "status ok ok ok outside_domain outside_domain outside_domain outside_interval ")
+        << outcome.out;
     EXPECT_NE(outcome.out.find("\n25,,outside_domain\n"), std::string::npos) << outcome.out;
 }
 

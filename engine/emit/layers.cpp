@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/layers.hpp"
+
+#include "emit/conditioning.hpp"
+#include "emit/prune.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace resonform {
+
+namespace {
+
+// Of divisors, whose first term decides: D = factor * primitive, factor > 0 the smallest that occurs.
+std::vector<Polynomial> smallest_of_each(const Normalization& normalization) {
+    std::vector<std::pair<Polynomial, Rational>> known; // primitive, factor
+    for (const DivisorRecord& record : normalization.divisors) {
+        if (record.verdict != DivisorVerdict::removed) continue;
+        const Rational lead = record.divisor.terms().front().coefficient, factor = cln::abs(lead);
+        const Polynomial primitive = (1 / lead) * record.divisor;
+        const auto same = std::find_if(known.begin(), known.end(),
+                                       [&](const auto& entry) { return entry.first == primitive; });
+        if (same == known.end())
+            known.emplace_back(primitive, factor);
+        else
+            same->second = std::min(same->second, factor);
+    }
+    std::vector<Polynomial> divisors;
+    for (const auto& [primitive, factor] : known) divisors.push_back(factor * primitive);
+    return divisors;
+}
+
+// dD/dt by the leading part of each slow rate; nullopt: it is not known.
+std::optional<Polynomial> rate_of(const Polynomial& divisor, const NormalForm& normal_form) {
+    const GradedField& field = *normal_form.field;
+    const Ring& ring = *field.ring;
+    std::vector<Polynomial> addends;
+    for (std::size_t k = 0; k < field.slow.size(); ++k) {
+        if (!ring.derivative_known(divisor, field.slow[k].generator)) return std::nullopt;
+        const Series& rate = normal_form.slow[k];
+        int weight = 0;
+        while (weight < rate.through() && rate.part(weight).empty()) ++weight;
+        addends.push_back(
+            ring.multiply(ring.derivative(divisor, field.slow[k].generator), rate.part(weight)));
+    }
+    return sum(addends);
+}
+
+} // namespace
+
+void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
+                const std::function<Graph::Node(const Polynomial&)>& lower) {
+    Graph& graph = program.graph;
+    const Ring& ring = *normalization.normal_form.field->ring;
+    const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
+    const auto parts = [&](const Polynomial& p) {
+        const Polynomial conjugate = ring.conjugate(p);
+        return std::pair{lower(Rational(1) / 2 * (p + conjugate)),
+                         lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
+    };
+    for (const Polynomial& divisor : smallest_of_each(normalization)) {
+        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
+        if (!rate || rate->empty()) continue;
+        const auto [re, im] = parts(divisor);
+        const Graph::Node square = graph.add({graph.power(re, 2), graph.power(im, 2)});
+        const auto [re_rate, im_rate] = parts(*rate);
+        for (const Graph::Node component : {re_rate, im_rate})
+            for (const Graph::Node change : {component, graph.negate(component)}) {
+                const Graph::Node margin = graph.add({square, change});
+                const bool varies =
+                    depending(graph, varying_symbols(program))[static_cast<std::size_t>(margin)];
+                const bool holds = sign_of(graph, margin, surroundings.positive) == Sign::positive;
+                if (varies && !holds && margin != square) program.layers.push_back(margin);
+            }
+    }
+}
+
+} // namespace resonform
