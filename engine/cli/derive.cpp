@@ -96,12 +96,17 @@ std::string from_graph(const Expanded& expanded, int order, Stage stage, Format 
                                     : print_normal_form(n, order);
 }
 
+bool of_solution(Stage stage) { return stage == Stage::solution || stage == Stage::transgression; }
+
 std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
                      Format format, const std::string& coefficients, Watch& watch) {
-    if (stage == Stage::solution) {
+    if (of_solution(stage)) {
         require_whole_weights(*expanded.first_order->system);
+        if (stage == Stage::transgression) require_former_constants(*expanded.first_order->system);
         const int through = truncation_of(*expanded.field, order, truncation);
-        return print_solution(solve(normalize_certified(expanded, through, watch), {order, through}), format);
+        const Solution solution = solve(normalize_certified(expanded, through, watch), {order, through});
+        return stage == Stage::solution ? print_solution(solution, format)
+                                        : print_transgression(solution, format);
     }
     const int weight = order * expanded.first_order->system->eps_root;
     if (stage == Stage::expand) {
@@ -121,8 +126,7 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
 bool of_mechanism(Stage stage) { return stage == Stage::constraints || stage == Stage::accelerations; }
 
 void require_printable_in_numbers(Stage stage, Format format) {
-    if (of_mechanism(stage) || stage == Stage::equations || stage == Stage::expand ||
-        stage == Stage::solution)
+    if (of_mechanism(stage) || stage == Stage::equations || stage == Stage::expand || of_solution(stage))
         bad_argument("--digits", "--digits goes with --stage normal_form, divisors or manifold",
                      to_string(stage), "leave it out: this stage is exact");
     if (format == Format::sympy || format == Format::maxima)
@@ -133,9 +137,9 @@ void require_printable_in_numbers(Stage stage, Format format) {
 int run_derive(const DeriveRequest& request) {
     const int order = read_order("--order", request.order);
     const Stage stage = parse_stage(request.stage);
-    if (!request.truncation.empty() && stage != Stage::solution)
-        bad_argument("--truncation", "--truncation goes with --stage solution", request.truncation,
-                     "leave it out: normal form and map reach --order");
+    if (!request.truncation.empty() && !of_solution(stage))
+        bad_argument("--truncation", "--truncation goes with --stage solution or transgression",
+                     request.truncation, "leave it out: normal form and map reach --order");
     const Format format = parse_format(request.format);
     require_printable(stage, format);
     const std::string coefficients =
@@ -162,7 +166,8 @@ void add_derive(CLI::App& app, Action& action) {
     const Text order = add_text(*command, "--order", order_values, "weight of normal form and map", "3");
     const Text stage =
         add_text(*command, "--stage",
-                 "constraints|accelerations|equations|expand|normal_form|divisors|manifold|solution",
+                 "constraints|accelerations|equations|expand|normal_form|divisors|manifold|solution|"
+                 "transgression",
                  "what to print; the first two of a mechanism", "normal_form");
     const Text truncation = add_text(*command, "--truncation", order_values,
                                      "for the solution: weight through which normal form and map are used, "

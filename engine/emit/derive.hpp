@@ -8,7 +8,7 @@
 #include "expand/graded_field.hpp"
 #include "normalize/centre_manifold.hpp"
 #include "normalize/normal_form.hpp"
-#include "solve/solution.hpp"
+#include "solve/transgression.hpp"
 
 namespace resonform {
 
@@ -47,5 +47,11 @@ Page solution_page(const Solution& solution);
 // Puts T = eps*t in front if a formula of the page has T in it.
 void define_slow_time(Page& page, const Solution& solution);
 Json solution_json(const Solution& solution);
+// xi = xi_0 + eps*v*t
+Section slow_laws(const Solution& solution);
+
+// What is constant at eps = 0, on the time 1/eps. Schema resonform.transgression/1.
+Page transgression_page(const Transgression& transgression);
+Json transgression_json(const Transgression& transgression);
 
 } // namespace resonform

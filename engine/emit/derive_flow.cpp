@@ -15,9 +15,10 @@ namespace {
 
 class FlowPage {
 public:
-    FlowPage(const Solution& solution, const std::vector<FlowOutput>& outputs)
+    // remainders: what is left out of the rates is said.
+    FlowPage(const Solution& solution, bool remainders)
         : solution_(solution), flow_(*solution.flow), normal_form_(solution.normalization->normal_form),
-          field_(*normal_form_.field), ring_(*field_.ring), outputs_(outputs),
+          field_(*normal_form_.field), ring_(*field_.ring), remainders_(remainders),
           write_(field_.ring, field_.eps, field_.outer(), std::nullopt, {}), real_(field_) {
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             frame_.emplace(field_.modes[k].z, symbol_factor(amplitude(2 * k + 1)));
@@ -54,8 +55,9 @@ public:
     [[nodiscard]] Section motion() const {
         Section section{flow_.at_rest() ? "constants" : "slow flow", {}};
         const auto add = [&](const std::string& name, const Series& rate) {
-            const Polynomial all = rate.total(rate.through());
-            section.formulas.push_back({side(symbol_sum(name + "'")), by_weight(all, frame_)});
+            Side value = by_weight(rate.total(rate.through()), frame_);
+            if (remainders_ && rate.through() >= 0) value.remainder = rate.through() + 1;
+            section.formulas.push_back({side(symbol_sum(name + "'")), std::move(value)});
         };
         for (std::size_t k = 0; k < field_.modes.size(); ++k) add(amplitude(2 * k + 1), flow_.modes[k].rate);
         for (std::size_t k = 0; k < field_.angles.size(); ++k) add(offset(k), flow_.angles[k].rate);
@@ -67,9 +69,9 @@ public:
         return section;
     }
 
-    [[nodiscard]] Section results() const {
+    [[nodiscard]] Section results(const std::vector<FlowOutput>& outputs) const {
         Section section{"outputs through order " + std::to_string(solution_.order), {}};
-        for (const FlowOutput& output : outputs_) {
+        for (const FlowOutput& output : outputs) {
             Side value = written(output.value, output.value.through(), write_, phases(ring_));
             if (output.drift) value.groups.insert(value.groups.begin(), symbol_sum("z_" + output.name));
             section.formulas.push_back({side(symbol_sum(output.name)), std::move(value)});
@@ -114,18 +116,35 @@ private:
         return value;
     }
 
+    // What amplitudes that are constants but for what is left out of their rates, and that of the drift,
+    // leave out of a uniform motion in the time 1/eps.
+    [[nodiscard]] int remainder_of_uniform(std::size_t k) const {
+        const Series& rate = flow_.drift[k];
+        int leading = 0;
+        while (leading < rate.through() && rate.part(leading).empty()) ++leading;
+        int least = rate.through();
+        const auto see = [&](const Series& other, int weight) {
+            if (other.through() >= 0) least = std::min(least, leading - 1 + other.through() - weight);
+        };
+        for (std::size_t m = 0; m < flow_.modes.size(); ++m)
+            see(flow_.modes[m].rate, ring_.generator(field_.modes[m].z).weight);
+        for (const FlowMode& angle : flow_.angles) see(angle.rate, 0);
+        for (const Series& slow : flow_.slow) see(slow, 0);
+        return least;
+    }
+
     // z_X = constant + rate t, in real constants
     [[nodiscard]] Formula uniform(std::size_t k) const {
-        const FlowOutput& output = *std::find_if(flow_.outputs.begin(), flow_.outputs.end(),
-                                                 [&](const FlowOutput& o) { return o.drift == k; });
-        DisplaySum value = symbol_sum(solution_.system().constant_name("constant", field_.drift[k].name));
+        const std::string& name = field_.drift[k].name;
+        DisplaySum value = symbol_sum(solution_.system().constant_name("constant", name));
         const Polynomial rate = real_(flow_.drift[k].total(flow_.drift[k].through())).re;
         if (!rate.empty()) {
             DisplayTerm motion = factored(display(*real_.ring(), rate));
             motion.tail.push_back(symbol_factor("t"));
             value.terms.push_back(std::move(motion));
         }
-        return {side(symbol_sum("z_" + output.name)), side(std::move(value))};
+        return {side(symbol_sum("z_" + name)),
+                side(std::move(value), remainders_ ? remainder_of_uniform(k) : 0)};
     }
 
     [[nodiscard]] Side by_weight(const Polynomial& p, const Substitutes& substitutes) const {
@@ -139,7 +158,7 @@ private:
     const NormalForm& normal_form_;
     const GradedField& field_;
     const Ring& ring_;
-    const std::vector<FlowOutput>& outputs_;
+    bool remainders_;
     SeriesWriter write_;
     RealForm real_;
     Substitutes frame_;
@@ -148,22 +167,25 @@ private:
 } // namespace
 
 std::vector<Section> flow_sections(const Solution& solution, const std::vector<FlowOutput>& outputs) {
-    const FlowPage page(solution, outputs);
-    return {page.frame(), page.motion(), page.results()};
+    const FlowPage page(solution, false);
+    return {page.frame(), page.motion(), page.results(outputs)};
 }
 
-Json flow_json(const Solution& solution) {
-    const SlowFlow& flow = *solution.flow;
-    const GradedField& field = *solution.normalization->normal_form.field;
-    const auto terms = [&](const std::string& name, const Series& series) {
-        Json list = Json::array();
-        append_json_terms(list, *field.ring, name, series.total(series.through()), field.outer());
-        return list;
-    };
-    Json frame = Json::array(), rates = Json::array(), outputs = Json::array();
-    const auto add = [&](const std::string& name, const char* role, const Series& rate) {
-        rates.push_back({{"variable", name}, {"role", role}, {"terms", terms(name, rate)}});
-    };
+std::vector<Section> leading_flow_sections(const Solution& solution) {
+    const FlowPage page(solution, true);
+    return {page.frame(), page.motion()};
+}
+
+namespace {
+
+Json terms_json(const GradedField& field, const std::string& name, const Series& series) {
+    Json list = Json::array();
+    append_json_terms(list, *field.ring, name, series.total(series.through()), field.outer());
+    return list;
+}
+
+Json frame_json(const GradedField& field, const SlowFlow& flow) {
+    Json frame = Json::array();
     for (std::size_t p = 0; p < flow.phases.size(); ++p) {
         Json turning = Json::array();
         for (std::size_t k = 0; k < field.modes.size(); ++k)
@@ -172,14 +194,60 @@ Json flow_json(const Solution& solution) {
             if (flow.angles[k].phase == p) turning.push_back(field.angles[k].name);
         frame.push_back({{"rate", json_expression(*field.ring, flow.phases[p])}, {"turning", turning}});
     }
+    return frame;
+}
+
+// remainders: with the weight that is left out of each rate, null where it is exact.
+Json rates_json(const GradedField& field, const SlowFlow& flow, bool remainders) {
+    Json rates = Json::array();
+    const auto add = [&](const std::string& name, const char* role, const Series& rate) {
+        Json entry = {{"variable", name}, {"role", role}, {"terms", terms_json(field, name, rate)}};
+        if (remainders) entry["remainder"] = rate.through() < 0 ? Json(nullptr) : Json(rate.through() + 1);
+        rates.push_back(std::move(entry));
+    };
     for (std::size_t k = 0; k < field.modes.size(); ++k) add(field.modes[k].name, "mode", flow.modes[k].rate);
     for (std::size_t k = 0; k < field.angles.size(); ++k)
         add(field.angles[k].name, "angle", flow.angles[k].rate);
     for (std::size_t k = 0; k < field.slow.size(); ++k) add(field.slow[k].name, "slow", flow.slow[k]);
     for (std::size_t k = 0; k < field.drift.size(); ++k) add(field.drift[k].name, "drift", flow.drift[k]);
+    return rates;
+}
+
+} // namespace
+
+Json flow_json(const Solution& solution) {
+    const SlowFlow& flow = *solution.flow;
+    const GradedField& field = *solution.normalization->normal_form.field;
+    Json outputs = Json::array();
     for (const FlowOutput& output : flow.outputs)
-        outputs.push_back({{"name", output.name}, {"terms", terms(output.name, output.value)}});
-    return {{"frame", std::move(frame)}, {"flow", std::move(rates)}, {"outputs", std::move(outputs)}};
+        outputs.push_back({{"name", output.name}, {"terms", terms_json(field, output.name, output.value)}});
+    return {{"frame", frame_json(field, flow)},
+            {"flow", rates_json(field, flow, false)},
+            {"outputs", std::move(outputs)}};
+}
+
+Json leading_flow_json(const Solution& solution) {
+    const SlowFlow& flow = *solution.flow;
+    const GradedField& field = *solution.normalization->normal_form.field;
+    Json json = {{"frame", frame_json(field, flow)}, {"flow", rates_json(field, flow, true)}};
+    if (!flow.at_rest()) return json;
+    const RealForm real(field);
+    const auto name = [&](GeneratorId id) { return real.ring()->generator(id).name; };
+    Json amplitudes = Json::array(), uniform = Json::array();
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        amplitudes.push_back({{"mode", field.modes[k].name},
+                              {"real", name(real.modes()[k].u)},
+                              {"imaginary", name(real.modes()[k].v)},
+                              {"eps", field.ring->generator(field.modes[k].z).weight}});
+    for (std::size_t k = 0; k < field.drift.size(); ++k) {
+        const Polynomial rate = real(flow.drift[k].total(flow.drift[k].through())).re;
+        uniform.push_back({{"variable", field.drift[k].name},
+                           {"constant", field.system().constant_name("constant", field.drift[k].name)},
+                           {"rate", json_expression(*real.ring(), rate)}});
+    }
+    json["amplitudes"] = std::move(amplitudes);
+    json["uniform"] = std::move(uniform);
+    return json;
 }
 
 } // namespace resonform

@@ -46,20 +46,6 @@ public:
           substitutes_(solution_substitutes(solution)), amplitude_(free_name(solution.system(), "Delta")),
           phase_(phase_name(solution)) {}
 
-    [[nodiscard]] Section slow() const {
-        Section section;
-        for (const SlowLaw& law : solution_.slow) {
-            const std::string& name = solution_.system().variables[law.variable].name;
-            DisplayTerm motion = factored(display(ring_, law.rate));
-            motion.factors.insert(motion.factors.begin(), symbol_factor("eps"));
-            motion.tail.push_back(symbol_factor("t"));
-            DisplaySum value = symbol_sum(name + "_0");
-            value.terms.push_back(std::move(motion));
-            section.formulas.push_back({side(symbol_sum(name)), side(std::move(value))});
-        }
-        return section;
-    }
-
     [[nodiscard]] Section amplitude_and_phase() const {
         Section section{"amplitude and phase", {}};
         if (solution_.modes.empty()) return section;
@@ -179,6 +165,20 @@ private:
 
 } // namespace
 
+Section slow_laws(const Solution& solution) {
+    Section section;
+    for (const SlowLaw& law : solution.slow) {
+        const std::string& name = solution.system().variables[law.variable].name;
+        DisplayTerm motion = factored(display(*solution.ring, law.rate));
+        motion.factors.insert(motion.factors.begin(), symbol_factor("eps"));
+        motion.tail.push_back(symbol_factor("t"));
+        DisplaySum value = symbol_sum(name + "_0");
+        value.terms.push_back(std::move(motion));
+        section.formulas.push_back({side(symbol_sum(name)), side(std::move(value))});
+    }
+    return section;
+}
+
 Page solution_page(const Solution& solution) {
     Page page;
     page.title = fmt::format("solution of {} through order {} (normal form and map through weight {})",
@@ -188,7 +188,7 @@ Page solution_page(const Solution& solution) {
         return page;
     }
     const SolutionPage parts(solution);
-    for (Section section : {parts.slow(), parts.amplitude_and_phase(), parts.drift(), parts.outputs()})
+    for (Section section : {slow_laws(solution), parts.amplitude_and_phase(), parts.drift(), parts.outputs()})
         if (!section.formulas.empty()) page.sections.push_back(std::move(section));
     return page;
 }

@@ -115,7 +115,37 @@ private:
     const Ring& ring_;
 };
 
+Json former_constants(const Transgression& transgression) {
+    Json list = Json::array();
+    for (const FormerConstant& constant : transgression.constants) {
+        const Variable& variable = transgression.law.system().variables[constant.variable];
+        list.push_back({{"variable", variable.name},
+                        {"role", to_string(variable.role)},
+                        {"oscillation", constant.oscillation ? Json(*constant.oscillation) : Json(nullptr)}});
+    }
+    return list;
+}
+
 } // namespace
+
+Json transgression_json(const Transgression& transgression) {
+    const Solution& law = transgression.law;
+    Json document = json_head("resonform.transgression/1", law.system());
+    document.update(Json{{"order", law.order},
+                         {"truncation", law.truncation},
+                         {"former_constants", former_constants(transgression)}});
+    if (law.flow) {
+        document.update(leading_flow_json(law));
+        return document;
+    }
+    const SolutionJson parts(law);
+    Json drift = parts.drift();
+    for (std::size_t d = 0; d < law.drift.size(); ++d)
+        drift[d]["remainder"] = law.drift[d].value.through() + 1;
+    document.update(
+        Json{{"slow", parts.slow()}, {"drift", std::move(drift)}, {"primitives", parts.primitives()}});
+    return document;
+}
 
 Json solution_json(const Solution& solution) {
     Json document = json_head("resonform.solution/1", solution.system());

@@ -12,8 +12,9 @@ namespace resonform {
 namespace {
 
 constexpr std::array formats = {Format::text, Format::latex, Format::json, Format::sympy, Format::maxima};
-constexpr std::array stages = {Stage::constraints, Stage::accelerations, Stage::equations, Stage::expand,
-                               Stage::normal_form, Stage::divisors,      Stage::manifold,  Stage::solution};
+constexpr std::array stages = {Stage::constraints, Stage::accelerations, Stage::equations,
+                               Stage::expand,      Stage::normal_form,   Stage::divisors,
+                               Stage::manifold,    Stage::solution,      Stage::transgression};
 
 template <class Choice, std::size_t N>
 Choice parse(const char* what, std::string_view name, const std::array<Choice, N>& choices) {
@@ -70,6 +71,7 @@ const char* to_string(Stage stage) {
     case Stage::divisors: return "divisors";
     case Stage::manifold: return "manifold";
     case Stage::solution: return "solution";
+    case Stage::transgression: return "transgression";
     }
     return "";
 }
@@ -148,6 +150,20 @@ std::string print_solution(const Solution& solution, Format format) {
     require_printable(Stage::solution, format);
     return format == Format::json ? json_document(solution_json(solution))
                                   : render(defined(solution_page(solution), &solution), format);
+}
+
+void require_former_constants(const System& system) {
+    if (has_former_constants(system)) return;
+    bad_input({"stage transgression is of what is constant at eps = 0: slow variables and drifts",
+               "the system has neither", "ask for another stage", whole_file(system.file)});
+}
+
+std::string print_transgression(const Solution& solution, Format format) {
+    require_printable(Stage::transgression, format);
+    require_former_constants(solution.system());
+    const Transgression laws = transgression(solution);
+    return format == Format::json ? json_document(transgression_json(laws))
+                                  : render(defined(transgression_page(laws), &laws.law), format);
 }
 
 } // namespace resonform

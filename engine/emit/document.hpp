@@ -17,7 +17,17 @@
 namespace resonform {
 
 enum class Format { text, latex, json, sympy, maxima };
-enum class Stage { constraints, accelerations, equations, expand, normal_form, divisors, manifold, solution };
+enum class Stage {
+    constraints,
+    accelerations,
+    equations,
+    expand,
+    normal_form,
+    divisors,
+    manifold,
+    solution,
+    transgression
+};
 
 const char* to_string(Format format); // "text", "latex", ...
 const char* to_string(Stage stage);   // "equations", "expand", "normal_form", ...
@@ -60,5 +70,10 @@ std::string print_manifold(const Normalization& normalization, int order, Format
 
 // Amplitude and phase (21), the drift, and the outputs by powers of eps, (22), (23).
 std::string print_solution(const Solution& solution, Format format);
+
+// The laws of what is constant at eps = 0, on the time 1/eps.
+// Errors: bad_input: nothing is (require_former_constants, to be called before the work).
+std::string print_transgression(const Solution& solution, Format format);
+void require_former_constants(const System& system);
 
 } // namespace resonform

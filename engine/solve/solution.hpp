@@ -101,6 +101,9 @@ struct SolveOptions {
 // oscillator that is damped or grows at weight 0; else those of slow_flow().
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options);
 
+// The power of eps of the first oscillating term of an output. nullopt: it has none through the order.
+[[nodiscard]] std::optional<int> first_oscillation(const Solution& solution, const std::string& output);
+
 // Whether only parameters, and roots of what is constant, stand in p.
 [[nodiscard]] bool is_constant(const Ring& ring, const Polynomial& p);
 

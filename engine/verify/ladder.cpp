@@ -29,20 +29,7 @@ double since(Clock::time_point begin) { return std::chrono::duration<double>(Clo
 int default_claim(const Scene& scene, const Solution& solution, const std::string& name) {
     const int claim = scene.order + 1;
     if (scene.oscillating) return claim;
-    if (solution.flow) {
-        const auto n = first_oscillation(*solution.normalization->normal_form.field, *solution.flow, name);
-        return n ? std::min(*n, claim) : claim;
-    }
-    if (solution.modes.empty()) return claim;
-    const auto output = std::find_if(solution.outputs.begin(), solution.outputs.end(),
-                                     [&](const SolutionOutput& o) { return o.name == name; });
-    if (output == solution.outputs.end()) return claim; // slow variables do not oscillate
-    for (int n = 0; n <= output->value.through(); ++n)
-        for (const auto& [monomial, rest] :
-             solution.ring->collect(output->value.part(n), {solution.modes.front().phase}))
-            if (solution.ring->exponent(monomial, solution.modes.front().phase) != 0)
-                return std::min(n, claim);
-    return claim;
+    return std::min(first_oscillation(solution, name).value_or(claim), claim);
 }
 
 std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Solution& solution,

@@ -2,6 +2,7 @@
 #include "verify/report.hpp"
 
 #include "emit/document.hpp"
+#include "solve/transgression.hpp"
 #include "verify/report_figures.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::size_t curve_points = 1500;
 
-// The scene with its drift outputs only, oscillation left out; nothing if it has none to leave out.
+// The scene with its two drift outputs only, oscillation left out; nothing if there is none to leave out, or
+// no plane in which they move.
 std::optional<Scene> mean_scene(const Scene& scene) {
     if (!scene.oscillating) return std::nullopt;
     Scene mean = scene;
@@ -26,18 +28,37 @@ std::optional<Scene> mean_scene(const Scene& scene) {
         const Variable* variable = scene.system->variable(output);
         if (variable != nullptr && variable->role == Role::drift) mean.outputs.push_back(output);
     }
-    if (mean.outputs.empty()) return std::nullopt;
+    if (mean.outputs.size() != 2) return std::nullopt;
     return mean;
+}
+
+// The same scene with all that is constant at eps = 0 and has a start value: slow variables and drifts.
+std::optional<Scene> former_scene(const Scene& scene) {
+    Scene former = scene;
+    former.name += "_former";
+    former.outputs.clear();
+    for (const Variable& variable : scene.system->variables) {
+        const bool starts = scene.start_of(variable.name) != nullptr ||
+                            scene.start_of("constant." + variable.name) != nullptr;
+        if (starts && (variable.role == Role::slow || variable.role == Role::drift))
+            former.outputs.push_back(variable.name);
+    }
+    if (former.outputs.empty()) return std::nullopt;
+    return former;
 }
 
 std::vector<Motion> motions(const Findings& f, const VerifyOptions& options) {
     std::vector<Motion> found;
-    const std::optional<Scene> mean = mean_scene(*f.scene);
+    const std::optional<Scene> former = former_scene(*f.scene);
+    const std::optional<Scene> mean = mean_scene(former ? *former : *f.scene);
+    const auto curves = [&](const Scene& scene, const Rational& eps) {
+        return error_curves(f.system, scene, *f.solution, eps, curve_points, options);
+    };
     for (const char* text : {"0.1", "0.01"}) {
         const Rational eps = parse_rational(text);
-        Motion motion{error_curves(f.system, *f.scene, *f.solution, eps, curve_points, options),
-                      std::nullopt};
-        if (mean) motion.mean = error_curves(f.system, *mean, *f.solution, eps, curve_points, options);
+        Motion motion{curves(*f.scene, eps), std::nullopt, std::nullopt};
+        if (mean) motion.mean = curves(*mean, eps);
+        if (former) motion.former = curves(*former, eps);
         found.push_back(std::move(motion));
     }
     return found;
@@ -148,6 +169,14 @@ Section rounding(const Findings& f) {
              median, worst}};
 }
 
+// The law, and how it looks.
+Section transgressed(const Findings& f, const Figures& figures, const std::vector<Motion>& curves) {
+    Section section{"Transgression: what is constant at ε = 0",
+                    {Preformatted{print_transgression(*f.solution, Format::text)}}};
+    if (curves.front().former) section.blocks.push_back(figures.transgression(curves));
+    return section;
+}
+
 std::vector<std::string> count_row(const char* name, const Program::Count& c) {
     std::vector<std::string> row = {name};
     for (const int n : {c.add, c.multiply, c.divide, c.root, c.sincos, c.other, c.tables})
@@ -175,13 +204,11 @@ Page make_report(const Findings& f, const VerifyOptions& options) {
                           system.name, f.scene->name, f.solution->order, f.solution->truncation,
                           system.source),
               {}};
-    page.sections = {{"Motion", {figures.motion(curves)}},
-                     {"Error of the formulas", {figures.errors(curves)}},
-                     accuracy(f, figures),
-                     speed(f, figures),
-                     rounding(f),
-                     operations(f),
-                     derived(f)};
+    page.sections = {{"Motion", {figures.motion(curves)}}};
+    if (has_former_constants(system)) page.sections.push_back(transgressed(f, figures, curves));
+    for (Section section : {Section{"Error of the formulas", {figures.errors(curves)}}, accuracy(f, figures),
+                            speed(f, figures), rounding(f), operations(f), derived(f)})
+        page.sections.push_back(std::move(section));
     return page;
 }
 

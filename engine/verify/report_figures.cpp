@@ -61,28 +61,50 @@ std::vector<std::string> Figures::drift_outputs(const ErrorCurves& curves) const
 }
 
 Figure Figures::path(const Motion& motion, const std::string& x, const std::string& y) const {
-    Plot plot{fmt::format("path_{}", identifier(fmt::format("{:g}", motion.full.eps))),
+    const ErrorCurves& former = *motion.former;
+    const std::size_t i = position(former, x), j = position(former, y);
+    Plot plot{fmt::format("path_{}", identifier(fmt::format("{:g}", former.eps))),
               label(x),
               label(y),
               false,
               false,
-              {}};
-    const auto add = [&](const ErrorCurves& curves, std::string text, std::string hue) {
-        plot.curves.push_back({std::move(text), std::move(hue), Curve::Style::line,
-                               curves.emitted[position(curves, x)], curves.emitted[position(curves, y)]});
-    };
-    add(motion.full, motion.mean ? "with oscillation" : "", motion.mean ? colour::red : colour::blue);
-    if (motion.mean) add(*motion.mean, "without", colour::blue);
-    return draw(plot, fmt::format("{} over {}, ε = {:g}", pretty(y), pretty(x), motion.full.eps));
+              {{"direct integration", colour::grey, Curve::Style::line, former.direct[i], former.direct[j]},
+               {"evaluator", colour::red, Curve::Style::dashed, former.emitted[i], former.emitted[j]}}};
+    if (motion.mean)
+        plot.curves.push_back({"without oscillation", colour::blue, Curve::Style::line,
+                               motion.mean->emitted[position(*motion.mean, x)],
+                               motion.mean->emitted[position(*motion.mean, y)]});
+    return draw(plot, fmt::format("{} over {}, ε = {:g}", pretty(y), pretty(x), former.eps));
+}
+
+Figure Figures::former_constant(const ErrorCurves& curves, std::size_t output) const {
+    const std::string& name = curves.outputs[output];
+    std::vector<double> slow_time;
+    for (const double t : curves.times) slow_time.push_back(curves.eps * t);
+    const Plot plot{
+        fmt::format("transgression_{}_{}", identifier(name), identifier(fmt::format("{:g}", curves.eps))),
+        "εt",
+        label(name),
+        false,
+        false,
+        {{"direct integration", colour::grey, Curve::Style::line, slow_time, curves.direct[output]},
+         {"evaluator", colour::red, Curve::Style::dashed, slow_time, curves.emitted[output]}}};
+    return draw(plot, fmt::format("{} over εt, ε = {:g}", pretty(name), curves.eps));
+}
+
+Gallery Figures::transgression(const std::vector<Motion>& motions) const {
+    Gallery gallery;
+    const ErrorCurves& first = *motions.front().former;
+    for (std::size_t k = 0; k < first.outputs.size(); ++k)
+        for (const Motion& motion : motions) gallery.figures.push_back(former_constant(*motion.former, k));
+    const std::vector<std::string> drift = drift_outputs(first);
+    if (drift.size() == 2)
+        for (const Motion& motion : motions) gallery.figures.push_back(path(motion, drift[0], drift[1]));
+    return gallery;
 }
 
 Gallery Figures::motion(const std::vector<Motion>& motions) const {
     Gallery gallery;
-    const std::vector<std::string> drift = drift_outputs(motions.front().full);
-    if (drift.size() == 2) {
-        for (const Motion& motion : motions) gallery.figures.push_back(path(motion, drift[0], drift[1]));
-        return gallery;
-    }
     for (std::size_t k = 0; k < motions.front().full.outputs.size(); ++k)
         for (const Motion& motion : motions) {
             const std::string& name = motion.full.outputs[k];

@@ -13,10 +13,11 @@
 
 namespace resonform::report {
 
-// Curves of a scene at one eps and, if it oscillates, of its drift without oscillation.
+// Curves of a scene at one eps; of its two drifts without oscillation; of what is constant at eps = 0, if
+// anything is and has a start value.
 struct Motion {
     ErrorCurves full;
-    std::optional<ErrorCurves> mean;
+    std::optional<ErrorCurves> mean, former;
 };
 
 // Draws every figure with its scripts in one scratch folder.
@@ -24,9 +25,10 @@ class Figures {
 public:
     Figures(const System& system, std::filesystem::path scratch);
 
-    // Two drift outputs: the second over the first, with and without oscillation. Otherwise every
-    // output over time.
+    // Every output over time.
     [[nodiscard]] Gallery motion(const std::vector<Motion>& motions) const;
+    // Former constants over eps*t, beside direct integration; two drifts: the second over the first, too.
+    [[nodiscard]] Gallery transgression(const std::vector<Motion>& motions) const;
     // Direct integration minus emitted formula, one figure for each output and eps.
     [[nodiscard]] Gallery errors(const std::vector<Motion>& motions) const;
     // max error over eps, its limit line, and the claimed order where that differs.
@@ -39,6 +41,7 @@ private:
     [[nodiscard]] std::string label(const std::string& name) const; // "x, m"
     [[nodiscard]] std::vector<std::string> drift_outputs(const ErrorCurves& curves) const;
     [[nodiscard]] Figure path(const Motion& motion, const std::string& x, const std::string& y) const;
+    [[nodiscard]] Figure former_constant(const ErrorCurves& curves, std::size_t output) const;
     [[nodiscard]] Figure ladder(const OutputVerdict& output) const;
     [[nodiscard]] Figure work_of(const Comparison& comparison, Task task) const;
 

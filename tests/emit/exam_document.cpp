@@ -23,14 +23,14 @@ TEST(Document, NamesAreReadBack) {
     for (Format f : {Format::text, Format::latex, Format::json, Format::sympy, Format::maxima})
         EXPECT_EQ(parse_format(to_string(f)), f);
     for (Stage s : {Stage::constraints, Stage::accelerations, Stage::equations, Stage::expand,
-                    Stage::normal_form, Stage::solution})
+                    Stage::normal_form, Stage::solution, Stage::transgression})
         EXPECT_EQ(parse_stage(to_string(s)), s);
     EXPECT_EQ(message_of([] { parse_format("latx"); }),
               message({"a format is one of text, latex, json, sympy, maxima", "latx", "write latex", {}}));
     EXPECT_EQ(
         message_of([] { parse_stage("zzzzzz"); }),
         message({"a stage is one of constraints, accelerations, equations, expand, normal_form, divisors, "
-                 "manifold, solution",
+                 "manifold, solution, transgression",
                  "zzzzzz",
                  "name one of these",
                  {}}));

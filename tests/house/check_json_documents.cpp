@@ -22,6 +22,8 @@ TEST(JsonDocuments, EveryKeyIsDocumented) {
           std::string("derive almost_holonomic_pendulum --stage expand"),
           std::string("derive almost_holonomic_pendulum"),
           std::string("derive almost_holonomic_pendulum --stage solution"),
+          std::string("derive almost_holonomic_pendulum --stage transgression"),
+          std::string("derive nonholonomic_particle --stage transgression"),
           std::string("certify almost_holonomic_pendulum --order 2"), "generate " + scene,
           "evaluate " + scene + " --eps 0.1 --t 1", std::string("list"), std::string("regenerate --check")}) {
         const Outcome outcome = run("resonform " + command + " --format json", RESONFORM_SOURCE_DIR);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is constant at eps = 0 on the time 1/eps: x = C_X + r*log(...) + O(eps^2), or averaged rates.
+#include "emit/derive.hpp"
+#include "emit/derive_flow.hpp"
+#include "emit/solution_display.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+// A drift that oscillates less than it moves is written itself, one that does not as its mean z_x.
+Formula drift_law(const Solution& law, const DriftSolution& drift, std::optional<int> oscillation) {
+    const Substitutes substitutes = solution_substitutes(law);
+    Side value;
+    value.groups.push_back(symbol_sum(drift.constant_name));
+    value.groups.push_back(
+        display(*law.ring, drift.value.part(0) - law.ring->gen(drift.constant), substitutes));
+    for (int n = 1; n <= drift.value.through(); ++n)
+        value.groups.push_back(display(*law.ring, drift.value.part(n), substitutes));
+    int moves = drift.value.through();
+    while (moves > 0 && drift.value.part(moves).empty()) --moves;
+    const bool itself = !oscillation || *oscillation > moves;
+    value.remainder = drift.value.through() + 1;
+    if (itself && oscillation && value.remainder > *oscillation) value.remainder = *oscillation;
+    const std::string& name = law.system().variables[drift.variable].name;
+    return {side(symbol_sum(itself ? name : "z_" + name)), std::move(value)};
+}
+
+std::vector<Section> closed_laws(const Transgression& transgression) {
+    const Solution& law = transgression.law;
+    Section section = slow_laws(law);
+    for (const FormerConstant& constant : transgression.constants)
+        for (const DriftSolution& drift : law.drift)
+            if (drift.variable == constant.variable)
+                section.formulas.push_back(drift_law(law, drift, constant.oscillation));
+    return {section};
+}
+
+std::string oscillation_remark(const Solution& law, const FormerConstant& constant) {
+    const std::string& name = law.system().variables[constant.variable].name;
+    return constant.oscillation
+               ? fmt::format("{} oscillates about its law: O({})", name,
+                             *constant.oscillation == 1 ? "eps"
+                                                        : fmt::format("eps^{}", *constant.oscillation))
+               : fmt::format("{} does not oscillate through order {}", name, law.order);
+}
+
+} // namespace
+
+Page transgression_page(const Transgression& transgression) {
+    const Solution& law = transgression.law;
+    Page page;
+    page.title = fmt::format("transgression of {} on the time 1/eps (normal form and map through weight {})",
+                             law.system().name_with_settings(), law.truncation);
+    page.sections = law.flow ? leading_flow_sections(law) : closed_laws(transgression);
+    for (const FormerConstant& constant : transgression.constants)
+        page.remarks.push_back(oscillation_remark(law, constant));
+    return page;
+}
+
+} // namespace resonform

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is constant at eps = 0 (slow variables and drifts) on the time 1/eps, through the first power of eps
+// that moves it: the transgression.
+//
+//   pendulum:  xi = xi_0 + eps v t,  x = C_X + r log((xi + sqrt(xi^2 + r^2))/r) + O(eps^2)
+//   particle:  z' = eps sqrt(c/m)(...) + O(eps^5), a constant: z rises uniformly
+#pragma once
+
+#include "solve/solution.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace resonform {
+
+struct FormerConstant {
+    std::size_t variable; // index into System::variables
+    std::optional<int>
+        oscillation; // the power of eps with which it oscillates about its law, through order N
+};
+
+struct Transgression {
+    // The solution with laws only. Closed: drifts and the primitives that they need, no outputs. A slow flow:
+    // rates of slow variables and drifts through the first weight that moves them, of amplitudes and offsets
+    // of angles through what moves them by their own size. What is left out of a series has the weight
+    // through() + 1 at least, whether it was looked at or not.
+    Solution law;
+    std::vector<FormerConstant> constants; // in the order of the file
+};
+
+// Whether it has slow variables or drifts.
+[[nodiscard]] bool has_former_constants(const System& system);
+
+// Precondition: has_former_constants.
+[[nodiscard]] Transgression transgression(const Solution& solution);
+
+} // namespace resonform
