@@ -151,10 +151,11 @@ void ProgramBuilder::define_results(Moment& call) {
 // "with g = 1, r = 1, v = 1", in the order of the system's file
 std::string fixed_values(const System& system, const Scene& scene) {
     std::string text;
-    for (const Parameter& parameter : system.parameters)
-        if (const auto fixed = scene.fix.find(parameter.name); fixed != scene.fix.end())
-            text += fmt::format("{} {} = {}", text.empty() ? "with" : ",", parameter.name,
-                                to_string(fixed->second));
+    for (const auto* list : {&system.parameters, &system.cancelled})
+        for (const Parameter& parameter : *list)
+            if (const auto fixed = scene.fix.find(parameter.name); fixed != scene.fix.end())
+                text += fmt::format("{} {} = {}", text.empty() ? "with" : ",", parameter.name,
+                                    to_string(fixed->second));
     return text;
 }
 

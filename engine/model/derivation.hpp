@@ -15,8 +15,6 @@ struct DerivationSection {
 struct Derivation {
     std::vector<DerivationSection> constraints, accelerations;
     std::vector<std::string> remarks; // on the constraints
-    // Parameters of the file that are in no equation, as a mass that cancels: System has them no more.
-    std::vector<std::string> cancelled;
 };
 
 } // namespace resonform

@@ -126,7 +126,7 @@ void SystemReader::drop_cancelled() {
         if (used(p))
             kept.push_back(std::move(p));
         else
-            derivation_->cancelled.push_back(p.name);
+            system_.cancelled.push_back(std::move(p));
     system_.parameters = std::move(kept);
     system_.derivation = derivation_;
 }

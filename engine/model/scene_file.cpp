@@ -26,6 +26,14 @@ const StartValue* Scene::start_of(const std::string& canonical) const {
     return nullptr;
 }
 
+Scope Scene::constants() const {
+    Scope scope = system->constants();
+    for (const Parameter& p : system->cancelled)
+        if (const auto found = fix.find(p.name); found != fix.end())
+            scope.define(p.name, GiNaC::numeric(cln::cl_N(found->second)));
+    return scope;
+}
+
 GiNaC::ex Scene::fixed(const GiNaC::ex& value) const {
     GiNaC::exmap values;
     for (const Parameter& p : system->parameters) {

@@ -62,6 +62,9 @@ struct Scene {
 
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
     [[nodiscard]] const StartValue* start_of(const std::string& canonical) const;
+    // What start values and intervals may contain: parameters and eps, of cancelled ones those that are
+    // fixed.
+    [[nodiscard]] Scope constants() const;
     // An expression with the values of [fix] put in; GiNaC throws if a denominator becomes zero.
     [[nodiscard]] GiNaC::ex fixed(const GiNaC::ex& value) const;
     [[nodiscard]] Estimate estimate(const GiNaC::ex& value) const;

@@ -127,9 +127,10 @@ void SceneReader::read_fix() {
     if (fix == nullptr) return;
     check_table(*fix);
     std::vector<std::string> known;
-    for (const Parameter& p : scene_.system->parameters) known.push_back(p.name);
+    for (const auto* list : {&scene_.system->parameters, &scene_.system->cancelled})
+        for (const Parameter& p : *list) known.push_back(p.name);
     for (const TomlEntry& entry : fix->entries) {
-        const Parameter* parameter = scene_.system->parameter(entry.key);
+        const Parameter* parameter = scene_.system->declared_parameter(entry.key);
         if (parameter == nullptr) {
             bad_input({"[fix] gives values of parameters", in_quotes(entry.key), suggest(entry.key, known),
                        entry.place});

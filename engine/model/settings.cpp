@@ -2,7 +2,6 @@
 #include "model/settings.hpp"
 
 #include "model/constant_sign.hpp"
-#include "model/derivation.hpp"
 #include "model/zero_test.hpp"
 
 #include <algorithm>
@@ -67,13 +66,6 @@ void put_into_domain(System& system, const GiNaC::exmap& values, const std::stri
     system.positive = std::move(rest);
 }
 
-// A mass that is in no equation may have any value.
-bool is_cancelled(const std::string& name, const System& system) {
-    if (!system.derivation) return false;
-    const std::vector<std::string>& cancelled = system.derivation->cancelled;
-    return std::find(cancelled.begin(), cancelled.end(), name) != cancelled.end();
-}
-
 } // namespace
 
 Setting read_setting(const std::string& text, const std::string& option) {
@@ -86,11 +78,11 @@ Setting read_setting(const std::string& text, const std::string& option) {
 System with_settings(System system, const std::vector<Setting>& settings, const std::string& option) {
     GiNaC::exmap values;
     for (const Setting& setting : settings) {
-        const Parameter* parameter = system.parameter(setting.parameter);
-        if (parameter == nullptr && is_cancelled(setting.parameter, system)) continue;
+        const Parameter* parameter = system.declared_parameter(setting.parameter);
         if (parameter == nullptr) {
             std::vector<std::string> known;
-            for (const Parameter& p : system.parameters) known.push_back(p.name);
+            for (const auto* list : {&system.parameters, &system.cancelled})
+                for (const Parameter& p : *list) known.push_back(p.name);
             complain("a setting names a parameter of the system", in_quotes(setting.parameter),
                      suggest(setting.parameter, known), option);
         }

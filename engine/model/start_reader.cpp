@@ -75,7 +75,7 @@ void StartReader::add(const TomlEntry& entry) {
     }
     StartValue value;
     value.name = entry.key;
-    value.value = expression_of(entry.value, system_.constants());
+    value.value = expression_of(entry.value, scene_.constants());
     value.text = entry.value.text;
     value.source = entry.value.source;
     check_domain(value);

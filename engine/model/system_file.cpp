@@ -52,6 +52,11 @@ std::string System::name_with_settings() const {
 
 const Parameter* System::parameter(const std::string& wanted) const { return find_named(parameters, wanted); }
 
+const Parameter* System::declared_parameter(const std::string& wanted) const {
+    const Parameter* used = parameter(wanted);
+    return used != nullptr ? used : find_named(cancelled, wanted);
+}
+
 const NamedFunction* System::function(const std::string& wanted) const {
     return find_named(functions, wanted);
 }

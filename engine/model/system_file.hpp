@@ -115,6 +115,8 @@ struct System {
     std::string name, title, source;
     std::filesystem::path file; // system.toml; its folder holds scenes/
     std::vector<Parameter> parameters;
+    std::vector<Parameter>
+        cancelled;                 // of the file, but in no equation of a mechanism, as a mass that cancels
     std::vector<Setting> settings; // of parameters that are no longer among them
     std::vector<Variable> variables;
     std::vector<Equation> equations;        // one per variable, in the order of variables
@@ -140,6 +142,8 @@ struct System {
     // nullptr if there is none of that name.
     [[nodiscard]] const Variable* variable(const std::string& name) const;
     [[nodiscard]] const Parameter* parameter(const std::string& name) const;
+    // One of the file: in the equations, or cancelled.
+    [[nodiscard]] const Parameter* declared_parameter(const std::string& name) const;
     [[nodiscard]] const NamedFunction* function(const std::string& name) const;
     // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;

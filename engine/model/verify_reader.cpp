@@ -56,7 +56,7 @@ void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
         plan.interval = GiNaC::pow(scene.system->eps, -p);
         return;
     }
-    plan.interval = expression_of(*node, scene.system->constants());
+    plan.interval = expression_of(*node, scene.constants());
     plan.interval_text = node->text;
     plan.interval_source = node->source;
     const Estimate estimate = scene.estimate(plan.interval);

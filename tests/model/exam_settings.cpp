@@ -86,5 +86,41 @@ TEST(Settings, MustLieInTheDeclaredDomain) {
     EXPECT_THROW(set({"g=1", "r=2"}, file), Error);
 }
 
+// The mass of the pendulum is in no equation of motion.
+TEST(Settings, TakeWhatCancelled) {
+    const std::string file = read_text(source_dir() / "systems/pendulum_mechanism/system.toml");
+    EXPECT_EQ(set({"M=2", "g=1"}, file).parameters.size(), 2U);
+    const auto complaint_of = [&](const std::vector<std::string>& texts) {
+        try {
+            set(texts, file);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(complaint_of({"M=-1"}).find("declares M positive"), std::string::npos);
+    EXPECT_NE(complaint_of({"M=1", "M=1"}).find("set once"), std::string::npos);
+    EXPECT_NE(complaint_of({"Q=1"}).find("names a parameter"), std::string::npos);
+}
+
+TEST(Settings, OfASceneTakeWhatCancelled) {
+    const std::filesystem::path file = source_dir() / "systems/pendulum_mechanism/scenes/third_order.toml";
+    const std::string scene = read_text(file);
+    const auto read = [&](const std::string& text) {
+        try {
+            return to_string(read_scene_text(text, file, source_dir() / "systems").fix.at("M"));
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+    };
+    const std::string heavy = edited(scene, "[fix]\n", "[fix]\nM = 2.5\n");
+    EXPECT_EQ(read(heavy), "5/2");
+    EXPECT_NE(read(edited(scene, "[fix]\n", "[fix]\nM = 0\n")).find("'M' is declared positive"),
+              std::string::npos);
+    // Where it has a value, a start value may hold it.
+    EXPECT_EQ(read(edited(heavy, "xi = ", "xi = \"0*M\" # ")), "5/2");
+    EXPECT_NE(read(edited(scene, "xi = ", "xi = \"0*M\" # ")).find("found: M"), std::string::npos);
+}
+
 } // namespace
 } // namespace resonform
