@@ -126,7 +126,8 @@ ex ChangeOfVariables::at_origin(const ex& e) const {
     } catch (const Error&) {
         throw;
     } catch (const std::exception&) { // GiNaC::pole_error, division by zero
-        bad_input({"nothing is divided by an expression that is zero at the origin", excerpt(spell(value)),
+        bad_input({"nothing is divided by an expression that is zero at the origin",
+                   excerpt(written(motion_.form(), value)),
                    "choose other coordinates, or another origin by [change]",
                    place_of(motion_.mechanism().source)});
     }

@@ -3,6 +3,7 @@
 
 #include "model/expression.hpp"
 #include "model/lexer.hpp"
+#include "model/toml_values.hpp"
 
 #include <cln/rational.h>
 
@@ -18,14 +19,15 @@ const std::map<std::string, std::string>& derived_units() {
     return units;
 }
 
-GiNaC::ex value_of(const std::string& text, const SourceText& source) {
+using Units = std::map<std::string, GiNaC::symbol>; // of one text, by name
+
+GiNaC::ex value_of(const std::string& text, const SourceText& source, Units& units) {
     Scope scope;
     for (const auto& [name, primes] : highest_primes(text, source)) {
         const auto derived = derived_units().find(name);
-        static std::map<std::string, GiNaC::symbol> symbols;
         scope.define(name, derived == derived_units().end()
-                               ? GiNaC::ex(symbols.try_emplace(name, name).first->second)
-                               : value_of(derived->second, source));
+                               ? GiNaC::ex(units.try_emplace(name, name).first->second)
+                               : value_of(derived->second, source, units));
     }
     return read_expression(text, scope, source);
 }
@@ -83,7 +85,8 @@ std::string to_string(const Dimension& dimension) {
 Dimension read_unit(const std::string& text, const SourceText& source) {
     Dimension dimension;
     if (text.empty()) return dimension;
-    const GiNaC::ex value = value_of(text, source);
+    Units units;
+    const GiNaC::ex value = value_of(text, source, units);
     bool good = true;
     if (GiNaC::is_a<GiNaC::mul>(value))
         for (const GiNaC::ex& factor : value) good = take(dimension, factor) && good;
@@ -93,6 +96,14 @@ Dimension read_unit(const std::string& text, const SourceText& source) {
         bad_input({"a unit is a product of powers of units", in_quotes(text),
                    "write it as in \"kg*m^2/s^2\"; \"1\" is none", place_of(source)});
     return dimension;
+}
+
+std::string unit_of(const TomlNode& table) {
+    const TomlNode* node = table.find("unit");
+    if (node == nullptr) return "";
+    std::string unit = string_of(*node);
+    read_unit(unit, node->source);
+    return unit;
 }
 
 Dimension Dimensions::resolved(const Dimension& dimension) const {

@@ -24,6 +24,9 @@ std::string to_string(const Dimension& dimension); // "kg*m^2/s^2"
 // Errors (bad_input): no product of rational powers of names.
 Dimension read_unit(const std::string& text, const SourceText& source);
 
+// The unit under the key `unit` of a declaration, empty if there is none. Errors: those of read_unit.
+std::string unit_of(const TomlNode& table);
+
 // What is known of units by equations between them.
 class Dimensions {
 public:

@@ -56,7 +56,7 @@ ex of_lagrangian(const Motion& motion) {
 ex force_on(const Motion& motion, std::size_t coordinate) {
     const Mechanism& mechanism = motion.mechanism();
     const Coordinate& c = mechanism.coordinates[coordinate];
-    ex force = -mechanism.potential.diff(c.at) - mechanism.dissipation.diff(c.velocity);
+    ex force = -mechanism.potential.value.diff(c.at) - mechanism.dissipation.value.diff(c.velocity);
     for (const Force& f : mechanism.forces)
         if (f.coordinate == coordinate) force += f.value;
     return force;

@@ -82,13 +82,13 @@ struct Mechanism {
     std::vector<Particle> particles;
     std::vector<PlaneBody> plane_bodies;
     std::vector<SpatialBody> spatial_bodies;
-    GiNaC::ex potential = 0, dissipation = 0;
+    Written potential, dissipation;
     std::optional<Written> lagrangian; // instead of particles, bodies and potential
     std::vector<Force> forces;
     std::vector<Constraint> constraints;
     std::vector<Integral> integrals;
     std::vector<Change> changes;
-    SourceText source, energy; // of [coordinates] and [energy]
+    SourceText source; // of [coordinates]
 };
 
 } // namespace resonform

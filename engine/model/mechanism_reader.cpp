@@ -2,6 +2,7 @@
 #include "model/mechanism_reader.hpp"
 
 #include "model/canonical.hpp"
+#include "model/dimension.hpp"
 #include "model/toml_values.hpp"
 #include "model/zero_test.hpp"
 
@@ -83,12 +84,24 @@ Coordinate MechanismReader::coordinate_of(const TomlEntry& entry) const {
 }
 
 void MechanismReader::read_coordinates() {
+// A coordinate that is a variable may have its unit in either table.
+void MechanismReader::take_unit(Coordinate& c, const TomlEntry& entry) {
+    const std::string unit = unit_of(entry.value);
+    if (unit.empty()) return;
+    const SourceText& source = entry.value.find("unit")->source;
+    if (!c.unit.empty() && read_unit(unit, source) != read_unit(c.unit, source))
+        bad_input({"a coordinate has one unit",
+                   in_quotes(unit) + " here, " + in_quotes(c.unit) + " under [variables]",
+                   "correct one of the two", place_of(source)});
+    c.unit = unit;
+}
+
     const TomlNode& table = *root_.find("coordinates");
     mechanism_.source = table.source;
     each("coordinates", [&](const TomlEntry& entry) {
         check_keys(entry.value, {"unit"});
         Coordinate c = coordinate_of(entry);
-        if (const TomlNode* unit = entry.value.find("unit")) c.unit = string_of(*unit);
+        take_unit(c, entry);
         mechanism_.coordinates.push_back(std::move(c));
     });
     if (mechanism_.coordinates.empty() || mechanism_.coordinates.size() > most_coordinates)
@@ -178,12 +191,11 @@ void MechanismReader::read_energy() {
     const bool masses = !mechanism_.particles.empty() || !mechanism_.plane_bodies.empty() ||
                         !mechanism_.spatial_bodies.empty();
     if (energy != nullptr) {
-        mechanism_.energy = energy->source;
         check_keys(*energy, {"potential", "dissipation", "lagrangian"});
         if (const TomlNode* node = energy->find("potential"))
-            mechanism_.potential = expression_of(*node, at_rest());
+            mechanism_.potential = expression_in(*node, at_rest());
         if (const TomlNode* node = energy->find("dissipation"))
-            mechanism_.dissipation = expression_of(*node, moving());
+            mechanism_.dissipation = expression_in(*node, moving());
         if (const TomlNode* node = energy->find("lagrangian"))
             mechanism_.lagrangian = expression_in(*node, moving());
         if (mechanism_.lagrangian && (masses || energy->find("potential") != nullptr))

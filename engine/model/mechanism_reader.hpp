@@ -29,6 +29,7 @@ private:
     void read_changes();
 
     [[nodiscard]] Coordinate coordinate_of(const TomlEntry& entry) const;
+    static void take_unit(Coordinate& coordinate, const TomlEntry& entry);
     [[nodiscard]] Particle particle_of(const TomlEntry& entry, const std::vector<std::string>& keys) const;
     void read_body(const TomlEntry& entry);
     [[nodiscard]] std::vector<GiNaC::ex> three(const TomlEntry& entry, const std::string& key,

@@ -18,6 +18,14 @@ std::string in_place_of(const std::string& coordinate, const MechanicalEquations
     return "another";
 }
 
+// "units found: eps in 1/m, theta in 1"
+std::string remark_on_units(const std::vector<std::pair<std::string, std::string>>& found) {
+    std::string text;
+    for (const auto& [name, unit] : found)
+        text += (text.empty() ? "units found: " : ", ") + name + " in " + unit;
+    return text;
+}
+
 } // namespace
 
 bool SystemReader::is_mechanism() const { return root_.find("coordinates") != nullptr; }
@@ -41,7 +49,7 @@ void SystemReader::derive_equations() {
     }
     read_domain();
     const Mechanism mechanism = MechanismReader(root_, system_).read();
-    check_units(mechanism, system_);
+    const std::string units = remark_on_units(check_units(mechanism, system_, relation_values()));
     MechanicalEquations derived = equations_of(mechanism, system_);
     system_.positive.clear();
     for (Variable& variable : system_.variables) variable.jet.clear();
@@ -66,6 +74,7 @@ void SystemReader::derive_equations() {
     check_roles();
     derivation_ = std::make_shared<Derivation>(std::move(derived.derivation));
 }
+    if (!units.empty()) derived.derivation.remarks.push_back(units);
 
 // What is constant at eps = 0 is slow or a drift: as the file says, if that is possible, or as is found.
 void SystemReader::take_constant(const Coordinate& constant, Role role) {

@@ -25,7 +25,7 @@ public:
                          c.condition.source);
         }
         const ex lagrangian =
-            mechanism_.lagrangian ? mechanism_.lagrangian->value : kinetic() - mechanism_.potential;
+            mechanism_.lagrangian ? mechanism_.lagrangian->value : kinetic() - mechanism_.potential.value;
         std::vector<ex> forces;
         for (std::size_t k = 0; k < mechanism_.coordinates.size(); ++k)
             forces.push_back(on_motion(inertia(lagrangian, k) - force(k)));
@@ -72,7 +72,7 @@ private:
         return rate(lagrangian.diff(c.velocity)) - lagrangian.diff(c.at);
     }
     ex force(std::size_t k) const {
-        ex sum = -mechanism_.dissipation.diff(mechanism_.coordinates[k].velocity);
+        ex sum = -mechanism_.dissipation.value.diff(mechanism_.coordinates[k].velocity);
         for (const Force& f : mechanism_.forces)
             if (f.coordinate == k) sum += f.value;
         return sum;

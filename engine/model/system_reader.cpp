@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/system_reader.hpp"
 
+#include "model/dimension.hpp"
 #include "model/eps_powers.hpp"
 #include "model/mechanism_reader.hpp"
 #include "model/names.hpp"
@@ -126,7 +127,7 @@ void SystemReader::read_parameters() {
         parameter.name = entry.key;
         parameter.positive = flag(entry.value, "positive");
         parameter.nonzero = parameter.positive || flag(entry.value, "nonzero");
-        parameter.unit = text(entry.value, "unit");
+        parameter.unit = unit_of(entry.value);
         parameter.symbol = GiNaC::symbol(parameter.name);
         const TomlNode* weight = entry.value.find("weight");
         if (weight != nullptr && !cln::zerop(weight_of(*weight)))
@@ -197,7 +198,7 @@ Variable SystemReader::variable_of(const TomlEntry& entry) {
         variable.role = role_of(entry);
     }
     weights_.push_back(weight_of(entry.value, variable.role));
-    variable.unit = text(entry.value, "unit");
+    variable.unit = unit_of(entry.value);
     for (const std::string key : {"positive", "nonzero"}) {
         const TomlNode* node = entry.value.find(key);
         const bool undecided = !undecided_.empty() && undecided_.back() == variable.name;

@@ -11,6 +11,7 @@
 namespace resonform {
 
 struct Coordinate;
+struct GivenRelation;
 
 class SystemReader {
 public:
@@ -34,6 +35,7 @@ private:
     void read_equations();
     void read_energy(); // completes the equations, checks those that were given
     void read_domain();
+    [[nodiscard]] std::vector<GivenRelation> relation_values() const;
     void read_relations(); // puts the values into equations and domain
     void read_modes();     // modes_reader.cpp
     void scale_small_parameters();

@@ -5,6 +5,7 @@
 #include "model/positivity.hpp"
 #include "model/system_reader.hpp"
 #include "model/toml_values.hpp"
+#include "model/unit_check.hpp"
 #include "model/zero_test.hpp"
 
 #include <algorithm>
@@ -71,32 +72,43 @@ void SystemReader::read_domain() {
     }
 }
 
-// omega_2 = "2*omega_1 + eps*sigma": an exact resonance at eps = 0 with its detuning.
-void SystemReader::read_relations() {
+std::vector<GivenRelation> SystemReader::relation_values() const {
     const TomlNode* relations = root_.find("relations");
-    if (relations == nullptr) return;
+    if (relations == nullptr) return {};
     check_table(*relations);
     std::vector<std::string> names;
-    for (const Parameter& p : system_.parameters) names.push_back(p.name);
-    GiNaC::exmap values;
+    Scope scope;
+    for (const Parameter& p : system_.parameters) {
+        names.push_back(p.name);
+        if (relations->find(p.name) == nullptr) scope.define(p.name, p.symbol);
+    }
+    scope.define("eps", system_.eps);
+    std::vector<GivenRelation> values;
     for (const TomlEntry& entry : relations->entries) {
         const Parameter* parameter = system_.parameter(entry.key);
         if (parameter == nullptr)
             bad_input({"a relation gives a parameter by others", in_quotes(entry.key),
                        suggest(entry.key, names), entry.place});
-        Scope scope;
-        for (const Parameter& p : system_.parameters)
-            if (relations->find(p.name) == nullptr) scope.define(p.name, p.symbol);
-        scope.define("eps", system_.eps);
-        const GiNaC::ex value = read_expression(string_of(entry.value), scope, entry.value.source);
-        const GiNaC::ex rest = regular_at_rest(value, entry.value);
+        const std::string text = string_of(entry.value);
+        values.push_back(
+            {parameter, {read_expression(text, scope, entry.value.source), text, entry.value.source}});
+    }
+    return values;
+}
+
+// omega_2 = "2*omega_1 + eps*sigma": an exact resonance at eps = 0 with its detuning.
+void SystemReader::read_relations() {
+    GiNaC::exmap values;
+    for (const auto& [parameter, value] : relation_values()) {
+        const TomlNode& node = *root_.find("relations")->find(parameter->name);
+        const GiNaC::ex rest = regular_at_rest(value.value, node);
         if ((parameter->positive && !provably_positive(rest, system_)) ||
             (parameter->nonzero && !provably_nonzero(rest, system_)))
-            bad_value(entry.value,
-                      "a relation keeps at eps = 0 what is declared of " + in_quotes(parameter->name),
+            bad_value(node, "a relation keeps at eps = 0 what is declared of " + in_quotes(parameter->name),
                       "declare what its value is made of positive");
-        values.emplace(parameter->symbol, value);
+        values.emplace(parameter->symbol, value.value);
     }
+    if (values.empty()) return;
     const auto put = [&](GiNaC::ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); };
     for (Equation& equation : system_.equations) put(equation.residual);
     if (system_.hamiltonian) put(system_.hamiltonian->energy);

@@ -4,6 +4,8 @@
 #include "model/canonical.hpp"
 #include "model/named_function.hpp"
 
+#include <algorithm>
+
 namespace resonform {
 
 namespace {
@@ -14,12 +16,12 @@ const Dimension second = {{"s", 1}};
 
 class UnitCheck {
 public:
-    explicit UnitCheck(const System& system) {
+    explicit UnitCheck(const System& system) : missing_{"eps"} {
+        of_[system.eps] = Dimensions::unknown("eps");
         for (const Parameter& p : system.parameters) declare(p.symbol, p.name, p.unit, {});
         for (const Variable& v : system.variables)
             for (std::size_t k = 0; k < v.jet.size(); ++k)
                 declare(v.jet[k], v.name, v.unit, power(second, -static_cast<int>(k)), v.place);
-        of_[system.eps] = Dimensions::unknown("eps");
     }
     void declare(const Coordinate& c) {
         declare(c.at, c.name, c.unit, {}, c.place);
@@ -27,6 +29,8 @@ public:
     }
     [[nodiscard]] bool any() const { return any_; }
 
+    // Of what has no unit in the file, where it is determined.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> found() const;
     // The unit of an expression at `source`, whose sums must fit together.
     Dimension unit(const ex& e, const SourceText& source);
     void require(const Dimension& found, const Dimension& wanted, const std::string& what,
@@ -51,6 +55,8 @@ private:
         source.verbatim = false;
         any_ = any_ || !unit.empty();
         of_[symbol] = product(unit.empty() ? Dimensions::unknown(name) : read_unit(unit, source), factor);
+        if (unit.empty() && std::find(missing_.begin(), missing_.end(), name) == missing_.end())
+            missing_.push_back(name);
     }
     Dimension of_sum(const ex& e, const SourceText& source);
     Dimension of_function(const ex& e, const SourceText& source);
@@ -58,9 +64,21 @@ private:
     std::map<ex, Dimension, GiNaC::ex_is_less> of_;
     Dimensions known_;
     bool any_ = false;
+    std::vector<std::string> missing_;
 };
 
 Dimension UnitCheck::unit(const ex& e, const SourceText& source) {
+std::vector<std::pair<std::string, std::string>> UnitCheck::found() const {
+    std::vector<std::pair<std::string, std::string>> list;
+    for (const std::string& name : missing_) {
+        const Dimension unit = known_.resolved(Dimensions::unknown(name));
+        const bool determined = std::none_of(unit.begin(), unit.end(),
+                                             [](const auto& factor) { return factor.first.front() == '?'; });
+        if (determined) list.emplace_back(name, to_string(unit));
+    }
+    return list;
+}
+
     if (GiNaC::is_a<GiNaC::symbol>(e)) return of_.at(e);
     if (GiNaC::is_a<GiNaC::add>(e)) return of_sum(e, source);
     if (GiNaC::is_a<GiNaC::mul>(e)) {
@@ -120,8 +138,9 @@ void check_energies(const Mechanism& mechanism, UnitCheck& check) {
         for (const ex& inertia : body.inertia)
             require(inertia, power(second, -2), "inertia/s^2", body.centre.source);
     }
-    require(mechanism.potential, {}, "the potential", mechanism.energy);
-    require(mechanism.dissipation, second, "the dissipation times a second", mechanism.energy);
+    require(mechanism.potential.value, {}, "the potential", mechanism.potential.source);
+    require(mechanism.dissipation.value, second, "the dissipation times a second",
+            mechanism.dissipation.source);
     if (mechanism.lagrangian)
         require(mechanism.lagrangian->value, {}, "the Lagrangian", mechanism.lagrangian->source);
     for (const Force& force : mechanism.forces)
@@ -131,11 +150,12 @@ void check_energies(const Mechanism& mechanism, UnitCheck& check) {
 
 } // namespace
 
-void check_units(const Mechanism& mechanism, const System& system) {
+std::vector<std::pair<std::string, std::string>> check_units(const Mechanism& mechanism, const System& system,
+                                                             const std::vector<GivenRelation>& relations) {
     UnitCheck check(system);
     for (const Coordinate& c : mechanism.coordinates) check.declare(c);
     for (const Integral& i : mechanism.integrals) check.declare(i.coordinate);
-    if (!check.any()) return;
+    if (!check.any()) return {};
     for (const Prescribed& p : mechanism.prescribed) check.unit(p.law.value, p.law.source);
     check_energies(mechanism, check);
     for (const Constraint& c : mechanism.constraints) check.unit(c.condition.value, c.condition.source);
@@ -149,3 +169,8 @@ void check_units(const Mechanism& mechanism, const System& system) {
 }
 
 } // namespace resonform
+    for (const GivenRelation& r : relations)
+        check.require(check.unit(r.value.value, r.value.source),
+                      check.unit(r.parameter->symbol, r.value.source), "the relation", r.value.source);
+    for (const Declaration& d : system.positive) check.unit(d.value, d.source);
+    return check.found();

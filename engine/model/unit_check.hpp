@@ -9,9 +9,17 @@
 
 namespace resonform {
 
-// Sums, arguments of functions, energies and forces. A file without units is not checked.
-// Errors (bad_input): a term whose unit is not that of the others; the argument of a function with a unit;
-// what is not the energy or the force that it should be.
-void check_units(const Mechanism& mechanism, const System& system);
+// [relations] k = "J*c/m"
+struct GivenRelation {
+    const Parameter* parameter;
+    Written value; // in parameters and eps
+};
+
+// Sums, arguments of functions, energies and forces, relations, what is declared positive. A file without
+// units is not checked. Returns what the file does not say and its expressions determine: { "eps", "1/m" },
+// in the order of the file. Errors (bad_input): a term whose unit is not that of the others; the argument of
+// a function with a unit; what is not the energy or the force that it should be.
+std::vector<std::pair<std::string, std::string>> check_units(const Mechanism& mechanism, const System& system,
+                                                             const std::vector<GivenRelation>& relations);
 
 } // namespace resonform

@@ -162,7 +162,7 @@ protected:
     SecondRoute() {
         mechanism_.coordinates = {{"x", "", x, x1, x2, {}}, {"z", "", z, z1, z2, {}}};
         mechanism_.particles = {{"p", 1, {x, z}, {}}};
-        mechanism_.potential = x * x / 2;
+        mechanism_.potential.value = x * x / 2;
         mechanism_.constraints = {{"c", {z1 - eps * x * x1, "", {}}}};
         for (const GiNaC::symbol& s : {x, x1, x2, z, z1, z2}) form_.add(s, ExactForm::Kind::coordinate);
         form_.add(eps, ExactForm::Kind::eps);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units that fit together, are found where they are not given, and are refused with the term.
 #include "messages.hpp"
+#include "model/derivation.hpp"
 #include "model/dimension.hpp"
 
 namespace resonform {
@@ -36,9 +37,9 @@ TEST(Units, OfAMechanismFitTogether) { EXPECT_EQ(system_message(mechanism_with_u
 
 TEST(Units, OfAMechanismMayBeWrong) {
     EXPECT_EQ(system_message(edited(mechanism_with_units, "c*x^2/2", "c*x/2")),
-              "2 system.toml:14:1: energy: units fit together\n"
-              "    [energy]\n"
-              "    ^\n"
+              "2 system.toml:15:14: energy.potential: units fit together\n"
+              "    potential = \"c*x/2\"\n"
+              "                 ^\n"
               "  found: the potential is in kg*m/s^2, not in kg*m^2/s^2\n"
               "  mend:  correct the expression or the units; a file without units is not checked");
     EXPECT_EQ(system_message(edited(mechanism_with_units, "eps*x*x'\"", "eps*x*x' + eps*x'\"")),
@@ -54,6 +55,73 @@ TEST(Units, OfAMechanismMayBeWrong) {
         "         ^\n"
         "  found: force times coordinate is in kg*m^2, not in kg*m^2/s^2\n"
         "  mend:  correct the expression or the units; a file without units is not checked");
+}
+
+TEST(Units, OfEnergiesNameTheirKey) {
+    EXPECT_EQ(system_message(
+                  edited(mechanism_with_units, "[constraints]", "dissipation = \"c*x'^2/2\"\n[constraints]")),
+              "2 system.toml:16:16: energy.dissipation: units fit together\n"
+              "    dissipation = \"c*x'^2/2\"\n"
+              "                   ^\n"
+              "  found: the dissipation times a second is in kg*m^2/s^3, not in kg*m^2/s^2\n"
+              "  mend:  correct the expression or the units; a file without units is not checked");
+}
+
+TEST(Units, OfRelationsAndDomain) {
+    const std::string related = edited(edited(mechanism_with_units, "[variables]",
+                                              "k = { positive = true, unit = \"kg/s^2\" }\n[variables]"),
+                                       "c*x^2/2", "(c + k)*x^2/2");
+    EXPECT_EQ(system_message(related + "[relations]\nk = \"2*c\"\n"), "");
+    EXPECT_EQ(system_message(related + "[relations]\nk = \"2*c*m\"\n"),
+              "2 system.toml:20:6: relations.k: units fit together\n"
+              "    k = \"2*c*m\"\n"
+              "         ^\n"
+              "  found: the relation is in kg^2/s^2, not in kg/s^2\n"
+              "  mend:  correct the expression or the units; a file without units is not checked");
+    EXPECT_EQ(system_message(related + "[domain]\npositive = [\"c + 2*k\"]\n"), "");
+    EXPECT_EQ(system_message(related + "[domain]\npositive = [\"c + 2*m\"]\n"),
+              "2 system.toml:20:14: domain.positive[0]: units fit together\n"
+              "    positive = [\"c + 2*m\"]\n"
+              "                 ^\n"
+              "  found: beside the term 2*m, the term c is in kg/s^2, not in kg\n"
+              "  mend:  correct the expression or the units; a file without units is not checked");
+}
+
+TEST(Units, OfVariableAndCoordinateAgree) {
+    EXPECT_EQ(system_message(edited(mechanism_with_units, "[coordinates]\nx = {}",
+                                    "[coordinates]\nx = { unit = \"J/N\" }")),
+              "");
+    EXPECT_EQ(system_message(edited(mechanism_with_units, "[coordinates]\nx = {}",
+                                    "[coordinates]\nx = { unit = \"cm\" }")),
+              "2 system.toml:10:15: coordinates.x.unit: a coordinate has one unit\n"
+              "    x = { unit = \"cm\" }\n"
+              "                  ^\n"
+              "  found: 'cm' here, 'm' under [variables]\n"
+              "  mend:  correct one of the two");
+}
+
+// In every file, with equations or with a mechanism.
+TEST(Units, ThatAreMalformedAreNamed) {
+    EXPECT_EQ(system_message(edited(pendulum_system(), "unit = \"m/s^2\"", "unit = \"2*m\"")),
+              "2 system.toml:7:32: parameters.g.unit: a unit is a product of powers of units\n"
+              "    g = { positive = true, unit = \"2*m\" }\n"
+              "                                   ^\n"
+              "  found: '2*m'\n"
+              "  mend:  write it as in \"kg*m^2/s^2\"; \"1\" is none");
+    EXPECT_EQ(system_message(edited(pendulum_system(), "xi = { role = \"slow\", unit = \"m\" }",
+                                    "xi = { role = \"slow\", unit = \"m/\" }"))
+                  .find("2 system.toml:13:32: variables.xi.unit: "),
+              0U);
+}
+
+TEST(Units, ThatWereFoundAreSaid) {
+    const auto remarks = [](const std::string& file) {
+        return read_system_text(file, "system.toml").derivation->remarks.back();
+    };
+    EXPECT_EQ(remarks(mechanism_with_units), "units found: eps in 1/m");
+    EXPECT_EQ(remarks(edited(mechanism_with_units, "c = { positive = true, unit = \"N/m\" }",
+                             "c = { positive = true }")),
+              "units found: eps in 1/m, c in kg/s^2");
 }
 
 TEST(Units, OfNothingAreNotChecked) {
