@@ -6,6 +6,8 @@
 #include "model/frobenius.hpp"
 #include "model/gibbs_appell.hpp"
 #include "model/multipliers.hpp"
+#include "model/quasi_velocities.hpp"
+#include "model/substitution.hpp"
 #include "model/written_form.hpp"
 
 #include <algorithm>
@@ -25,13 +27,18 @@ public:
         constants_ = find_constants(constraints_, motion_);
         appell_ = appell_equations(motion_, constraints_);
         check_by_multipliers(mechanism_, form_, constraints_.velocities, all_accelerations());
+        if (!mechanism_.quasi_velocities.empty()) quasi_ = quasi_equations(motion_, constraints_, appell_);
+        first_order_ = quasi_velocities_are_variables();
     }
 
     MechanicalEquations run() {
         const ChangeOfVariables change(motion_, constraints_, constants_);
         require_regular(change);
         write_prescribed();
-        write_independent(change);
+        if (first_order_)
+            write_first_order(change);
+        else
+            write_independent(change);
         write_constants(change);
         write_constraints();
         write_accelerations();
@@ -48,11 +55,16 @@ private:
     [[nodiscard]] GiNaC::exmap all_accelerations() const;
     void require_regular(const ChangeOfVariables& change);
     void write_prescribed();
+    [[nodiscard]] bool quasi_velocities_are_variables() const;
     void write_independent(const ChangeOfVariables& change);
+    void write_first_order(const ChangeOfVariables& change);
+    [[nodiscard]] ex rate_of_constant(std::size_t k, const ChangeOfVariables& change);
     void write_constants(const ChangeOfVariables& change);
     void write_constraints();
     void write_coefficients(DerivationSection& section, const Constant& constant);
     void write_accelerations();
+    void write_equations();
+    void write_quasi_velocities();
     void derived(const std::string& variable, const std::string& text);
     [[nodiscard]] ex without_content(const ex& residual);
     // Linear equations in accelerations: the coefficients, and minus the rest.
@@ -65,6 +77,8 @@ private:
     SolvedConstraints constraints_;
     std::vector<Constant> constants_;
     AppellEquations appell_;
+    std::optional<QuasiEquations> quasi_;
+    bool first_order_ = false; // quasi-velocities are variables of the system
     MechanicalEquations result_;
 };
 
@@ -160,17 +174,56 @@ void Deriver::write_independent(const ChangeOfVariables& change) {
                                           : written(form_, without_content(residuals[i])) + " = 0");
 }
 
+bool Deriver::quasi_velocities_are_variables() const {
+    const auto& all = mechanism_.quasi_velocities;
+    const auto is_variable = [&](const QuasiVelocity& u) { return system_.variable(u.name) != nullptr; };
+    if (std::none_of(all.begin(), all.end(), is_variable)) return false;
+    const auto missing = std::find_if_not(all.begin(), all.end(), is_variable);
+    if (missing == all.end()) return true;
+    bad_input({"all quasi-velocities are variables, or none", in_quotes(missing->name) + " is none",
+               "declare it under [variables], too", missing->place});
+}
+
+// x' = sum of B_k u_k, u' = ...
+void Deriver::write_first_order(const ChangeOfVariables& change) {
+    for (std::size_t i = 0; i < constraints_.independent.size(); ++i) {
+        const Coordinate &old = independent(i), &variable = change.variable(i);
+        const ex rate = form_.simplified(change(quasi_->velocities.at(old.velocity)));
+        derived(variable.name,
+                variable.name == old.name
+                    ? variable.name + "' = " + written(form_, rate)
+                    : written(form_, without_content(form_.simplified(change(old.velocity) - rate))) +
+                          " = 0");
+    }
+    for (std::size_t k = 0; k < quasi_->accelerations.size(); ++k) {
+        const std::string& name = mechanism_.quasi_velocities[k].name;
+        derived(name, name + "' = " + written(form_, form_.simplified(change(quasi_->accelerations[k]))));
+    }
+}
+
+// In velocities of variables, or in quasi-velocities.
+ex Deriver::rate_of_constant(std::size_t k, const ChangeOfVariables& change) {
+    if (!first_order_) return change.rate(k);
+    const ex rate = put(motion_.derivative(constants_[k].integral), constraints_.velocities);
+    return form_.simplified(change(put(rate, quasi_->velocities)));
+}
+
 void Deriver::write_constants(const ChangeOfVariables& change) {
-    std::vector<ex> others; // what may depend on a constant
-    for (const ex& equation : appell_.equations) others.push_back(form_.simplified(change(equation)));
-    for (std::size_t k = 0; k < constants_.size(); ++k) others.push_back(change.rate(k));
+    std::vector<ex> others, rates; // what may depend on a constant
+    for (const ex& equation : first_order_ ? quasi_->accelerations : appell_.equations)
+        others.push_back(form_.simplified(change(equation)));
+    if (first_order_)
+        for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+            others.push_back(form_.simplified(change(quasi_->velocities.at(independent(i).velocity))));
+    for (std::size_t k = 0; k < constants_.size(); ++k) rates.push_back(rate_of_constant(k, change));
+    others.insert(others.end(), rates.begin(), rates.end());
     for (std::size_t k = 0; k < constants_.size(); ++k) {
         const Coordinate& c = constants_[k].coordinate;
         const bool slow = std::any_of(others.begin(), others.end(), [&](const ex& e) { return e.has(c.at); });
-        const bool fixed = slow && form_.vanishes(change.rate(k)) == Zero::yes;
+        const bool fixed = slow && form_.vanishes(rates[k]) == Zero::yes;
         result_.constants.push_back(
             {c, dependent(constants_[k].dependent).name, slow ? Role::slow : Role::drift, fixed});
-        if (!fixed) derived(c.name, c.name + "' = " + written(form_, change.rate(k)));
+        if (!fixed) derived(c.name, c.name + "' = " + written(form_, rates[k]));
     }
 }
 
@@ -235,13 +288,36 @@ void Deriver::write_accelerations() {
         sections.push_back(
             {"energy of accelerations with the constraints", {"S = " + written(form_, appell_.constrained)}});
     }
+    if (quasi_)
+        write_quasi_velocities();
+    else
+        write_equations();
+}
+
+void Deriver::write_equations() {
     DerivationSection equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
     for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
         equations.equations.push_back(written(form_, without_content(appell_.equations[i])) + " = 0");
         solved.equations.push_back(independent(i).name + "'' = " + written(form_, appell_.accelerations[i]));
     }
-    sections.push_back(std::move(equations));
-    sections.push_back(std::move(solved));
+    result_.derivation.accelerations.push_back(std::move(equations));
+    result_.derivation.accelerations.push_back(std::move(solved));
+}
+
+void Deriver::write_quasi_velocities() {
+    DerivationSection definitions{"quasi-velocities", {}}, velocities{"velocities in these", {}},
+        energy{"energy of accelerations in these", {"S = " + written(form_, quasi_->energy)}},
+        equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
+    for (const Coordinate& c : mechanism_.coordinates)
+        velocities.equations.push_back(c.name + "' = " + written(form_, quasi_->velocities.at(c.velocity)));
+    for (std::size_t k = 0; k < quasi_->equations.size(); ++k) {
+        const QuasiVelocity& u = mechanism_.quasi_velocities[k];
+        definitions.equations.push_back(u.name + " = " + written(form_, u.form.value));
+        equations.equations.push_back(written(form_, without_content(quasi_->equations[k])) + " = 0");
+        solved.equations.push_back(u.name + "' = " + written(form_, quasi_->accelerations[k]));
+    }
+    for (DerivationSection* section : {&definitions, &velocities, &energy, &equations, &solved})
+        result_.derivation.accelerations.push_back(std::move(*section));
 }
 
 } // namespace

@@ -29,6 +29,14 @@ struct Prescribed {
     GiNaC::ex rate;
 };
 
+// [quasi_velocities] u = "x'*cos(phi) + y'*sin(phi)"
+struct QuasiVelocity {
+    std::string name, unit;
+    GiNaC::symbol velocity, acceleration; // u, u'
+    Written form;                         // in coordinates, prescribed ones and their velocities
+    Place place;
+};
+
 struct Particle {
     std::string name;
     GiNaC::ex mass;
@@ -78,7 +86,8 @@ std::string name_of_integral(const Coordinate& dependent);
 struct Mechanism {
     std::vector<Coordinate> coordinates;
     std::vector<Prescribed> prescribed;
-    std::vector<Coordinate> fresh; // variables of the system that [change] brings in
+    std::vector<QuasiVelocity> quasi_velocities; // as many as degrees of freedom, or none
+    std::vector<Coordinate> fresh;               // variables of the system that [change] brings in
     std::vector<Particle> particles;
     std::vector<PlaneBody> plane_bodies;
     std::vector<SpatialBody> spatial_bodies;

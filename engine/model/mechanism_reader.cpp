@@ -34,9 +34,9 @@ template <class Named> bool has_name(const std::vector<Named>& all, const std::s
 std::string name_of_integral(const Coordinate& dependent) { return "R_" + dependent.name; }
 
 const std::vector<std::string>& mechanism_tables() {
-    static const std::vector<std::string> tables = {"coordinates", "prescribed", "particles",
-                                                    "bodies",      "energy",     "forces",
-                                                    "constraints", "integrals",  "change"};
+    static const std::vector<std::string> tables = {
+        "coordinates", "prescribed", "quasi_velocities", "particles", "bodies",
+        "energy",      "forces",     "constraints",      "integrals", "change"};
     return tables;
 }
 
@@ -48,6 +48,7 @@ MechanismReader::MechanismReader(const TomlNode& root, const System& system)
 Mechanism MechanismReader::read() {
     read_coordinates();
     read_prescribed();
+    read_quasi_velocities();
     read_masses();
     read_energy();
     read_forces();
@@ -83,7 +84,6 @@ Coordinate MechanismReader::coordinate_of(const TomlEntry& entry) const {
     return c;
 }
 
-void MechanismReader::read_coordinates() {
 // A coordinate that is a variable may have its unit in either table.
 void MechanismReader::take_unit(Coordinate& c, const TomlEntry& entry) {
     const std::string unit = unit_of(entry.value);
@@ -96,6 +96,7 @@ void MechanismReader::take_unit(Coordinate& c, const TomlEntry& entry) {
     c.unit = unit;
 }
 
+void MechanismReader::read_coordinates() {
     const TomlNode& table = *root_.find("coordinates");
     mechanism_.source = table.source;
     each("coordinates", [&](const TomlEntry& entry) {
@@ -154,7 +155,23 @@ Scope MechanismReader::moving() const {
     for (const Coordinate& c : mechanism_.coordinates) scope.define_derivative(c.name, 1, c.velocity);
     for (const Prescribed& p : mechanism_.prescribed)
         scope.define_derivative(p.coordinate.name, 1, p.coordinate.velocity);
+    for (const QuasiVelocity& u : mechanism_.quasi_velocities) scope.define(u.name, u.form.value);
     return scope;
+}
+
+// One that is a variable of the system has its symbols.
+void MechanismReader::read_quasi_velocities() {
+    each("quasi_velocities", [&](const TomlEntry& entry) {
+        if (has_name(mechanism_.coordinates, entry.key) ||
+            std::any_of(mechanism_.prescribed.begin(), mechanism_.prescribed.end(),
+                        [&](const Prescribed& p) { return p.coordinate.name == entry.key; }))
+            bad_input({"a quasi-velocity has a name of its own",
+                       in_quotes(entry.key) + " is a coordinate or prescribed", "choose another name",
+                       entry.place});
+        const Coordinate symbols = coordinate_of(entry);
+        mechanism_.quasi_velocities.push_back({entry.key, symbols.unit, symbols.at, symbols.velocity,
+                                               expression_in(entry.value, moving()), entry.place});
+    });
 }
 
 ex MechanismReader::needed(const TomlEntry& entry, const std::string& key, const Scope& scope) const {
@@ -248,6 +265,7 @@ void MechanismReader::find_fresh() {
     };
     for (const TomlEntry& entry : variables->entries) {
         const bool known = has_name(mechanism_.coordinates, entry.key) || named_by_engine(entry.key) ||
+                           has_name(mechanism_.quasi_velocities, entry.key) ||
                            std::any_of(mechanism_.prescribed.begin(), mechanism_.prescribed.end(),
                                        [&](const Prescribed& p) { return p.coordinate.name == entry.key; }) ||
                            std::any_of(mechanism_.integrals.begin(), mechanism_.integrals.end(),

@@ -20,6 +20,7 @@ public:
 private:
     void read_coordinates();
     void read_prescribed();
+    void read_quasi_velocities();
     void read_integrals();
     void find_fresh();
     void read_masses();
@@ -28,8 +29,8 @@ private:
     void read_constraints();
     void read_changes();
 
-    [[nodiscard]] Coordinate coordinate_of(const TomlEntry& entry) const;
     static void take_unit(Coordinate& coordinate, const TomlEntry& entry);
+    [[nodiscard]] Coordinate coordinate_of(const TomlEntry& entry) const;
     [[nodiscard]] Particle particle_of(const TomlEntry& entry, const std::vector<std::string>& keys) const;
     void read_body(const TomlEntry& entry);
     [[nodiscard]] std::vector<GiNaC::ex> three(const TomlEntry& entry, const std::string& key,

@@ -35,11 +35,13 @@ void SystemReader::derive_equations() {
         if (const TomlNode* node = root_.find(key))
             bad_input({"the equations of a mechanism are derived", "[" + std::string(key) + "]",
                        "remove this table, or [coordinates]", place_of(node->source)});
-    for (const char* key : {"coordinates", "integrals"})
+    for (const auto& [key, what] :
+         {std::pair("coordinates", "a coordinate"), std::pair("integrals", "an integral"),
+          std::pair("quasi_velocities", "a quasi-velocity")})
         if (const TomlNode* node = root_.find(key)) {
             check_table(*node);
             for (const TomlEntry& entry : node->entries)
-                if (system_.variable(entry.key) == nullptr) claim_name(entry, "a coordinate");
+                if (system_.variable(entry.key) == nullptr) claim_name(entry, what);
         }
     // Symbols, weights and domain for the time of the derivation; the equations bring their own.
     for (std::size_t v = 0; v < system_.variables.size(); ++v) {
@@ -72,9 +74,9 @@ void SystemReader::derive_equations() {
                        "declare " + line.variable + " under [variables], with its role",
                        place_of(root_.find("coordinates")->source)});
     check_roles();
+    if (!units.empty()) derived.derivation.remarks.push_back(units);
     derivation_ = std::make_shared<Derivation>(std::move(derived.derivation));
 }
-    if (!units.empty()) derived.derivation.remarks.push_back(units);
 
 // What is constant at eps = 0 is slow or a drift: as the file says, if that is possible, or as is found.
 void SystemReader::take_constant(const Coordinate& constant, Role role) {

@@ -24,6 +24,11 @@ Motion::Motion(const Mechanism& mechanism, const System& system, ExactForm& form
     for (const Integral& i : mechanism.integrals)
         if (system.variable(i.coordinate.name) == nullptr) all.push_back(&i.coordinate);
     add_symbols(all);
+    for (const QuasiVelocity& u : mechanism.quasi_velocities) {
+        form.add(u.acceleration, ExactForm::Kind::acceleration);
+        form.add(u.velocity, ExactForm::Kind::velocity);
+        steps_.push_back({u.velocity, u.acceleration});
+    }
     for (const Prescribed& p : mechanism.prescribed) {
         const Variable* variable = system.variable(p.coordinate.name);
         const bool turns = variable != nullptr && variable->role == Role::angle;

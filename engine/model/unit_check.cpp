@@ -27,10 +27,11 @@ public:
         declare(c.at, c.name, c.unit, {}, c.place);
         declare(c.velocity, c.name, c.unit, power(second, -1), c.place);
     }
+    void declare(const QuasiVelocity& u) { declare(u.velocity, u.name, u.unit, {}, u.place); }
     [[nodiscard]] bool any() const { return any_; }
-
     // Of what has no unit in the file, where it is determined.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> found() const;
+
     // The unit of an expression at `source`, whose sums must fit together.
     Dimension unit(const ex& e, const SourceText& source);
     void require(const Dimension& found, const Dimension& wanted, const std::string& what,
@@ -54,20 +55,19 @@ private:
         source.source_line = place.source_line;
         source.verbatim = false;
         any_ = any_ || !unit.empty();
-        of_[symbol] = product(unit.empty() ? Dimensions::unknown(name) : read_unit(unit, source), factor);
         if (unit.empty() && std::find(missing_.begin(), missing_.end(), name) == missing_.end())
             missing_.push_back(name);
+        of_[symbol] = product(unit.empty() ? Dimensions::unknown(name) : read_unit(unit, source), factor);
     }
     Dimension of_sum(const ex& e, const SourceText& source);
     Dimension of_function(const ex& e, const SourceText& source);
 
     std::map<ex, Dimension, GiNaC::ex_is_less> of_;
     Dimensions known_;
-    bool any_ = false;
     std::vector<std::string> missing_;
+    bool any_ = false;
 };
 
-Dimension UnitCheck::unit(const ex& e, const SourceText& source) {
 std::vector<std::pair<std::string, std::string>> UnitCheck::found() const {
     std::vector<std::pair<std::string, std::string>> list;
     for (const std::string& name : missing_) {
@@ -79,6 +79,7 @@ std::vector<std::pair<std::string, std::string>> UnitCheck::found() const {
     return list;
 }
 
+Dimension UnitCheck::unit(const ex& e, const SourceText& source) {
     if (GiNaC::is_a<GiNaC::symbol>(e)) return of_.at(e);
     if (GiNaC::is_a<GiNaC::add>(e)) return of_sum(e, source);
     if (GiNaC::is_a<GiNaC::mul>(e)) {
@@ -155,9 +156,13 @@ std::vector<std::pair<std::string, std::string>> check_units(const Mechanism& me
     UnitCheck check(system);
     for (const Coordinate& c : mechanism.coordinates) check.declare(c);
     for (const Integral& i : mechanism.integrals) check.declare(i.coordinate);
+    for (const QuasiVelocity& u : mechanism.quasi_velocities) check.declare(u);
     if (!check.any()) return {};
     for (const Prescribed& p : mechanism.prescribed) check.unit(p.law.value, p.law.source);
     check_energies(mechanism, check);
+    for (const QuasiVelocity& u : mechanism.quasi_velocities)
+        check.require(check.unit(u.form.value, u.form.source), check.unit(u.velocity, u.form.source),
+                      "the quasi-velocity", u.form.source);
     for (const Constraint& c : mechanism.constraints) check.unit(c.condition.value, c.condition.source);
     const auto equal = [&](const Written& value, const Coordinate& coordinate, const std::string& what) {
         check.require(check.unit(value.value, value.source), check.unit(coordinate.at, value.source), what,
@@ -166,11 +171,11 @@ std::vector<std::pair<std::string, std::string>> check_units(const Mechanism& me
     for (const Integral& i : mechanism.integrals) equal(i.value, i.coordinate, "the integral");
     for (const Change& c : mechanism.changes)
         equal(c.value, mechanism.coordinates[c.coordinate], "the change of variables");
-}
-
-} // namespace resonform
     for (const GivenRelation& r : relations)
         check.require(check.unit(r.value.value, r.value.source),
                       check.unit(r.parameter->symbol, r.value.source), "the relation", r.value.source);
     for (const Declaration& d : system.positive) check.unit(d.value, d.source);
     return check.found();
+}
+
+} // namespace resonform

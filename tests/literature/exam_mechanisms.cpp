@@ -55,6 +55,25 @@ TEST(LengtheningPendulum, HasItsAdiabaticInvariant) {
               test::coefficient(*n.normal_form.field, "-3*v/(4*l)"));
 }
 
+// With the velocity along the edge for a variable, in the place of x', the modes have the same rates.
+TEST(SteeredKnifeEdge, IsTheSameInQuasiVelocities) {
+    std::string file =
+        read_text(std::filesystem::path(RESONFORM_SOURCE_DIR) / "systems/steered_knife_edge/system.toml");
+    const auto insert = [&](const std::string& before, const std::string& text) {
+        file.insert(file.find(before), text);
+    };
+    insert("[energy]",
+           "[quasi_velocities]\nu = \"x'*cos(eps*theta) + y'*sin(eps*theta)\"\nw = \"theta'\"\n\n");
+    insert("[coordinates]", "u = { role = \"fast\", weight = 0 }\nw = { role = \"fast\", weight = 0 }\n\n");
+    const auto rates = [](const Normalization& n) {
+        return json_document(normal_form_json(n, 4)["normal_form"]);
+    };
+    Normalization quasi = normalize(test::field_from(file), 4);
+    EXPECT_EQ(rates(quasi), rates(form_of("steered_knife_edge", 4)));
+    quasi.certificate = test::certificate_of(quasi);
+    EXPECT_TRUE(quasi.certificate.holds);
+}
+
 // <eps*theta*x'>, both of frequency omega: y' = eps*omega/2*Im(conj(z1)*z3) to first order.
 TEST(SteeredKnifeEdge, MovesAside) {
     const Normalization n = form_of("steered_knife_edge", 2);
