@@ -126,6 +126,16 @@ Json former_constants(const Transgression& transgression) {
     return list;
 }
 
+Json path_json(const Solution& law, const DriftPath& path) {
+    const auto name = [&](std::size_t drift) {
+        return law.system().variables[law.drift[drift].variable].name;
+    };
+    const auto text = [&](const Polynomial& p) { return json_expression(*law.ring, p); };
+    return {{"variable", name(path.of)},    {"over", name(path.over)},   {"offset", text(path.offset)},
+            {"slope", text(path.slope)},    {"scale", text(path.scale)}, {"rising", text(path.rising)},
+            {"falling", text(path.falling)}};
+}
+
 } // namespace
 
 Json transgression_json(const Transgression& transgression) {
@@ -144,6 +154,7 @@ Json transgression_json(const Transgression& transgression) {
         drift[d]["remainder"] = law.drift[d].value.through() + 1;
     document.update(
         Json{{"slow", parts.slow()}, {"drift", std::move(drift)}, {"primitives", parts.primitives()}});
+    if (transgression.path) document["path"] = path_json(law, *transgression.path);
     return document;
 }
 

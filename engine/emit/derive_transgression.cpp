@@ -30,6 +30,49 @@ Formula drift_law(const Solution& law, const DriftSolution& drift, std::optional
     return {side(symbol_sum(itself ? name : "z_" + name)), std::move(value)};
 }
 
+// x - C_X, as a factor
+DisplayFactor moved(const Solution& law, const DriftSolution& drift) {
+    DisplayFactor factor;
+    factor.kind = DisplayFactor::Kind::sum;
+    factor.arguments = {symbol_sum(law.system().variables[drift.variable].name) +
+                        -symbol_sum(drift.constant_name)};
+    return factor;
+}
+
+DisplaySum times(const Ring& ring, const Polynomial& coefficient, DisplayFactor factor) {
+    DisplaySum sum;
+    if (coefficient.empty()) return sum;
+    sum.terms.push_back(factored(display(ring, coefficient)));
+    sum.terms.back().tail.push_back(std::move(factor));
+    return sum;
+}
+
+// y - C_Y = r*cosh((x - C_X)/r)
+Formula path_formula(const Solution& law, const DriftPath& path) {
+    const Ring& ring = *law.ring;
+    const DriftSolution &over = law.drift[path.over], &of = law.drift[path.of];
+    const auto exponent = [&](const Polynomial& inverse_scale) {
+        DisplaySum sum;
+        sum.terms.push_back(factored(display(ring, inverse_scale)));
+        sum.terms.back().factors.insert(sum.terms.back().factors.begin(), moved(law, over));
+        return sum;
+    };
+    const Polynomial inverse = *ring.inverse(path.scale);
+    const auto term = [&](const char* function, const Polynomial& coefficient, const Polynomial& of_inverse) {
+        return times(ring, coefficient, function_factor(function, exponent(of_inverse)));
+    };
+    Side right;
+    right.groups = {display(ring, path.offset), times(ring, path.slope, moved(law, over))};
+    if (path.rising == path.falling)
+        right.groups.push_back(term("cosh", Rational(2) * path.rising, inverse));
+    else if (path.rising == -path.falling)
+        right.groups.push_back(term("sinh", Rational(2) * path.rising, inverse));
+    else
+        right.groups.insert(right.groups.end(),
+                            {term("exp", path.rising, inverse), term("exp", path.falling, -inverse)});
+    return {side(moved(law, of).arguments.front()), std::move(right)};
+}
+
 std::vector<Section> closed_laws(const Transgression& transgression) {
     const Solution& law = transgression.law;
     Section section = slow_laws(law);
@@ -37,7 +80,8 @@ std::vector<Section> closed_laws(const Transgression& transgression) {
         for (const DriftSolution& drift : law.drift)
             if (drift.variable == constant.variable)
                 section.formulas.push_back(drift_law(law, drift, constant.oscillation));
-    return {section};
+    if (!transgression.path) return {section};
+    return {section, {"path, to leading order", {path_formula(law, *transgression.path)}}};
 }
 
 std::string oscillation_remark(const Solution& law, const FormerConstant& constant) {

@@ -85,7 +85,7 @@ bool has_former_constants(const System& system) {
 }
 
 Transgression transgression(const Solution& solution) {
-    Transgression result{solution, {}};
+    Transgression result{solution, {}, drift_path(solution)};
     if (solution.flow)
         result.law.flow = std::make_shared<const SlowFlow>(leading_flow(solution));
     else

@@ -6,7 +6,7 @@
 //   particle:  z' = eps sqrt(c/m)(...) + O(eps^5), a constant: z rises uniformly
 #pragma once
 
-#include "solve/solution.hpp"
+#include "solve/drift_path.hpp"
 
 #include <optional>
 #include <vector>
@@ -26,6 +26,7 @@ struct Transgression {
     // through() + 1 at least, whether it was looked at or not.
     Solution law;
     std::vector<FormerConstant> constants; // in the order of the file
+    std::optional<DriftPath> path;         // of two drifts
 };
 
 // Whether it has slow variables or drifts.

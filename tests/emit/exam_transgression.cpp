@@ -29,10 +29,36 @@ xi = xi_0 + eps*v*t
 x = C_X + r*log((xi + sqrt(r^2 + xi^2))/r) + O(eps^2)
 y = C_Y + sqrt(r^2 + xi^2) + O(eps^2)
 
+path, to leading order:
+  y - C_Y = r*cosh((x - C_X)/r)
+
 xi does not oscillate through order 3
 x oscillates about its law: O(eps^2)
 y oscillates about its law: O(eps^2)
 )");
+}
+
+// x and y in turn, with an offset, sinh, and a straight line.
+TEST(Transgression, PathsOfOtherKinds) {
+    const auto path = [](const std::string& rates) {
+        const auto field =
+            field_from("[system]\nname = \"s\"\n[parameters]\nr = { positive = true }\nb = {}\n"
+                       "[variables]\nxi = { role = \"slow\" }\nx = { role = \"drift\" }\n"
+                       "y = { role = \"drift\" }\n[equations]\nxi = \"xi' = eps\"\n" +
+                       rates);
+        const std::string text = print_transgression(solved(certified(field, 2), 1), Format::text);
+        const std::size_t at = text.find("path, to leading order:\n  ");
+        return at == std::string::npos ? "none" : text.substr(at + 26, text.find('\n', at + 26) - at - 26);
+    };
+    EXPECT_EQ(path("x = \"x' = eps*xi/sqrt(xi^2 + r^2)\"\ny = \"y' = eps*r/sqrt(xi^2 + r^2)\"\n"),
+              "x - constant_x = r*cosh((y - constant_y)/r)");
+    EXPECT_EQ(path("x = \"x' = eps*r/sqrt(xi^2 + r^2)\"\ny = \"y' = eps*b\"\n"),
+              "y - constant_y = r*b*sinh((x - constant_x)/r)");
+    EXPECT_EQ(path("x = \"x' = eps*r/sqrt(xi^2 + r^2)\"\ny = \"y' = eps*(b + xi/sqrt(xi^2 + r^2))\"\n"),
+              "y - constant_y = r*(b + 1)/2*exp((x - constant_x)/r) - r*(b - 1)/2*exp(-(x - constant_x)/r)");
+    EXPECT_EQ(path("x = \"x' = eps*xi\"\ny = \"y' = eps*b*xi\"\n"), "y - constant_y = b*(x - constant_x)");
+    EXPECT_EQ(path("x = \"x' = eps*xi\"\ny = \"y' = eps\"\n"), "none"); // a parabola
+    EXPECT_EQ(path("x = \"x' = eps^2\"\ny = \"y' = eps\"\n"), "none");
 }
 
 TEST(Transgression, OfThePendulumInLatex) {
@@ -89,6 +115,11 @@ TEST(TransgressionJson, OfThePendulumIsRead) {
     EXPECT_EQ(json["drift"][1]["value"],
               nlohmann::json::parse(R"([{"eps": 0, "coefficient": "(r**2 + xi**2)**(1/2) + C_Y"}])"));
     EXPECT_EQ(json["drift"][1]["remainder"], 2);
+    EXPECT_EQ(json["path"]["over"], "x");
+    EXPECT_EQ(json["path"]["scale"], "r");
+    EXPECT_EQ(json["path"]["rising"], "r/2");
+    EXPECT_EQ(json["path"]["falling"], "r/2");
+    EXPECT_EQ(json["path"]["offset"], "0");
     ASSERT_EQ(json["primitives"].size(), 1U); // those of later orders are left out
     EXPECT_EQ(json["primitives"][0]["kind"], "logarithm");
 }
@@ -101,8 +132,8 @@ TEST(TransgressionJson, OfTheParticleIsRead) {
     EXPECT_EQ(json["uniform"][0]["rate"], "eps*sqrt(c)*(u_x*v_y - v_x*u_y)/sqrt(m)");
     EXPECT_EQ(json["amplitudes"][0],
               nlohmann::json::parse(R"({"mode": "z1", "real": "u_x", "imaginary": "v_x", "eps": 0})"));
-EXPECT_EQ(json["flow"][2]["remainder"], 4);
-EXPECT_EQ(json["flow"][0]["terms"].size(), 0U);
+    EXPECT_EQ(json["flow"][2]["remainder"], 4);
+    EXPECT_EQ(json["flow"][0]["terms"].size(), 0U);
 }
 
 TEST(Transgression, IsOfWhatIsConstantAtEpsZero) {
