@@ -159,21 +159,6 @@ Scope MechanismReader::moving() const {
     return scope;
 }
 
-// One that is a variable of the system has its symbols.
-void MechanismReader::read_quasi_velocities() {
-    each("quasi_velocities", [&](const TomlEntry& entry) {
-        if (has_name(mechanism_.coordinates, entry.key) ||
-            std::any_of(mechanism_.prescribed.begin(), mechanism_.prescribed.end(),
-                        [&](const Prescribed& p) { return p.coordinate.name == entry.key; }))
-            bad_input({"a quasi-velocity has a name of its own",
-                       in_quotes(entry.key) + " is a coordinate or prescribed", "choose another name",
-                       entry.place});
-        const Coordinate symbols = coordinate_of(entry);
-        mechanism_.quasi_velocities.push_back({entry.key, symbols.unit, symbols.at, symbols.velocity,
-                                               expression_in(entry.value, moving()), entry.place});
-    });
-}
-
 ex MechanismReader::needed(const TomlEntry& entry, const std::string& key, const Scope& scope) const {
     const TomlNode* node = entry.value.find(key);
     if (node == nullptr)
@@ -238,6 +223,7 @@ std::size_t MechanismReader::index_of(const TomlEntry& entry, const std::string&
 
 void MechanismReader::read_forces() {
     each("forces", [&](const TomlEntry& entry) {
+        if (add_force_on_quasi_velocity(entry)) return;
         const std::size_t at = index_of(entry, "a generalised force");
         mechanism_.forces.push_back({at, expression_of(entry.value, moving()), entry.value.source});
     });

@@ -26,6 +26,7 @@ private:
     void read_masses();
     void read_energy();
     void read_forces();
+    bool add_force_on_quasi_velocity(const TomlEntry& entry); // false: it belongs to none
     void read_constraints();
     void read_changes();
 

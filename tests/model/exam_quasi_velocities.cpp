@@ -49,6 +49,9 @@ TEST(QuasiVelocities, StandWhereVelocitiesDo) {
     const std::string damped = edited(edited(plain, "[parameters]", "[parameters]\nb = { unit = \"kg/s\" }"),
                                       "k*theta^2/2\"", "k*theta^2/2\"\ndissipation = \"b*u^2/2\"");
     EXPECT_EQ(lines(damped, "equations of Gibbs and Appell").at(0), "m*u' + b*u + c*x*cos(eps*theta) = 0");
+    const std::string dragged = edited(edited(plain, "[parameters]", "[parameters]\nb = { unit = \"kg/s\" }"),
+                                       "[constraints]", "[forces]\nu = \"-b*u\"\n[constraints]");
+    EXPECT_EQ(lines(dragged, "accelerations"), lines(damped, "accelerations"));
     const std::string by_constraint = edited(plain, "y' = tan(eps*theta)*x'", "y' = u*sin(eps*theta)");
     EXPECT_EQ(lines(by_constraint, "accelerations"), lines(plain, "accelerations"));
     const std::string force = edited(plain, "[constraints]", "[forces]\ntheta = \"-J*w/1\"\n[constraints]");
