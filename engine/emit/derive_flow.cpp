@@ -178,7 +178,7 @@ std::vector<Section> leading_flow_sections(const Solution& solution) {
 
 namespace {
 
-Json terms_json(const GradedField& field, const std::string& name, const Series& series) {
+Json flow_terms(const GradedField& field, const std::string& name, const Series& series) {
     Json list = Json::array();
     append_json_terms(list, *field.ring, name, series.total(series.through()), field.outer());
     return list;
@@ -201,7 +201,7 @@ Json frame_json(const GradedField& field, const SlowFlow& flow) {
 Json rates_json(const GradedField& field, const SlowFlow& flow, bool remainders) {
     Json rates = Json::array();
     const auto add = [&](const std::string& name, const char* role, const Series& rate) {
-        Json entry = {{"variable", name}, {"role", role}, {"terms", terms_json(field, name, rate)}};
+        Json entry = {{"variable", name}, {"role", role}, {"terms", flow_terms(field, name, rate)}};
         if (remainders) entry["remainder"] = rate.through() < 0 ? Json(nullptr) : Json(rate.through() + 1);
         rates.push_back(std::move(entry));
     };
@@ -220,7 +220,7 @@ Json flow_json(const Solution& solution) {
     const GradedField& field = *solution.normalization->normal_form.field;
     Json outputs = Json::array();
     for (const FlowOutput& output : flow.outputs)
-        outputs.push_back({{"name", output.name}, {"terms", terms_json(field, output.name, output.value)}});
+        outputs.push_back({{"name", output.name}, {"terms", flow_terms(field, output.name, output.value)}});
     return {{"frame", frame_json(field, flow)},
             {"flow", rates_json(field, flow, false)},
             {"outputs", std::move(outputs)}};

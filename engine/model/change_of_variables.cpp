@@ -63,11 +63,11 @@ void ChangeOfVariables::choose_variables() {
     }
     if (changed == mechanism.fresh.size()) return;
     const Place place = mechanism.fresh.empty() ? place_of(mechanism.source) : mechanism.fresh.front().place;
-    bad_input(
-        {"each variable of a mechanism is a coordinate, prescribed, an integral, or new in [change], which "
-         "has one new variable for each coordinate that it replaces",
-         "new: " + names_of(mechanism.fresh) + "; coordinates replaced: " + std::to_string(changed),
-         "correct the names, or write [change]", place});
+    bad_input({"each variable of a mechanism is a coordinate, prescribed, an integral, a quasi-velocity, or "
+               "new in [change], which "
+               "has one new variable for each coordinate that it replaces",
+               "new: " + names_of(mechanism.fresh) + "; coordinates replaced: " + std::to_string(changed),
+               "correct the names, or write [change]", place});
 }
 
 void ChangeOfVariables::require_invertible() const {

@@ -16,13 +16,13 @@ Solution solved(std::shared_ptr<const Normalization> normalization, int order) {
     return solve(std::move(normalization), {order, through});
 }
 
-std::string text_of(const std::string& system, int order) {
+std::string transgression_text(const std::string& system, int order) {
     return print_transgression(solved(certified(field_named(system), order + 1), order), Format::text);
 }
 
 TEST(Transgression, OfThePendulumIsTheCatenary) {
     EXPECT_EQ(
-        text_of("almost_holonomic_pendulum", 3),
+        transgression_text("almost_holonomic_pendulum", 3),
         R"(transgression of almost_holonomic_pendulum on the time 1/eps (normal form and map through weight 4)
 
 xi = xi_0 + eps*v*t
@@ -71,7 +71,7 @@ TEST(Transgression, OfThePendulumInLatex) {
 
 // z = C_0 + eps*omega*(C2*C3 - C1*C4)*t, with u_x - i v_x = C1 + i C2.
 TEST(Transgression, OfTheParticleIsUniform) {
-    const std::string text = text_of("nonholonomic_particle", 3);
+    const std::string text = transgression_text("nonholonomic_particle", 3);
     expect_part(text, "\n  a1 = u_x + I*v_x\n");
     expect_part(text, "\n  z_z = constant_z + eps*sqrt(c)*(u_x*v_y - v_x*u_y)/sqrt(m)*t + O(eps^4)\n");
     expect_part(text, "\nz does not oscillate through order 3\n");
@@ -79,7 +79,7 @@ TEST(Transgression, OfTheParticleIsUniform) {
 
 // With a force c*x + eps*b*x^3 the amplitudes turn, in the time 1/eps: the rates are averages.
 TEST(Transgression, OfASlowFlowIsAveraged) {
-    const std::string text = text_of("anharmonic_particle", 2);
+    const std::string text = transgression_text("anharmonic_particle", 2);
     expect_part(text, "\nslow flow:\n  a1' = 3*I*b/(8*sqrt(m)*sqrt(c))*a1^2*a2*eps + O(eps^2)\n");
     expect_part(text,
                 "\n  z_z' = -I*sqrt(c)/(2*sqrt(m))*a2*a3*eps + I*sqrt(c)/(2*sqrt(m))*a1*a4*eps + O(eps^3)\n");
@@ -87,7 +87,7 @@ TEST(Transgression, OfASlowFlowIsAveraged) {
 
 // Amplitudes of the first approximation leave out eps in the time 1/eps.
 TEST(Transgression, SaysWhatIsLeftOut) {
-    const std::string text = text_of("steered_knife_edge", 2);
+    const std::string text = transgression_text("steered_knife_edge", 2);
     expect_part(text, "\n  a1' = O(eps^2)\n");
     expect_part(text, "*t + O(eps)\n");
     expect_part(text, "\ny oscillates about its law: O(eps)\n");
@@ -138,7 +138,7 @@ TEST(TransgressionJson, OfTheParticleIsRead) {
 
 TEST(Transgression, IsOfWhatIsConstantAtEpsZero) {
     try {
-        text_of("henon_heiles", 1);
+        transgression_text("henon_heiles", 1);
         FAIL() << "printed";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Kind::bad_input);

@@ -172,7 +172,8 @@ const BadInput bad_mechanisms[] = {
      "  mend:  correct it"},
     {"NoChange", "[change]\nx = \"psi + xi\"\n", "",
      "2 system.toml:7:1: variables.psi: each variable of a mechanism is a coordinate, prescribed, an "
-     "integral, or new in [change], which has one new variable for each coordinate that it replaces\n"
+     "integral, a quasi-velocity, or new in [change], which has one new variable for each coordinate that it "
+     "replaces\n"
      "    psi = { role = \"fast\" }\n"
      "    ^\n"
      "  found: new: psi; coordinates replaced: 0\n"

@@ -87,6 +87,20 @@ TEST(QuasiVelocities, GoWithAChangeOfVariables) {
     EXPECT_EQ(system.equations.back().text, "w' = -xi*xi'*w/(xi^2 + r^2) - g*sin(psi)/sqrt(xi^2 + r^2)");
 }
 
+// A coordinate that runs on is an angle where its velocity is slow.
+TEST(QuasiVelocities, MakeARotationSlow) {
+    const System system = read_system_text(
+        "[system]\nname = \"bead\"\n[parameters]\nm = { positive = true }\nl = { positive = true }\nb = {}\n"
+        "[variables]\nphi = { role = \"angle\" }\nw = { role = \"slow\", positive = true }\n"
+        "[coordinates]\nphi = {}\n[quasi_velocities]\nw = \"phi'\"\n[particles]\n"
+        "bead = { mass = \"m\", position = [\"l*sin(phi)\", \"-l*cos(phi)\"] }\n[energy]\n"
+        "potential = \"-eps*m*l*cos(phi)\"\ndissipation = \"eps*b*m*w^2/2\"\n",
+        "system.toml");
+    EXPECT_EQ(system.equations[0].text, "phi' = w");
+    EXPECT_EQ(system.equations[1].text, "w' = -eps*b*w/l^2 - eps*sin(phi)/l");
+    EXPECT_EQ(system.variable("w")->role, Role::slow);
+}
+
 TEST(QuasiVelocities, ThatAreNone) {
     const auto message = [](const std::string& table) {
         return system_message(with_table(knife_edge(), "[quasi_velocities]\n" + table));
