@@ -92,9 +92,11 @@ void ChangeOfVariables::require_invertible() const {
 
 void ChangeOfVariables::find_rates(const std::vector<Constant>& constants) {
     ExactForm& form = motion_.form();
+    GiNaC::exmap laws; // what moves at eps = 0 cancels by its law only
+    for (const Prescribed* p : motion_.moving()) laws[p->coordinate.velocity] = p->rate;
     for (const Constant& constant : constants) {
         const ex old = put(motion_.derivative(constant.integral), constraints_.velocities);
-        const ex rate = form.simplified(put(old, all_));
+        const ex rate = form.simplified(put(put(old, all_), laws));
         for (const Constant& other : constants)
             if (rate.has(other.coordinate.velocity))
                 refuse(
@@ -126,7 +128,8 @@ ex ChangeOfVariables::at_origin(const ex& e) const {
     } catch (const Error&) {
         throw;
     } catch (const std::exception&) { // GiNaC::pole_error, division by zero
-        bad_input({"nothing is divided by an expression that is zero at the origin", excerpt(spell(value)),
+        bad_input({"nothing is divided by an expression that is zero at the origin",
+                   excerpt(written(motion_.form(), value)),
                    "choose other coordinates, or another origin by [change]",
                    place_of(motion_.mechanism().source)});
     }

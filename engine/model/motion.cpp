@@ -71,6 +71,13 @@ ex Motion::unperturbed(const ex& e) const {
     }
 }
 
+std::vector<const Prescribed*> Motion::moving() const {
+    std::vector<const Prescribed*> result;
+    for (const Prescribed& p : mechanism_->prescribed)
+        if (form_->vanishes(unperturbed(p.rate)) != Zero::yes) result.push_back(&p);
+    return result;
+}
+
 std::vector<ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const Place& place) {
     const std::size_t n = rows.size();
     for (std::size_t column = 0; column < n; ++column) {

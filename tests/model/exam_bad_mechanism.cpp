@@ -162,7 +162,7 @@ const BadInput bad_mechanisms[] = {
      "2 system.toml:10:1: coordinates: nothing is divided by an expression that is zero at the origin\n"
      "    [coordinates]\n"
      "    ^\n"
-     "  found: (2*eps^2*m*psi^4*xi + eps^2*m*psi^3*xi^2 + eps^2*m*psi^5 + m...\n"
+     "  found: (eps^2*m*psi^4 + 2*eps^2*m*xi*psi^3 + eps^2*m*xi^2*psi^2 + m...\n"
      "  mend:  choose other coordinates, or another origin by [change]"},
     {"NotInvertible", "psi + xi", "psi^2 + xi",
      "2 system.toml:22:6: change.x: a change of variables is invertible\n"
