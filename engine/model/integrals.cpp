@@ -3,6 +3,8 @@
 
 #include "model/antiderivative.hpp"
 #include "model/canonical.hpp"
+#include "model/joint_integrals.hpp"
+#include "model/substitution.hpp"
 #include "model/written_form.hpp"
 
 #include <algorithm>
@@ -20,11 +22,17 @@ public:
           found_(constraints.dependent.size()) {}
 
     std::vector<Constant> run() {
-        for (const Integral& integral : motion_.mechanism().integrals) take(integral);
-        std::vector<Constant> constants;
+        take_those_of_the_file();
+        GiNaC::exmap values; // of what the engine integrates
         for (std::size_t d = 0; d < found_.size(); ++d) {
-            if (!found_[d]) found_[d] = stays(d) ? itself(d) : integrated(d);
-            constants.push_back(*found_[d]);
+            if (found_[d]) continue;
+            found_[d] = stays(d) ? itself(d) : integrated(d);
+            values[dependent(d).at] = found_[d]->value;
+        }
+        std::vector<Constant> constants;
+        for (const auto& found : found_) {
+            constants.push_back(*found);
+            constants.back().value = put(found->value, values);
         }
         return constants;
     }
@@ -51,13 +59,11 @@ private:
     ex along(const ex& phi, std::size_t i) const;
     ex along_time(const ex& phi) const;
     void require_constant(const Integral& integral, const ex& rate, const std::string& velocity) const;
-    void take(const Integral& integral);
+    void take_those_of_the_file();
     Constant integrated(std::size_t d);
     ex potential(std::size_t d) const;
     ex moving_part(std::size_t d, const ex& sum) const;
     std::optional<ex> integral_of(const ex& slope, const GiNaC::symbol& x) const;
-    // phi = R solved for the coordinate, or what [change] says.
-    ex solved(const Coordinate& constant, const ex& integral, std::size_t d, const Place& place) const;
     [[noreturn]] void not_found(std::size_t d) const;
 
     const SolvedConstraints& constraints_;
@@ -88,38 +94,19 @@ void Search::require_constant(const Integral& integral, const ex& rate, const st
     refuse({"an integral is seen to be constant at eps = 0", value, "write it in a plainer form", place});
 }
 
-void Search::take(const Integral& integral) {
-    const Place place = place_of(integral.value.source);
-    const ex phi = integral.value.value;
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-        require_constant(integral, along(phi, i), "*" + independent(i).name + "'");
-    require_constant(integral, along_time(phi), "");
-    for (const bool any : {false, true}) // those that are not constant themselves come first
-        for (std::size_t d = 0; d < found_.size(); ++d) {
-            if (found_[d] || (!any && stays(d)) || form_.vanishes(phi.diff(dependent(d).at)) != Zero::no)
-                continue;
-            found_[d] =
-                Constant{integral.coordinate, phi, d, solved(integral.coordinate, phi, d, place), false};
-            return;
-        }
-    bad_input({"each constraint has one integral", in_quotes(integral.coordinate.name) + " is one more",
-               "leave it out", place});
-}
-
-ex Search::solved(const Coordinate& constant, const ex& integral, std::size_t d, const Place& place) const {
-    for (const Change& change : motion_.mechanism().changes)
-        if (change.coordinate == constraints_.dependent[d]) {
-            const ex back = integral.subs(dependent(d).at == change.value.value);
-            if (zero(back - constant.at)) return change.value.value;
-            bad_input({"a change of variables inverts the integral", in_quotes(change.value.text),
-                       "correct one of the two", place_of(change.value.source)});
-        }
-    const ex slope = form_.simplified(integral.diff(dependent(d).at));
-    if (!slope.has(dependent(d).at))
-        return form_.simplified(dependent(d).at + (constant.at - integral) / slope);
-    refuse({"an integral is linear in the coordinate that it replaces", "not in " + dependent(d).name,
-            "solve it: write " + dependent(d).name + " = \"...\" in " + constant.name + " under [change]",
-            place});
+void Search::take_those_of_the_file() {
+    for (const Integral& integral : motion_.mechanism().integrals) {
+        const ex phi = integral.value.value;
+        for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+            require_constant(integral, along(phi, i), "*" + independent(i).name + "'");
+        require_constant(integral, along_time(phi), "");
+    }
+    std::vector<std::size_t> preferred; // those that are not constant themselves come first
+    for (const bool constant : {false, true})
+        for (std::size_t d = 0; d < found_.size(); ++d)
+            if (stays(d) == constant) preferred.push_back(d);
+    for (const auto& [integral, d, value] : solve_integrals(constraints_, motion_, preferred))
+        found_[d] = Constant{integral->coordinate, integral->value.value, d, value, false};
 }
 
 void Search::not_found(std::size_t d) const {

@@ -16,12 +16,6 @@ System read(const std::string& variables, const std::string& rest) {
                             "system.toml");
 }
 
-std::string equation(const System& system, const std::string& variable) {
-    for (const Equation& e : system.equations)
-        if (e.variable == variable) return e.text;
-    return "none";
-}
-
 const std::string plane =
     "[coordinates]\nx = {}\ny = {}\n[particles]\np = { mass = \"m\", position = [\"x\", \"y\"] }\n"
     "[energy]\npotential = \"m*x^2/2\"\n";

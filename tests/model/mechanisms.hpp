@@ -19,6 +19,12 @@ inline const DerivationSection& section(const std::vector<DerivationSection>& al
     throw std::logic_error("no section " + heading);
 }
 
+inline std::string equation(const System& system, const std::string& variable) {
+    for (const Equation& e : system.equations)
+        if (e.variable == variable) return e.text;
+    return "none";
+}
+
 // Texts over one scope of free symbols, compared identically.
 class Comparison {
 public:
