@@ -26,7 +26,10 @@ public:
     std::vector<SolvedIntegral> run() {
         while (!open_.empty())
             if (!follows() && !solve_one()) give_up();
-        if (!changes_.empty()) does_not_invert(*changes_.begin()->second);
+        for (const auto& [d, change] : changes_)
+            bad_input({"what [change] says of a dependent coordinate inverts an integral of the file",
+                       in_quotes(coordinate(d).name) + " is dependent, and has no integral",
+                       "give it under [integrals], or leave the change out", place_of(change->value.source)});
         std::vector<SolvedIntegral> result;
         for (const auto& [integral, d] : pairs_) result.push_back({integral, d, resolved(coordinate(d).at)});
         return result;
@@ -40,7 +43,7 @@ private:
         return resolved(integral.value.value - integral.coordinate.at);
     }
     void take(const Change& change);
-    [[nodiscard]] ex resolved(ex e) const;
+    [[nodiscard]] ex resolved(const ex& e) const;
     [[nodiscard]] ex in_new_variables(const ex& e) const { return put(resolved(e), independent_changes_); }
     [[nodiscard]] bool positive_where_expanded(const ex& e) const;
     bool follows();
@@ -74,18 +77,12 @@ void JointSolution::take(const Change& change) {
     changes_.emplace_back(found - constraints_.dependent.begin(), &change);
 }
 
-// Values of coordinates put in until none is left; they may hold each other, but not in a circle.
-ex JointSolution::resolved(ex e) const {
-    const auto holds_one = [&] {
-        return std::any_of(values_.begin(), values_.end(), [&](const auto& v) { return e.has(v.first); });
-    };
-    for (std::size_t k = 0; k <= values_.size() && holds_one(); ++k) e = put(e, values_);
-    if (holds_one()) {
-        const Change& change = *changes_.front().second;
-        bad_input({"changes of variables do not hold each other in a circle", in_quotes(change.value.text),
-                   "write it in what remains", place_of(change.value.source)});
-    }
-    return e;
+// With the values of coordinates, which may hold each other.
+ex JointSolution::resolved(const ex& e) const {
+    if (const auto value = put_through(e, values_)) return *value;
+    const Change& change = *changes_.front().second;
+    bad_input({"changes of variables do not hold each other in a circle", in_quotes(change.value.text),
+               "write it in what remains", place_of(change.value.source)});
 }
 
 // At eps = 0 and the origin of small variables, hence nearby.

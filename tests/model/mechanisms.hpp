@@ -54,6 +54,13 @@ public:
                               read_expression(factor, scope_, none) * read_equation(right, scope_, none));
     }
 
+    // Is one equation, linear in `unknown`, a multiple of the other?
+    Zero multiple(const std::string& left, const std::string& right, const std::string& unknown) {
+        const GiNaC::ex a = read_equation(left, scope_, {}), b = read_equation(right, scope_, {});
+        const auto x = GiNaC::ex_to<GiNaC::symbol>(read_expression(unknown, scope_, {}));
+        return form_.vanishes(a * b.diff(x) - b * a.diff(x));
+    }
+
 private:
     ExactForm form_;
     Scope scope_;
