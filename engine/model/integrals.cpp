@@ -134,7 +134,9 @@ std::optional<ex> Search::integral_of(const ex& slope, const GiNaC::symbol& x) c
     const ex plain = form_.simplified(slope);
     for (std::size_t k = 0; k < found_.size(); ++k)
         if (plain.has(dependent(k).at)) return std::nullopt;
-    return antiderivative(plain, x);
+    const auto positive = [&](const ex& e) { return motion_.positive_where_expanded(e); };
+    const auto f = antiderivative(plain, x, positive);
+    return f && zero(f->diff(x) - plain) ? f : std::nullopt;
 }
 
 // What `sum` lacks of W by what moves at eps = 0: first as the constraint has it, as c*s', then the rest of

@@ -3,7 +3,6 @@
 
 #include "model/canonical.hpp"
 #include "model/inverse_function.hpp"
-#include "model/positivity.hpp"
 #include "model/substitution.hpp"
 
 #include <algorithm>
@@ -45,7 +44,6 @@ private:
     void take(const Change& change);
     [[nodiscard]] ex resolved(const ex& e) const;
     [[nodiscard]] ex in_new_variables(const ex& e) const { return put(resolved(e), independent_changes_); }
-    [[nodiscard]] bool positive_where_expanded(const ex& e) const;
     bool follows();
     bool solve_one();
     bool solve(const Integral& integral, bool by_one_only);
@@ -83,18 +81,6 @@ ex JointSolution::resolved(const ex& e) const {
     const Change& change = *changes_.front().second;
     bad_input({"changes of variables do not hold each other in a circle", in_quotes(change.value.text),
                "write it in what remains", place_of(change.value.source)});
-}
-
-// At eps = 0 and the origin of small variables, hence nearby.
-bool JointSolution::positive_where_expanded(const ex& e) const {
-    GiNaC::exmap origin;
-    for (const Variable& v : motion_.system().variables)
-        if (v.role == Role::fast && v.weight > 0) origin[v.jet.front()] = 0;
-    try {
-        return provably_positive(put(motion_.unperturbed(in_new_variables(e)), origin), motion_.system());
-    } catch (const std::exception&) { // a pole
-        return false;
-    }
 }
 
 // An integral that is satisfied by what is known belongs to a change of variables.
@@ -158,7 +144,7 @@ bool JointSolution::solve(const Integral& integral, bool by_one_only) {
 // the solution is looked at again.
 Inverse JointSolution::inverted(const ex& left, const GiNaC::symbol& y) const {
     ExactForm& form = motion_.form();
-    const auto positive = [&](const ex& e) { return positive_where_expanded(e); };
+    const auto positive = [&](const ex& e) { return motion_.positive_where_expanded(resolved(e)); };
     Inverse inverse = inverse_function(left, y, 0, form, positive);
     if (inverse.value || !inverse.obstacle.empty()) return inverse;
     const ex numerator = form.meaning(form.fraction(left).numerator);
