@@ -200,16 +200,18 @@ Sign Prover::by_bounds(const ex& e, int comparisons) const {
 // m + c - c*cos(u)^2, x^2 - x*y + y^2: not negative, and positive if it is so without a little of a positive
 // term.
 Sign Prover::by_pairs(const ex& e, int comparisons) const {
-    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e) || e.nops() > largest_compared) return Sign::unknown;
-    const auto nonnegative = [&](const ex& sum) {
+    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e)) return Sign::unknown;
+    const ex sum = e.expand(); // which terms there are is not left to the form of e
+    if (!GiNaC::is_a<GiNaC::add>(sum) || sum.nops() > largest_compared) return Sign::unknown;
+    const auto nonnegative = [&](const ex& all) {
         return nonnegative_by_pairs(
-            sum, [&](const ex& part) { return sign(part, 0) == Sign::positive; },
+            all, [&](const ex& part) { return sign(part, 0) == Sign::positive; },
             [&](const ex& part) { return real(part); });
     };
-    if (!nonnegative(e)) return Sign::unknown;
+    if (!nonnegative(sum)) return Sign::unknown;
     const numeric little(1, 1024); // as much of a positive term may be missing
-    for (const ex& term : e)
-        if (sign(term, 0) == Sign::positive && nonnegative(e - little * term)) return Sign::positive;
+    for (const ex& term : sum)
+        if (sign(term, 0) == Sign::positive && nonnegative(sum - little * term)) return Sign::positive;
     return Sign::nonnegative;
 }
 

@@ -93,7 +93,7 @@ TEST_F(Positivity, Proves) {
                              "r + p - p*cos(tau)^2",
                              "r + p*cos(tau)^2 + p*cos(x)^2 - 2*p*cos(tau)^2*cos(x)^2 - "
                              "2*p*sin(tau)*cos(tau)*sin(x)*cos(x)",
-                             "r^2*p^2*(r - p)^2 + 4*r*p"}) {
+                             "r^2*(c^2 + p) + p^2*(c^2 + p) + 2*r*p*(p - c^2)"}) {
         EXPECT_TRUE(positive(text)) << text;
     }
 }
