@@ -146,10 +146,13 @@ private:
             if (const auto nested = denested(h, c)) return *nested;
         const Root root = extracted(q);
         const ex ratio = (h / root.outside).normal().numer_denom(); // h = outside * P/Q
-        const ex common = (root.outside / ratio.op(1)).normal();
+        // Which of P/Q and -P/-Q it is is GiNaC's choice.
+        const int turn = provably_positive(-root.outside / ratio.op(1), system_) ? -1 : 1;
+        const ex above = turn * ratio.op(0), below = turn * ratio.op(1);
+        const ex common = (root.outside / below).normal();
         const ex sqrt_q = root.outside * root_of(root.inside);
         const bool factors = provably_positive(common, system_);
-        const ex big = factors ? common * (ratio.op(0) + ratio.op(1) * root_of(root.inside)) : h + sqrt_q;
+        const ex big = factors ? common * (above + below * root_of(root.inside)) : h + sqrt_q;
         const ex rest = alike ? c : ex(-c);
         return {big, root_of(big), alike ? h - sqrt_q : sqrt_q - h, root_of(rest) / root_of(big)};
     }

@@ -1,92 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/antiderivative.hpp"
 
+#include "model/canonical.hpp"
+#include "model/circular_integral.hpp"
+#include "model/rational_integral.hpp"
+
+#include <vector>
+
 namespace resonform {
 
 namespace {
 
 using GiNaC::ex;
 
-// The slope of a linear function of x; nullopt: it is none, or its slope is a sum, which might be zero.
-std::optional<ex> slope_of(const ex& argument, const GiNaC::symbol& x) {
-    const ex slope = argument.diff(x).expand();
-    if (slope.has(x) || slope.is_zero() || GiNaC::is_a<GiNaC::add>(slope)) return std::nullopt;
-    return slope;
-}
+constexpr int deepest_chain = 3;
 
-std::optional<ex> of_function(const ex& e) {
-    if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1) return std::nullopt;
-    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    const ex u = e.op(0);
-    if (name == "sin") return -GiNaC::cos(u);
-    if (name == "cos") return GiNaC::sin(u);
-    if (name == "exp") return e;
-    if (name == "sinh") return GiNaC::cosh(u);
-    if (name == "cosh") return GiNaC::sinh(u);
-    return std::nullopt;
-}
+class Antiderivative {
+public:
+    Antiderivative(const GiNaC::symbol& x, const PositiveThere& positive, int depth)
+        : x_(x), positive_(positive), depth_(depth) {}
 
-// x^n f(a x + b) by parts.
-std::optional<ex> of_product(const GiNaC::symbol& x, int n, const ex& f) {
-    const auto once = of_function(f);
-    const auto slope = once ? slope_of(f.op(0), x) : std::nullopt;
-    if (!slope) return std::nullopt;
-    const ex head = GiNaC::pow(x, n) * *once / *slope;
-    if (n == 0) return head;
-    const auto rest = of_product(x, n - 1, *once);
-    if (!rest) return std::nullopt;
-    return head - n * *rest / *slope;
-}
+    std::optional<ex> of(const ex& e) const {
+        ex result = 0;
+        const ex sum = e.expand();
+        for (const ex& term : GiNaC::is_a<GiNaC::add>(sum) ? operands(sum) : std::vector<ex>{sum}) {
+            const auto one = of_term(term);
+            if (!one) return std::nullopt;
+            result += *one;
+        }
+        return result;
+    }
 
-std::optional<ex> of_power(const ex& e, const GiNaC::symbol& x) {
-    const bool power = GiNaC::is_a<GiNaC::power>(e);
-    const ex base = power ? e.op(0) : e, exponent = power ? e.op(1) : ex(1);
-    const auto slope = slope_of(base, x);
-    if (!slope || !exponent.info(GiNaC::info_flags::rational)) return std::nullopt;
-    if (exponent.is_equal(-1)) return GiNaC::log(base) / *slope;
-    return GiNaC::pow(base, exponent + 1) / ((exponent + 1) * *slope);
-}
+private:
+    std::optional<ex> of_term(const ex& term) const {
+        if (!term.has(x_)) return term * x_;
+        if (auto f = of_power_of_line(term)) return f;
+        if (auto f = integral_of_rational(term, x_, positive_)) return f;
+        if (auto f = integral_of_circular_product(term, x_, positive_)) return f;
+        if (auto f = integral_by_substitution(term, x_, positive_)) return f;
+        if (auto f = by_parts(term)) return f;
+        return by_chain_rule(term);
+    }
 
-std::optional<ex> of_term(const ex& term, const GiNaC::symbol& x) {
-    ex constant = 1, moving = 1, powers = 1;
-    const auto take = [&](const ex& factor) {
-        if (!factor.has(x))
-            constant *= factor;
-        else if (factor.is_equal(x) || (GiNaC::is_a<GiNaC::power>(factor) && factor.op(0).is_equal(x) &&
-                                        factor.op(1).info(GiNaC::info_flags::posint)))
-            powers *= factor;
-        else
-            moving *= factor;
-    };
-    if (GiNaC::is_a<GiNaC::mul>(term))
-        for (const ex& factor : term) take(factor);
-    else
-        take(term);
-    std::optional<ex> found;
-    if (moving.is_equal(1))
-        found = GiNaC::pow(x, powers.degree(x) + 1) / (powers.degree(x) + 1);
-    else if (GiNaC::is_a<GiNaC::function>(moving))
-        found = of_product(x, powers.degree(x), moving);
-    else if (powers.is_equal(1))
-        found = of_power(moving, x);
-    if (found) *found *= constant;
-    return found;
-}
+    static std::vector<ex> factors_of(const ex& term) {
+        return GiNaC::is_a<GiNaC::mul>(term) ? operands(term) : std::vector<ex>{term};
+    }
+
+    // c x^n (a x + b)^r, in u = a x + b
+    std::optional<ex> of_power_of_line(const ex& term) const {
+        ex polynomial = 1, base = 0, exponent = 0;
+        for (const ex& factor : factors_of(term))
+            if (factor.is_polynomial(x_))
+                polynomial *= factor;
+            else if (GiNaC::is_a<GiNaC::power>(factor) && base.is_zero() &&
+                     factor.op(1).info(GiNaC::info_flags::rational)) {
+                base = factor.op(0);
+                exponent = factor.op(1);
+            } else
+                return std::nullopt;
+        const auto slope = slope_of(base, x_, positive_);
+        if (!slope || exponent.info(GiNaC::info_flags::integer)) return std::nullopt;
+        const GiNaC::symbol u("u");
+        const ex in_u = polynomial.subs(x_ == (u - base.subs(x_ == 0)) / *slope).expand();
+        ex sum = 0;
+        for (int n = 0; n <= in_u.degree(u); ++n)
+            sum += in_u.coeff(u, n) * GiNaC::pow(base, n + exponent + 1) / (n + exponent + 1);
+        return sum / *slope;
+    }
+
+    // p(x)*log(a x + b) = (P log)' - P a/(a x + b), with P' = p
+    std::optional<ex> by_parts(const ex& term) const {
+        ex polynomial = 1, inverse = 0;
+        for (const ex& factor : factors_of(term)) {
+            const std::string name =
+                GiNaC::is_a<GiNaC::function>(factor) ? GiNaC::ex_to<GiNaC::function>(factor).get_name() : "";
+            if (factor.is_polynomial(x_))
+                polynomial *= factor;
+            else if ((name == "log" || name == "atan") && inverse.is_zero())
+                inverse = factor;
+            else
+                return std::nullopt;
+        }
+        if (inverse.is_zero()) return std::nullopt;
+        const auto whole = integral_of_rational(polynomial, x_, positive_);
+        if (!whole) return std::nullopt;
+        const auto rest = integral_of_rational((*whole * inverse.diff(x_)).normal(), x_, positive_);
+        if (!rest) return std::nullopt;
+        return *whole * inverse - *rest;
+    }
+
+    // g(w(x)) w'(x), w an argument of a function, a function, or what a power is taken of
+    std::optional<ex> by_chain_rule(const ex& term) const {
+        if (depth_ == 0) return std::nullopt;
+        const GiNaC::symbol u("u");
+        for (const ex& inner : inner_functions(term)) {
+            const ex rest =
+                (term / inner.diff(x_)).normal().subs(inner == u, GiNaC::subs_options::no_pattern);
+            if (rest.has(x_)) continue;
+            const PositiveThere there = [&](const ex& e) { return positive_(e.subs(u == inner)); };
+            if (const auto f = Antiderivative(u, there, depth_ - 1).of(rest)) return f->subs(u == inner);
+        }
+        return std::nullopt;
+    }
+
+    // Not tan, an arc of which would jump.
+    std::vector<ex> inner_functions(const ex& e) const {
+        std::vector<ex> found;
+        const auto add = [&](const ex& inner) {
+            const ex slope = inner.diff(x_).expand();
+            if (slope.has(x_)) found.push_back(inner);
+        };
+        for (const ex& factor : factors_of(e)) {
+            ex part = factor;
+            if (GiNaC::is_a<GiNaC::power>(part)) {
+                part = part.op(0);
+                add(part);
+            }
+            if (!GiNaC::is_a<GiNaC::function>(part)) continue;
+            if (part.nops() == 1) add(part.op(0));
+            if (GiNaC::ex_to<GiNaC::function>(part).get_name() != "tan") add(part);
+        }
+        return found;
+    }
+
+    const GiNaC::symbol& x_;
+    const PositiveThere& positive_;
+    int depth_;
+};
 
 } // namespace
 
-std::optional<ex> antiderivative(const ex& e, const GiNaC::symbol& x) {
-    const ex sum = e.expand();
-    ex result = 0;
-    const auto add = [&](const ex& term) {
-        const auto one = of_term(term, x);
-        if (one) result += *one;
-        return one.has_value();
-    };
-    if (!GiNaC::is_a<GiNaC::add>(sum)) return add(sum) ? std::optional<ex>(result) : std::nullopt;
-    for (const ex& term : sum)
-        if (!add(term)) return std::nullopt;
-    return result;
+std::optional<ex> antiderivative(const ex& e, const GiNaC::symbol& x, const PositiveThere& positive) {
+    return Antiderivative(x, positive, deepest_chain).of(e);
 }
 
 } // namespace resonform

@@ -32,13 +32,7 @@ ChangeOfVariables::ChangeOfVariables(const Motion& motion, const SolvedConstrain
     : motion_(motion), constraints_(constraints) {
     const auto& coordinates = motion.mechanism().coordinates;
     choose_variables();
-    for (const std::size_t i : constraints.independent)
-        if (const Change* change = change_of(motion.mechanism(), i))
-            positions_[coordinates[i].at] = change->value.value;
-    for (const Constant& constant : constants)
-        if (!constant.itself)
-            positions_[coordinates[constraints.dependent[constant.dependent]].at] =
-                put(constant.value, positions_);
+    find_positions(constants);
     require_invertible();
     for (const Coordinate& c : coordinates) {
         const auto found = positions_.find(c.at);
@@ -48,6 +42,41 @@ ChangeOfVariables::ChangeOfVariables(const Motion& motion, const SolvedConstrain
         all_[c.acceleration] = motion.derivative(all_[c.velocity]);
     }
     find_rates(constants);
+}
+
+// What a coordinate is replaced by may hold others that are replaced.
+void ChangeOfVariables::find_positions(const std::vector<Constant>& constants) {
+    const auto& coordinates = motion_.mechanism().coordinates;
+    GiNaC::exmap values;
+    for (const std::size_t i : constraints_.independent)
+        if (const Change* change = change_of(motion_.mechanism(), i))
+            values[coordinates[i].at] = change->value.value;
+    for (const Constant& constant : constants)
+        if (!constant.itself)
+            values[coordinates[constraints_.dependent[constant.dependent]].at] = constant.value;
+    for (const Coordinate& c : coordinates) {
+        if (values.count(c.at) == 0) continue;
+        const auto value = put_through(c.at, values);
+        if (!value) in_a_circle(values);
+        positions_[c.at] = *value;
+    }
+}
+
+void ChangeOfVariables::in_a_circle(const GiNaC::exmap& values) const {
+    const auto holds_one = [&](const ex& e) {
+        return std::any_of(values.begin(), values.end(), [&](const auto& v) { return e.has(v.first); });
+    };
+    const auto& changes = motion_.mechanism().changes;
+    const auto change = std::find_if(changes.begin(), changes.end(),
+                                     [&](const Change& c) { return holds_one(c.value.value); });
+    std::string circle;
+    for (const Coordinate& c : motion_.mechanism().coordinates)
+        if (const auto found = values.find(c.at); found != values.end() && holds_one(found->second))
+            circle += (circle.empty() ? "" : ", ") + c.name + " = " +
+                      excerpt(written(motion_.form(), found->second));
+    bad_input({"what a change of variables replaces a coordinate by does not depend on this coordinate",
+               circle, "write it in new variables, constants of the constraints and coordinates that stay",
+               place_of((change == changes.end() ? changes.front() : *change).value.source)});
 }
 
 void ChangeOfVariables::choose_variables() {
@@ -72,9 +101,10 @@ void ChangeOfVariables::choose_variables() {
 
 void ChangeOfVariables::require_invertible() const {
     const auto& fresh = motion_.mechanism().fresh;
+    const auto& coordinates = motion_.mechanism().coordinates;
     std::vector<ex> values;
     for (const std::size_t i : constraints_.independent)
-        if (const Change* change = change_of(motion_.mechanism(), i)) values.push_back(change->value.value);
+        if (change_of(motion_.mechanism(), i) != nullptr) values.push_back(positions_.at(coordinates[i].at));
     if (values.empty()) return;
     GiNaC::matrix jacobian(static_cast<unsigned>(fresh.size()), static_cast<unsigned>(fresh.size()));
     for (unsigned r = 0; r < jacobian.rows(); ++r)
@@ -90,24 +120,35 @@ void ChangeOfVariables::require_invertible() const {
                 "write it in a plainer form", place});
 }
 
+// R' = F + sum of G R' where a change of variables holds constants: G is of order eps, as these rates are.
 void ChangeOfVariables::find_rates(const std::vector<Constant>& constants) {
-    ExactForm& form = motion_.form();
+    GiNaC::exmap laws; // what moves at eps = 0 cancels by its law only
+    for (const Prescribed* p : motion_.moving()) laws[p->coordinate.velocity] = p->rate;
+    std::vector<ExactRow> rows;
+    bool coupled = false;
     for (const Constant& constant : constants) {
         const ex old = put(motion_.derivative(constant.integral), constraints_.velocities);
-        const ex rate = form.simplified(put(old, all_));
-        for (const Constant& other : constants)
-            if (rate.has(other.coordinate.velocity))
-                refuse(
-                    {"a change of variables holds no constant of the constraints that it needs the rate of",
-                     excerpt(written(form, rate)), "leave " + other.coordinate.name + " out of [change]",
-                     place_of(motion_.mechanism().changes.front().value.source)});
-        rates_.push_back(rate);
-        constants_[constant.coordinate.velocity] = rate;
+        ex rate = put(put(old, all_), laws);
+        ExactRow row;
+        for (const Constant& other : constants) {
+            const GiNaC::symbol& velocity = other.coordinate.velocity;
+            const ex part = motion_.form().simplified(rate.diff(velocity));
+            coupled = coupled || !part.is_zero();
+            row.push_back((&other == &constant ? 1 : 0) - part);
+        }
+        for (const Constant& other : constants) rate = rate.subs(other.coordinate.velocity == 0);
+        row.push_back(motion_.form().simplified(rate));
+        rows.push_back(std::move(row));
     }
+    if (coupled)
+        rates_ = solve_exactly(std::move(rows), motion_.form(), place_of(motion_.mechanism().source));
+    else
+        for (const ExactRow& row : rows) rates_.push_back(row.back());
+    for (std::size_t k = 0; k < constants.size(); ++k)
+        constants_[constants[k].coordinate.velocity] = rates_[k];
     GiNaC::exmap second;
-    for (const Constant& constant : constants)
-        second[constant.coordinate.acceleration] =
-            put(motion_.derivative(constants_[constant.coordinate.velocity]), constants_);
+    for (std::size_t k = 0; k < constants.size(); ++k)
+        second[constants[k].coordinate.acceleration] = put(motion_.derivative(rates_[k]), constants_);
     constants_.insert(second.begin(), second.end());
 }
 

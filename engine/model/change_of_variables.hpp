@@ -9,8 +9,9 @@ namespace resonform {
 
 class ChangeOfVariables {
 public:
+    // A change may hold constants of the constraints; what their rates are is solved for.
     // Errors: bad_input: as many new variables as changed coordinates are wanted; a change that is not
-    // invertible; refused: one that cannot be told to be.
+    // invertible, or depends on what it replaces; refused: one that cannot be told to be.
     ChangeOfVariables(const Motion& motion, const SolvedConstraints& constraints,
                       const std::vector<Constant>& constants);
 
@@ -27,6 +28,8 @@ public:
 
 private:
     void choose_variables();
+    void find_positions(const std::vector<Constant>& constants);
+    [[noreturn]] void in_a_circle(const GiNaC::exmap& values) const;
     void require_invertible() const;
     void find_rates(const std::vector<Constant>& constants);
 

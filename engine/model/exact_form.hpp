@@ -4,8 +4,8 @@
 //
 //   sin(psi + atan(xi/r))  ->  (xi*cos(psi) + r*sin(psi))/sqrt(xi^2 + r^2)        where r > 0 is declared
 //
-// Complete for sin and cos of sums and integer multiples, atan and asin inside of them, and roots whose
-// factors are declared positive; other functions of equal arguments are equal, and nothing else is known
+// Complete for sin, cos, sinh and cosh of sums and integer multiples, atan, asin and log inside of them, and roots
+// whose factors are declared positive; other functions of equal arguments are equal, and nothing else is known
 // of them.
 #pragma once
 
@@ -60,8 +60,11 @@ private:
     struct Unit {
         GiNaC::ex cosine, sine;
     };
-    Unit angle(const GiNaC::ex& argument);
-    Unit angle_of_term(const GiNaC::ex& term);
+    static Unit sum_of(const Unit& u, const Unit& v, bool hyperbolic);
+    Unit angle(const GiNaC::ex& argument, bool hyperbolic = false);
+    Unit angle_of_term(const GiNaC::ex& term, bool hyperbolic);
+    Unit unit_of_arc(const GiNaC::ex& function);
+    Unit unit_of_logarithm(const GiNaC::ex& function);
     Unit angle_of_multiple_of_pi(const GiNaC::numeric& multiple);
     // Two generators; their squares differ by 1 (hyperbolic) or have the sum 1.
     Unit circle(const GiNaC::ex& argument, bool hyperbolic = false);

@@ -90,18 +90,17 @@ ex ExactForm::function(const ex& e) {
     if (name == "sin") return angle(e.op(0)).sine;
     if (name == "cos") return angle(e.op(0)).cosine;
     if (name == "exp") return exponential(e.op(0));
-    if (name == "tan") {
-        const Unit unit = angle(e.op(0));
+    if (name == "tan" || name == "tanh") {
+        const Unit unit = angle(e.op(0), name == "tanh");
         return unit.sine / unit.cosine;
     }
+    if (name == "sinh") return angle(e.op(0), true).sine;
+    if (name == "cosh") return angle(e.op(0), true).cosine;
     const Signed argument = signed_argument(e.op(0));
-    if (argument.value.is_zero()) return name == "cosh" ? 1 : name == "log" ? e : ex(0);
+    if (argument.value.is_zero()) return name == "log" ? e : ex(0);
     if (name == "log") return generator(GiNaC::log(argument.sign * argument.value), name, e.op(0));
     if (name == "asin") return argument.sign * generator(GiNaC::asin(argument.value), name, argument.value);
-    if (name == "atan") return argument.sign * generator(GiNaC::atan(argument.value), name, argument.value);
-    const Unit unit = circle(argument.value, true);
-    if (name == "cosh") return unit.cosine;
-    return argument.sign * (name == "sinh" ? unit.sine : unit.sine / unit.cosine);
+    return argument.sign * generator(GiNaC::atan(argument.value), name, argument.value);
 }
 
 ExactForm::Signed ExactForm::signed_argument(const ex& argument) {
@@ -133,39 +132,50 @@ ex ExactForm::exponential(const ex& argument) {
     return product;
 }
 
-ExactForm::Unit ExactForm::angle(const ex& argument) {
+// cos(u + v) and sin(u + v), or cosh and sinh.
+ExactForm::Unit ExactForm::sum_of(const Unit& u, const Unit& v, bool hyperbolic) {
+    return {u.cosine * v.cosine + (hyperbolic ? 1 : -1) * u.sine * v.sine,
+            u.sine * v.cosine + u.cosine * v.sine};
+}
+
+ExactForm::Unit ExactForm::angle(const ex& argument, bool hyperbolic) {
     const Fraction f = fraction(argument);
     Unit total{1, 0};
-    for (const ex& term : terms_of(f.numerator)) {
-        if (term.is_zero()) continue;
-        const Unit unit = angle_of_term(term / f.denominator);
-        total = {total.cosine * unit.cosine - total.sine * unit.sine,
-                 total.sine * unit.cosine + total.cosine * unit.sine};
-    }
+    for (const ex& term : terms_of(f.numerator))
+        if (!term.is_zero())
+            total = sum_of(total, angle_of_term(term / f.denominator, hyperbolic), hyperbolic);
     return total;
 }
 
-ExactForm::Unit ExactForm::angle_of_term(const ex& term) {
-    if (const ex turn = term / GiNaC::Pi; turn.info(GiNaC::info_flags::rational))
+ExactForm::Unit ExactForm::angle_of_term(const ex& term, bool hyperbolic) {
+    if (const ex turn = term / GiNaC::Pi; !hyperbolic && turn.info(GiNaC::info_flags::rational))
         return angle_of_multiple_of_pi(GiNaC::ex_to<numeric>(turn));
     const auto [n, unit] = multiple_of(term);
     const ex inner = meaning(unit);
-    Unit once;
-    if (GiNaC::is_a<GiNaC::symbol>(unit) && GiNaC::is_a<GiNaC::function>(inner) && name_of(inner) == "atan") {
-        const ex u = converted(inner.op(0)), hypotenuse = root(1 + u * u, 2);
-        once = {1 / hypotenuse, u / hypotenuse};
-    } else if (GiNaC::is_a<GiNaC::symbol>(unit) && GiNaC::is_a<GiNaC::function>(inner) &&
-               name_of(inner) == "asin") {
-        const ex u = converted(inner.op(0));
-        once = {root(1 - u * u, 2), u};
-    } else {
-        once = circle(inner);
-    }
+    const bool function = GiNaC::is_a<GiNaC::symbol>(unit) && GiNaC::is_a<GiNaC::function>(inner);
+    const Unit once = !function    ? circle(inner, hyperbolic)
+                      : hyperbolic ? unit_of_logarithm(inner)
+                                   : unit_of_arc(inner);
     Unit total = once;
-    for (int k = 1; k < std::abs(n); ++k)
-        total = {total.cosine * once.cosine - total.sine * once.sine,
-                 total.sine * once.cosine + total.cosine * once.sine};
+    for (int k = 1; k < std::abs(n); ++k) total = sum_of(total, once, hyperbolic);
     return {total.cosine, n < 0 ? -total.sine : total.sine};
+}
+
+// cos(atan(u)) = 1/sqrt(1 + u^2)
+ExactForm::Unit ExactForm::unit_of_arc(const ex& function) {
+    const std::string name = name_of(function);
+    if (name != "atan" && name != "asin") return circle(function);
+    const ex u = converted(function.op(0));
+    if (name == "asin") return {root(1 - u * u, 2), u};
+    const ex hypotenuse = root(1 + u * u, 2);
+    return {1 / hypotenuse, u / hypotenuse};
+}
+
+// cosh(log(u)) = (u + 1/u)/2
+ExactForm::Unit ExactForm::unit_of_logarithm(const ex& function) {
+    if (name_of(function) != "log") return circle(function, true);
+    const ex u = converted(function.op(0));
+    return {(u + 1 / u) / 2, (u - 1 / u) / 2};
 }
 
 ExactForm::Unit ExactForm::angle_of_multiple_of_pi(const numeric& multiple) {

@@ -11,15 +11,16 @@ namespace {
 
 using GiNaC::ex;
 
+using Change = std::function<ex(const ex&)>;
+
 class Distribution {
 public:
-    Distribution(const SolvedConstraints& constraints, const Motion& motion)
-        : constraints_(constraints), motion_(motion), slope_(constraints.slope), rest_(constraints.rest) {}
-
-    void put(const std::function<ex(const ex&)>& change) {
+    Distribution(const SolvedConstraints& constraints, const Motion& motion, const Change& change)
+        : constraints_(constraints), motion_(motion), slope_(constraints.slope) {
         for (auto& row : slope_)
             for (ex& e : row) e = change(e);
-        for (ex& e : rest_) e = change(e);
+        for (const ex& e : constraints.rest) rest_.push_back(change(e));
+        for (const Prescribed& p : motion.mechanism().prescribed) rate_.push_back(change(p.rate));
     }
     [[nodiscard]] const ex& rest(std::size_t d) const { return rest_[d]; }
 
@@ -33,8 +34,8 @@ public:
     // X_0(f)
     [[nodiscard]] ex along_time(const ex& f) const {
         ex sum = 0;
-        for (const Prescribed& p : motion_.mechanism().prescribed)
-            sum += motion_.with_laws(p.rate) * f.diff(p.coordinate.at);
+        for (std::size_t p = 0; p < rate_.size(); ++p)
+            sum += rate_[p] * f.diff(motion_.mechanism().prescribed[p].coordinate.at);
         for (std::size_t d = 0; d < slope_.size(); ++d)
             sum += rest_[d] * f.diff(coordinate(constraints_.dependent[d]).at);
         return sum;
@@ -53,7 +54,7 @@ private:
     const SolvedConstraints& constraints_;
     const Motion& motion_;
     std::vector<std::vector<ex>> slope_;
-    std::vector<ex> rest_;
+    std::vector<ex> rest_, rate_;
 };
 
 [[noreturn]] void not_integrable(const Motion& motion, const std::string& rule, const std::string& value) {
@@ -71,25 +72,30 @@ void require_zero(const Motion& motion, const ex& term, const std::string& rule,
 
 } // namespace
 
-void require_integrable_at_rest(const SolvedConstraints& constraints, const Motion& motion) {
-    Distribution at_rest(constraints, motion);
-    at_rest.put([&](const ex& e) { return motion.unperturbed(e); });
-    const auto name = [&](std::size_t k) { return at_rest.coordinate(k).name; };
-    for (std::size_t d = 0; d < constraints.dependent.size(); ++d)
-        require_zero(motion, at_rest.rest(d), "at eps = 0 constraints are linear in the velocities",
+void require_integrable_unperturbed(const SolvedConstraints& constraints, const Motion& motion) {
+    const Distribution unperturbed(constraints, motion, [&](const ex& e) { return motion.unperturbed(e); });
+    const auto name = [&](std::size_t k) { return unperturbed.coordinate(k).name; };
+    const auto independent = [&](std::size_t i) { return name(constraints.independent[i]); };
+    const bool at_rest = motion.moving().empty();
+    for (std::size_t d = 0; at_rest && d < constraints.dependent.size(); ++d)
+        require_zero(motion, unperturbed.rest(d), "at eps = 0 constraints are linear in the velocities",
                      name(constraints.dependent[d]) + "' = ... + ");
-    for (std::size_t d = 0; d < constraints.dependent.size(); ++d)
-        for (std::size_t i = 0; i < constraints.independent.size(); ++i)
+    for (std::size_t d = 0; d < constraints.dependent.size(); ++d) {
+        const auto require_term = [&](const ex& term, std::size_t i, const std::string& other) {
+            require_zero(motion, term, "the constraints are integrable at eps = 0",
+                         "the Frobenius term of " + name(constraints.dependent[d]) + "' for (" +
+                             independent(i) + ", " + other + ") is ");
+        };
+        for (std::size_t i = 0; i < constraints.independent.size(); ++i) {
             for (std::size_t k = i + 1; k < constraints.independent.size(); ++k)
-                require_zero(motion, at_rest.term(d, i, k), "the constraints are integrable at eps = 0",
-                             "the Frobenius term of " + name(constraints.dependent[d]) + "' for (" +
-                                 name(constraints.independent[i]) + ", " + name(constraints.independent[k]) +
-                                 ") is ");
+                require_term(unperturbed.term(d, i, k), i, independent(k));
+            require_term(unperturbed.term_of_time(d, i), i, "time");
+        }
+    }
 }
 
 bool integrable_for_every_eps(const SolvedConstraints& constraints, const Motion& motion) {
-    Distribution all(constraints, motion);
-    all.put([&](const ex& e) { return motion.with_laws(e); });
+    const Distribution all(constraints, motion, [&](const ex& e) { return motion.with_laws(e); });
     const auto zero = [&](const ex& e) { return motion.form().vanishes(e) == Zero::yes; };
     for (std::size_t d = 0; d < constraints.dependent.size(); ++d)
         for (std::size_t i = 0; i < constraints.independent.size(); ++i) {

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Are constraints x_d' = sum B_di x_i' + b_d integrable? With the fields X_i = d/dx_i + sum B_di d/dx_d and
-// X_0 = d/dt + sum b_d d/dx_d they are where the terms X_i(B_dk) - X_k(B_di), X_i(b_d) - X_0(B_di) vanish.
+// X_0 = sum s' d/ds + sum b_d d/dx_d, over the prescribed s, they are where the terms X_i(B_dk) - X_k(B_di),
+// X_i(b_d) - X_0(B_di) vanish.
 #pragma once
 
 #include "model/constraints.hpp"
 
 namespace resonform {
 
-// At eps = 0, with what is prescribed at rest.
-// Errors (refused): a term that does not vanish, or cannot be told to; a velocity that is left at eps = 0.
-void require_integrable_at_rest(const SolvedConstraints& constraints, const Motion& motion);
+// At eps = 0, where what is prescribed rests or moves as its law says there: s' = V is no rest.
+// Errors (refused): a term that does not vanish, or cannot be told to; a velocity that is left at eps = 0
+// although nothing prescribed moves.
+void require_integrable_unperturbed(const SolvedConstraints& constraints, const Motion& motion);
 
 // For every eps, the laws of what is prescribed put in: the system is holonomic after all. No: not proved.
 bool integrable_for_every_eps(const SolvedConstraints& constraints, const Motion& motion);

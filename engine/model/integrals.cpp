@@ -3,6 +3,8 @@
 
 #include "model/antiderivative.hpp"
 #include "model/canonical.hpp"
+#include "model/joint_integrals.hpp"
+#include "model/substitution.hpp"
 #include "model/written_form.hpp"
 
 #include <algorithm>
@@ -20,11 +22,17 @@ public:
           found_(constraints.dependent.size()) {}
 
     std::vector<Constant> run() {
-        for (const Integral& integral : motion_.mechanism().integrals) take(integral);
-        std::vector<Constant> constants;
+        take_those_of_the_file();
+        GiNaC::exmap values; // of what the engine integrates
         for (std::size_t d = 0; d < found_.size(); ++d) {
-            if (!found_[d]) found_[d] = stays(d) ? itself(d) : integrated(d);
-            constants.push_back(*found_[d]);
+            if (found_[d]) continue;
+            found_[d] = stays(d) ? itself(d) : integrated(d);
+            values[dependent(d).at] = found_[d]->value;
+        }
+        std::vector<Constant> constants;
+        for (const auto& found : found_) {
+            constants.push_back(*found);
+            constants.back().value = put(found->value, values);
         }
         return constants;
     }
@@ -38,18 +46,24 @@ private:
     }
     ex slope(std::size_t d, std::size_t i) const { return motion_.unperturbed(constraints_.slope[d][i]); }
     bool zero(const ex& e) const { return form_.vanishes(e) == Zero::yes; }
+    ex rest(std::size_t d) const { return motion_.unperturbed(constraints_.rest[d]); }
     bool stays(std::size_t d) const {
+        if (!zero(rest(d))) return false;
         for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
             if (!zero(slope(d, i))) return false;
         return true;
     }
     Constant itself(std::size_t d) const { return {dependent(d), dependent(d).at, d, dependent(d).at, true}; }
 
-    void take(const Integral& integral);
+    // How phi changes with an independent coordinate, and by what is prescribed, at eps = 0.
+    ex along(const ex& phi, std::size_t i) const;
+    ex along_time(const ex& phi) const;
+    void require_constant(const Integral& integral, const ex& rate, const std::string& velocity) const;
+    void take_those_of_the_file();
     Constant integrated(std::size_t d);
     ex potential(std::size_t d) const;
-    // phi = R solved for the coordinate, or what [change] says.
-    ex solved(const Coordinate& constant, const ex& integral, std::size_t d, const Place& place) const;
+    ex moving_part(std::size_t d, const ex& sum) const;
+    std::optional<ex> integral_of(const ex& slope, const GiNaC::symbol& x) const;
     [[noreturn]] void not_found(std::size_t d) const;
 
     const SolvedConstraints& constraints_;
@@ -58,47 +72,41 @@ private:
     std::vector<std::optional<Constant>> found_;
 };
 
-void Search::take(const Integral& integral) {
-    const Place place = place_of(integral.value.source);
-    const ex phi = integral.value.value;
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i) {
-        ex along = phi.diff(independent(i).at);
-        for (std::size_t d = 0; d < found_.size(); ++d) along += slope(d, i) * phi.diff(dependent(d).at);
-        const Zero constant = form_.vanishes(motion_.unperturbed(along));
-        if (constant == Zero::yes) continue;
-        const std::string value = "its derivative holds (" +
-                                  excerpt(written(form_, motion_.unperturbed(along))) + ")*" +
-                                  independent(i).name + "'";
-        if (constant == Zero::no)
-            bad_input({"an integral is constant at eps = 0", value, "correct it", place});
-        refuse({"an integral is seen to be constant at eps = 0", value, "write it in a plainer form", place});
-    }
-    for (const bool any : {false, true}) // those that are not constant themselves come first
-        for (std::size_t d = 0; d < found_.size(); ++d) {
-            if (found_[d] || (!any && stays(d)) || form_.vanishes(phi.diff(dependent(d).at)) != Zero::no)
-                continue;
-            found_[d] =
-                Constant{integral.coordinate, phi, d, solved(integral.coordinate, phi, d, place), false};
-            return;
-        }
-    bad_input({"each constraint has one integral", in_quotes(integral.coordinate.name) + " is one more",
-               "leave it out", place});
+ex Search::along(const ex& phi, std::size_t i) const {
+    ex sum = phi.diff(independent(i).at);
+    for (std::size_t d = 0; d < found_.size(); ++d) sum += slope(d, i) * phi.diff(dependent(d).at);
+    return motion_.unperturbed(sum);
 }
 
-ex Search::solved(const Coordinate& constant, const ex& integral, std::size_t d, const Place& place) const {
-    for (const Change& change : motion_.mechanism().changes)
-        if (change.coordinate == constraints_.dependent[d]) {
-            const ex back = integral.subs(dependent(d).at == change.value.value);
-            if (zero(back - constant.at)) return change.value.value;
-            bad_input({"a change of variables inverts the integral", in_quotes(change.value.text),
-                       "correct one of the two", place_of(change.value.source)});
-        }
-    const ex slope = form_.simplified(integral.diff(dependent(d).at));
-    if (!slope.has(dependent(d).at))
-        return form_.simplified(dependent(d).at + (constant.at - integral) / slope);
-    refuse({"an integral is linear in the coordinate that it replaces", "not in " + dependent(d).name,
-            "solve it: write " + dependent(d).name + " = \"...\" in " + constant.name + " under [change]",
-            place});
+ex Search::along_time(const ex& phi) const {
+    ex sum = 0;
+    for (const Prescribed& p : motion_.mechanism().prescribed) sum += p.rate * phi.diff(p.coordinate.at);
+    for (std::size_t d = 0; d < found_.size(); ++d) sum += rest(d) * phi.diff(dependent(d).at);
+    return motion_.unperturbed(sum);
+}
+
+void Search::require_constant(const Integral& integral, const ex& rate, const std::string& velocity) const {
+    const Zero constant = form_.vanishes(rate);
+    if (constant == Zero::yes) return;
+    const std::string value = "its derivative holds (" + excerpt(written(form_, rate)) + ")" + velocity;
+    const Place place = place_of(integral.value.source);
+    if (constant == Zero::no) bad_input({"an integral is constant at eps = 0", value, "correct it", place});
+    refuse({"an integral is seen to be constant at eps = 0", value, "write it in a plainer form", place});
+}
+
+void Search::take_those_of_the_file() {
+    for (const Integral& integral : motion_.mechanism().integrals) {
+        const ex phi = integral.value.value;
+        for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+            require_constant(integral, along(phi, i), "*" + independent(i).name + "'");
+        require_constant(integral, along_time(phi), "");
+    }
+    std::vector<std::size_t> preferred; // those that are not constant themselves come first
+    for (const bool constant : {false, true})
+        for (std::size_t d = 0; d < found_.size(); ++d)
+            if (stays(d) == constant) preferred.push_back(d);
+    for (const auto& [integral, d, value] : solve_integrals(constraints_, motion_, preferred))
+        found_[d] = Constant{integral->coordinate, integral->value.value, d, value, false};
 }
 
 void Search::not_found(std::size_t d) const {
@@ -107,20 +115,45 @@ void Search::not_found(std::size_t d) const {
             place_of(motion_.mechanism().constraints.front().condition.source)});
 }
 
-// W with dW/dx_i = slope, in independent coordinates.
+// W with dW/dx_i = slope, and the rate of the coordinate, in independent coordinates and prescribed ones.
 ex Search::potential(std::size_t d) const {
     ex sum = 0;
     for (std::size_t i = 0; i < constraints_.independent.size(); ++i) {
-        const ex left = form_.simplified(slope(d, i) - sum.diff(independent(i).at));
-        for (std::size_t k = 0; k < found_.size(); ++k)
-            if (left.has(dependent(k).at)) not_found(d);
-        const auto part = antiderivative(left, independent(i).at);
+        const auto part = integral_of(slope(d, i) - sum.diff(independent(i).at), independent(i).at);
         if (!part) not_found(d);
         sum += *part;
     }
+    sum += moving_part(d, sum);
+    if (!zero(along_time(sum) - rest(d))) not_found(d);
     for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
         if (!zero(sum.diff(independent(i).at) - slope(d, i))) not_found(d);
     return sum;
+}
+
+std::optional<ex> Search::integral_of(const ex& slope, const GiNaC::symbol& x) const {
+    const ex plain = form_.simplified(slope);
+    for (std::size_t k = 0; k < found_.size(); ++k)
+        if (plain.has(dependent(k).at)) return std::nullopt;
+    const auto positive = [&](const ex& e) { return motion_.positive_where_expanded(e); };
+    const auto f = antiderivative(plain, x, positive);
+    return f && zero(f->diff(x) - plain) ? f : std::nullopt;
+}
+
+// What `sum` lacks of W by what moves at eps = 0: first as the constraint has it, as c*s', then the rest of
+// the rate by one of the laws, c/V*s'.
+ex Search::moving_part(std::size_t d, const ex& sum) const {
+    ex part = 0;
+    const std::vector<const Prescribed*> moving = motion_.moving();
+    for (const Prescribed* p : moving) {
+        const ex c = motion_.unperturbed(constraints_.rest[d].diff(p->coordinate.velocity));
+        if (const auto f = integral_of(c - (sum + part).diff(p->coordinate.at), p->coordinate.at)) part += *f;
+    }
+    const ex left = form_.simplified(rest(d) - along_time(sum + part));
+    for (const Prescribed* p : moving)
+        if (const auto f = integral_of(left / motion_.unperturbed(p->rate), p->coordinate.at);
+            f && zero(along_time(*f) - left))
+            return part + *f;
+    return part;
 }
 
 Constant Search::integrated(std::size_t d) {

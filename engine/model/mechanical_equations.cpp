@@ -23,7 +23,7 @@ public:
     Deriver(const Mechanism& mechanism, const System& system)
         : mechanism_(mechanism), system_(system), form_(system), motion_(mechanism, system, form_),
           constraints_(solve_constraints(motion_)) {
-        require_integrable_at_rest(constraints_, motion_);
+        require_integrable_unperturbed(constraints_, motion_);
         constants_ = find_constants(constraints_, motion_);
         appell_ = appell_equations(motion_, constraints_);
         check_by_multipliers(mechanism_, form_, constraints_.velocities, all_accelerations());
@@ -60,6 +60,8 @@ private:
     void write_first_order(const ChangeOfVariables& change);
     [[nodiscard]] ex rate_of_constant(std::size_t k, const ChangeOfVariables& change);
     void write_constants(const ChangeOfVariables& change);
+    // What is prescribed, at eps = 0.
+    [[nodiscard]] std::string unperturbed_motion();
     void write_constraints();
     void write_coefficients(DerivationSection& section, const Constant& constant);
     void write_accelerations();
@@ -246,9 +248,17 @@ void Deriver::write_coefficients(DerivationSection& section, const Constant& con
     add("0", rate.subs(none, GiNaC::subs_options::no_pattern));
 }
 
+std::string Deriver::unperturbed_motion() {
+    std::string laws;
+    for (const Prescribed* p : motion_.moving())
+        laws += (laws.empty() ? "with " : ", ") + p->coordinate.name +
+                "' = " + written(form_, motion_.unperturbed(p->rate));
+    return laws.empty() ? "what is prescribed at rest" : laws;
+}
+
 void Deriver::write_constraints() {
     if (constants_.empty()) return;
-    DerivationSection solved{"constraints", {}}, rest{"at eps = 0, what is prescribed at rest", {}},
+    DerivationSection solved{"constraints", {}}, rest{"at eps = 0, " + unperturbed_motion(), {}},
         integrals{"constants of these", {}},
         coefficients{"(2): q' = eps*(sum of c_q_x*x' + c_q_0), with", {}};
     Derivation& derivation = result_.derivation;

@@ -13,7 +13,7 @@ struct MechanicalEquations {
         SourceText source;
     };
     std::vector<Line> equations; // of what moves
-    struct Former { // constant at eps = 0
+    struct Former {              // constant at eps = 0
         Coordinate coordinate;
         std::string instead_of; // the coordinate that it replaces
         Role role;              // slow where something depends on it, else drift

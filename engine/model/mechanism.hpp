@@ -74,7 +74,7 @@ struct Change {
     Written value; // in coordinates that stay, new ones, integrals and prescribed ones
 };
 
-// [integrals] R = "x + y": constant at eps = 0 with prescribed coordinates at rest.
+// [integrals] R = "x + y": constant at eps = 0, where prescribed coordinates rest or move.
 struct Integral {
     Coordinate coordinate;
     Written value; // in coordinates and prescribed ones

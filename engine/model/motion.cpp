@@ -2,6 +2,8 @@
 #include "model/motion.hpp"
 
 #include "model/canonical.hpp"
+#include "model/positivity.hpp"
+#include "model/substitution.hpp"
 
 #include <utility>
 
@@ -73,6 +75,27 @@ ex Motion::unperturbed(const ex& e) const {
     } catch (const std::exception&) {
         bad_input({"a mechanism is regular at eps = 0", excerpt(spell(e)), "scale it by a power of eps",
                    place_of(mechanism_->source)});
+    }
+}
+
+std::vector<const Prescribed*> Motion::moving() const {
+    std::vector<const Prescribed*> result;
+    for (const Prescribed& p : mechanism_->prescribed)
+        if (form_->vanishes(unperturbed(p.rate)) != Zero::yes) result.push_back(&p);
+    return result;
+}
+
+bool Motion::positive_where_expanded(const ex& e) const {
+    GiNaC::exmap changes, origin;
+    for (const Change& change : mechanism_->changes)
+        changes[mechanism_->coordinates[change.coordinate].at] = change.value.value;
+    for (const Variable& v : system_->variables)
+        if (v.role == Role::fast && v.weight > 0) origin[v.jet.front()] = 0;
+    const auto value = put_through(e, changes);
+    try {
+        return value && provably_positive(put(unperturbed(*value), origin), *system_);
+    } catch (const std::exception&) { // a pole
+        return false;
     }
 }
 

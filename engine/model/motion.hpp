@@ -19,6 +19,10 @@ public:
     // At eps = 0, where prescribed velocities have their values there.
     // Errors (bad_input): a pole.
     [[nodiscard]] GiNaC::ex unperturbed(const GiNaC::ex& e) const;
+    // What is prescribed and does not rest at eps = 0.
+    [[nodiscard]] std::vector<const Prescribed*> moving() const;
+    // e > 0 is proved at eps = 0 and the origin of small variables, hence nearby.
+    [[nodiscard]] bool positive_where_expanded(const GiNaC::ex& e) const;
     // With the laws of what is prescribed put in.
     [[nodiscard]] GiNaC::ex with_laws(const GiNaC::ex& e) const;
     [[nodiscard]] const Mechanism& mechanism() const { return *mechanism_; }

@@ -4,6 +4,7 @@
 #include "model/bounds.hpp"
 #include "model/constant_sign.hpp"
 #include "model/named_function.hpp"
+#include "model/pairs_of_terms.hpp"
 
 #include <algorithm>
 
@@ -48,6 +49,7 @@ private:
     Sign by_division(const ex& e, const ex& declared, int comparisons) const;
     Sign by_squares(const ex& e, int comparisons) const;
     Sign by_bounds(const ex& e, int comparisons) const;
+    Sign by_pairs(const ex& e, int comparisons) const;
     bool declared_nonzero(const ex& symbol) const;
 
     const System& system_;
@@ -195,6 +197,24 @@ Sign Prover::by_bounds(const ex& e, int comparisons) const {
     return bounds.low->is_zero() ? Sign::nonnegative : Sign::positive;
 }
 
+// m + c - c*cos(u)^2, x^2 - x*y + y^2: not negative, and positive if it is so without a little of a positive
+// term.
+Sign Prover::by_pairs(const ex& e, int comparisons) const {
+    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e)) return Sign::unknown;
+    const ex sum = e.expand(); // which terms there are is not left to the form of e
+    if (!GiNaC::is_a<GiNaC::add>(sum) || sum.nops() > largest_compared) return Sign::unknown;
+    const auto nonnegative = [&](const ex& all) {
+        return nonnegative_by_pairs(
+            all, [&](const ex& part) { return sign(part, 0) == Sign::positive; },
+            [&](const ex& part) { return real(part); });
+    };
+    if (!nonnegative(sum)) return Sign::unknown;
+    const numeric little(1, 1024); // as much of a positive term may be missing
+    for (const ex& term : sum)
+        if (sign(term, 0) == Sign::positive && nonnegative(sum - little * term)) return Sign::positive;
+    return Sign::nonnegative;
+}
+
 // With d > 0 declared: e = q d has the sign of q; e = d + rest is positive if the rest is >= 0.
 Sign Prover::by_declaration(const ex& e, int comparisons) const {
     if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e)) return Sign::unknown;
@@ -255,8 +275,9 @@ Sign Prover::sign(const ex& e, int comparisons) const {
         if (decided != ConstantSign::unknown)
             return decided == ConstantSign::positive ? Sign::positive : Sign::unknown;
     }
-    const Sign s = by_structure(e, comparisons);
-    return s == Sign::unknown ? by_declaration(e, comparisons) : s;
+    Sign s = by_structure(e, comparisons);
+    if (s == Sign::unknown) s = by_declaration(e, comparisons);
+    return s == Sign::unknown ? by_pairs(e, comparisons) : s;
 }
 
 bool Prover::nonzero(const ex& e) const {

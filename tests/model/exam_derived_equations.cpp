@@ -16,12 +16,6 @@ System read(const std::string& variables, const std::string& rest) {
                             "system.toml");
 }
 
-std::string equation(const System& system, const std::string& variable) {
-    for (const Equation& e : system.equations)
-        if (e.variable == variable) return e.text;
-    return "none";
-}
-
 const std::string plane =
     "[coordinates]\nx = {}\ny = {}\n[particles]\np = { mass = \"m\", position = [\"x\", \"y\"] }\n"
     "[energy]\npotential = \"m*x^2/2\"\n";
@@ -108,6 +102,23 @@ TEST(ConstantsOfConstraints, AreFoundWhereTheyAreElementary) {
     EXPECT_EQ(equation(system, "R_y"), "R_y' = eps*x*x'");
     EXPECT_EQ(system.derivation->remarks.front(),
               "holonomic after all: the constraints are integrable for every eps");
+}
+
+// y' = slope*x' + eps*x*x'
+std::string constant_found(const std::string& slope) {
+    const System system = read("x = { role = \"fast\" }\n",
+                               plane + "[constraints]\nc = \"y' = " + slope + "*x' + eps*x*x'\"\n");
+    EXPECT_EQ(equation(system, "R_y"), "R_y' = eps*x*x'") << slope;
+    return section(system.derivation->constraints, "constants of these").equations.front();
+}
+
+TEST(ConstantsOfConstraints, AreFoundByWiderIntegrals) {
+    EXPECT_EQ(constant_found("1/(x^2 + r^2)"), "R_y = -atan(x/r)/r + y");
+    EXPECT_EQ(constant_found("x/(x - r)"), "R_y = -r*log(-x + r) - x + y");
+    EXPECT_EQ(constant_found("tan(x)"), "R_y = log(cos(x)) + y");
+    EXPECT_EQ(constant_found("x*exp(-x)*sin(x)"),
+              "R_y = (2*y*exp(x) + x*sin(x) + x*cos(x) + cos(x))/(2*exp(x))");
+    EXPECT_EQ(constant_found("1/cos(x)^2"), "R_y = (-sin(x) + y*cos(x))/cos(x)");
 }
 
 TEST(ConstantsOfConstraints, AreTakenFromTheFile) {

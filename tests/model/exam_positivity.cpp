@@ -86,7 +86,14 @@ TEST_F(Positivity, Proves) {
                              "q*(3 - q)",
                              "-(1 + tau)*(-1 - tau)",
                              "(tau - k)*(tau - k)*r",
-                             "(1 + tau)*(tau^2 + r)"}) {
+                             "(1 + tau)*(tau^2 + r)",
+                             "tau^2 - tau*r + r^2",
+                             "r^2 + p^2 - 2*r*p + r*p",
+                             "r + p*sin(tau)^2",
+                             "r + p - p*cos(tau)^2",
+                             "r + p*cos(tau)^2 + p*cos(x)^2 - 2*p*cos(tau)^2*cos(x)^2 - "
+                             "2*p*sin(tau)*cos(tau)*sin(x)*cos(x)",
+                             "r^2*(c^2 + p) + p^2*(c^2 + p) + 2*r*p*(p - c^2)"}) {
         EXPECT_TRUE(positive(text)) << text;
     }
 }
@@ -114,6 +121,13 @@ TEST_F(Positivity, DoesNotClaim) {
                              "(1 + tau)*(tau - k)",
                              "r*(q - 3)",
                              "1 + tau - tau^2",
+                             "tau^2 - 2*tau*r + r^2",
+                             "tau^2 - 3*tau*r + r^2",
+                             "x^2 + r*tau - 2*x*tau + 1",
+                             "r - p*cos(tau)^2",
+                             "r + p - 2*p*cos(tau)^2",
+                             "r + p*cos(tau)^2 + p*cos(x)^2 - 2*p*cos(tau)^2*cos(x)^2 - "
+                             "3*p*sin(tau)*cos(tau)*sin(x)*cos(x)",
                              "-(1 + tau)",
                              "tan(tau)^2 + 1",
                              "cos(2)",

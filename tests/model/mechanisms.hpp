@@ -19,6 +19,12 @@ inline const DerivationSection& section(const std::vector<DerivationSection>& al
     throw std::logic_error("no section " + heading);
 }
 
+inline std::string equation(const System& system, const std::string& variable) {
+    for (const Equation& e : system.equations)
+        if (e.variable == variable) return e.text;
+    return "none";
+}
+
 // Texts over one scope of free symbols, compared identically.
 class Comparison {
 public:
@@ -46,6 +52,13 @@ public:
         const SourceText none;
         return form_.vanishes(read_equation(left, scope_, none) -
                               read_expression(factor, scope_, none) * read_equation(right, scope_, none));
+    }
+
+    // Is one equation, linear in `unknown`, a multiple of the other?
+    Zero multiple(const std::string& left, const std::string& right, const std::string& unknown) {
+        const GiNaC::ex a = read_equation(left, scope_, {}), b = read_equation(right, scope_, {});
+        const auto x = GiNaC::ex_to<GiNaC::symbol>(read_expression(unknown, scope_, {}));
+        return form_.vanishes(a * b.diff(x) - b * a.diff(x));
     }
 
 private:

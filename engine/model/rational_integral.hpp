@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Integrals of rational functions by partial fractions.
+#pragma once
+
+#include "model/antiderivative.hpp"
+
+namespace resonform {
+
+// Is it certain that e is not zero? Products are taken at their word, as divisors of the file are.
+bool may_divide(const GiNaC::ex& e, const PositiveThere& positive);
+
+// log|u|, by the sign that is proved: log(u), log(-u), else log(u^2)/2.
+GiNaC::ex log_of_size(const GiNaC::ex& u, const PositiveThere& positive);
+
+// f with df/dx = e for a rational function of x. nullopt: none, or a factor of the denominator of degree > 2,
+// or a quadratic one whose discriminant has no proved sign.
+std::optional<GiNaC::ex> integral_of_rational(const GiNaC::ex& e, const GiNaC::symbol& x,
+                                              const PositiveThere& positive);
+
+} // namespace resonform
