@@ -6,8 +6,9 @@
 #include <cln/integer.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <span>
+#include <optional>
 
 namespace resonform {
 
@@ -30,36 +31,52 @@ private:
     std::uint64_t n_;
 };
 
-// n - 1 = odd * 2^twos: for each base a^odd is 1, or one of its first `twos` squares is -1.
-template <class Arithmetic>
+// n - 1 = odd * 2^twos: for each base a^odd is 1, or one of its first `twos` squares is -1. The powers are
+// taken side by side, as each product waits for the one before.
+template <std::size_t Count, class Arithmetic>
 bool is_strong_probable_prime(const Arithmetic& modulo, std::uint64_t n,
-                              std::span<const std::uint64_t> bases) {
+                              const std::array<std::uint64_t, Count>& bases) {
     const int twos = std::countr_zero(n - 1);
-    const std::uint64_t one = modulo.enter(1), minus_one = modulo.negate(one);
-    return std::all_of(bases.begin(), bases.end(), [&](std::uint64_t base) {
-        if (base % n == 0) return true;
-        std::uint64_t x = power_of(modulo, modulo.enter(base), (n - 1) >> twos);
-        bool found = x == one || x == minus_one;
-        for (int j = 1; j < twos && !found; ++j) {
-            x = modulo.multiply(x, x);
-            found = x == minus_one;
+    const std::uint64_t one = modulo.enter(1), minus_one = modulo.negate(one), odd = (n - 1) >> twos;
+    std::array<std::uint64_t, Count> base, x;
+    for (std::size_t k = 0; k < Count; ++k) x[k] = base[k] = modulo.enter(bases[k] % n);
+    for (int bit = static_cast<int>(std::bit_width(odd)) - 2; bit >= 0; --bit)
+        for (std::size_t k = 0; k < Count; ++k) {
+            x[k] = modulo.multiply(x[k], x[k]);
+            if (((odd >> bit) & 1) != 0) x[k] = modulo.multiply(x[k], base[k]);
         }
-        return found;
-    });
+    for (std::size_t k = 0; k < Count; ++k) {
+        bool found = base[k] == 0 || x[k] == one || x[k] == minus_one;
+        for (int j = 1; j < twos && !found; ++j) {
+            x[k] = modulo.multiply(x[k], x[k]);
+            found = x[k] == minus_one;
+        }
+        if (!found) return false;
+    }
+    return true;
+}
+
+// nullopt: none of these divides n.
+template <std::uint64_t... Primes> std::optional<bool> by_trial(std::uint64_t n) {
+    if (((n == Primes) || ...)) return true;
+    return ((n % Primes == 0) || ...) ? std::optional(false) : std::nullopt;
+}
+
+// Strong probable primes below 2^64 for all of these bases are primes (J. Sinclair, 2011).
+template <class Arithmetic> bool passes_all_bases(const Arithmetic& modulo, std::uint64_t n) {
+    return is_strong_probable_prime(modulo, n, std::array<std::uint64_t, 1>{2}) &&
+           is_strong_probable_prime(
+               modulo, n, std::array<std::uint64_t, 6>{325, 9375, 28178, 450775, 9780504, 1795265022});
 }
 
 } // namespace
 
 bool is_prime(std::uint64_t n) {
-    static constexpr std::uint64_t small[] = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31,
-                                              37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79};
     if (n < 2) return false;
-    for (const std::uint64_t factor : small)
-        if (n % factor == 0) return n == factor;
-    // Strong probable primes below 2^64 for all of these are primes (J. Sinclair, 2011).
-    static constexpr std::uint64_t bases[] = {2, 325, 9375, 28178, 450775, 9780504, 1795265022};
-    if (n >> 62 != 0) return is_strong_probable_prime(Division(n), n, bases);
-    return is_strong_probable_prime(Montgomery(PrimeField(n)), n, bases);
+    if (const std::optional<bool> known =
+            by_trial<2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73>(n))
+        return *known;
+    return n >> 62 != 0 ? passes_all_bases(Division(n), n) : passes_all_bases(Montgomery(PrimeField(n)), n);
 }
 
 std::uint64_t random_prime(std::mt19937_64& random) {
@@ -116,8 +133,10 @@ Residue PrimeField::from(std::int64_t n) const {
 }
 
 std::optional<Residue> PrimeField::from(const Rational& value) const {
-    const Integer p(static_cast<unsigned long>(prime_));
-    const auto reduced = [&](const Integer& n) { return Residue{cln::cl_I_to_UQ(cln::mod(n, p))}; };
+    const auto reduced = [&](const Integer& n) {
+        if (cln::integer_length(n) < 63) return from(static_cast<std::int64_t>(cln::cl_I_to_long(n)));
+        return Residue{cln::cl_I_to_UQ(cln::mod(n, Integer(static_cast<unsigned long>(prime_))))};
+    };
     const Residue numerator = reduced(cln::numerator(value));
     const Integer& denominator = cln::denominator(value);
     if (denominator == 1) return numerator;
@@ -154,10 +173,9 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
     while ((1 + static_cast<UnsignedWide>(cofactor) * v) % q != 0) ++v;
     const auto u = static_cast<std::uint64_t>((1 + static_cast<UnsignedWide>(cofactor) * v) / q);
     const Residue first = raise(a, u);
+    if (order <= q) return first; // a^cofactor = 1
     // What `first` must be multiplied with has q-th power `rest`, an element of the subgroup.
     const Residue rest = inverse(raise(raise(a, cofactor), v));
-    if (order == 1) return first;
-
     const Residue generator = sylow_generator(factor, cofactor);
     const Residue of_order_factor = raise(generator, order / factor);
     std::uint64_t logarithm = 0;
@@ -172,6 +190,12 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
 Residue PrimeField::sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const {
     for (Residue x = 2;; ++x)
         if (raise(x, (prime_ - 1) / factor) != 1) return raise(x, cofactor);
+}
+
+// x^((p - 1)/4) for the first x that is no square.
+Residue PrimeField::imaginary_unit() const {
+    for (Residue x = 2;; ++x)
+        if (const Residue i = raise(x, (prime_ - 1) / 4); multiply(i, i) == prime_ - 1) return i;
 }
 
 Residue PrimeField::random_unit(std::mt19937_64& random) const {

@@ -59,6 +59,8 @@ public:
     // Some x with x^k = a, or nullopt if there is none. The cost grows with the largest prime factor
     // of k, which divides p - 1.
     [[nodiscard]] std::optional<Residue> root(Residue a, int k) const;
+    // A root of -1; precondition: p = 1 mod 4.
+    [[nodiscard]] Residue imaginary_unit() const;
     // Uniform among 1, ..., p - 1.
     [[nodiscard]] Residue random_unit(std::mt19937_64& random) const;
 

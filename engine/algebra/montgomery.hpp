@@ -16,6 +16,7 @@ public:
         const Residue base = field.from(std::int64_t{1} << 32);
         const Residue once = field.multiply(base, base); // 2^64
         square_ = field.multiply(once, once);
+        unit_ = once;
     }
 
     [[nodiscard]] Residue enter(Residue x) const { return multiply(x, square_); }
@@ -37,6 +38,11 @@ public:
         sum += Wide{a} * b;
         if (static_cast<std::uint64_t>(sum >> 64) >= prime_) sum -= Wide{prime_} << 64;
     }
+    // x mod p for any x.
+    [[nodiscard]] Residue whole(Wide x) const {
+        const Residue high = multiply(static_cast<std::uint64_t>(x >> 64), square_);
+        return field_.add(high, multiply(static_cast<std::uint64_t>(x), unit_));
+    }
     // x 2^-64 mod p for x < p 2^64.
     [[nodiscard]] Residue reduce(Wide x) const {
         const std::uint64_t multiple = static_cast<std::uint64_t>(x) * minus_inverse_;
@@ -48,7 +54,7 @@ private:
     PrimeField field_;
     std::uint64_t prime_;
     std::uint64_t minus_inverse_; // -1/p mod 2^64
-    Residue square_;              // 2^128 mod p
+    Residue square_, unit_;       // 2^128, 2^64 mod p
 };
 
 } // namespace resonform

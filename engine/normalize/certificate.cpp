@@ -108,20 +108,26 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, std:
     int unlucky = 0;
     while (certificate.points < points) {
         try {
-            const Point point = sampler.next();
-            source.go_to(point);
-            const PointRun run(plan, source.normal_form(), source.map(), point, through);
-            require_known_rates(plan, run, *field.ring, through);
-            // A residual that vanishes through M says that the highest derivatives are right through M only
-            // if they are determined at weight 0. A non-zero determinant at one point proves it.
-            if (is_singular(point.field, at_origin(run, plan.jacobian))) throw UnluckyPoint();
-            std::string here = complaint_of(plan, run, field.system(), shape.through);
-            if (here.empty() && shape.hamiltonian)
-                here = generator_complaint(plan, source.normal_form(), run, point);
-            if (complaint.empty()) complaint = here;
-            samples.push_back(frequencies_of(plan, run, point));
-            certificate.primes.push_back(point.field.prime());
-            ++certificate.points;
+            std::vector<Point> batch;
+            while (batch.size() <
+                   std::min(static_cast<std::size_t>(points - certificate.points), Source::together))
+                batch.push_back(sampler.next());
+            source.go_to(batch.front());
+            const PointReadings readings(plan, source.normal_form(), source.map(), batch, through);
+            for (std::size_t n = 0; n < batch.size(); ++n) {
+                const PointRun run(plan, *field.ring, readings, n, batch[n], through);
+                require_known_rates(plan, run, *field.ring, through);
+                // A residual that vanishes through M says that the highest derivatives are right through M
+                // only if they are determined at weight 0. A non-zero determinant at one point proves it.
+                if (is_singular(batch[n].field, at_origin(run, plan.jacobian))) throw UnluckyPoint();
+                std::string here = complaint_of(plan, run, field.system(), shape.through);
+                if (here.empty() && shape.hamiltonian)
+                    here = generator_complaint(plan, source.normal_form(), run, batch[n]);
+                if (complaint.empty()) complaint = here;
+                samples.push_back(frequencies_of(plan, run, batch[n]));
+                certificate.primes.push_back(batch[n].field.prime());
+                ++certificate.points;
+            }
         } catch (const UnluckyPoint&) {
             if (++unlucky > unlucky_points_allowed)
                 refuse(

@@ -88,7 +88,8 @@ std::vector<FrequencySample> sampled(const std::shared_ptr<const GradedField>& f
     PointSampler sampler(*field->ring, seed);
     for (int n = 0; n < samples; ++n) {
         const Point point = sampler.next();
-        const PointRun run(plan, none, {}, point, 0);
+        const PointReadings readings(plan, none, {}, {point}, 0);
+        const PointRun run(plan, *field->ring, readings, 0, point, 0);
         const auto values = [&](const std::vector<Slot>& slots) {
             std::vector<Residue> residues;
             for (const Slot slot : slots) residues.push_back(run.at_origin(slot));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/certificate_point.hpp"
 
-#include "normalize/certificate_reader.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -19,12 +17,51 @@ private:
     std::vector<Residue> room_;
 };
 
-PointRun::PointRun(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map,
-                   const Point& point, int through)
-    : ring_(*normal_form.field->ring), montgomery_(point.field), generators_(point.values), through_(through),
+PointReadings::PointReadings(const CertificatePlan& plan, const NormalForm& normal_form,
+                             const NearIdentityMap& map, const std::vector<Point>& points, int through) {
+    const Ring& ring = *normal_form.field->ring;
+    PointReader reader(ring, points);
+    std::vector<PointReader::Wanted> wanted;
+    const auto keep = [&](Slot slot, int weight, const auto& value) {
+        Coefficient coefficient{slot, weight, {}};
+        bool any = false;
+        for (std::size_t n = 0; n < points.size(); ++n) {
+            coefficient.value[n] = value(n);
+            any = any || coefficient.value[n] != 0;
+        }
+        if (any) coefficients_.push_back(coefficient);
+    };
+    for (const CertificatePlan::Reading& reading : plan.readings) {
+        wanted.clear();
+        for (const auto& of : reading.sides) {
+            std::vector<GeneratorId> slopes;
+            for (const auto& slope : of.slopes) slopes.push_back(slope.first);
+            wanted.emplace_back(of.side, slopes);
+        }
+        const Series& from = series_of(reading.series, plan.program, normal_form, map);
+        for (int weight = 0; weight <= std::min(through, from.through()); ++weight) {
+            if (from.part(weight).empty()) continue;
+            reader.read(from.part(weight).fractions(), wanted);
+            for (std::size_t side = 0; side < wanted.size(); ++side) {
+                const auto& of = reading.sides[side];
+                const PointReader::Wanted& w = wanted[side];
+                if (of.value >= 0) keep(of.value, weight, [&](std::size_t n) { return w.value(n); });
+                for (std::size_t k = 0; k < of.slopes.size(); ++k)
+                    keep(of.slopes[k].second, weight - ring.generator(of.slopes[k].first).weight,
+                         [&](std::size_t n) { return w.slope(k, n); });
+            }
+        }
+    }
+}
+
+PointRun::PointRun(const CertificatePlan& plan, const Ring& ring, const PointReadings& readings,
+                   std::size_t n, const Point& point, int through)
+    : ring_(ring), montgomery_(point.field), generators_(point.values), through_(through),
       one_(montgomery_.enter(1)) {
     const std::vector<Step>& steps = plan.program.steps();
     const auto length = static_cast<std::size_t>(through_) + 1;
+    offsets_.reserve(steps.size());
+    slots_.reserve(steps.size());
     std::size_t room = 0;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         offsets_.push_back(room);
@@ -32,34 +69,10 @@ PointRun::PointRun(const CertificatePlan& plan, const NormalForm& normal_form, c
     }
     values_.assign(room + length, 0);
     for (const std::size_t offset : offsets_) slots_.push_back({values_.data() + offset, through_ + 1, -1});
-    read(plan, normal_form, map);
+    for (const PointReadings::Coefficient& read : readings.coefficients())
+        set(slots_[static_cast<std::size_t>(read.slot)], read.weight, read.value[n]);
     for (std::size_t k = 0; k < steps.size(); ++k)
         if (plan.needed[k]) run(steps[k], slots_[k]);
-}
-
-void PointRun::read(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map) {
-    const auto slot = [&](Slot k) -> Value& { return slots_[static_cast<std::size_t>(k)]; };
-    PointReader reader(ring_, montgomery_, generators_);
-    std::vector<PointReader::Wanted> wanted;
-    for (const CertificatePlan::Reading& reading : plan.readings) {
-        wanted.clear();
-        for (const auto& of : reading.sides) {
-            wanted.emplace_back(ring_, of.side);
-            for (const auto& slope : of.slopes) wanted.back().add_slope(slope.first);
-        }
-        const Series& from = series_of(reading.series, plan.program, normal_form, map);
-        for (int n = 0; n <= std::min(through_, from.through()); ++n) {
-            if (from.part(n).empty()) continue;
-            reader.read(from.part(n).fractions(), wanted);
-            for (std::size_t side = 0; side < wanted.size(); ++side) {
-                const auto& of = reading.sides[side];
-                if (of.value >= 0) set(slot(of.value), n, wanted[side].value());
-                for (std::size_t k = 0; k < of.slopes.size(); ++k)
-                    set(slot(of.slopes[k].second), n - ring_.generator(of.slopes[k].first).weight,
-                        wanted[side].slope(k));
-            }
-        }
-    }
 }
 
 void PointRun::run(const Step& step, Value& to) {
@@ -166,12 +179,14 @@ Residue PointRun::residue(const Rational& value) const {
     return montgomery_.enter(*r);
 }
 
-Residue PointRun::inverse(Residue a) const {
+Residue PointRun::inverse(Residue a) {
     if (a == 0) throw UnluckyPoint();
-    return montgomery_.inverse(a);
+    const auto [known, is_new] = quotients_.try_emplace(a);
+    if (is_new) known->second = montgomery_.inverse(a);
+    return known->second;
 }
 
-Residue PointRun::power(Residue a, int exponent) const {
+Residue PointRun::power(Residue a, int exponent) {
     return montgomery_.power(exponent < 0 ? inverse(a) : a, static_cast<std::uint64_t>(std::abs(exponent)));
 }
 

@@ -4,18 +4,39 @@
 #pragma once
 
 #include "normalize/certificate_plan.hpp"
-#include "normalize/certificate_sampler.hpp"
+#include "normalize/certificate_reader.hpp"
 
+#include <array>
+#include <map>
 #include <vector>
 
 namespace resonform {
 
+// The series that a program reads, at some points, by one pass over their terms.
+class PointReadings {
+public:
+    // Through weight `through`. Throws UnluckyPoint. Points: 1 ... PointReader::most_points.
+    PointReadings(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map,
+                  const std::vector<Point>& points, int through);
+
+    // What is not zero, in Montgomery's form: the coefficient of t^weight, by point.
+    struct Coefficient {
+        Slot slot;
+        int weight;
+        std::array<Residue, PointReader::most_points> value;
+    };
+    [[nodiscard]] const std::vector<Coefficient>& coefficients() const { return coefficients_; }
+
+private:
+    std::vector<Coefficient> coefficients_;
+};
+
 // Runs a program at a point. Residues are held in Montgomery's form, so that only zeros can be read off.
 class PointRun {
 public:
-    // Series are known through weight `through`. Throws UnluckyPoint. Errors (refused): a Taylor sum whose
-    // argument does not vanish at the origin.
-    PointRun(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map,
+    // At the n-th of the points of the readings; series are known through their weight `through`. Throws
+    // UnluckyPoint. Errors (refused): a Taylor sum whose argument does not vanish at the origin.
+    PointRun(const CertificatePlan& plan, const Ring& ring, const PointReadings& readings, std::size_t n,
              const Point& point, int through);
 
     // The coefficients of t^0 ... t^through.
@@ -33,7 +54,6 @@ private:
     };
     class Scratch;
 
-    void read(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map);
     void run(const Step& step, Value& to);
     void set(Value& to, int weight, Residue coefficient) const;
     void add(Value& to, const Value& a, const Value& b) const;
@@ -46,8 +66,8 @@ private:
     void inverse_power(Value& to, const Value& a, int n);
 
     [[nodiscard]] Residue residue(const Rational& value) const;
-    [[nodiscard]] Residue inverse(Residue a) const; // throws UnluckyPoint
-    [[nodiscard]] Residue power(Residue a, int exponent) const;
+    [[nodiscard]] Residue inverse(Residue a); // throws UnluckyPoint
+    [[nodiscard]] Residue power(Residue a, int exponent);
     [[nodiscard]] Residue inverse_of(int k);                               // 1/k for 1 <= k
     [[nodiscard]] std::vector<Residue> binomial(const Rational& exponent); // of (1 + u)^exponent
     [[nodiscard]] std::vector<Residue> taylor_coefficients(Elementary function);
@@ -57,7 +77,8 @@ private:
     const std::vector<Residue>& generators_;
     int through_;
     Residue one_;
-    std::vector<Residue> inverses_;
+    std::vector<Residue> inverses_;        // of 1, 2, ...
+    std::map<Residue, Residue> quotients_; // inverses of what powers are taken of, often of the same
     std::vector<std::size_t> offsets_;
     std::vector<Residue> values_;
     std::vector<Value> slots_;

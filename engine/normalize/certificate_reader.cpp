@@ -10,7 +10,7 @@ namespace resonform {
 ExponentReader::ExponentReader(const Ring& ring)
     : ring_(ring), per_word_(ring.packing().fields_per_word()),
       words_((ring.size() + per_word_ - 1) / per_word_),
-      exponents_(static_cast<std::size_t>(ring.size()), 0) {}
+      exponents_(static_cast<std::size_t>(words_ * per_word_), 0) {}
 
 int ExponentReader::read(const Monomial& m) {
     int from = started_ ? words_ : 0; // all words count as new the first time
@@ -27,40 +27,47 @@ int ExponentReader::read(const Monomial& m) {
 
 void ExponentReader::decode(const Monomial& m, int word) {
     const auto w = static_cast<std::size_t>(word);
-    counts_[w] = 0;
-    const int end = std::min((word + 1) * per_word_, ring_.size());
-    for (GeneratorId id = word * per_word_; id < end; ++id) {
-        const int e = ring_.exponent(m, id);
-        exponents_[static_cast<std::size_t>(id)] = e;
-        powers_[w][counts_[w]] = {id, e};
-        if (e != 0) ++counts_[w];
+    int* exponents = exponents_.data() + word * per_word_;
+    ring_.packing().read_word(m, word, exponents);
+    std::size_t count = 0;
+    for (int f = 0; f < per_word_; ++f) {
+        powers_[w][count] = {word * per_word_ + f, exponents[f]};
+        if (exponents[f] != 0) ++count;
+    }
+    counts_[w] = count;
+}
+
+PointReader::Wanted::Wanted(Side side, std::vector<GeneratorId> slopes) : side_(side) {
+    place_.fill(-1);
+    slopes_.reserve(slopes.size());
+    for (const GeneratorId by : slopes) {
+        place_[static_cast<std::size_t>(by)] = static_cast<std::int8_t>(slopes_.size());
+        slopes_.push_back({by});
     }
 }
 
-void PointReader::Wanted::add_slope(GeneratorId by) {
-    place_[static_cast<std::size_t>(by)] = static_cast<int>(slopes_.size());
-    slopes_.push_back(by);
-    slope_sums_.push_back(0);
-    slope_values_.push_back(0);
+PointReader::PointReader(const Ring& ring, const std::vector<Point>& points) : exponents_(ring) {
+    points_.reserve(points.size());
+    for (const Point& point : points) points_.push_back(prepared(ring, point));
 }
 
-PointReader::PointReader(const Ring& ring, const Montgomery& montgomery,
-                         const std::vector<Residue>& generators)
-    : montgomery_(montgomery), exponents_(ring) {
+PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point) {
+    AtPoint at{Montgomery(point.field), {}, {}, {}};
+    const Montgomery& montgomery = at.montgomery;
     // All inverses by one: 1/a_k = (a_0 ... a_{k-1}) / (a_0 ... a_k).
-    Half& here = halves_[0];
+    Half& here = at.halves[0];
     std::vector<Residue> products{montgomery.enter(1)};
-    for (const Residue g : generators) {
+    for (const Residue g : point.values) {
         here.values.push_back(montgomery.enter(g));
         products.push_back(montgomery.multiply(products.back(), here.values.back()));
     }
     Residue inverse = montgomery.inverse(products.back());
-    here.inverses.resize(generators.size());
-    for (std::size_t k = generators.size(); k-- > 0;) {
+    here.inverses.resize(point.values.size());
+    for (std::size_t k = point.values.size(); k-- > 0;) {
         here.inverses[k] = montgomery.multiply(inverse, products[k]);
         inverse = montgomery.multiply(inverse, here.values[k]);
     }
-    Half& there = halves_[1];
+    Half& there = at.halves[1];
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
         const auto k = static_cast<std::size_t>(g.conjugate >= 0 ? g.conjugate : id);
@@ -70,107 +77,133 @@ PointReader::PointReader(const Ring& ring, const Montgomery& montgomery,
         there.values.push_back(negated ? montgomery.negate(value) : value);
         there.inverses.push_back(negated ? montgomery.negate(below) : below);
     }
-    for (Half& half : halves_) {
-        for (const Residue value : half.values) half.powers.push_back({value});
-        for (const Residue value : half.inverses) half.negative_powers.push_back({value});
+    for (Half& half : at.halves) {
+        half.powers.resize(half.values.size() * span);
         half.products[0] = montgomery.enter(1);
     }
-    const Residue base = montgomery.enter(montgomery.enter(1)); // 2^128
-    limb_factors_.push_back(base);
+    at.limb_factors.push_back(montgomery.enter(montgomery.enter(1))); // 2^128
+    return at;
 }
 
-inline Residue PointReader::power(Half& half, const ExponentReader::Power& p) const {
-    const auto id = static_cast<std::size_t>(p.id), n = static_cast<std::size_t>(std::abs(p.exponent));
-    std::vector<Residue>& known = p.exponent < 0 ? half.negative_powers[id] : half.powers[id];
-    while (known.size() < n) known.push_back(montgomery_.multiply(known.back(), known.front()));
-    return known[n - 1];
+inline Residue PointReader::power(const AtPoint& at, Half& half, const ExponentReader::Power& p) {
+    const auto place = static_cast<std::size_t>(p.exponent + static_cast<int>(span) / 2);
+    if (place >= span) return far_power(at, half, p);
+    Residue& known = half.powers[static_cast<std::size_t>(p.id) * span + place];
+    if (known == 0) known = far_power(at, half, p); // the generator itself is not zero
+    return known;
 }
 
-void PointReader::multiply_words(Half& half, int from) const {
+Residue PointReader::far_power(const AtPoint& at, const Half& half, const ExponentReader::Power& p) {
+    const auto id = static_cast<std::size_t>(p.id);
+    return at.montgomery.power(p.exponent < 0 ? half.inverses[id] : half.values[id],
+                               static_cast<std::uint64_t>(std::abs(p.exponent)));
+}
+
+inline void PointReader::multiply_words(AtPoint& at, Half& half, int from) const {
     for (int word = from; word < exponents_.words(); ++word) {
         Residue product = half.products[static_cast<std::size_t>(word)];
         for (const ExponentReader::Power& p : exponents_.powers(word))
-            product = montgomery_.multiply(product, power(half, p));
+            product = at.montgomery.multiply(product, power(at, half, p));
         half.products[static_cast<std::size_t>(word) + 1] = product;
     }
 }
 
 // The limbs of its numerators can be read after that.
-Residue PointReader::inverse_of_denominator(const Fractions& part) {
-    while (limb_factors_.size() < part.limbs) // times 2^64
-        limb_factors_.push_back(montgomery_.enter(limb_factors_.back()));
+void PointReader::read_denominator(AtPoint& at, const Fractions& part) {
+    const Montgomery& montgomery = at.montgomery;
+    while (at.limb_factors.size() < part.limbs) // times 2^64
+        at.limb_factors.push_back(montgomery.enter(at.limb_factors.back()));
+    at.cofactor = montgomery.enter(1);
     const mpz_srcptr denominator = part.denominator.get_mpz_t();
-    if (mpz_cmp_ui(denominator, 1) == 0) return montgomery_.enter(1);
-    const Residue below = montgomery_.field().from_limbs(mpz_limbs_read(denominator), mpz_size(denominator));
+    if (mpz_cmp_ui(denominator, 1) == 0) return;
+    const Residue below = montgomery.field().from_limbs(mpz_limbs_read(denominator), mpz_size(denominator));
     if (below == 0) throw UnluckyPoint();
-    return montgomery_.enter(montgomery_.field().inverse(below));
+    const auto [known, is_new] = at.inverses.try_emplace(below);
+    if (is_new) known->second = montgomery.enter(montgomery.field().inverse(below));
+    at.cofactor = known->second;
 }
 
-Residue PointReader::numerator(const Fractions& part, std::size_t k) const {
+inline void PointReader::read_number(AtPoint& at, const Fractions& part, std::size_t k) {
     const mp_limb_t* limbs = part.magnitude(k);
     Montgomery::Wide sum = 0;
     for (std::size_t limb = 0; limb < part.limbs; ++limb)
-        montgomery_.accumulate(sum, limb_factors_[limb], limbs[limb]);
-    const Residue value = montgomery_.reduce(sum);
-    return part.negative[k] != 0 ? montgomery_.negate(value) : value;
+        at.montgomery.accumulate(sum, at.limb_factors[limb], limbs[limb]);
+    const Residue value = at.montgomery.reduce(sum);
+    at.number = part.negative[k] != 0 ? at.montgomery.negate(value) : value;
 }
 
-Residue PointReader::reduced(Signed sum) const {
-    if (sum == 0) return 0;
+inline Residue PointReader::reduced(const AtPoint& at, Signed sum) {
     const auto size = static_cast<Montgomery::Wide>(sum < 0 ? -sum : sum);
-    const std::uint64_t limbs[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
-    const Residue value = montgomery_.field().from_limbs(limbs, 2);
-    return sum < 0 ? montgomery_.negate(value) : value;
+    const Residue value = at.montgomery.whole(size);
+    return sum < 0 ? at.montgomery.negate(value) : value;
+}
+
+inline void PointReader::read_term(const Fractions& part, std::size_t k) {
+    const int from = exponents_.read(part.monomials[k]);
+    for (int& fresh : fresh_) fresh = std::min(fresh, from);
+    for (AtPoint& at : points_) read_number(at, part, k);
+}
+
+inline void PointReader::add_term(Wanted& wanted) {
+    const auto side = static_cast<std::size_t>(wanted.side_);
+    const auto words = static_cast<std::size_t>(exponents_.words());
+    Wanted::Sums values;
+    for (std::size_t j = 0; j < points_.size(); ++j) {
+        AtPoint& at = points_[j];
+        Half& half = at.halves[side];
+        multiply_words(at, half, fresh_[side]);
+        values[j] = static_cast<Signed>(at.montgomery.multiply(at.number, half.products[words]));
+        wanted.sum_[j] += values[j];
+    }
+    fresh_[side] = exponents_.words();
+    if (wanted.slopes_.empty()) return;
+    for (int word = 0; word < exponents_.words(); ++word)
+        for (const ExponentReader::Power& p : exponents_.powers(word)) {
+            const int place = wanted.place_[static_cast<std::size_t>(p.id)];
+            if (place < 0) continue;
+            Wanted::Sums& sum = wanted.slopes_[static_cast<std::size_t>(place)].sum;
+            for (std::size_t j = 0; j < points_.size(); ++j) sum[j] += values[j] * p.exponent;
+        }
+}
+
+void PointReader::finish(Wanted& wanted) const {
+    for (std::size_t j = 0; j < points_.size(); ++j) {
+        const AtPoint& at = points_[j];
+        const Half& half = at.halves[static_cast<std::size_t>(wanted.side_)];
+        wanted.value_[j] = at.montgomery.multiply(at.cofactor, reduced(at, wanted.sum_[j]));
+        for (Wanted::Slope& slope : wanted.slopes_)
+            slope.value[j] = at.montgomery.multiply(
+                at.montgomery.multiply(at.cofactor, half.inverses[static_cast<std::size_t>(slope.by)]),
+                reduced(at, slope.sum[j]));
+    }
 }
 
 void PointReader::read(const Fractions& part, std::vector<Wanted>& wanted) {
-    const Residue cofactor = inverse_of_denominator(part);
+    for (AtPoint& at : points_) read_denominator(at, part);
     // Residues have 61 bits, exponents at most 16: 2^50 terms would fit.
     for (Wanted& w : wanted) {
-        w.sum_ = 0;
-        std::fill(w.slope_sums_.begin(), w.slope_sums_.end(), 0);
+        w.sum_.fill(0);
+        for (Wanted::Slope& slope : w.slopes_) slope.sum.fill(0);
     }
-    const int words = exponents_.words();
     for (std::size_t k = 0; k < part.size(); ++k) {
-        const Residue number = numerator(part, k);
-        const int from = exponents_.read(part.monomials[k]);
-        for (Half& half : halves_) half.fresh = std::min(half.fresh, from);
-        for (Wanted& w : wanted) {
-            Half& half = halves_[static_cast<std::size_t>(w.side_)];
-            multiply_words(half, half.fresh);
-            half.fresh = words;
-            const auto value = static_cast<Signed>(
-                montgomery_.multiply(number, half.products[static_cast<std::size_t>(words)]));
-            w.sum_ += value;
-            if (w.slopes_.empty()) continue;
-            for (int word = 0; word < words; ++word)
-                for (const ExponentReader::Power& p : exponents_.powers(word))
-                    if (const int place = w.place_[static_cast<std::size_t>(p.id)]; place >= 0)
-                        w.slope_sums_[static_cast<std::size_t>(place)] += value * p.exponent;
-        }
+        read_term(part, k);
+        for (Wanted& w : wanted) add_term(w);
     }
-    for (Wanted& w : wanted) {
-        const Half& half = halves_[static_cast<std::size_t>(w.side_)];
-        w.value_ = montgomery_.multiply(cofactor, reduced(w.sum_));
-        for (std::size_t k = 0; k < w.slopes_.size(); ++k)
-            w.slope_values_[k] = montgomery_.multiply(
-                montgomery_.multiply(cofactor, half.inverses[static_cast<std::size_t>(w.slopes_[k])]),
-                reduced(w.slope_sums_[k]));
-    }
+    for (Wanted& w : wanted) finish(w);
 }
 
 std::vector<Residue> PointReader::terms(const Fractions& part) {
+    AtPoint& at = points_.front();
+    Half& half = at.halves[0];
     std::vector<Residue> values;
-    const Residue cofactor = inverse_of_denominator(part);
-    Half& half = halves_[0];
+    read_denominator(at, part);
     for (std::size_t k = 0; k < part.size(); ++k) {
-        const int from = exponents_.read(part.monomials[k]);
-        for (Half& one : halves_) one.fresh = std::min(one.fresh, from);
-        multiply_words(half, half.fresh);
-        half.fresh = exponents_.words();
-        const Residue number = montgomery_.multiply(cofactor, numerator(part, k));
+        read_term(part, k);
+        multiply_words(at, half, fresh_[0]);
+        fresh_[0] = exponents_.words();
+        const Residue number = at.montgomery.multiply(at.cofactor, at.number);
         values.push_back(
-            montgomery_.multiply(number, half.products[static_cast<std::size_t>(exponents_.words())]));
+            at.montgomery.multiply(number, half.products[static_cast<std::size_t>(exponents_.words())]));
     }
     return values;
 }

@@ -8,6 +8,8 @@
 #include "normalize/certificate_sampler.hpp"
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -32,7 +34,8 @@ public:
         const auto w = static_cast<std::size_t>(word);
         return {powers_[w].data(), counts_[w]};
     }
-    [[nodiscard]] const std::vector<int>& exponents() const { return exponents_; } // of all generators
+    // Of all generators; what comes after them is 0.
+    [[nodiscard]] const std::vector<int>& exponents() const { return exponents_; }
 
 private:
     static constexpr std::size_t most_words = std::tuple_size_v<decltype(Monomial::word)>;
@@ -48,58 +51,74 @@ private:
     bool started_ = false;
 };
 
-// At a point and its conjugate. Results are in Montgomery's form. UnluckyPoint is thrown where the prime
+// At some points and their conjugates. Results are in Montgomery's form. UnluckyPoint is thrown where a prime
 // divides a denominator.
 class PointReader {
     __extension__ using Signed = __int128;
 
 public:
-    // `generators`: their values, residues; all are non-zero.
-    PointReader(const Ring& ring, const Montgomery& montgomery, const std::vector<Residue>& generators);
+    static constexpr std::size_t most_points = 4;
+    // 1 ... most_points of them, at which no generator is zero.
+    PointReader(const Ring& ring, const std::vector<Point>& points);
 
-    // The sum of all terms, and its derivatives by some generators.
+    // The sum of all terms, and its derivatives by some generators, at each point.
     class Wanted {
     public:
-        Wanted(const Ring& ring, Side side)
-            : side_(side), place_(static_cast<std::size_t>(ring.size()), -1) {}
-        void add_slope(GeneratorId by);
-        [[nodiscard]] Residue value() const { return value_; }
-        [[nodiscard]] Residue slope(std::size_t k) const {
-            return slope_values_[k];
-        } // in the order of add_slope()
+        Wanted(Side side, std::vector<GeneratorId> slopes);
+        [[nodiscard]] Residue value(std::size_t point) const { return value_[point]; }
+        [[nodiscard]] Residue slope(std::size_t k, std::size_t point) const {
+            return slopes_[k].value[point];
+        }
 
     private:
         friend class PointReader;
+        using Sums = std::array<Signed, most_points>;
+        using Values = std::array<Residue, most_points>;
+        struct Slope {
+            GeneratorId by;
+            Sums sum{}; // times the generator
+            Values value{};
+        };
         Side side_;
-        std::vector<GeneratorId> slopes_;
-        std::vector<int> place_; // in slopes_, by generator
-        Signed sum_ = 0;
-        std::vector<Signed> slope_sums_; // times the generator
-        Residue value_ = 0;
-        std::vector<Residue> slope_values_;
+        std::vector<Slope> slopes_;
+        std::array<std::int8_t, Packing::most_fields> place_; // in slopes_, by generator; -1
+        Sums sum_{};
+        Values value_{};
     };
     void read(const Fractions& part, std::vector<Wanted>& wanted);
-    // Of each term.
+    // Of each term, at the first point.
     std::vector<Residue> terms(const Fractions& part);
 
 private:
-    struct Half { // one side
+    static constexpr std::size_t span = 128; // exponents whose powers are kept
+    struct Half {                            // one side
         std::vector<Residue> values, inverses;
-        std::vector<std::vector<Residue>> powers, negative_powers; // by generator and exponent, from 1 on
-        std::array<Residue, 5> products{};                         // of the first words of a monomial
-        int fresh = 0;                                             // the first of them that is not up to date
+        std::vector<Residue> powers;       // by generator and exponent, -span/2 ...; 0: not known yet
+        std::array<Residue, 5> products{}; // of the first words of a monomial
+    };
+    struct AtPoint {
+        Montgomery montgomery;
+        std::array<Half, 2> halves;
+        std::vector<Residue> limb_factors;   // 2^(64 k + 128)
+        std::map<Residue, Residue> inverses; // of denominators, which come again and again
+        Residue cofactor = 0, number = 0;    // of the part, of the term that is read
     };
 
-    [[nodiscard]] Residue power(Half& half, const ExponentReader::Power& p) const;
-    void multiply_words(Half& half, int from) const;
-    [[nodiscard]] Residue inverse_of_denominator(const Fractions& part);
-    [[nodiscard]] Residue numerator(const Fractions& part, std::size_t k) const;
-    [[nodiscard]] Residue reduced(Signed sum) const;
+    [[nodiscard]] static AtPoint prepared(const Ring& ring, const Point& point);
+    [[nodiscard]] static Residue power(const AtPoint& at, Half& half, const ExponentReader::Power& p);
+    [[nodiscard]] static Residue far_power(const AtPoint& at, const Half& half,
+                                           const ExponentReader::Power& p);
+    void multiply_words(AtPoint& at, Half& half, int from) const;
+    static void read_denominator(AtPoint& at, const Fractions& part);
+    static void read_number(AtPoint& at, const Fractions& part, std::size_t k);
+    [[nodiscard]] static Residue reduced(const AtPoint& at, Signed sum);
+    void read_term(const Fractions& part, std::size_t k);
+    void add_term(Wanted& wanted);
+    void finish(Wanted& wanted) const;
 
-    const Montgomery& montgomery_;
     ExponentReader exponents_;
-    std::array<Half, 2> halves_;
-    std::vector<Residue> limb_factors_; // 2^(64 k + 128)
+    std::vector<AtPoint> points_;
+    std::array<int, 2> fresh_{}; // by side: the first word whose product is not up to date
 };
 
 } // namespace resonform

@@ -20,9 +20,10 @@ Residue combined(const PrimeField& f, const std::vector<int>& multiples, const s
 
 } // namespace
 
-auto Resonance::multiples_of(const std::vector<int>& exponents, int mode) const -> Multiples {
+auto Resonance::multiples_of(const std::vector<int>& exponents, int mode) const -> const Multiples& {
     const auto exponent = [&](GeneratorId id) { return exponents[static_cast<std::size_t>(id)]; };
-    Multiples m;
+    Multiples& m = multiples_;
+    for (std::vector<int>* list : {&m.growth, &m.omega, &m.angle}) list->clear();
     for (std::size_t k = 0; k < field_.modes.size(); ++k) {
         const Mode& z = field_.modes[k];
         const int alpha = exponent(z.z) - (static_cast<int>(k) == mode ? 1 : 0);
@@ -34,7 +35,7 @@ auto Resonance::multiples_of(const std::vector<int>& exponents, int mode) const 
 }
 
 bool Resonance::is_exact(const std::vector<int>& exponents, int mode) const {
-    const Multiples m = multiples_of(exponents, mode);
+    const Multiples& m = multiples_of(exponents, mode);
     if (nonzero(m.angle) == 0 && nonzero(m.omega) == 1) return false; // omega of an oscillator is a unit
     return std::all_of(samples_.begin(), samples_.end(), [&](const FrequencySample& sample) {
         const PrimeField& f = sample.field;
@@ -46,7 +47,7 @@ bool Resonance::is_exact(const std::vector<int>& exponents, int mode) const {
 
 bool Resonance::is_near(const std::vector<int>& exponents, int mode) const {
     if (cln::zerop(field_.system().near)) return false;
-    const Multiples m = multiples_of(exponents, mode);
+    const Multiples& m = multiples_of(exponents, mode);
     GiNaC::ex real = 0, imaginary = 0;
     for (std::size_t k = 0; k < m.omega.size(); ++k) {
         real += m.growth[k] * field_.basis.modes[k].eigenvalue.re;

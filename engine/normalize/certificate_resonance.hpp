@@ -21,10 +21,11 @@ private:
     struct Multiples {
         std::vector<int> growth, omega, angle;
     };
-    [[nodiscard]] Multiples multiples_of(const std::vector<int>& exponents, int mode) const;
+    [[nodiscard]] const Multiples& multiples_of(const std::vector<int>& exponents, int mode) const;
 
     const GradedField& field_;
     const std::vector<FrequencySample>& samples_;
+    mutable Multiples multiples_; // asked for once for each monomial
 };
 
 } // namespace resonform

@@ -63,7 +63,7 @@ Point PointSampler::next() {
     for (int n = 0; n < primes_per_search; ++n) {
         const PrimeField field(random_prime(random_));
         if (!has_roots_of_numbers(field)) continue;
-        const Residue i = *field.root(field.prime() - 1, 2);
+        const Residue i = field.imaginary_unit();
         for (int k = 0; k < attempts_per_prime; ++k)
             if (std::optional<Point> point = attempt(field, i)) return *std::move(point);
     }
@@ -79,7 +79,7 @@ void PointSampler::prove_roots_independent() {
     };
     for (int n = 0; n < primes_per_search && missing() != witnesses_.end(); ++n) {
         const PrimeField field(random_prime(random_));
-        attempt(field, *field.root(field.prime() - 1, 2));
+        attempt(field, field.imaginary_unit());
     }
     if (const auto witness = missing(); witness != witnesses_.end())
         refuse({"the roots of the ring are independent of each other",

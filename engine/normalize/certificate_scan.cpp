@@ -60,8 +60,9 @@ std::vector<Item> items(const NormalForm& normal_form, const NearIdentityMap& ma
 // The powers of modes and eps, "z1^2*z2*eps"; the coefficient is left out.
 std::string spell_monomial(const Ring& ring, const std::vector<int>& exponents) {
     std::string text;
-    for (std::size_t k = 0; k < exponents.size(); ++k) {
-        const Generator& g = ring.generator(static_cast<GeneratorId>(k));
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const auto k = static_cast<std::size_t>(id);
+        const Generator& g = ring.generator(id);
         if (exponents[k] == 0 || (g.kind != GeneratorKind::fast && g.kind != GeneratorKind::small &&
                                   g.kind != GeneratorKind::phase))
             continue;

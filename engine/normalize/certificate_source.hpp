@@ -16,6 +16,8 @@ public:
     RingSource(const NormalForm& normal_form, const NearIdentityMap& map)
         : normal_form_(normal_form), map_(map) {}
 
+    // How many points may be substituted together.
+    static constexpr std::size_t together = PointReader::most_points;
     void go_to(const Point& /*point*/) {}
     [[nodiscard]] const NormalForm& normal_form() const { return normal_form_; }
     [[nodiscard]] const NearIdentityMap& map() const { return map_; }
@@ -33,6 +35,7 @@ class GraphSource {
 public:
     explicit GraphSource(const GraphNormalization& normalization);
 
+    static constexpr std::size_t together = 1;
     // Throws UnluckyPoint where a divisor is zero.
     void go_to(const Point& point);
     [[nodiscard]] const NormalForm& normal_form() const { return normal_form_; }

@@ -51,6 +51,9 @@ TEST(PrimeField, is_a_field) {
         EXPECT_EQ(f.add(a, f.negate(a)), 0U);
         EXPECT_EQ(f.power(a, -5), f.inverse(f.power(a, 5)));
         EXPECT_EQ(f.power(a, static_cast<std::int64_t>(f.prime()) - 1), 1U);
+        if (f.prime() % 4 == 1) {
+            EXPECT_EQ(f.multiply(f.imaginary_unit(), f.imaginary_unit()), f.negate(1));
+        }
     }
 }
 

@@ -115,7 +115,7 @@ TEST(DomainLeft, AnswersUpToThePlaceAndAStatusBeyond) {
     std::ofstream(system / "system.toml")
         << "[system]\nname = \"bounded\"\n[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
            "[domain]\npositive = [\"2 - tau\"]\n"
-           "[equations]\nx = \"x'' + (2 - tau)*x + x^3 = 0\"\ntau = \"tau' = eps\"\n";
+           "[equations]\nx = \"x'' + x + x^3/(2 - tau) = 0\"\ntau = \"tau' = eps\"\n";
     std::ofstream(system / "scenes/s.toml")
         << "order = 2\n[start]\ntau = 1\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = \"3/eps\"\n";
     const auto program = test::program_of(read_scene(system / "scenes/s.toml", system.parent_path()));
