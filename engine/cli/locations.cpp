@@ -71,10 +71,12 @@ private:
 std::vector<SystemFiles> systems_of(const Home& home) {
     std::vector<SystemFiles> systems;
     for (const fs::path& folder : sorted_entries(home.systems())) {
-        if (!fs::exists(folder / "system.toml")) continue;
+        std::error_code error; // a link to itself, no permission: whoever reads the file complains
+        if (!fs::exists(folder / "system.toml", error) && !error) continue;
         SystemFiles files{folder / "system.toml", {}};
-        for (const fs::path& scene : sorted_entries(folder / "scenes"))
-            if (scene.extension() == ".toml") files.scenes.push_back(scene);
+        if (!error)
+            for (const fs::path& scene : sorted_entries(folder / "scenes"))
+                if (scene.extension() == ".toml") files.scenes.push_back(scene);
         systems.push_back(std::move(files));
     }
     return systems;

@@ -71,28 +71,31 @@ void Watch::reached(const Rational& weight, const Rational& next, std::size_t te
     enter(step + fmt::format(", weight {} under way", to_string(next)));
 }
 
-bool Watch::must_end(std::string& message) {
+std::optional<Diagnostic> Watch::excess() {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin_;
-    if (time.count() > limits_.seconds) {
-        message = to_string(exceeded("--time-limit",
-                                     fmt::format("a derivation takes at most {:g} s", limits_.seconds), step_,
-                                     fmt::format("{:g}", 10 * limits_.seconds)));
-    } else if (const double used = resident_megabytes(); used > limits_.megabytes) {
-        message = to_string(exceeded(
-            "--memory-limit", fmt::format("a derivation takes at most {:.0f} MB", limits_.megabytes),
-            fmt::format("{:.0f} MB, {}", used, step_), fmt::format("{:.0f}", 2 * limits_.megabytes)));
-    }
-    return !message.empty();
+    if (time.count() > limits_.seconds)
+        return exceeded("--time-limit", fmt::format("a derivation takes at most {:g} s", limits_.seconds),
+                        step_, fmt::format("{:g}", 10 * limits_.seconds));
+    if (const double used = resident_megabytes(); used > limits_.megabytes)
+        return exceeded("--memory-limit",
+                        fmt::format("a derivation takes at most {:g} MB", limits_.megabytes),
+                        fmt::format("{:.0f} MB, {}", used, step_), fmt::format("{:.0f}", 2 * used));
+    return std::nullopt;
+}
+
+void Watch::finish() {
+    const std::lock_guard lock(mutex_);
+    if (const std::optional<Diagnostic> found = excess()) refuse(*found);
 }
 
 // The first thread cannot be asked to stop, so the program ends here, without running destructors of
 // what it still uses.
 void Watch::run() {
     std::unique_lock lock(mutex_);
-    std::string message;
     while (!changed_.wait_for(lock, tick, [this] { return over_; })) {
-        if (!must_end(message)) continue;
-        say("resonform: " + message);
+        const std::optional<Diagnostic> found = excess();
+        if (!found) continue;
+        say("resonform: " + to_string(*found));
         std::_Exit(static_cast<int>(Kind::refused));
     }
 }

@@ -5,12 +5,14 @@
 // output are written when no Watch stands any more.
 #pragma once
 
+#include "algebra/error.hpp"
 #include "algebra/number.hpp"
 
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -34,10 +36,12 @@ public:
     void enter(const std::string& step);
     // A weight is complete, and `next` is the one under way. Errors (refused): more terms than the limit.
     void reached(const Rational& weight, const Rational& next, std::size_t terms);
+    // Errors (refused): the limits were passed since the clock was last looked at.
+    void finish();
 
 private:
     void run();
-    bool must_end(std::string& message); // under mutex_
+    std::optional<Diagnostic> excess(); // under mutex_
 
     DerivationLimits limits_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
@@ -51,7 +55,9 @@ private:
 // What `derive(watch)` returns; the watch is over then.
 template <class Derive> auto watched(const DerivationLimits& limits, const Derive& derive) {
     Watch watch(limits);
-    return derive(watch);
+    auto derived = derive(watch);
+    watch.finish();
+    return derived;
 }
 
 } // namespace resonform

@@ -3,6 +3,7 @@
 // were divided by vanishes.
 #include "emit/derive.hpp"
 #include "emit/normal_form_parts.hpp"
+#include "model/positivity.hpp"
 
 #include <fmt/format.h>
 
@@ -99,11 +100,29 @@ std::vector<std::vector<Polynomial>> surfaces_of(const Ring& ring, const Polynom
     return result;
 }
 
+// By the bounds of sin(tau) and what else is known of expressions: 2 + sin(tau).
+bool is_proved_nonzero(const GradedField& field, const DivisorRecord& record) {
+    const Ring& ring = *field.ring;
+    GiNaC::ex growth = 0, frequency = 0;
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
+        const Mode& mode = field.modes[k];
+        const auto& lambda = field.basis.modes[k].eigenvalue;
+        const int own = ring.exponent(record.monomial, mode.z) - (mode.name == record.variable ? 1 : 0);
+        const int other = mode.is_real() ? 0 : ring.exponent(record.monomial, mode.zbar);
+        growth += (own + other) * lambda.re;
+        frequency += (own - other) * lambda.im;
+    }
+    for (const AngleVariable& angle : field.angles)
+        frequency += ring.exponent(record.monomial, angle.phase) * angle.law;
+    return provably_nonzero(growth, field.system()) || provably_nonzero(frequency, field.system());
+}
+
 std::vector<Surface> surfaces(const GradedField& field, const std::vector<DivisorRecord>& divisors,
                               int order) {
     std::vector<Surface> found;
     for (const DivisorRecord& record : divisors) {
         if (record.weight > order || record.verdict != DivisorVerdict::removed) continue;
+        if (is_proved_nonzero(field, record)) continue;
         for (std::vector<Polynomial>& vanishing : surfaces_of(*field.ring, record.divisor)) {
             auto known = std::find_if(found.begin(), found.end(),
                                       [&](const Surface& s) { return s.vanishing == vanishing; });

@@ -44,7 +44,7 @@ private:
     void define_flow();
     void define_slow(std::size_t k);
     void keep_signs();
-    FlowMoment::Unit moving_unit(const std::string& variable, const FlowMoment::Unit& start, bool moves);
+    FlowMoment::Unit moving_unit(const RealForm::Pair& pair, const FlowMoment::Unit& start, bool moves);
     void lower_rates();
     void integrate_drifts();
     void turn();
@@ -71,27 +71,26 @@ private:
     std::vector<Graph::Node> drift_;     // Z
 };
 
-// Symbols for what the flow changes; what it does not change stays as it starts.
-FlowMoment::Unit FlowProgram::moving_unit(const std::string& variable, const FlowMoment::Unit& start,
+// Symbols for what the flow changes; what it does not change stays as it starts. Their names are those of the
+// real form: two modes may belong to one variable.
+FlowMoment::Unit FlowProgram::moving_unit(const RealForm::Pair& pair, const FlowMoment::Unit& start,
                                           bool moves) {
     if (!moves) return start;
-    const auto part = [&](const char* letter, Graph::Node begin) {
-        const std::string called = identifier(letter + ("_" + variable));
+    const auto part = [&](GeneratorId id, Graph::Node begin) {
+        const std::string called = identifier(real_.ring()->generator(id).name);
         const Graph::Node value = program_.graph.symbol("flow " + called); // a space: no parameter's name
         program_.flow.push_back({called, begin, -1, value});
         return value;
     };
-    const Graph::Node u = part("u", start.u);
-    return {u, part("v", start.v)};
+    const Graph::Node u = part(pair.u, start.u);
+    return {u, part(pair.v, start.v)};
 }
 
 void FlowProgram::define_flow() {
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
-        moving_.modes.push_back(
-            moving_unit(name(field_.modes[k].variable), start_.modes[k], moves(flow_.modes[k])));
+        moving_.modes.push_back(moving_unit(real_.modes()[k], start_.modes[k], moves(flow_.modes[k])));
     for (std::size_t k = 0; k < field_.angles.size(); ++k)
-        moving_.angles.push_back(
-            moving_unit(name(field_.angles[k].variable), start_.angles[k], moves(flow_.angles[k])));
+        moving_.angles.push_back(moving_unit(real_.angles()[k], start_.angles[k], moves(flow_.angles[k])));
     for (std::size_t k = 0; k < field_.slow.size(); ++k) define_slow(k);
 }
 

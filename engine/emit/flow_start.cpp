@@ -7,10 +7,21 @@
 #include "normalize/inverse_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace resonform {
 
 namespace {
+
+// 1e30 as a double is off by many turns.
+void require_moderate(const Scene& scene, const std::string& angle) {
+    constexpr double most = 1e14;
+    const StartValue* start = scene.start_of(angle);
+    if (start == nullptr || !GiNaC::is_a<GiNaC::numeric>(start->value)) return;
+    if (std::abs(GiNaC::ex_to<GiNaC::numeric>(start->value).to_double()) <= most) return;
+    bad_input({"an angle starts between -1e14 and 1e14, or no digits of its place on the circle are known",
+               angle, "give its remainder by 2*pi", place_of(start->source)});
+}
 
 class FlowStart {
 public:
@@ -30,6 +41,7 @@ public:
             if (moves_slow_or_angles())
                 for (int step = 0; step <= solution_.truncation; ++step) substitute();
         }
+        require_reproduced();
         for (std::size_t k = 0; k < field_.drift.size(); ++k) new_.drift.push_back(drift(k));
         name_units();
         return std::move(new_);
@@ -52,6 +64,8 @@ private:
     [[nodiscard]] bool moves_slow_or_angles() const;
     void substitute();
     FlowUnit unit(Graph::Node angle);
+    FlowUnit turned(const FlowUnit& unit, Graph::Node by);
+    void require_reproduced();
     Graph::Node drift(std::size_t k);
     void name_units();
 
@@ -64,20 +78,28 @@ private:
     const GradedField& field_;
     const NearIdentityMap& map_;
     FlowValues given_, new_; // old and new variables at t = 0 (of modes given by constants, the new ones)
-    std::vector<Graph::Node> angles_; // as given
+    std::vector<Graph::Node> turns_; // of the angles from the old to the new
 };
 
 void FlowStart::read_slow_and_angles() {
     for (const SlowVariable& slow : field_.slow) given_.slow.push_back(physical(slow.name));
     for (const AngleVariable& angle : field_.angles) {
-        angles_.push_back(physical(angle.name));
-        given_.angles.push_back(unit(angles_.back()));
+        require_moderate(scene_, angle.name);
+        given_.angles.push_back(unit(physical(angle.name)));
     }
 }
 
 FlowUnit FlowStart::unit(Graph::Node angle) {
     return {program_.graph.function(Graph::Op::cos, {angle}),
             program_.graph.function(Graph::Op::sin, {angle})};
+}
+
+// An angle is turned by small ones: of a large one no digits would be left, had they to be added.
+FlowUnit FlowStart::turned(const FlowUnit& at, Graph::Node by) {
+    Graph& graph = program_.graph;
+    const FlowUnit turn = unit(by);
+    return {graph.add({graph.multiply({at.u, turn.u}), graph.negate(graph.multiply({at.v, turn.v}))}),
+            graph.add({graph.multiply({at.u, turn.v}), graph.multiply({at.v, turn.u})})};
 }
 
 // Of all fast variables, or of none.
@@ -155,8 +177,9 @@ void FlowStart::put_inverse_map() {
         const FlowUnit by = shift(inverse.mode[k], field_.ring->generator(field_.modes[k].z).weight);
         new_.modes.push_back({graph.add({given_.modes[k].u, by.u}), graph.add({given_.modes[k].v, by.v})});
     }
+    for (std::size_t k = 0; k < field_.angles.size(); ++k) turns_.push_back(shift(inverse.angle[k], 0).u);
     for (std::size_t k = 0; k < field_.angles.size(); ++k)
-        new_.angles.push_back(unit(graph.add({angles_[k], shift(inverse.angle[k], 0).u})));
+        new_.angles.push_back(turned(given_.angles[k], turns_[k]));
     for (std::size_t k = 0; k < field_.slow.size(); ++k)
         new_.slow.push_back(graph.add({given_.slow[k], shift(inverse.slow[k], 0).u}));
 }
@@ -175,11 +198,53 @@ void FlowStart::substitute() {
         return graph.negate(now.lowering.polynomial(real_(series.total(solution_.truncation)).re));
     };
     FlowValues next = new_;
-    for (std::size_t k = 0; k < field_.angles.size(); ++k)
-        next.angles[k] = unit(graph.add({angles_[k], shift(map_.angle[k])}));
+    turns_.clear();
+    for (std::size_t k = 0; k < field_.angles.size(); ++k) {
+        turns_.push_back(shift(map_.angle[k]));
+        next.angles[k] = turned(given_.angles[k], turns_[k]);
+    }
     for (std::size_t k = 0; k < field_.slow.size(); ++k)
         next.slow[k] = graph.add({given_.slow[k], shift(map_.slow[k])});
     new_ = std::move(next);
+}
+
+// The map takes the new start back to the old one, up to eps^(M + 1): where it misses by more than a half of
+// what it starts from and of what it adds, a divisor is too small for the series, and the answer is a status.
+void FlowStart::require_reproduced() {
+    Graph& graph = program_.graph;
+    FlowMoment now(program_, real_, surroundings_, new_, false);
+    const auto shift = [&](const Series& series, int weight) {
+        const RealForm::Value value = real_(series.total(solution_.truncation));
+        return FlowUnit{now.lowering.polynomial(over_eps(real_, value.re, weight)),
+                        now.lowering.polynomial(over_eps(real_, value.im, weight))};
+    };
+    const Graph::Node little = graph.power(program_.eps, 2 * solution_.truncation);
+    const auto square = [&](const FlowUnit& x) {
+        return graph.add({graph.power(x.u, 2), graph.power(x.v, 2)});
+    };
+    const auto require = [&](const FlowUnit& old, const FlowUnit& found, const FlowUnit& added) {
+        const auto missed = [&](Graph::Node a, Graph::Node b, Graph::Node c) {
+            return graph.add({a, b, graph.negate(c)});
+        };
+        const FlowUnit miss{missed(found.u, added.u, old.u), missed(found.v, added.v, old.v)};
+        program_.positive.push_back(graph.add(
+            {little, square(old), square(added), graph.multiply({graph.rational(-4), square(miss)})}));
+    };
+    const Graph::Node zero = graph.rational(0);
+    if (from_physical_values())
+        for (std::size_t k = 0; k < field_.modes.size(); ++k)
+            if (!map_.mode[k].total(solution_.truncation).empty())
+                require(given_.modes[k], new_.modes[k],
+                        shift(map_.mode[k], field_.ring->generator(field_.modes[k].z).weight));
+    for (std::size_t k = 0; k < field_.slow.size(); ++k)
+        if (!map_.slow[k].total(solution_.truncation).empty())
+            require({given_.slow[k], zero}, {new_.slow[k], zero}, {shift(map_.slow[k], 0).u, zero});
+    for (std::size_t k = 0; k < field_.angles.size(); ++k)
+        if (!map_.angle[k].total(solution_.truncation).empty()) // within half a radian
+            program_.positive.push_back(graph.add(
+                {graph.rational(1),
+                 graph.multiply({graph.rational(-4),
+                                 graph.power(graph.add({turns_[k], shift(map_.angle[k], 0).u}), 2)})}));
 }
 
 // Z_0 = X_0 - l(w_0, zeta_0), or the constant.
@@ -197,13 +262,12 @@ Graph::Node FlowStart::drift(std::size_t k) {
 }
 
 void FlowStart::name_units() {
-    const auto name_unit = [&](const std::string& variable, const FlowUnit& unit) {
-        program_.names.push_back({"u_" + identifier(variable), unit.u});
-        program_.names.push_back({"v_" + identifier(variable), unit.v});
+    const auto name_unit = [&](const RealForm::Pair& pair, const FlowUnit& unit) {
+        program_.names.push_back({identifier(real_.ring()->generator(pair.u).name), unit.u});
+        program_.names.push_back({identifier(real_.ring()->generator(pair.v).name), unit.v});
     };
-    for (std::size_t k = 0; k < field_.modes.size(); ++k)
-        name_unit(name(field_.modes[k].variable), new_.modes[k]);
-    for (std::size_t k = 0; k < field_.angles.size(); ++k) name_unit(field_.angles[k].name, new_.angles[k]);
+    for (std::size_t k = 0; k < field_.modes.size(); ++k) name_unit(real_.modes()[k], new_.modes[k]);
+    for (std::size_t k = 0; k < field_.angles.size(); ++k) name_unit(real_.angles()[k], new_.angles[k]);
 }
 
 } // namespace

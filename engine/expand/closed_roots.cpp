@@ -23,12 +23,15 @@ std::vector<std::pair<ex, int>> factors_of(const ex& e) {
     const ex fraction = e.normal().numer_denom();
     std::vector<std::pair<ex, int>> factors;
     for (const int side : {0, 1}) {
-        const ex factored = GiNaC::factor(fraction.op(static_cast<std::size_t>(side)));
+        GiNaC::exmap atoms; // pi and roots, which are no polynomials
+        const ex polynomial = fraction.op(static_cast<std::size_t>(side)).to_polynomial(atoms);
+        const ex factored = GiNaC::factor(polynomial);
         for (const ex& f :
              GiNaC::is_a<GiNaC::mul>(factored) ? operands(factored) : std::vector<ex>{factored}) {
             const bool power = GiNaC::is_a<GiNaC::power>(f) && f.op(1).info(GiNaC::info_flags::posint);
             const int exponent = power ? GiNaC::ex_to<numeric>(f.op(1)).to_int() : 1;
-            factors.emplace_back(power ? f.op(0) : f, side == 0 ? exponent : -exponent);
+            factors.emplace_back((power ? f.op(0) : f).subs(atoms, GiNaC::subs_options::no_pattern),
+                                 side == 0 ? exponent : -exponent);
         }
     }
     return factors;
@@ -153,8 +156,12 @@ private:
         const ex sqrt_q = root.outside * root_of(root.inside);
         const bool factors = provably_positive(common, system_);
         const ex big = factors ? common * (above + below * root_of(root.inside)) : h + sqrt_q;
-        const ex rest = alike ? c : ex(-c);
-        return {big, root_of(big), alike ? h - sqrt_q : sqrt_q - h, root_of(rest) / root_of(big)};
+        const ex rest = alike ? c : ex(-c), small = alike ? h - sqrt_q : sqrt_q - h;
+        // sqrt(small) = sqrt(rest/big), in one root. Of numbers 1/sqrt(1 + sqrt(2)) would be made rational
+        // below, sqrt(sqrt(2) - 1), a second root that depends on the first: small/rest is 1/big.
+        const bool numbers = GiNaC::is_a<numeric>(big.evalf());
+        return {big, root_of(big), small,
+                numbers ? root_of(big) * small / root_of(rest) : root_of(rest) / root_of(big)};
     }
 
     // c = n^2: sqrt(h +- sqrt(q)) = alpha +- beta with alpha^2 = (h + n)/2, beta^2 = (h - n)/2.

@@ -32,6 +32,14 @@ bool flag(const TomlNode& table, const std::string& key) {
     return node != nullptr && boolean_of(*node);
 }
 
+bool nonzero_of(const TomlNode& table, bool positive) {
+    const TomlNode* given = table.find("nonzero");
+    const bool nonzero = flag(table, "nonzero");
+    if (positive && given != nullptr && !nonzero)
+        bad_value(*given, "what is positive is not zero", "remove nonzero = false, or positive = true");
+    return positive || nonzero;
+}
+
 std::string text(const TomlNode& table, const std::string& key) {
     const TomlNode* node = table.find(key);
     return node == nullptr ? "" : string_of(*node);
@@ -126,7 +134,7 @@ void SystemReader::read_parameters() {
         Parameter parameter;
         parameter.name = entry.key;
         parameter.positive = flag(entry.value, "positive");
-        parameter.nonzero = parameter.positive || flag(entry.value, "nonzero");
+        parameter.nonzero = nonzero_of(entry.value, parameter.positive);
         parameter.unit = unit_of(entry.value);
         parameter.symbol = GiNaC::symbol(parameter.name);
         const TomlNode* weight = entry.value.find("weight");
@@ -162,7 +170,7 @@ void SystemReader::read_functions() {
         function.name = entry.key;
         function.of = argument_of(entry);
         function.positive = flag(entry.value, "positive");
-        function.nonzero = function.positive || flag(entry.value, "nonzero");
+        function.nonzero = nonzero_of(entry.value, function.positive);
         system_.functions.push_back(std::move(function));
     }
 }
@@ -208,7 +216,7 @@ Variable SystemReader::variable_of(const TomlEntry& entry) {
                    place_of(node->source)});
     }
     variable.positive = flag(entry.value, "positive");
-    variable.nonzero = variable.positive || flag(entry.value, "nonzero");
+    variable.nonzero = nonzero_of(entry.value, variable.positive);
     return variable;
 }
 

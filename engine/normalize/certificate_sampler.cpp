@@ -82,10 +82,12 @@ void PointSampler::prove_roots_independent() {
         attempt(field, field.imaginary_unit());
     }
     if (const auto witness = missing(); witness != witnesses_.end())
-        refuse({"the roots of the ring are independent of each other",
-                ring_.generator(witness->root).name,
-                "write the equations with one root instead of several that depend on each other",
-                {}});
+        refuse(
+            {"the roots of the ring are independent of each other",
+             ring_.generator(witness->root).name,
+             "write the equations with one root instead of several that depend on each other; if they come "
+             "from the modes, give these under [modes], or take numbers: --digits 30",
+             {}});
 }
 
 std::optional<Point> PointSampler::attempt(const PrimeField& field, Residue i) {

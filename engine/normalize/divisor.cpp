@@ -145,12 +145,13 @@ template <class Domain> bool DivisorTable<Domain>::is_near(const Multiples& mult
     }
     for (std::size_t a = 0; a < field_.angles.size(); ++a)
         frequency += multiples[2 * field_.modes.size() + a] * field_.angles[a].law;
-    const GiNaC::ex excess = (growth * growth + frequency * frequency - to_ginac(near * near)).expand();
-    if (excess.is_zero()) return true;
-    if (!GiNaC::is_a<GiNaC::numeric>(excess.evalf())) return false;
-    const Ball ball = evaluate(excess, {});
-    const double undecided = undecided_part * cln::double_approx(near * near);
-    if (std::abs(ball.middle) > ball.radius + undecided) return ball.middle < 0;
+    const GiNaC::ex square = (growth * growth + frequency * frequency).expand();
+    if ((square - to_ginac(near * near)).expand().is_zero()) return true;
+    if (!GiNaC::is_a<GiNaC::numeric>(square.evalf())) return false;
+    const Ball ball = evaluate(square, {});
+    const double limit = near < to_exact(1e-150) ? 0 : cln::double_approx(near * near); // or it underflows
+    const double excess = ball.middle - limit;
+    if (std::abs(excess) > ball.radius + undecided_part * limit) return excess < 0;
     refuse({"a divisor is larger or smaller than near, by more than rounding errors",
             spell(multiples),
             "change near in [normal_form] a little",

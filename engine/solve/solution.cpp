@@ -166,7 +166,8 @@ bool solves_by_quadratures(const GradedField& field) {
     return field.modes.size() <= 1 && small && field.angles.empty() && field.slow.size() <= 1 &&
            std::all_of(field.slow.begin(), field.slow.end(),
                        [&](const SlowVariable& slow) { return has_explicit_law(field, slow); }) &&
-           field.system().style != Style::hamiltonian;
+           field.system().style != Style::hamiltonian &&
+           cln::zerop(field.system().near); // what is kept near is not resonant
 }
 
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {

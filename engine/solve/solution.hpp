@@ -94,7 +94,7 @@ struct SolveOptions {
 };
 
 // One small oscillator of weight 1 at most, at most one slow variable, xi' = eps*const, no angles, style
-// poincare: else the solution is a slow flow.
+// poincare, no `near`: else the solution is a slow flow.
 [[nodiscard]] bool solves_by_quadratures(const GradedField& field);
 
 // Errors (refused): functions among the coefficients, a slow variable that does not move; by quadratures: an

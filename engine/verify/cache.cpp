@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -58,6 +61,20 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes)
     }
     std::filesystem::rename(draft, file, failed);
     if (failed) not_writable(file);
+}
+
+void remove_abandoned_drafts(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+         entry.increment(ignored)) {
+        const std::filesystem::path& draft = entry->path();
+        const std::string owner = draft.stem().extension().string(); // ".1234"
+        if (draft.extension() != ".part" || owner.size() < 2) continue;
+        const long process = std::strtol(owner.c_str() + 1, nullptr, 10);
+        std::error_code failed;
+        if (process > 0 && kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH)
+            std::filesystem::remove(draft, failed);
+    }
 }
 
 std::optional<std::string> read_bytes(const std::filesystem::path& file) {

@@ -16,6 +16,9 @@ std::string content_hash(std::string_view bytes);
 // Errors: bad_input, the folder or the file cannot be written.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
+// Drafts, <file>.<pid>.part, of programs that run no more.
+void remove_abandoned_drafts(const std::filesystem::path& folder);
+
 // nullopt if there is no such file or it cannot be read.
 std::optional<std::string> read_bytes(const std::filesystem::path& file);
 

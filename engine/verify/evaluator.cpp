@@ -131,6 +131,7 @@ EvaluatorLibrary::build(const Program& program, const fs::path& cache,
     const auto load = [&object] { return dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL); };
     void* handle = is_whole(object) ? load() : nullptr;
     if (handle == nullptr) { // absent, or damaged
+        remove_abandoned_drafts(fs::absolute(cache));
         if (progress)
             progress(fmt::format("compiling the emitted code of {}, order {}", program.scene, program.order));
         write_atomically(source, text);

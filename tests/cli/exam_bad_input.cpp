@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace resonform::test {
 
@@ -108,6 +109,38 @@ TEST(BadInput, MissingFiles) {
         {"did you mean systems/almost_holonomic_pendulum/scenes/xy_only.toml? All scenes: resonform list"});
     EXPECT_SAYS(complaint("resonform verify systems"), {"SCENE must be the path of a scene file"});
     EXPECT_SAYS(complaint("resonform derive README.md"), {"README.md"});
+}
+
+// A folder that cannot be looked into hides none of the others.
+TEST(BadInput, ALinkToItselfAmongTheSystems) {
+    const Scratch scratch;
+    write(scratch.path() / "systems/duffing/system.toml",
+          "[system]\nname = \"duffing\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n"
+          "x = \"x'' + x + x^3 = 0\"\n");
+    std::filesystem::create_directories(scratch.path() / "systems/loop");
+    std::filesystem::create_symlink("system.toml", scratch.path() / "systems/loop/system.toml");
+    const Outcome outcome = run("resonform list", scratch.path());
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(outcome.out.compare(0, 7, "duffing"), 0) << outcome.out;
+    EXPECT_SAYS(outcome.err, {"systems/loop/system.toml"});
+    EXPECT_EQ(outcome.err.find("fault of the engine"), std::string::npos) << outcome.err;
+}
+
+// near = 1/5 keeps what omega = 1/10 divides: the normal form holds it, a closed solution does not.
+TEST(BadInput, NearAboveAFrequency) {
+    const Scratch scratch;
+    write(scratch.path() / "systems/soft/system.toml",
+          "[system]\nname = \"soft\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n"
+          "x = \"x'' + x/100 = x^2\"\n[normal_form]\nnear = 0.2\n");
+    const Outcome derived = run("resonform derive soft --order 2", scratch.path());
+    EXPECT_EQ(derived.code, 0) << derived.err;
+    const Outcome solved = run("resonform derive soft --order 2 --stage solution", scratch.path());
+    EXPECT_EQ(solved.code, 3);
+    EXPECT_SAYS(solved.err, {"normal_form.near: ", "is only near zero"});
+    write(scratch.path() / "systems/soft/system.toml",
+          "[system]\nname = \"soft\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n"
+          "x = \"x'' + 4*x = x^2\"\n[normal_form]\nnear = 1e-400\n");
+    EXPECT_EQ(run("resonform derive soft --order 2", scratch.path()).code, 0);
 }
 
 TEST(BadInput, OutputsThatCannotBeWritten) {

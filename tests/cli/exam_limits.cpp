@@ -150,6 +150,12 @@ TEST(Limits, TheMessageNamesTheStepOrTheWeight) {
         << memory.err;
 }
 
+// However quick it is: the memory is looked at when all is derived.
+TEST(Limits, OfMemoryDoNotDependOnTheClock) {
+    for (int n = 0; n < 5; ++n)
+        EXPECT_EQ(derive(with_equation("x'' + x + x^3 = 0"), "--memory-limit 1").outcome.code, 3);
+}
+
 TEST(Limits, AreNumbersOrNone) {
     for (const char* option : {"--time-limit", "--memory-limit", "--term-limit"})
         for (const char* value : {"0", "-1", "nan", "inf", "1x", "nome"}) {

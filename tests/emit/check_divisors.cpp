@@ -109,4 +109,23 @@ x = "x'' + x + x^3 = 0"
     EXPECT_NE(text.find("no divisor that was divided by can vanish\n"), std::string::npos) << text;
 }
 
+// Neither 2 + sin(s) nor sums of it with 2 + cos(s) vanish.
+TEST(Divisors, BoundsOfFunctionsRuleSurfacesOut) {
+    const std::string text = printed(R"(
+[system]
+name = "test"
+[variables]
+x = { role = "fast" }
+s = { role = "slow" }
+p = { role = "angle" }
+[equations]
+x = "x'' + (2 + sin(s))^2*x = x^2 + eps*x*cos(p)"
+s = "s' = eps"
+p = "p' = 1 + cos(s)/2"
+)",
+                                     2, Format::text);
+    EXPECT_EQ(text.find("\n  cos(s) + 2 = 0"), std::string::npos) << text;
+    EXPECT_EQ(text.find("4*sin(s) - cos(s) + 6 = 0"), std::string::npos) << text;
+}
+
 } // namespace resonform::test

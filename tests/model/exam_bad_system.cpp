@@ -358,5 +358,17 @@ TEST(BadSystems, DeclarationsAreCounted) {
         << message;
 }
 
+TEST(BadSystems, DeclarationsDoNotContradictEachOther) {
+    const std::string both = system_message(
+        edited(pendulum_system(), "g = { positive = true", "g = { nonzero = false, positive = true"));
+    EXPECT_NE(both.find("parameters.g.nonzero: what is positive is not zero\n"), std::string::npos) << both;
+    const std::string small =
+        system_message(edited(edited(pendulum_system(), "v = { unit", "v = { weight = 1, unit"), "[notation]",
+                              "[relations]\nv = \"2*g\"\n[notation]"));
+    EXPECT_NE(small.find("relations.v: a parameter that is given by others has no weight of its own\n"),
+              std::string::npos)
+        << small;
+}
+
 } // namespace
 } // namespace resonform

@@ -101,5 +101,17 @@ TEST(Pi, ArcSinesAreOfWhatLiesBetween) {
     }
 }
 
+// Squares are looked for in what pi and a parameter are factors of.
+TEST(Pi, InACoupledBlockWithAParameter) {
+    const Normalization n = test::certified(
+        field_from("[system]\nname = \"test\"\n[parameters]\na = { positive = true }\n[variables]\n"
+                   "x = { role = \"fast\" }\ny = { role = \"fast\" }\npx = { role = \"fast\" }\n"
+                   "py = { role = \"fast\" }\n[hamiltonian]\n"
+                   "energy = \"px^2/pi + py^2/2 - x^2/2 + y^2 + a*x*py\"\n"
+                   "momenta = { x = \"px\", y = \"py\" }\n"),
+        2);
+    EXPECT_EQ(n.normal_form.mode.size(), 3U); // a saddle and a centre
+}
+
 } // namespace
 } // namespace resonform

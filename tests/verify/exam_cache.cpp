@@ -3,6 +3,7 @@
 #include "verify/cache.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace resonform {
 namespace {
@@ -25,6 +26,21 @@ TEST(Cache, ReadsBackWhatWasStored) {
     EXPECT_EQ(load_checked(file), std::nullopt);
     store_checked(file, payload);
     EXPECT_EQ(load_checked(file), payload);
+}
+
+TEST(Cache, DraftsOfProgramsThatAreGoneAreRemoved) {
+    const auto entry = folder() / "entry";
+    write_atomically(entry, "text");
+    const auto draft = [&](const std::string& owner) {
+        const auto file = std::filesystem::path(entry) += "." + owner + ".part";
+        write_atomically(file, "half");
+        return file;
+    };
+    const auto gone = draft("2000000000"), here = draft(std::to_string(getpid())), other = draft("x");
+    remove_abandoned_drafts(entry.parent_path());
+    EXPECT_FALSE(std::filesystem::exists(gone));
+    for (const auto& file : {entry, here, other}) EXPECT_TRUE(std::filesystem::exists(file)) << file;
+    remove_abandoned_drafts(entry.parent_path() / "absent");
 }
 
 TEST(Cache, DamagedFilesReadAsAbsent) {

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Slow flows from physical starts: two modes of one block, starts that the series do not reach, large angles.
+#include "support/program.hpp"
+#include "support/shell.hpp"
+#include "verify/interpreter.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace resonform {
+namespace {
+
+class FlowFrom : public testing::Test {
+protected:
+    std::shared_ptr<const Program> program(const std::string& system, const std::string& scene) {
+        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
+        test::write(systems_ / "s/scenes/s.toml", scene);
+        return test::program_of(read_scene(systems_ / "s/scenes/s.toml", systems_));
+    }
+    // Of each output at t, or the status.
+    static std::vector<double> values(const std::shared_ptr<const Program>& program, double eps, double t) {
+        const Interpreter<double> evaluator(program, eps, {}, {}, 10);
+        std::vector<double> result;
+        EXPECT_EQ(evaluator.call(t, result), Status::ok);
+        return result;
+    }
+    static Status status(const std::shared_ptr<const Program>& program, double eps) {
+        const Interpreter<double> evaluator(program, eps, {}, {}, 2);
+        std::vector<double> result;
+        return evaluator.call(0, result);
+    }
+
+private:
+    test::Scratch scratch_;
+    std::filesystem::path systems_ = scratch_.path() / "systems";
+};
+
+// p'' + eps p' + w^2 p = 0
+double damped(double p, double rate, double w, double eps, double t) {
+    const double turn = std::sqrt(w * w - eps * eps / 4);
+    return std::exp(-eps * t / 2) *
+           (p * std::cos(turn * t) + (rate + eps * p / 2) / turn * std::sin(turn * t));
+}
+
+// Both modes of a coupled block belong to x; the sum and the difference of x and y decay by themselves.
+TEST_F(FlowFrom, TwoModesOfOneBlock) {
+    const auto motion =
+        program("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+                "x = \"x'' + 3*x - y + eps*x' = 0\"\ny = \"y'' + 3*y - x + eps*y' = 0\"\n",
+                "order = 2\n[start]\nx = \"eps\"\n\"x'\" = 0\ny = \"eps/2\"\n\"y'\" = \"eps\"\n");
+    EXPECT_EQ(motion->flow.size(), 4U);
+    const double eps = 1e-3;
+    for (const double t : {0.0, 1.0, 50.0, 1000.0}) {
+        const double sum = damped(1.5 * eps, eps, std::sqrt(2.0), eps, t);
+        const double difference = damped(0.5 * eps, -eps, 2, eps, t);
+        const std::vector<double> found = values(motion, eps, t);
+        EXPECT_NEAR(found[0], (sum + difference) / 2, 10 * std::pow(eps, 3)) << t;
+        EXPECT_NEAR(found[1], (sum - difference) / 2, 10 * std::pow(eps, 3)) << t;
+    }
+}
+
+// J^2/2 is of the size of eps: the motion librates, and the inverse map leads to J = 14.
+TEST_F(FlowFrom, AStartInsideTheLayerHasAStatus) {
+    const std::string system =
+        "[variables]\nJ = { role = \"slow\", positive = true }\nphi = { role = \"angle\" }\n"
+        "[equations]\nJ = \"J' = eps*cos(phi)\"\nphi = \"phi' = J\"\n";
+    const auto started = [&](const std::string& J) {
+        return program(system, "order = 2\noutputs = [\"J\"]\n[start]\nJ = \"" + J + "\"\nphi = 0\n");
+    };
+    for (const double eps : {0.002, 0.005, 0.02}) EXPECT_NE(status(started("1/20"), eps), Status::ok) << eps;
+    for (const double eps : {1e-5, 1e-6}) EXPECT_EQ(status(started("1/20"), eps), Status::ok) << eps;
+}
+
+// 2 w1 - w2 = -1e-6 stands still and has no layer; what is divided by it is larger than the start.
+TEST_F(FlowFrom, ADivisorTooSmallForEpsHasAStatus) {
+    const auto close = program("[parameters]\nw1 = { positive = true }\nw2 = { positive = true "
+                               "}\n[variables]\nx = { role = \"fast\" }\n"
+                               "y = { role = \"fast\" }\n[equations]\nx = \"x'' + w1^2*x = x*y\"\ny = \"y'' "
+                               "+ w2^2*y = x^2 + y^3\"\n",
+                               "order = 2\n[fix]\nw1 = 1\nw2 = \"2000001/1000000\"\n[start]\nx = "
+                               "\"eps\"\n\"x'\" = 0\ny = \"eps/2\"\n"
+                               "\"y'\" = 0\n");
+    EXPECT_EQ(status(close, 0.002), Status::outside_domain);
+    EXPECT_EQ(status(close, 1e-9), Status::ok);
+}
+
+// At rest nothing is added and nothing is missed.
+TEST_F(FlowFrom, RestIsAStart) {
+    const auto rest = program("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+                              "x = \"x'' + x = x*y\"\ny = \"y'' + 4*y = x^2\"\n",
+                              "order = 2\n[start]\nx = 0\n\"x'\" = 0\ny = 0\n\"y'\" = 0\n");
+    EXPECT_EQ(values(rest, 0.1, 3.0), std::vector<double>({0, 0}));
+}
+
+// Turned by what the map adds, an angle of 10^13 keeps its digits: they are those of its place on the circle.
+TEST_F(FlowFrom, LargeAngles) {
+    const std::string system =
+        "[variables]\nJ = { role = \"slow\", positive = true }\nphi = { role = \"angle\" }\n"
+        "[equations]\nJ = \"J' = eps*cos(phi)\"\nphi = \"phi' = J\"\n";
+    const auto started = [&](const std::string& phi) {
+        return program(system, "order = 3\noutputs = [\"J\"]\n[start]\nJ = 1\nphi = " + phi + "\n");
+    };
+    const double large = 1e13, place = std::atan2(std::sin(large), std::cos(large));
+    for (const double t : {0.0, 1.0, 10.0})
+        EXPECT_NEAR(values(started("1e13"), 0.1, t)[0],
+                    values(started(fmt::format("{:.17g}", place)), 0.1, t)[0], 1e-14);
+    try {
+        started("1e15");
+        FAIL() << "accepted";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.diagnostic().mend, "give its remainder by 2*pi");
+    }
+}
+
+} // namespace
+} // namespace resonform
