@@ -14,7 +14,8 @@ struct DerivationSection {
 
 struct Derivation {
     std::vector<DerivationSection> constraints, accelerations;
-    std::vector<std::string> remarks; // on the constraints
+    std::vector<std::string> remarks;   // on the constraints
+    std::vector<std::string> agreement; // of the equations with those of another route
     // Parameters of the file that are in no equation, as a mass that cancels: System has them no more.
     std::vector<std::string> cancelled;
 };

@@ -88,7 +88,8 @@ struct Mechanism {
     std::vector<Constraint> constraints;
     std::vector<Integral> integrals;
     std::vector<Change> changes;
-    SourceText source, energy; // of [coordinates] and [energy]
+    SourceText source, energy;  // of [coordinates] and [energy]
+    std::vector<Written> parts; // every expression of the file
 };
 
 } // namespace resonform

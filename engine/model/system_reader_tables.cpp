@@ -96,6 +96,7 @@ void SystemReader::read_relations() {
                       "a relation keeps at eps = 0 what is declared of " + in_quotes(parameter->name),
                       "declare what its value is made of positive");
         values.emplace(parameter->symbol, value);
+        system_.relations.push_back({entry.key, string_of(entry.value), entry.value.source});
     }
     const auto put = [&](GiNaC::ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); };
     for (Equation& equation : system_.equations) put(equation.residual);
