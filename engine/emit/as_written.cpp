@@ -151,26 +151,26 @@ private:
     std::size_t at_ = 0;
 };
 
-// The text with each parameter that is set replaced by its value.
-std::string with_values(const Equation& equation, const std::vector<Setting>& settings) {
-    std::string text;
+} // namespace
+
+std::string with_values(const std::string& text, const SourceText& source,
+                        const std::vector<Setting>& settings) {
+    std::string result;
     std::size_t copied = 0;
-    for (const Token& token : tokenize(equation.text, equation.source)) {
+    for (const Token& token : tokenize(text, source)) {
         if (token.kind != TokenKind::name) continue;
-        const std::string name = equation.text.substr(token.begin, token.end - token.begin);
+        const std::string name = text.substr(token.begin, token.end - token.begin);
         for (const Setting& setting : settings) {
             if (setting.parameter != name) continue;
-            text += equation.text.substr(copied, token.begin - copied) + "(" + setting.value + ")";
+            result += text.substr(copied, token.begin - copied) + "(" + setting.value + ")";
             copied = token.end;
         }
     }
-    return text + equation.text.substr(copied);
+    return result + text.substr(copied);
 }
 
-} // namespace
-
 WrittenEquation as_written(const Equation& equation, const std::vector<Setting>& settings) {
-    return Reader(with_values(equation, settings), equation.source).equation();
+    return Reader(with_values(equation.text, equation.source, settings), equation.source).equation();
 }
 
 } // namespace resonform

@@ -5,6 +5,7 @@
 #include "emit/display.hpp"
 #include "model/system_file.hpp"
 
+#include <string>
 #include <vector>
 
 namespace resonform {
@@ -16,5 +17,9 @@ struct WrittenEquation {
 // Values stand in place of the parameters that are set.
 // Precondition: text and values were read without an error (model/expression.hpp).
 WrittenEquation as_written(const Equation& equation, const std::vector<Setting>& settings = {});
+
+// A text in the notation of the file with each parameter that is set replaced by its value, in parentheses.
+std::string with_values(const std::string& text, const SourceText& source,
+                        const std::vector<Setting>& settings);
 
 } // namespace resonform

@@ -12,6 +12,11 @@
 
 namespace resonform {
 
+// An equation as the user wrote it, with the values of what is set; and what [relations] gives, with heading.
+Formula formula_of(const Equation& equation, const std::vector<Setting>& settings);
+void append_relations(Page& page, const System& system);
+Json relations_json(const System& system);
+
 // (15), as the file has it. Schema resonform.equations/1.
 Page equations_page(const System& system);
 Json equations_json(const System& system);

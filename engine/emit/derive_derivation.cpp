@@ -14,11 +14,8 @@ const std::vector<DerivationSection>& sections_of(const System& system, bool con
     return constraints ? system.derivation->constraints : system.derivation->accelerations;
 }
 
-Formula formula_of(const std::string& text) {
-    Equation equation;
-    equation.text = text;
-    WrittenEquation written = as_written(equation);
-    return {side(std::move(written.left)), side(std::move(written.right))};
+const std::vector<std::string>& remarks_of(const System& system, bool constraints) {
+    return constraints ? system.derivation->remarks : system.derivation->agreement;
 }
 
 } // namespace
@@ -29,21 +26,28 @@ Page derivation_page(const System& system, bool constraints) {
     for (const DerivationSection& lines : sections_of(system, constraints)) {
         Section section;
         section.heading = lines.heading;
-        for (const std::string& text : lines.equations) section.formulas.push_back(formula_of(text));
+        for (const std::string& text : lines.equations)
+            section.formulas.push_back(formula_of({{}, text, 0, {}}, system.settings));
         page.sections.push_back(std::move(section));
     }
-    if (constraints) page.remarks = system.derivation->remarks;
+    if (!constraints) append_relations(page, system);
+    page.remarks = remarks_of(system, constraints);
     return page;
 }
 
 Json derivation_json(const System& system, bool constraints) {
     Json sections = Json::array();
-    for (const DerivationSection& lines : sections_of(system, constraints))
-        sections.push_back({{"heading", lines.heading}, {"equations", lines.equations}});
+    for (const DerivationSection& lines : sections_of(system, constraints)) {
+        Json equations = Json::array();
+        for (const std::string& text : lines.equations)
+            equations.push_back(with_values(text, {}, system.settings));
+        sections.push_back({{"heading", lines.heading}, {"equations", std::move(equations)}});
+    }
     Json document = json_head("resonform.derivation/1", system);
     document.update(Json{{"stage", constraints ? "constraints" : "accelerations"},
                          {"sections", std::move(sections)},
-                         {"remarks", constraints ? Json(system.derivation->remarks) : Json::array()}});
+                         {"relations", relations_json(system)},
+                         {"remarks", remarks_of(system, constraints)}});
     return document;
 }
 

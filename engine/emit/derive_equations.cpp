@@ -7,15 +7,36 @@
 
 namespace resonform {
 
+Formula formula_of(const Equation& equation, const std::vector<Setting>& settings) {
+    WrittenEquation written = as_written(equation, settings);
+    return {side(std::move(written.left)), side(std::move(written.right))};
+}
+
+void append_relations(Page& page, const System& system) {
+    if (system.relations.empty()) return;
+    Section section;
+    section.heading = "relations";
+    for (const ParameterRelation& r : system.relations)
+        section.formulas.push_back(
+            formula_of({r.parameter, r.parameter + " = " + r.text, 0, r.source}, system.settings));
+    page.sections.push_back(std::move(section));
+}
+
+Json relations_json(const System& system) {
+    Json relations = Json::array();
+    for (const ParameterRelation& r : system.relations)
+        relations.push_back({{"parameter", r.parameter}, {"value", r.text}});
+    return relations;
+}
+
 Page equations_page(const System& system) {
     Page page;
     page.title = "equations of " + system.name_with_settings();
     Section section;
-    for (const Equation& equation : system.equations) {
-        WrittenEquation written = as_written(equation, system.settings);
-        section.formulas.push_back({side(std::move(written.left)), side(std::move(written.right))});
-    }
+    for (const Equation& equation : system.equations)
+        section.formulas.push_back(formula_of(equation, system.settings));
     page.sections.push_back(std::move(section));
+    append_relations(page, system);
     return page;
 }
 
@@ -29,7 +50,9 @@ Json equations_json(const System& system) {
                              {"role", to_string(system.variables[i].role)},
                              {"equation", system.equations[i].text}});
     Json document = json_head("resonform.equations/1", system);
-    document.update(Json{{"parameters", std::move(parameters)}, {"variables", std::move(variables)}});
+    document.update(Json{{"parameters", std::move(parameters)},
+                         {"relations", relations_json(system)},
+                         {"variables", std::move(variables)}});
     return document;
 }
 

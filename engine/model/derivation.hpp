@@ -14,7 +14,8 @@ struct DerivationSection {
 
 struct Derivation {
     std::vector<DerivationSection> constraints, accelerations;
-    std::vector<std::string> remarks; // on the constraints
+    std::vector<std::string> remarks;   // on the constraints
+    std::vector<std::string> agreement; // of the equations with those of another route
 };
 
 } // namespace resonform

@@ -2,6 +2,7 @@
 #include "model/exact_form.hpp"
 
 #include "model/canonical.hpp"
+#include "model/polynomial_quotients.hpp"
 #include "model/positivity.hpp"
 
 #include <algorithm>
@@ -82,15 +83,34 @@ void ExactForm::make_rational(Fraction& f) const {
     }
 }
 
+ExactForm::Fraction ExactForm::quotient(const ex& rational) const {
+    std::vector<GiNaC::symbol> symbols;
+    std::vector<PowerRelation> relations;
+    for (const Generator& g : generators_) {
+        symbols.push_back(g.symbol);
+        if (g.relation != Generator::Relation::none) relations.push_back({g.symbol, g.index, g.value});
+    }
+    if (const auto q = polynomial_quotient(rational, symbols, relations))
+        return {q->numerator, q->denominator};
+    const ex parts = rational.numer_denom(); // complex numbers, fractions in a relation
+    const Fraction lowered{reduced(parts.op(0)), reduced(parts.op(1))};
+    if (lowered.numerator.is_zero() || lowered.denominator.is_zero()) return lowered;
+    const ex coprime = (lowered.numerator / lowered.denominator).numer_denom();
+    return {coprime.op(0).expand(), coprime.op(1).expand()};
+}
+
 ExactForm::Fraction ExactForm::fraction(const ex& e) {
-    const ex parts = converted(e).numer_denom();
-    Fraction f{reduced(parts.op(0)), reduced(parts.op(1))};
-    make_rational(f);
+    Fraction f = quotient(converted(e));
+    const bool has_root = std::any_of(generators_.begin(), generators_.end(), [&](const Generator& g) {
+        return g.relation == Generator::Relation::root && f.denominator.has(g.symbol);
+    });
+    if (has_root) {
+        make_rational(f);
+        if (!f.denominator.is_zero()) f = quotient(f.numerator / f.denominator);
+    }
     if (f.denominator.is_zero())
-        bad_input({"a denominator is not zero", excerpt(spell(e)), "correct the mechanism", {}});
+        bad_input({"a denominator is not zero", excerpt(spell(e)), "correct the mechanism", place_});
     if (f.numerator.is_zero()) return {0, 1};
-    const ex coprime = (f.numerator / f.denominator).numer_denom();
-    f = {coprime.op(0).expand(), coprime.op(1).expand()};
     // The sign is that of the first term of the denominator.
     const ex denominator = GiNaC::is_a<GiNaC::add>(f.denominator) ? canonical_sign(meaning(f.denominator))
                                                                   : meaning(f.denominator);

@@ -4,9 +4,9 @@
 //
 //   sin(psi + atan(xi/r))  ->  (xi*cos(psi) + r*sin(psi))/sqrt(xi^2 + r^2)        where r > 0 is declared
 //
-// Complete for sin, cos, sinh and cosh of sums and integer multiples, atan, asin and log inside of them, and roots
-// whose factors are declared positive; other functions of equal arguments are equal, and nothing else is known
-// of them.
+// Complete for sin, cos, sinh and cosh of sums and integer multiples, atan, asin and log inside of them, and
+// roots whose factors are declared positive; other functions of equal arguments are equal, and nothing else
+// is known of them.
 #pragma once
 
 #include "model/system_file.hpp"
@@ -37,6 +37,8 @@ public:
 
     // `domain` says what is positive; it outlives the form.
     explicit ExactForm(const System& domain) : domain_(&domain) {}
+    // The place of errors from here on.
+    void set_place(Place place) { place_ = std::move(place); }
     // Precondition: every symbol of an expression is added before the expression comes.
     void add(const GiNaC::symbol& symbol, Kind kind);
 
@@ -51,7 +53,8 @@ public:
     [[nodiscard]] const std::vector<Generator>& generators() const { return generators_; }
 
 private:
-    GiNaC::ex converted(const GiNaC::ex& e); // a rational expression in generators
+    GiNaC::ex converted(const GiNaC::ex& e, bool in_order = true); // a rational expression in generators
+    [[nodiscard]] bool is_known(const GiNaC::ex& e) const;
     GiNaC::ex function(const GiNaC::ex& e);
     GiNaC::ex root(const GiNaC::ex& base, int index);
     GiNaC::ex root_of_polynomial(const GiNaC::ex& base, int index);
@@ -80,12 +83,15 @@ private:
     Signed signed_argument(const GiNaC::ex& argument);
     [[nodiscard]] Kind kind_of(const GiNaC::ex& meaning) const;
     [[nodiscard]] GiNaC::ex reduced(GiNaC::ex polynomial) const;
-    void make_rational(Fraction& f) const; // its denominator
+    [[nodiscard]] Fraction quotient(const GiNaC::ex& rational) const; // coprime, lowered
+    void make_rational(Fraction& f) const;                            // its denominator
     [[nodiscard]] bool positive(const GiNaC::ex& e) const;
     std::string text_of(const GiNaC::ex& e);
 
     const System* domain_;
+    Place place_;
     std::vector<Generator> generators_;
+    GiNaC::exmap known_; // functions and roots, converted
 };
 
 } // namespace resonform

@@ -5,6 +5,7 @@
 #include "model/named_function.hpp"
 #include "model/written_form.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace resonform {
@@ -47,31 +48,51 @@ std::pair<int, ex> multiple_of(const ex& term) {
     return {sign * size.to_int(), rest / c.denom()};
 }
 
+bool is_plain(const ex& e) {
+    return GiNaC::is_a<numeric>(e) || GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::constant>(e);
+}
+
+// A sum, a product, or a whole power.
+bool is_rational_operation(const ex& e) {
+    return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e) ||
+           (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer));
+}
+
 std::string name_of(const ex& function) { return GiNaC::ex_to<GiNaC::function>(function).get_name(); }
 
 } // namespace
 
 std::string ExactForm::text_of(const ex& e) { return written(*this, e); }
 
-ex ExactForm::converted(const ex& e) {
-    if (GiNaC::is_a<numeric>(e) || GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::constant>(e)) return e;
-    if (GiNaC::is_a<GiNaC::add>(e)) {
-        ex sum = 0;
-        for (const ex& part : operands(e)) sum += converted(part);
-        return sum;
+// Are all functions and roots in it converted already?
+bool ExactForm::is_known(const ex& e) const {
+    if (is_plain(e)) return true;
+    if (is_rational_operation(e))
+        return std::all_of(e.begin(), e.end(), [&](const ex& part) { return is_known(part); });
+    return known_.count(e) != 0;
+}
+
+// New generators come in the order of the spelling of operands; where there are none, it does not matter.
+ex ExactForm::converted(const ex& e, bool in_order) {
+    if (is_plain(e)) return e;
+    in_order = in_order && !is_known(e);
+    if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
+        GiNaC::exvector parts;
+        for (const ex& part : in_order ? operands(e) : std::vector<ex>(e.begin(), e.end()))
+            parts.push_back(converted(part, in_order));
+        return GiNaC::is_a<GiNaC::add>(e) ? ex(GiNaC::add(parts)) : ex(GiNaC::mul(parts));
     }
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
-        ex product = 1;
-        for (const ex& part : operands(e)) product *= converted(part);
-        return product;
-    }
+    if (is_rational_operation(e)) return GiNaC::pow(converted(e.op(0), in_order), e.op(1));
+    if (const auto found = known_.find(e); found != known_.end()) return found->second;
+    ex value;
     if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::rational)) {
         const numeric exponent = GiNaC::ex_to<numeric>(e.op(1));
-        const ex base = converted(e.op(0));
-        if (exponent.is_integer()) return GiNaC::pow(base, exponent);
-        return GiNaC::pow(root(base, exponent.denom().to_int()), exponent.numer());
+        value = GiNaC::pow(root(converted(e.op(0)), exponent.denom().to_int()), exponent.numer());
+    } else {
+        value = function(e);
     }
-    return function(e);
+    known_[e] = value;
+    return value;
 }
 
 ex ExactForm::function(const ex& e) {
@@ -83,9 +104,7 @@ ex ExactForm::function(const ex& e) {
     }
     if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1)
         refuse({"an expression of a mechanism is made of rational powers and the known functions",
-                excerpt(spell(e)),
-                "write it in these",
-                {}});
+                excerpt(spell(e)), "write it in these", place_});
     const std::string name = name_of(e);
     if (name == "sin") return angle(e.op(0)).sine;
     if (name == "cos") return angle(e.op(0)).cosine;
@@ -188,8 +207,8 @@ ExactForm::Unit ExactForm::angle_of_multiple_of_pi(const numeric& multiple) {
 ExactForm::Unit ExactForm::circle(const ex& argument, bool hyperbolic) {
     const ex sine = hyperbolic ? GiNaC::sinh(argument) : GiNaC::sin(argument);
     const ex cosine = hyperbolic ? GiNaC::cosh(argument) : GiNaC::cos(argument);
-    const std::string end = (hyperbolic ? "h(" : "(") + text_of(argument) + ")";
     if (find(sine) == nullptr) {
+        const std::string end = (hyperbolic ? "h(" : "(") + text_of(argument) + ")";
         const std::size_t at = generators_.size();
         add(sine, "sin" + end);
         const GiNaC::symbol partner = add(cosine, "cos" + end).symbol;

@@ -39,10 +39,8 @@ std::vector<std::pair<ex, int>> factors_of(ex polynomial,
 ex ExactForm::root(const ex& base, int index) {
     const Fraction f = fraction(base);
     if (!positive(f.denominator))
-        refuse({"the denominator under a root is proved positive",
-                excerpt(spell(meaning(f.denominator))),
-                "declare what it is made of positive",
-                {}});
+        refuse({"the denominator under a root is proved positive", excerpt(spell(meaning(f.denominator))),
+                "declare what it is made of positive", place_});
     return root_of_polynomial(reduced(f.numerator * GiNaC::pow(f.denominator, index - 1)), index) /
            f.denominator;
 }

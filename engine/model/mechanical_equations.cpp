@@ -21,8 +21,9 @@ using GiNaC::ex;
 class Deriver {
 public:
     Deriver(const Mechanism& mechanism, const System& system)
-        : mechanism_(mechanism), system_(system), form_(system), motion_(mechanism, system, form_),
-          constraints_(solve_constraints(motion_)) {
+        : mechanism_(mechanism), system_(system), form_(system), motion_(mechanism, system, form_) {
+        look_at_parts();
+        constraints_ = solve_constraints(motion_);
         require_integrable_unperturbed(constraints_, motion_);
         constants_ = find_constants(constraints_, motion_);
         appell_ = appell_equations(motion_, constraints_);
@@ -52,6 +53,7 @@ private:
     [[nodiscard]] const Coordinate& dependent(std::size_t d) const {
         return mechanism_.coordinates[constraints_.dependent[d]];
     }
+    void look_at_parts();
     [[nodiscard]] GiNaC::exmap all_accelerations() const;
     void require_regular(const ChangeOfVariables& change);
     void write_prescribed();
@@ -64,6 +66,7 @@ private:
     [[nodiscard]] std::string unperturbed_motion();
     void write_constraints();
     void write_coefficients(DerivationSection& section, const Constant& constant);
+    void write_change();
     void write_accelerations();
     void write_equations();
     void write_quasi_velocities();
@@ -83,6 +86,16 @@ private:
     bool first_order_ = false; // quasi-velocities are variables of the system
     MechanicalEquations result_;
 };
+
+// What has no exact form is found where it stands in the file; what comes of several, at [coordinates].
+void Deriver::look_at_parts() {
+    ExactForm trial = form_;
+    for (const Written& part : mechanism_.parts) {
+        trial.set_place(place_of(part.source));
+        trial.fraction(part.value);
+    }
+    form_.set_place(place_of(mechanism_.source));
+}
 
 GiNaC::exmap Deriver::all_accelerations() const {
     GiNaC::exmap all;
@@ -257,11 +270,15 @@ std::string Deriver::unperturbed_motion() {
 }
 
 void Deriver::write_constraints() {
-    if (constants_.empty()) return;
+    Derivation& derivation = result_.derivation;
+    if (constants_.empty()) {
+        derivation.remarks.push_back("no constraints: every coordinate is independent");
+        write_change();
+        return;
+    }
     DerivationSection solved{"constraints", {}}, rest{"at eps = 0, " + unperturbed_motion(), {}},
         integrals{"constants of these", {}},
         coefficients{"(2): q' = eps*(sum of c_q_x*x' + c_q_0), with", {}};
-    Derivation& derivation = result_.derivation;
     for (const Constant& constant : constants_) {
         const Coordinate& d = dependent(constant.dependent);
         const ex velocity = constraints_.velocities[d.velocity];
@@ -273,8 +290,9 @@ void Deriver::write_constraints() {
         write_coefficients(coefficients, constant);
     }
     derivation.constraints = {solved, rest};
-    for (const DerivationSection& section : {integrals, coefficients})
-        if (!section.equations.empty()) derivation.constraints.push_back(section);
+    if (!integrals.equations.empty()) derivation.constraints.push_back(integrals);
+    write_change();
+    if (!coefficients.equations.empty()) derivation.constraints.push_back(coefficients);
     derivation.remarks.push_back(integrable_for_every_eps(constraints_, motion_)
                                      ? "holonomic after all: the constraints are integrable for every eps"
                                      : "weakly nonholonomic: the constraints are integrable at eps = 0");
@@ -283,6 +301,23 @@ void Deriver::write_constraints() {
                                      (former.fixed                ? " is constant for every eps: a parameter"
                                       : former.role == Role::slow ? " is slow: something depends on it"
                                                                   : " is a drift: nothing depends on it"));
+}
+
+// (14), and dependent coordinates by their constants.
+void Deriver::write_change() {
+    DerivationSection section{"change of variables", {}};
+    for (const Change& change : mechanism_.changes)
+        section.equations.push_back(mechanism_.coordinates[change.coordinate].name + " = " +
+                                    change.value.text);
+    for (const Constant& constant : constants_) {
+        const std::size_t coordinate = constraints_.dependent[constant.dependent];
+        const bool told = std::any_of(mechanism_.changes.begin(), mechanism_.changes.end(),
+                                      [&](const Change& c) { return c.coordinate == coordinate; });
+        if (!constant.itself && !told)
+            section.equations.push_back(dependent(constant.dependent).name + " = " +
+                                        written(form_, constant.value));
+    }
+    if (!section.equations.empty()) result_.derivation.constraints.push_back(section);
 }
 
 void Deriver::write_accelerations() {
@@ -302,6 +337,9 @@ void Deriver::write_accelerations() {
         write_quasi_velocities();
     else
         write_equations();
+    result_.derivation.agreement = {
+        constants_.empty() ? "the equations of Lagrange agree, identically"
+                           : "the equations of d'Alembert and Lagrange with multipliers agree, identically"};
 }
 
 void Deriver::write_equations() {

@@ -97,7 +97,8 @@ struct Mechanism {
     std::vector<Constraint> constraints;
     std::vector<Integral> integrals;
     std::vector<Change> changes;
-    SourceText source; // of [coordinates]
+    SourceText source;          // of [coordinates]
+    std::vector<Written> parts; // every expression of the file
 };
 
 } // namespace resonform

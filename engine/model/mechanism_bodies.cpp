@@ -11,28 +11,28 @@ void MechanismReader::read_body(const TomlEntry& entry) {
     const TomlNode* attitude = entry.value.find("attitude");
     if (attitude == nullptr) {
         PlaneBody body{particle_of(entry, {"mass", "position", "inertia", "angle", "attitude"}), 0, 0};
-        body.inertia = needed(entry, "inertia", constants_);
+        body.inertia = inertia_of(needed(entry, "inertia"), "a moment of inertia");
         body.angle = needed(entry, "angle", at_rest());
         mechanism_.plane_bodies.push_back(std::move(body));
         return;
     }
     SpatialBody body{particle_of(entry, {"mass", "position", "inertia", "attitude"}), {}, {}};
-    body.inertia = three(entry, "inertia", constants_);
-    body.spin = spin_of(three(entry, "attitude", at_rest()));
+    for (const TomlNode& moment : three(entry, "inertia"))
+        body.inertia.push_back(inertia_of(moment, "a moment of inertia"));
+    std::vector<ex> angles;
+    for (const TomlNode& angle : three(entry, "attitude")) angles.push_back(part_of(angle, at_rest()).value);
+    body.spin = spin_of(angles);
     mechanism_.spatial_bodies.push_back(std::move(body));
 }
 
-std::vector<ex> MechanismReader::three(const TomlEntry& entry, const std::string& key,
-                                       const Scope& scope) const {
+const std::vector<TomlNode>& MechanismReader::three(const TomlEntry& entry, const std::string& key) const {
     const TomlNode* node = entry.value.find(key);
     if (node == nullptr || node->type != TomlNode::Type::array || node->items.size() != 3)
         bad_input({"a body in space has three principal moments of inertia and three Euler angles",
                    in_quotes(entry.key),
                    "write inertia = [\"A\", \"B\", \"C\"], attitude = [\"psi\", \"theta\", \"phi\"]",
                    node == nullptr ? entry.place : place_of(node->source)});
-    std::vector<ex> values;
-    for (const TomlNode& item : node->items) values.push_back(expression_of(item, scope));
-    return values;
+    return node->items;
 }
 
 ex MechanismReader::rate_of(const ex& position) const {

@@ -3,6 +3,7 @@
 
 #include "model/canonical.hpp"
 #include "model/dimension.hpp"
+#include "model/positivity.hpp"
 #include "model/toml_values.hpp"
 #include "model/zero_test.hpp"
 
@@ -15,15 +16,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::size_t most_coordinates = 16;
-
-Written equation_of(const TomlNode& node, const Scope& scope) {
-    const std::string text = string_of(node);
-    return {read_equation(text, scope, node.source), text, node.source};
-}
-
-Written expression_in(const TomlNode& node, const Scope& scope) {
-    return {expression_of(node, scope), node.text, node.source};
-}
 
 template <class Named> bool has_name(const std::vector<Named>& all, const std::string& name) {
     return std::any_of(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
@@ -159,17 +151,39 @@ Scope MechanismReader::moving() const {
     return scope;
 }
 
-ex MechanismReader::needed(const TomlEntry& entry, const std::string& key, const Scope& scope) const {
+Written MechanismReader::part_of(const TomlNode& node, const Scope& scope) {
+    mechanism_.parts.push_back({expression_of(node, scope), node.text, node.source});
+    return mechanism_.parts.back();
+}
+
+Written MechanismReader::equation_of(const TomlNode& node, const Scope& scope) {
+    const std::string text = string_of(node);
+    mechanism_.parts.push_back({read_equation(text, scope, node.source), text, node.source});
+    return mechanism_.parts.back();
+}
+
+// A mass or a moment of inertia; zero is allowed, as of a thin rod about itself.
+ex MechanismReader::inertia_of(const TomlNode& node, const std::string& what) {
+    const ex value = part_of(node, constants_).value;
+    if (provably_positive(-value, system_)) bad_value(node, what + " is not negative", "correct its sign");
+    return value;
+}
+
+const TomlNode& MechanismReader::needed(const TomlEntry& entry, const std::string& key) const {
     const TomlNode* node = entry.value.find(key);
     if (node == nullptr)
         bad_input({"a particle has mass and position, a body inertia besides, and angle or attitude",
                    in_quotes(entry.key) + " has no " + key, "add " + key + " = \"...\"", entry.place});
-    return expression_of(*node, scope);
+    return *node;
 }
 
-Particle MechanismReader::particle_of(const TomlEntry& entry, const std::vector<std::string>& keys) const {
+ex MechanismReader::needed(const TomlEntry& entry, const std::string& key, const Scope& scope) {
+    return part_of(needed(entry, key), scope).value;
+}
+
+Particle MechanismReader::particle_of(const TomlEntry& entry, const std::vector<std::string>& keys) {
     check_keys(entry.value, keys);
-    Particle particle{entry.key, needed(entry, "mass", constants_), {}, entry.value.source};
+    Particle particle{entry.key, inertia_of(needed(entry, "mass"), "a mass"), {}, entry.value.source};
     const TomlNode* position = entry.value.find("position");
     if (position == nullptr || position->type != TomlNode::Type::array ||
         (position->items.size() != 2 && position->items.size() != 3))
@@ -177,7 +191,7 @@ Particle MechanismReader::particle_of(const TomlEntry& entry, const std::vector<
                    "write position = [\"x\", \"y\", \"z\"]",
                    position == nullptr ? entry.place : place_of(position->source)});
     const Scope scope = at_rest();
-    for (const TomlNode& item : position->items) particle.position.push_back(expression_of(item, scope));
+    for (const TomlNode& item : position->items) particle.position.push_back(part_of(item, scope).value);
     return particle;
 }
 
@@ -195,11 +209,11 @@ void MechanismReader::read_energy() {
     if (energy != nullptr) {
         check_keys(*energy, {"potential", "dissipation", "lagrangian"});
         if (const TomlNode* node = energy->find("potential"))
-            mechanism_.potential = expression_in(*node, at_rest());
+            mechanism_.potential = part_of(*node, at_rest());
         if (const TomlNode* node = energy->find("dissipation"))
-            mechanism_.dissipation = expression_in(*node, moving());
+            mechanism_.dissipation = part_of(*node, moving());
         if (const TomlNode* node = energy->find("lagrangian"))
-            mechanism_.lagrangian = expression_in(*node, moving());
+            mechanism_.lagrangian = part_of(*node, moving());
         if (mechanism_.lagrangian && (masses || energy->find("potential") != nullptr))
             bad_value(*energy->find("lagrangian"),
                       "a mechanism has a Lagrangian, or particles, bodies and a potential",
@@ -225,7 +239,7 @@ void MechanismReader::read_forces() {
     each("forces", [&](const TomlEntry& entry) {
         if (add_force_on_quasi_velocity(entry)) return;
         const std::size_t at = index_of(entry, "a generalised force");
-        mechanism_.forces.push_back({at, expression_of(entry.value, moving()), entry.value.source});
+        mechanism_.forces.push_back({at, part_of(entry.value, moving()).value, entry.value.source});
     });
 }
 
@@ -237,7 +251,7 @@ void MechanismReader::read_constraints() {
 
 void MechanismReader::read_integrals() {
     each("integrals", [&](const TomlEntry& entry) {
-        mechanism_.integrals.push_back({coordinate_of(entry), expression_in(entry.value, at_rest())});
+        mechanism_.integrals.push_back({coordinate_of(entry), part_of(entry.value, at_rest())});
     });
 }
 
@@ -270,8 +284,7 @@ void MechanismReader::read_changes() {
     for (const Integral& i : mechanism_.integrals) scope.define(i.coordinate.name, i.coordinate.at);
     for (const Prescribed& p : mechanism_.prescribed) scope.define(p.coordinate.name, p.coordinate.at);
     each("change", [&](const TomlEntry& entry) {
-        mechanism_.changes.push_back(
-            {index_of(entry, "a change of variables"), expression_in(entry.value, scope)});
+        mechanism_.changes.push_back({index_of(entry, "a change of variables"), part_of(entry.value, scope)});
     });
 }
 

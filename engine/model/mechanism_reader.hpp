@@ -32,14 +32,18 @@ private:
 
     static void take_unit(Coordinate& coordinate, const TomlEntry& entry);
     [[nodiscard]] Coordinate coordinate_of(const TomlEntry& entry) const;
-    [[nodiscard]] Particle particle_of(const TomlEntry& entry, const std::vector<std::string>& keys) const;
+    Particle particle_of(const TomlEntry& entry, const std::vector<std::string>& keys);
     void read_body(const TomlEntry& entry);
-    [[nodiscard]] std::vector<GiNaC::ex> three(const TomlEntry& entry, const std::string& key,
-                                               const Scope& scope) const;
+    [[nodiscard]] const std::vector<TomlNode>& three(const TomlEntry& entry, const std::string& key) const;
     // Of Euler's angles, along the axes of the body.
     [[nodiscard]] std::vector<GiNaC::ex> spin_of(const std::vector<GiNaC::ex>& angles) const;
     [[nodiscard]] GiNaC::ex rate_of(const GiNaC::ex& position) const;
-    [[nodiscard]] GiNaC::ex needed(const TomlEntry& entry, const std::string& key, const Scope& scope) const;
+    // An expression, and an equation lhs - rhs, among the parts of the mechanism.
+    Written part_of(const TomlNode& node, const Scope& scope);
+    Written equation_of(const TomlNode& node, const Scope& scope);
+    GiNaC::ex inertia_of(const TomlNode& node, const std::string& what);
+    [[nodiscard]] const TomlNode& needed(const TomlEntry& entry, const std::string& key) const;
+    GiNaC::ex needed(const TomlEntry& entry, const std::string& key, const Scope& scope);
     [[nodiscard]] std::size_t index_of(const TomlEntry& entry, const std::string& what) const;
     [[nodiscard]] GiNaC::ex rate_of(const Prescribed& prescribed) const;
     // Calls read(entry) for each entry of a table, if there is one.

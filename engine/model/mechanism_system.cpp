@@ -30,6 +30,14 @@ std::string remark_on_units(const std::vector<std::pair<std::string, std::string
 
 bool SystemReader::is_mechanism() const { return root_.find("coordinates") != nullptr; }
 
+void SystemReader::require_coordinates() const {
+    if (is_mechanism()) return;
+    for (const std::string& key : mechanism_tables())
+        if (const TomlNode* node = root_.find(key))
+            bad_input({"a mechanism has the table [coordinates]", "[" + key + "] without it",
+                       "declare coordinates, as x = { unit = \"m\" }", place_of(node->source)});
+}
+
 void SystemReader::derive_equations() {
     for (const char* key : {"equations", "hamiltonian"})
         if (const TomlNode* node = root_.find(key))

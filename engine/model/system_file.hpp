@@ -111,6 +111,12 @@ struct Setting {
     std::string parameter, value;
 };
 
+// [relations] k = "J*c/m": a parameter given by others.
+struct ParameterRelation {
+    std::string parameter, text;
+    SourceText source;
+};
+
 struct System {
     std::string name, title, source;
     std::filesystem::path file; // system.toml; its folder holds scenes/
@@ -118,6 +124,7 @@ struct System {
     std::vector<Parameter>
         cancelled;                 // of the file, but in no equation of a mechanism, as a mass that cancels
     std::vector<Setting> settings; // of parameters that are no longer among them
+    std::vector<ParameterRelation> relations; // likewise
     std::vector<Variable> variables;
     std::vector<Equation> equations;        // one per variable, in the order of variables
     std::optional<Hamiltonian> hamiltonian; // the equations of its pairs are among the equations

@@ -84,6 +84,7 @@ System SystemReader::read() {
                                        "modes",       "normal_form", "notation"};
     tables.insert(tables.end(), mechanism_tables().begin(), mechanism_tables().end());
     check_keys(root_, tables);
+    require_coordinates();
     read_header();
     read_parameters();
     read_variables();

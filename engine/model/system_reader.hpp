@@ -25,7 +25,8 @@ private:
     void read_functions();
     void read_pairs(); // of a Hamiltonian, whose variables need no equations
     [[nodiscard]] bool is_mechanism() const;
-    void derive_equations(); // of a mechanism (mechanism_system.cpp)
+    void require_coordinates() const; // of what has other tables of a mechanism
+    void derive_equations();          // of a mechanism (mechanism_system.cpp)
     void take_constant(const Coordinate& constant, Role role);
     void make_parameter(const std::string& name);
     void check_roles() const;

@@ -111,6 +111,7 @@ void SystemReader::read_relations() {
             bad_value(node, "a relation keeps at eps = 0 what is declared of " + in_quotes(parameter->name),
                       "declare what its value is made of positive");
         values.emplace(parameter->symbol, value.value);
+        system_.relations.push_back({parameter->name, value.text, value.source});
     }
     if (values.empty()) return;
     const auto put = [&](GiNaC::ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); };

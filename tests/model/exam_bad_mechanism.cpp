@@ -245,6 +245,31 @@ const BadInput bad_mechanisms[] = {
      "                                                            ^\n"
      "  found: 'b'\n"
      "  mend:  write inertia = [\"A\", \"B\", \"C\"], attitude = [\"psi\", \"theta\", \"phi\"]"},
+    {"NoCoordinates", "[coordinates]\nx = {}\ny = {}\n", "",
+     "2 system.toml:10:1: prescribed: a mechanism has the table [coordinates]\n"
+     "    [prescribed]\n"
+     "    ^\n"
+     "  found: [prescribed] without it\n"
+     "  mend:  declare coordinates, as x = { unit = \"m\" }"},
+    {"NegativeMass", "mass = \"m\"", "mass = \"-m*r\"",
+     "2 system.toml:16:15: particles.p.mass: a mass is not negative\n"
+     "    p = { mass = \"-m*r\", position = [\"x\", \"y\"] }\n"
+     "                  ^\n"
+     "  found: \"-m*r\"\n"
+     "  mend:  correct its sign"},
+    {"NegativeMoment", "[energy]",
+     "[bodies]\nb = { mass = \"m\", position = [\"x\", \"y\"], inertia = \"-1\", angle = \"x\" }\n[energy]",
+     "2 system.toml:18:53: bodies.b.inertia: a moment of inertia is not negative\n"
+     "    b = { mass = \"m\", position = [\"x\", \"y\"], inertia = \"-1\", angle = \"x\" }\n"
+     "                                                        ^\n"
+     "  found: \"-1\"\n"
+     "  mend:  correct its sign"},
+    {"RootOfAQuotient", "m*(x - xi)^2", "m*sqrt(r + x^2/(r - xi))",
+     "3 system.toml:18:14: energy.potential: the denominator under a root is proved positive\n"
+     "    potential = \"m*sqrt(r + x^2/(r - xi))\"\n"
+     "                 ^\n"
+     "  found: -xi + r\n"
+     "  mend:  declare what it is made of positive"},
     {"NoIntegral", "[change]", "[integrals]\nR = \"y + x\"\n[change]",
      "2 system.toml:22:6: integrals.R: an integral is constant at eps = 0\n"
      "    R = \"y + x\"\n"

@@ -160,6 +160,29 @@ TEST(ConstantsOfConstraints, AreNotFoundWhereTheyAreNotElementary) {
                  Error);
 }
 
+TEST(LinesBetween, SayWhatWasChangedAndThatTwoRoutesAgree) {
+    const System system =
+        read("psi = { role = \"fast\" }\n", plane + "[constraints]\nc = \"y' = 2*x*x' + eps*x'\"\n"
+                                                    "[change]\nx = \"psi + 1\"\n[relations]\nk = \"m*r\"\n");
+    EXPECT_EQ(section(system.derivation->constraints, "change of variables").equations,
+              (std::vector<std::string>{"x = psi + 1", "y = x^2 + R_y"}));
+    EXPECT_EQ(system.derivation->agreement,
+              std::vector<std::string>{
+                  "the equations of d'Alembert and Lagrange with multipliers agree, identically"});
+    ASSERT_EQ(system.relations.size(), 1U);
+    EXPECT_EQ(system.relations.front().text, "m*r");
+}
+
+TEST(LinesBetween, SayThatThereAreNoConstraints) {
+    const System system = read("x = { role = \"fast\" }\n",
+                               "[coordinates]\nx = {}\n[energy]\nlagrangian = \"m*x'^2/2 - m*x^2/2\"\n");
+    EXPECT_TRUE(system.derivation->constraints.empty());
+    EXPECT_EQ(system.derivation->remarks,
+              std::vector<std::string>{"no constraints: every coordinate is independent"});
+    EXPECT_EQ(system.derivation->agreement,
+              std::vector<std::string>{"the equations of Lagrange agree, identically"});
+}
+
 TEST(CancelledParameter, MayBeSet) {
     System system = system_named("pendulum_mechanism");
     EXPECT_EQ(system.parameter("M"), nullptr);

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/polynomial_quotients.hpp"
+
+#include <algorithm>
+#include <flint/fmpz_mpoly.h>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+struct NoQuotient {}; // thrown where an expression is no rational one
+
+// The variables of polynomials.
+class PolynomialContext {
+public:
+    explicit PolynomialContext(std::size_t variables) {
+        fmpz_mpoly_ctx_init(context_, static_cast<slong>(variables), ORD_LEX);
+    }
+    ~PolynomialContext() { fmpz_mpoly_ctx_clear(context_); }
+    PolynomialContext(const PolynomialContext&) = delete;
+    PolynomialContext& operator=(const PolynomialContext&) = delete;
+    [[nodiscard]] const fmpz_mpoly_ctx_struct* get() const { return context_; }
+
+private:
+    fmpz_mpoly_ctx_t context_;
+};
+
+class Whole { // an integer
+public:
+    Whole() { fmpz_init(value_); }
+    explicit Whole(const numeric& n) : Whole() {
+        if (GiNaC::abs(n) < numeric(std::numeric_limits<int>::max())) {
+            fmpz_set_si(value_, n.to_long());
+            return;
+        }
+        std::ostringstream digits;
+        digits << n;
+        fmpz_set_str(value_, digits.str().c_str(), 10);
+    }
+    ~Whole() { fmpz_clear(value_); }
+    Whole(const Whole&) = delete;
+    Whole& operator=(const Whole&) = delete;
+    [[nodiscard]] fmpz* get() { return value_; }
+    [[nodiscard]] numeric value() const {
+        if (fmpz_fits_si(value_) != 0) return numeric(static_cast<long>(fmpz_get_si(value_)));
+        char* digits = fmpz_get_str(nullptr, 10, value_);
+        const numeric result(digits);
+        flint_free(digits);
+        return result;
+    }
+
+private:
+    fmpz_t value_;
+};
+
+class Packed { // a polynomial
+public:
+    explicit Packed(const PolynomialContext& context, slong value = 0) : context_(&context) {
+        fmpz_mpoly_init(value_, context.get());
+        fmpz_mpoly_set_si(value_, value, context.get());
+    }
+    Packed(const Packed& other) : context_(other.context_) {
+        fmpz_mpoly_init(value_, context_->get());
+        fmpz_mpoly_set(value_, other.value_, context_->get());
+    }
+    Packed(Packed&& other) noexcept : context_(other.context_) {
+        fmpz_mpoly_init(value_, context_->get());
+        fmpz_mpoly_swap(value_, other.value_, context_->get());
+    }
+    Packed& operator=(Packed other) noexcept {
+        fmpz_mpoly_swap(value_, other.value_, context_->get());
+        return *this;
+    }
+    ~Packed() { fmpz_mpoly_clear(value_, context_->get()); }
+
+    [[nodiscard]] fmpz_mpoly_struct* get() { return value_; }
+    [[nodiscard]] const fmpz_mpoly_struct* get() const { return value_; }
+    [[nodiscard]] bool is_one() const { return fmpz_mpoly_is_one(value_, context_->get()) != 0; }
+    [[nodiscard]] bool is_zero() const { return fmpz_mpoly_is_zero(value_, context_->get()) != 0; }
+    [[nodiscard]] slong terms() const { return fmpz_mpoly_length(value_, context_->get()); }
+
+    [[nodiscard]] bool begins_negative() const {
+        Whole number;
+        if (is_zero()) return false;
+        fmpz_mpoly_get_term_coeff_fmpz(number.get(), value_, 0, context_->get());
+        return fmpz_sgn(number.get()) < 0;
+    }
+    [[nodiscard]] Packed negative() const {
+        Packed result(*context_);
+        fmpz_mpoly_neg(result.value_, value_, context_->get());
+        return result;
+    }
+
+    friend Packed operator+(const Packed& a, const Packed& b) {
+        Packed sum(*a.context_);
+        fmpz_mpoly_add(sum.value_, a.value_, b.value_, a.context_->get());
+        return sum;
+    }
+    friend Packed operator*(const Packed& a, const Packed& b) {
+        if (a.is_one()) return b;
+        if (b.is_one()) return a;
+        Packed product(*a.context_);
+        fmpz_mpoly_mul(product.value_, a.value_, b.value_, a.context_->get());
+        return product;
+    }
+    [[nodiscard]] Packed raised(ulong n) const {
+        Packed power(*context_);
+        if (fmpz_mpoly_pow_ui(power.value_, value_, n, context_->get()) == 0) throw NoQuotient{};
+        return power;
+    }
+    // Of a divisor.
+    [[nodiscard]] Packed divided_by(const Packed& divisor) const {
+        if (divisor.is_one()) return *this;
+        Packed quotient(*context_);
+        if (fmpz_mpoly_divides(quotient.value_, value_, divisor.value_, context_->get()) == 0)
+            throw NoQuotient{};
+        return quotient;
+    }
+    friend Packed common_divisor(const Packed& a, const Packed& b) {
+        if (a.is_one() || b.is_one()) return Packed(*a.context_, 1);
+        Packed divisor(*a.context_);
+        if (fmpz_mpoly_gcd(divisor.value_, a.value_, b.value_, a.context_->get()) == 0) throw NoQuotient{};
+        return divisor;
+    }
+
+private:
+    const PolynomialContext* context_;
+    fmpz_mpoly_t value_;
+};
+
+struct Quotient {
+    Packed above, below; // coprime
+};
+
+class Quotients {
+public:
+    Quotients(const std::vector<GiNaC::symbol>& symbols, const std::vector<PowerRelation>& relations)
+        : symbols_(symbols), context_(symbols.size() + 1) { // and pi
+        for (std::size_t k = 0; k < symbols.size(); ++k) variables_[symbols[k]] = static_cast<slong>(k);
+        variables_[GiNaC::Pi] = static_cast<slong>(symbols.size());
+        for (const PowerRelation& r : relations) {
+            const auto found = variables_.find(r.symbol);
+            const Quotient value = of(r.value);
+            if (!value.below.is_one()) throw NoQuotient{};
+            relations_.push_back({found->second, static_cast<ulong>(r.index), value.above});
+        }
+    }
+
+    PolynomialQuotient lowered(const ex& e) {
+        Quotient q = of(e);
+        lower(q.above);
+        lower(q.below);
+        if (!q.above.is_zero() && !q.below.is_zero()) q = coprime(q.above, q.below);
+        if (q.below.begins_negative()) return {written(q.above.negative()), written(q.below.negative())};
+        return {written(q.above), written(q.below)};
+    }
+
+private:
+    struct Lowering {
+        slong variable;
+        ulong index;
+        Packed value;
+    };
+
+    static Quotient coprime(const Packed& above, const Packed& below) {
+        const Packed divisor = common_divisor(above, below);
+        return {above.divided_by(divisor), below.divided_by(divisor)};
+    }
+
+    Quotient of(const ex& e) {
+        if (GiNaC::is_a<numeric>(e)) return of_number(GiNaC::ex_to<numeric>(e));
+        if (GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::constant>(e)) return of_variable(e);
+        if (GiNaC::is_a<GiNaC::add>(e)) return sum_of(e, 0, e.nops());
+        if (GiNaC::is_a<GiNaC::mul>(e)) {
+            Quotient product = of(e.op(0));
+            for (std::size_t k = 1; k < e.nops(); ++k) product = times(product, of(e.op(k)));
+            return product;
+        }
+        if (!GiNaC::is_a<GiNaC::power>(e) || !e.op(1).info(GiNaC::info_flags::integer)) throw NoQuotient{};
+        const int n = GiNaC::ex_to<numeric>(e.op(1)).to_int();
+        const Quotient base = of(e.op(0));
+        if (n >= 0)
+            return {base.above.raised(static_cast<ulong>(n)), base.below.raised(static_cast<ulong>(n))};
+        if (base.above.is_zero()) throw NoQuotient{};
+        return {base.below.raised(static_cast<ulong>(-n)), base.above.raised(static_cast<ulong>(-n))};
+    }
+
+    Quotient of_number(const numeric& n) {
+        if (!n.is_rational()) throw NoQuotient{};
+        Quotient result{Packed(context_), Packed(context_)};
+        Whole above(n.numer()), below(n.denom());
+        fmpz_mpoly_set_fmpz(result.above.get(), above.get(), context_.get());
+        fmpz_mpoly_set_fmpz(result.below.get(), below.get(), context_.get());
+        return result;
+    }
+
+    Quotient of_variable(const ex& e) {
+        const auto found = variables_.find(e);
+        if (found == variables_.end()) throw NoQuotient{};
+        Quotient result{Packed(context_), Packed(context_, 1)};
+        fmpz_mpoly_gen(result.above.get(), found->second, context_.get());
+        return result;
+    }
+
+    // Of the terms first ... last - 1, by halves: sums of like size are added.
+    Quotient sum_of(const ex& sum, std::size_t first, std::size_t last) {
+        if (last - first == 1) return of(sum.op(first));
+        const std::size_t middle = first + (last - first) / 2;
+        return plus(sum_of(sum, first, middle), sum_of(sum, middle, last));
+    }
+
+    static Quotient plus(const Quotient& a, const Quotient& b) {
+        if (a.below.is_one() && b.below.is_one()) return {a.above + b.above, a.below};
+        const Packed common = common_divisor(a.below, b.below);
+        const Packed rest = b.below.divided_by(common);
+        return coprime(a.above * rest + b.above * a.below.divided_by(common), a.below * rest);
+    }
+
+    static Quotient times(const Quotient& a, const Quotient& b) {
+        const Packed left = common_divisor(a.above, b.below), right = common_divisor(b.above, a.below);
+        return {a.above.divided_by(left) * b.above.divided_by(right),
+                a.below.divided_by(right) * b.below.divided_by(left)};
+    }
+
+    void lower(Packed& p) {
+        for (auto r = relations_.rbegin(); r != relations_.rend(); ++r) lower(p, *r);
+    }
+
+    // Terms by what power of the relation they hold.
+    void lower(Packed& p, const Lowering& r) {
+        const slong degree = fmpz_mpoly_degree_si(p.get(), r.variable, context_.get());
+        if (degree < static_cast<slong>(r.index)) return;
+        std::vector<Packed> parts(static_cast<std::size_t>(degree) / r.index + 1, Packed(context_));
+        std::vector<ulong> exponents(symbols_.size() + 1);
+        Whole number;
+        for (slong k = 0; k < p.terms(); ++k) {
+            fmpz_mpoly_get_term_exp_ui(exponents.data(), p.get(), k, context_.get());
+            fmpz_mpoly_get_term_coeff_fmpz(number.get(), p.get(), k, context_.get());
+            ulong& exponent = exponents[static_cast<std::size_t>(r.variable)];
+            Packed& part = parts[exponent / r.index];
+            exponent %= r.index;
+            fmpz_mpoly_push_term_fmpz_ui(part.get(), number.get(), exponents.data(), context_.get());
+        }
+        Packed sum(context_), power(context_, 1);
+        for (Packed& part : parts) {
+            fmpz_mpoly_sort_terms(part.get(), context_.get());
+            fmpz_mpoly_combine_like_terms(part.get(), context_.get());
+            sum = sum + part * power;
+            power = power * r.value;
+        }
+        p = sum;
+    }
+
+    ex written(const Packed& p) const {
+        GiNaC::exvector terms;
+        std::vector<ulong> exponents(symbols_.size() + 1);
+        Whole number;
+        for (slong k = 0; k < p.terms(); ++k) {
+            fmpz_mpoly_get_term_exp_ui(exponents.data(), p.get(), k, context_.get());
+            fmpz_mpoly_get_term_coeff_fmpz(number.get(), p.get(), k, context_.get());
+            GiNaC::exvector factors{number.value()};
+            for (std::size_t v = 0; v < exponents.size(); ++v)
+                if (exponents[v] != 0)
+                    factors.push_back(GiNaC::pow(v < symbols_.size() ? ex(symbols_[v]) : GiNaC::Pi,
+                                                 static_cast<long>(exponents[v])));
+            terms.push_back(GiNaC::mul(factors));
+        }
+        return GiNaC::add(terms);
+    }
+
+    const std::vector<GiNaC::symbol>& symbols_;
+    PolynomialContext context_;
+    std::map<ex, slong, GiNaC::ex_is_less> variables_;
+    std::vector<Lowering> relations_;
+};
+
+} // namespace
+
+std::optional<PolynomialQuotient> polynomial_quotient(const ex& e, const std::vector<GiNaC::symbol>& symbols,
+                                                      const std::vector<PowerRelation>& relations) {
+    try {
+        return Quotients(symbols, relations).lowered(e);
+    } catch (const NoQuotient&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace resonform

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rational expressions as quotients of coprime polynomials, by FLINT: the library that holds expressions
+// takes common factors out of sums of fractions in a time that is no time to wait.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <optional>
+#include <vector>
+
+namespace resonform {
+
+// symbol^index = value, a polynomial with integer coefficients.
+struct PowerRelation {
+    GiNaC::symbol symbol;
+    int index;
+    GiNaC::ex value;
+};
+
+struct PolynomialQuotient {
+    GiNaC::ex numerator, denominator; // expanded, with integer coefficients
+};
+
+// The quotient that `e` is, a rational expression in the symbols, lowered by the relations, the last ones
+// first (a value holds earlier symbols). A denominator of 0 is left to the caller. nullopt: e is more than
+// that.
+std::optional<PolynomialQuotient> polynomial_quotient(const GiNaC::ex& e,
+                                                      const std::vector<GiNaC::symbol>& symbols,
+                                                      const std::vector<PowerRelation>& relations);
+
+} // namespace resonform
