@@ -24,9 +24,9 @@ struct Wave {
     ex growth = 0, angle = 0, c = 1, s = 0;
 };
 
-class Product {
+class CircularProduct {
 public:
-    Product(const GiNaC::symbol& x, const PositiveThere& positive) : x_(x), positive_(positive) {}
+    CircularProduct(const GiNaC::symbol& x, const PositiveThere& positive) : x_(x), positive_(positive) {}
 
     bool take(const ex& factor) {
         const bool power = GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::integer);
@@ -219,7 +219,7 @@ std::optional<ex> slope_of(const ex& linear, const GiNaC::symbol& x, const Posit
 
 std::optional<ex> integral_of_circular_product(const ex& product, const GiNaC::symbol& x,
                                                const PositiveThere& positive) {
-    Product waves(x, positive);
+    CircularProduct waves(x, positive);
     if (!GiNaC::is_a<GiNaC::mul>(product)) return waves.take(product) ? waves.integral() : std::nullopt;
     for (const ex& factor : operands(product))
         if (!waves.take(factor)) return std::nullopt;
