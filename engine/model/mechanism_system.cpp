@@ -22,7 +22,7 @@ std::string in_place_of(const std::string& coordinate, const MechanicalEquations
 std::string remark_on_units(const std::vector<std::pair<std::string, std::string>>& found) {
     std::string text;
     for (const auto& [name, unit] : found)
-        text += (text.empty() ? "units found: " : ", ") + name + " in " + unit;
+        text.append(text.empty() ? "units found: " : ", ").append(name).append(" in ").append(unit);
     return text;
 }
 
