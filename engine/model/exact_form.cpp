@@ -2,7 +2,6 @@
 #include "model/exact_form.hpp"
 
 #include "model/canonical.hpp"
-#include "model/polynomial_quotients.hpp"
 #include "model/positivity.hpp"
 
 #include <algorithm>
@@ -83,14 +82,21 @@ void ExactForm::make_rational(Fraction& f) const {
     }
 }
 
+std::vector<GiNaC::symbol> ExactForm::symbols() const {
+    std::vector<GiNaC::symbol> all;
+    for (const Generator& g : generators_) all.push_back(g.symbol);
+    return all;
+}
+
+std::vector<PowerRelation> ExactForm::relations() const {
+    std::vector<PowerRelation> all;
+    for (const Generator& g : generators_)
+        if (g.relation != Generator::Relation::none) all.push_back({g.symbol, g.index, g.value});
+    return all;
+}
+
 ExactForm::Fraction ExactForm::quotient(const ex& rational) const {
-    std::vector<GiNaC::symbol> symbols;
-    std::vector<PowerRelation> relations;
-    for (const Generator& g : generators_) {
-        symbols.push_back(g.symbol);
-        if (g.relation != Generator::Relation::none) relations.push_back({g.symbol, g.index, g.value});
-    }
-    if (const auto q = polynomial_quotient(rational, symbols, relations))
+    if (const auto q = polynomial_quotient(rational, symbols(), relations()))
         return {q->numerator, q->denominator};
     const ex parts = rational.numer_denom(); // complex numbers, fractions in a relation
     const Fraction lowered{reduced(parts.op(0)), reduced(parts.op(1))};
@@ -124,7 +130,9 @@ ex ExactForm::simplified(const ex& e) {
 }
 
 Zero ExactForm::vanishes(const ex& e) {
-    if (fraction(e).numerator.is_zero()) return Zero::yes;
+    const ex rational = converted(e);
+    const std::optional<bool> zero = quotient_is_zero(rational, symbols(), relations());
+    if (zero ? *zero : fraction(e).numerator.is_zero()) return Zero::yes;
     return resonform::vanishes(e) == Zero::no ? Zero::no : Zero::unknown;
 }
 

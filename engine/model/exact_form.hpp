@@ -9,6 +9,7 @@
 // is known of them.
 #pragma once
 
+#include "model/polynomial_quotients.hpp"
 #include "model/system_file.hpp"
 #include "model/zero_test.hpp"
 
@@ -83,6 +84,8 @@ private:
     Signed signed_argument(const GiNaC::ex& argument);
     [[nodiscard]] Kind kind_of(const GiNaC::ex& meaning) const;
     [[nodiscard]] GiNaC::ex reduced(GiNaC::ex polynomial) const;
+    [[nodiscard]] std::vector<GiNaC::symbol> symbols() const; // of generators
+    [[nodiscard]] std::vector<PowerRelation> relations() const;
     [[nodiscard]] Fraction quotient(const GiNaC::ex& rational) const; // coprime, lowered
     void make_rational(Fraction& f) const;                            // its denominator
     [[nodiscard]] bool positive(const GiNaC::ex& e) const;

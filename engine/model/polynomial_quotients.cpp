@@ -99,6 +99,9 @@ public:
         return result;
     }
 
+    friend bool operator==(const Packed& a, const Packed& b) {
+        return fmpz_mpoly_equal(a.value_, b.value_, a.context_->get()) != 0;
+    }
     friend Packed operator+(const Packed& a, const Packed& b) {
         Packed sum(*a.context_);
         fmpz_mpoly_add(sum.value_, a.value_, b.value_, a.context_->get());
@@ -142,8 +145,10 @@ struct Quotient {
 
 class Quotients {
 public:
-    Quotients(const std::vector<GiNaC::symbol>& symbols, const std::vector<PowerRelation>& relations)
-        : symbols_(symbols), context_(symbols.size() + 1) { // and pi
+    // Without `cancelling` numerators and denominators keep common factors.
+    Quotients(const std::vector<GiNaC::symbol>& symbols, const std::vector<PowerRelation>& relations,
+              bool cancelling)
+        : symbols_(symbols), cancelling_(cancelling), context_(symbols.size() + 1) { // and pi
         for (std::size_t k = 0; k < symbols.size(); ++k) variables_[symbols[k]] = static_cast<slong>(k);
         variables_[GiNaC::Pi] = static_cast<slong>(symbols.size());
         for (const PowerRelation& r : relations) {
@@ -161,6 +166,13 @@ public:
         if (!q.above.is_zero() && !q.below.is_zero()) q = coprime(q.above, q.below);
         if (q.below.begins_negative()) return {written(q.above.negative()), written(q.below.negative())};
         return {written(q.above), written(q.below)};
+    }
+
+    std::optional<bool> is_zero(const ex& e) {
+        Quotient q = of(e);
+        lower(q.above);
+        lower(q.below);
+        return q.below.is_zero() ? std::nullopt : std::optional<bool>(q.above.is_zero());
     }
 
 private:
@@ -217,14 +229,17 @@ private:
         return plus(sum_of(sum, first, middle), sum_of(sum, middle, last));
     }
 
-    static Quotient plus(const Quotient& a, const Quotient& b) {
-        if (a.below.is_one() && b.below.is_one()) return {a.above + b.above, a.below};
+    [[nodiscard]] Quotient plus(const Quotient& a, const Quotient& b) const {
+        const bool alike = a.below == b.below;
+        if (alike && (!cancelling_ || a.below.is_one())) return {a.above + b.above, a.below};
         const Packed common = common_divisor(a.below, b.below);
         const Packed rest = b.below.divided_by(common);
-        return coprime(a.above * rest + b.above * a.below.divided_by(common), a.below * rest);
+        const Packed above = a.above * rest + b.above * a.below.divided_by(common);
+        return cancelling_ ? coprime(above, a.below * rest) : Quotient{above, a.below * rest};
     }
 
-    static Quotient times(const Quotient& a, const Quotient& b) {
+    [[nodiscard]] Quotient times(const Quotient& a, const Quotient& b) const {
+        if (!cancelling_) return {a.above * b.above, a.below * b.below};
         const Packed left = common_divisor(a.above, b.below), right = common_divisor(b.above, a.below);
         return {a.above.divided_by(left) * b.above.divided_by(right),
                 a.below.divided_by(right) * b.below.divided_by(left)};
@@ -277,6 +292,7 @@ private:
     }
 
     const std::vector<GiNaC::symbol>& symbols_;
+    bool cancelling_;
     PolynomialContext context_;
     std::map<ex, slong, GiNaC::ex_is_less> variables_;
     std::vector<Lowering> relations_;
@@ -287,7 +303,16 @@ private:
 std::optional<PolynomialQuotient> polynomial_quotient(const ex& e, const std::vector<GiNaC::symbol>& symbols,
                                                       const std::vector<PowerRelation>& relations) {
     try {
-        return Quotients(symbols, relations).lowered(e);
+        return Quotients(symbols, relations, true).lowered(e);
+    } catch (const NoQuotient&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<bool> quotient_is_zero(const ex& e, const std::vector<GiNaC::symbol>& symbols,
+                                     const std::vector<PowerRelation>& relations) {
+    try {
+        return Quotients(symbols, relations, false).is_zero(e);
     } catch (const NoQuotient&) {
         return std::nullopt;
     }

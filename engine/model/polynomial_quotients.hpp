@@ -28,4 +28,9 @@ std::optional<PolynomialQuotient> polynomial_quotient(const GiNaC::ex& e,
                                                       const std::vector<GiNaC::symbol>& symbols,
                                                       const std::vector<PowerRelation>& relations);
 
+// Is its numerator zero by the relations? Common factors are left, so that this is cheaper. nullopt: as
+// above, or the denominator is zero.
+std::optional<bool> quotient_is_zero(const GiNaC::ex& e, const std::vector<GiNaC::symbol>& symbols,
+                                     const std::vector<PowerRelation>& relations);
+
 } // namespace resonform
