@@ -163,13 +163,25 @@ Sign Prover::by_structure(const ex& e, int comparisons) const {
     if (GiNaC::is_a<GiNaC::function>(e)) return of_function(e);
     if (GiNaC::is_a<GiNaC::mul>(e)) return of_product(e, comparisons);
     if (!GiNaC::is_a<GiNaC::add>(e)) return Sign::unknown;
-    Sign strongest = Sign::unknown;
+    return of_sum(e, comparisons);
+}
+
+// What is constant in it counts as one addend: sqrt(a) - 1 + pi.
+Sign Prover::of_sum(const ex& e, int comparisons) const {
+    ex constants = 0;
+    if (!is_constant(e))
+        for (const ex& part : e)
+            if (is_constant(part)) constants += part;
+    Sign strongest = constants.is_zero() ? Sign::unknown : sign(constants, comparisons);
+    bool known = constants.is_zero() || strongest != Sign::unknown;
     for (const ex& part : e) {
-        const Sign s = sign(part, comparisons);
-        if (s == Sign::unknown) return std::max(by_squares(e, comparisons), by_bounds(e, comparisons));
+        if (!constants.is_zero() && is_constant(part)) continue;
+        const Sign s = known ? sign(part, comparisons) : Sign::unknown;
+        known = s != Sign::unknown;
+        if (!known) break;
         strongest = std::max(strongest, s);
     }
-    return strongest;
+    return known ? strongest : std::max(by_squares(e, comparisons), by_bounds(e, comparisons));
 }
 
 // a - b for positive a and b has the sign of a^2 - b^2: sqrt(tau^2 + r) - tau.

@@ -156,6 +156,7 @@ private:
         Number c_14{};
         Number c_15{};
         Number c_16{};
+        Number c_17{};
     };
 
     template <class Number> static void compute_constants(
@@ -165,42 +166,53 @@ private:
         c.c_1 = c.eps * c.eps;
         c.theta_0 = Number(start.theta_0);
         const Number k_1 = c.theta_0 * c.theta_0;
+        const Number k_2 = Number(3) / Number(32) * k_1;
         const Number theta_dot_0 = Number(start.theta_dot_0);
-        const Number k_2 = theta_dot_0 * theta_dot_0;
-        const Number k_3 = x_0 * (-Number(3) / Number(32) * k_1 - Number(27) / Number(64) * k_2);
+        const Number k_3 = theta_dot_0 * theta_dot_0;
+        const Number k_4 = Number(27) / Number(64) * k_3;
         const Number x_dot_0 = Number(start.x_dot_0);
-        const Number k_4 = Number(2) / Number(3) * c.c_1 * (k_3 - Number(9) / Number(32) * x_dot_0 * c.theta_0 * theta_dot_0);
-        c.u_x = x_0 + k_4;
-        const Number k_5 = sqrt(Number(Number(3) / Number(2)));
+        const Number k_5 = x_0 * (-k_2 - k_4) - Number(9) / Number(32) * x_dot_0 * c.theta_0 * theta_dot_0;
+        const Number k_6 = Number(2) / Number(3) * c.c_1 * k_5;
+        c.u_x = x_0 + k_6;
+        const Number k_7 = sqrt(Number(Number(3) / Number(2)));
         c.c_2 = Number(1) / Number(4);
-        const Number k_6 = c.c_2 * k_1;
-        const Number k_7 = Number(3) / Number(8) * k_2;
-        c.c_3 = Number(2) / Number(3) * c.eps * k_5 * (k_6 + k_7);
-        const Number k_8 = x_dot_0 * k_5 * (Number(15) / Number(32) * k_1 - Number(9) / Number(64) * k_2);
-        const Number k_9 = -k_8 - Number(9) / Number(16) * x_0 * c.theta_0 * theta_dot_0 * k_5;
-        c.v_x = Number(2) / Number(3) * c.c_1 * k_9 - x_dot_0 * k_5;
-        c.c_4 = Number(2) / Number(3) * c.eps * k_5 * (-k_6 - k_7);
+        const Number k_8 = c.c_2 * k_1;
+        const Number k_9 = Number(3) / Number(8) * k_3;
+        c.c_3 = Number(2) / Number(3) * c.eps * k_7 * (k_8 + k_9);
+        const Number k_10 = Number(15) / Number(32) * k_1;
+        const Number k_11 = Number(9) / Number(64) * k_3;
+        const Number k_12 = -x_dot_0 * k_7 * (k_10 - k_11) - Number(9) / Number(16) * x_0 * c.theta_0 * theta_dot_0 * k_7;
+        const Number k_13 = Number(2) / Number(3) * c.c_1 * k_12;
+        c.v_x = k_13 - x_dot_0 * k_7;
+        c.c_4 = Number(2) / Number(3) * c.eps * k_7 * (-k_8 - k_9);
         c.c_5 = Number(1) / Number(16);
-        const Number k_10 = c.c_5 * k_1;
-        const Number k_11 = Number(3) / Number(32) * k_2;
-        c.c_6 = theta_dot_0 * (Number(1) / Number(2) + c.c_1 * (k_10 + k_11));
-        c.c_7 = Number(2) / Number(3) * c.theta_0 * k_5 * (c.c_1 * (-k_10 - k_11) - Number(1) / Number(2));
+        const Number k_14 = c.c_5 * k_1;
+        const Number k_15 = Number(3) / Number(32) * k_3;
+        c.c_6 = theta_dot_0 * (Number(1) / Number(2) + c.c_1 * (k_14 + k_15));
+        c.c_7 = Number(2) / Number(3) * c.theta_0 * k_7 * (c.c_1 * (-k_14 - k_15) - Number(1) / Number(2));
         c.c_8 = Number(0);
-        c.c_9 = Number(2) / Number(3) * k_5 * (Number(1) / c.eps);
-        c.c_10 = theta_dot_0 * k_5;
+        c.c_9 = Number(2) / Number(3) * k_7 * (Number(1) / c.eps);
+        c.c_10 = theta_dot_0 * k_7;
         c.c_11 = Number(3) / Number(16);
         c.c_12 = Number(1) / Number(8);
         const Number y_0 = Number(start.y_0);
-        const Number k_12 = c.u_x * (Number(135) / Number(512) * k_2 - Number(7) / Number(256) * k_1);
-        const Number k_13 = k_12 + Number(15) / Number(256) * c.theta_0 * theta_dot_0 * k_5 * c.v_x;
-        const Number k_14 = c.theta_0 * k_13 + Number(9) / Number(512) * k_5 * c.v_x * (k_2 * theta_dot_0);
-        const Number k_15 = c.c_1 * k_14 + Number(3) / Number(8) * c.theta_0 * c.u_x + Number(3) / Number(8) * theta_dot_0 * k_5 * c.v_x;
-        c.c_13 = y_0 - Number(2) / Number(3) * c.eps * k_15;
+        const Number k_16 = c.u_x * (Number(135) / Number(512) * k_3 - Number(7) / Number(256) * k_1);
+        const Number k_17 = k_16 + Number(15) / Number(256) * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
+        const Number k_18 = c.theta_0 * k_17 + Number(9) / Number(512) * k_7 * c.v_x * (k_3 * theta_dot_0);
+        const Number k_19 = c.c_1 * k_18 + Number(3) / Number(8) * c.theta_0 * c.u_x + Number(3) / Number(8) * theta_dot_0 * k_7 * c.v_x;
+        c.c_13 = y_0 - Number(2) / Number(3) * c.eps * k_19;
         const Number R_0 = Number(start.R_0);
         c.c_14 = Number(1) / Number(6);
         c.c_15 = Number(1) / Number(3);
-        const Number k_16 = c.u_x * (c.c_14 * k_1 + Number(1) / Number(2) * k_2) + c.c_15 * c.theta_0 * theta_dot_0 * k_5 * c.v_x;
-        c.c_16 = R_0 - c.c_1 * k_16;
+        const Number k_20 = c.u_x * (c.c_14 * k_1 + Number(1) / Number(2) * k_3) + c.c_15 * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
+        c.c_16 = R_0 - c.c_1 * k_20;
+        const Number k_21 = c.c_1 * c.eps;
+        const Number k_22 = c.c_1 * c.c_1;
+        const Number k_23 = c.u_x * (k_2 + k_4) - c.c_11 * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
+        const Number k_24 = c.v_x * (k_11 - k_10) + Number(9) / Number(16) * c.theta_0 * theta_dot_0 * k_7 * c.u_x;
+        const Number k_25 = k_6 + Number(2) / Number(3) * c.c_1 * k_23;
+        const Number k_26 = k_13 + Number(2) / Number(3) * c.c_1 * k_24;
+        c.c_17 = k_21 * k_21 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + Number(4) / Number(9) * k_22 * (k_23 * k_23) + Number(4) / Number(9) * k_22 * (k_24 * k_24) - Number(4) * (k_25 * k_25 + k_26 * k_26);
     }
 
     // The slow flow: du_x/dT, dv_x/dT
@@ -291,6 +303,7 @@ private:
         if (!finite(start.R_0)) return Status::bad_argument;
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        if (!(c_.c_17 > Real(0))) return Status::outside_domain;
         Real reach = end; // less where the domain ends before
         if (const Status built = interval_.shorten(
                 tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },

@@ -125,6 +125,7 @@ private:
         Number c_13{};
         Number c_14{};
         Number c_15{};
+        Number c_16{};
     };
 
     template <class Number> static void compute_constants(
@@ -149,34 +150,58 @@ private:
         const Number k_11 = Number(45) / Number(256) * u_phi - Number(3) / Number(80) * x_dot_0 * c.c_1;
         const Number k_12 = x_0 * c.c_1 * k_10 + k_2 * k_4 * k_11 - Number(1) / Number(80) * v_phi;
         const Number k_13 = Number(5) / Number(32) * k_2 * k_3 + Number(9) / Number(32) * k_2 * k_4;
-        const Number k_14 = k_1 * k_12 + x_0 * c.c_1 * k_13 + Number(1) / Number(20) * x_dot_0 * c.c_1 - Number(1) / Number(4) * u_phi;
-        c.u_x = x_0 * c.c_1 + k_1 * k_14;
-        const Number k_15 = k_1 * c.eps;
-        c.c_2 = Number(51) / Number(256) * k_15;
-        c.c_3 = Number(51) / Number(128) * k_15;
+        const Number k_14 = Number(1) / Number(4) * u_phi;
+        const Number k_15 = k_1 * k_12 + x_0 * c.c_1 * k_13 + Number(1) / Number(20) * x_dot_0 * c.c_1 - k_14;
+        const Number k_16 = k_1 * k_15;
+        c.u_x = x_0 * c.c_1 + k_16;
+        const Number k_17 = k_1 * c.eps;
+        c.c_2 = Number(51) / Number(256) * k_17;
+        c.c_3 = Number(51) / Number(128) * k_17;
         c.c_4 = Number(3) / Number(8) * c.eps;
-        c.c_5 = Number(3) / Number(16) * u_phi * k_15;
-        c.c_6 = Number(9) / Number(32) * v_phi * k_15;
-        c.c_7 = Number(1) / Number(200) * k_15;
-        c.c_8 = Number(3) / Number(32) * v_phi * k_15;
+        c.c_5 = Number(3) / Number(16) * u_phi * k_17;
+        c.c_6 = Number(9) / Number(32) * v_phi * k_17;
+        c.c_7 = Number(1) / Number(200) * k_17;
+        c.c_8 = Number(3) / Number(32) * v_phi * k_17;
         c.c_9 = Number(1) / Number(10) * c.eps;
-        const Number k_16 = Number(1) / Number(40) * u_phi * k_1 + Number(1) / Number(2) * v_phi;
-        c.c_10 = c.eps * k_16;
-        const Number k_17 = Number(431) / Number(1024) * k_2 * k_3 + Number(199) / Number(512) * k_2 * k_4;
-        const Number k_18 = x_0 * c.c_1 * k_17 - Number(9) / Number(320) * x_dot_0 * c.c_1 - Number(3) / Number(128) * u_phi;
-        const Number k_19 = -Number(79) / Number(1024) * k_7 * k_8 - Number(33) / Number(256) * v_phi;
-        const Number k_20 = Number(1) / Number(400) + x_0 * c.c_1 * k_18 - x_dot_0 * c.c_1 * k_19;
-        const Number k_21 = Number(23) / Number(320) * x_0 * c.c_1 - Number(111) / Number(256) * v_phi;
-        const Number k_22 = k_2 * k_3 * k_21 + Number(1) / Number(80) * u_phi - x_dot_0 * c.c_1 * k_20;
-        const Number k_23 = Number(15) / Number(32) * x_0 * x_dot_0 * k_2 - Number(1) / Number(20);
-        const Number k_24 = k_1 * k_22 + x_0 * c.c_1 * k_23 + Number(3) / Number(32) * k_7 * k_8 + Number(1) / Number(4) * v_phi;
-        c.v_x = k_1 * k_24 - x_dot_0 * c.c_1;
-        c.c_11 = Number(9) / Number(32) * u_phi * k_15;
-        c.c_12 = Number(3) / Number(16) * v_phi * k_15;
-        c.c_13 = Number(3) / Number(32) * u_phi * k_15;
-        const Number k_25 = Number(1) / Number(40) * v_phi * k_1 - Number(1) / Number(2) * u_phi;
-        c.c_14 = c.eps * k_25;
+        const Number k_18 = Number(1) / Number(40) * u_phi * k_1 + Number(1) / Number(2) * v_phi;
+        c.c_10 = c.eps * k_18;
+        const Number k_19 = Number(431) / Number(1024) * k_2 * k_3 + Number(199) / Number(512) * k_2 * k_4;
+        const Number k_20 = x_0 * c.c_1 * k_19 - Number(9) / Number(320) * x_dot_0 * c.c_1 - Number(3) / Number(128) * u_phi;
+        const Number k_21 = -Number(79) / Number(1024) * k_7 * k_8 - Number(33) / Number(256) * v_phi;
+        const Number k_22 = Number(1) / Number(400) + x_0 * c.c_1 * k_20 - x_dot_0 * c.c_1 * k_21;
+        const Number k_23 = Number(23) / Number(320) * x_0 * c.c_1 - Number(111) / Number(256) * v_phi;
+        const Number k_24 = k_2 * k_3 * k_23 + Number(1) / Number(80) * u_phi - x_dot_0 * c.c_1 * k_22;
+        const Number k_25 = Number(15) / Number(32) * x_0 * x_dot_0 * k_2 - Number(1) / Number(20);
+        const Number k_26 = Number(1) / Number(4) * v_phi;
+        const Number k_27 = k_1 * k_24 + x_0 * c.c_1 * k_25 + Number(3) / Number(32) * k_7 * k_8 + k_26;
+        const Number k_28 = k_1 * k_27;
+        c.v_x = k_28 - x_dot_0 * c.c_1;
+        c.c_11 = Number(9) / Number(32) * u_phi * k_17;
+        c.c_12 = Number(3) / Number(16) * v_phi * k_17;
+        c.c_13 = Number(3) / Number(32) * u_phi * k_17;
+        const Number k_29 = Number(1) / Number(40) * v_phi * k_1 - Number(1) / Number(2) * u_phi;
+        c.c_14 = c.eps * k_29;
         c.c_15 = Number(0);
+        const Number k_30 = k_1 * k_1;
+        const Number k_31 = k_30 * c.eps;
+        const Number k_32 = c.u_x * c.u_x;
+        const Number k_33 = c.v_x * c.v_x;
+        const Number k_34 = Number(25) / Number(256) * k_32 + Number(43) / Number(128) * k_33;
+        const Number k_35 = c.u_x * k_34 - Number(3) / Number(320) * c.v_x - Number(33) / Number(256) * u_phi;
+        const Number k_36 = k_33 * c.v_x;
+        const Number k_37 = Number(65) / Number(256) * k_36 - Number(15) / Number(128) * v_phi;
+        const Number k_38 = -Number(3) / Number(64) * c.v_x - Number(63) / Number(256) * u_phi;
+        const Number k_39 = c.u_x * (-Number(5) / Number(32) * k_32 - Number(9) / Number(32) * k_33);
+        const Number k_40 = k_1 * (c.u_x * (c.u_x * k_35 + c.v_x * k_37) + k_33 * k_38) + k_39 + Number(1) / Number(20) * c.v_x + k_14;
+        const Number k_41 = -Number(89) / Number(256) * c.u_x * c.v_x - Number(9) / Number(160);
+        const Number k_42 = c.u_x * k_41 + Number(81) / Number(256) * v_phi - Number(61) / Number(128) * k_36;
+        const Number k_43 = Number(3) / Number(160) * c.v_x + Number(33) / Number(128) * u_phi;
+        const Number k_44 = Number(15) / Number(256) * v_phi - Number(13) / Number(256) * k_36;
+        const Number k_45 = c.u_x * (Number(1) / Number(20) + Number(15) / Number(32) * c.u_x * c.v_x);
+        const Number k_46 = k_1 * (c.u_x * (c.u_x * k_42 + c.v_x * k_43) + k_33 * k_44) + k_45 + Number(3) / Number(32) * k_36 - k_26;
+        const Number k_47 = k_16 + k_1 * k_40;
+        const Number k_48 = k_28 + k_1 * k_46;
+        c.c_16 = k_2 * k_3 + k_2 * k_4 + k_31 * k_31 + k_30 * (k_40 * k_40) + k_30 * (k_46 * k_46) - Number(4) * (k_47 * k_47 + k_48 * k_48);
     }
 
     // The slow flow: du_x/dT, dv_x/dT
@@ -239,6 +264,7 @@ private:
         if (!finite(start.x_dot_0)) return Status::bad_argument;
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        if (!(c_.c_16 > Real(0))) return Status::outside_domain;
         Real reach = end; // less where the domain ends before
         if (const Status built = interval_.shorten(
                 tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },

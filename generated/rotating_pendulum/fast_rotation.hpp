@@ -105,6 +105,8 @@ private:
         Number v_phi{};
         Number per_J_mean{};
         Number c_3{};
+        Number c_4{};
+        Number c_5{};
     };
 
     template <class Number> static void compute_constants(
@@ -129,17 +131,46 @@ private:
         const Number k_14 = c.eps * (c.eps * (c.eps * k_9 + k_6 * k_10 * k_11) + k_12 * k_13);
         const Number k_15 = k_10 * J_0;
         const Number k_16 = k_15 * k_15;
-        c.J_mean = J_0 + c.eps * (k_3 * k_3 * k_1) * (k_14 - k_6 * k_16);
+        const Number k_17 = c.eps * (k_3 * k_3 * k_1) * (k_14 - k_6 * k_16);
+        c.J_mean = J_0 + k_17;
         c.c_2 = c.J_mean * (Number(1) / c.eps);
-        const Number k_17 = k_2 * k_2;
-        const Number k_18 = Number(93) / Number(64) * k_7 + Number(47) / Number(8) - Number(93) / Number(64) * k_5;
-        const Number k_19 = k_6 * (c.eps * k_18 + Number(11) / Number(8) * k_6 * k_10) + k_10 * (Number(11) / Number(8) - Number(11) / Number(24) * k_5);
-        const Number k_20 = c.eps * (c.eps * k_19 + Number(5) / Number(4) * k_6 * k_12) + k_16;
-        const Number k_21 = phi_0 + c.eps * k_4 * (k_17 * k_17) * k_20;
-        c.u_phi = cos(k_21);
-        c.v_phi = sin(k_21);
+        const Number k_18 = k_2 * k_2;
+        const Number k_19 = Number(93) / Number(64) * k_7 + Number(47) / Number(8) - Number(93) / Number(64) * k_5;
+        const Number k_20 = k_6 * (c.eps * k_19 + Number(11) / Number(8) * k_6 * k_10) + k_10 * (Number(11) / Number(8) - Number(11) / Number(24) * k_5);
+        const Number k_21 = c.eps * (c.eps * k_20 + Number(5) / Number(4) * k_6 * k_12) + k_16;
+        const Number k_22 = c.eps * k_4 * (k_18 * k_18) * k_21;
+        const Number k_23 = cos(k_22);
+        const Number k_24 = sin(k_22);
+        c.u_phi = k_4 * k_23 - k_6 * k_24;
+        c.v_phi = k_4 * k_24 + k_6 * k_23;
         c.per_J_mean = Number(1) / c.J_mean;
-        c.c_3 = Number(1) / Number(4) * (c.per_J_mean * c.per_J_mean * c.per_J_mean);
+        const Number k_25 = c.per_J_mean * c.per_J_mean;
+        const Number k_26 = k_25 * c.per_J_mean;
+        c.c_3 = Number(1) / Number(4) * k_26;
+        const Number k_27 = c.eps * c.eps;
+        const Number k_28 = k_27 * k_27;
+        const Number k_29 = k_26 * k_26 * c.per_J_mean;
+        const Number k_30 = c.u_phi * c.u_phi;
+        const Number k_31 = c.v_phi * c.v_phi;
+        const Number k_32 = Number(1) / Number(64) * k_31;
+        const Number k_33 = c.eps * (k_32 - Number(1) / Number(8) - Number(3) / Number(32) * k_30);
+        const Number k_34 = c.J_mean * c.J_mean;
+        const Number k_35 = Number(1) / Number(16) * c.v_phi * k_34;
+        const Number k_36 = c.v_phi * (k_33 + k_35) + k_34 * (-Number(3) / Number(16) * k_30 - Number(5) / Number(16));
+        const Number k_37 = Number(1) / Number(64) * k_30;
+        const Number k_38 = c.eps * (c.v_phi * k_36 + c.eps * k_30 * (k_37 + Number(1) / Number(8)));
+        const Number k_39 = k_34 * k_34;
+        const Number k_40 = k_39 * (Number(1) / Number(4) * k_31 - Number(1) / Number(4) * k_30);
+        const Number k_41 = k_34 * c.J_mean;
+        const Number k_42 = k_41 * k_41;
+        const Number k_43 = c.eps * (k_38 + k_40) + c.v_phi * k_42;
+        const Number k_44 = k_17 + c.eps * k_29 * k_43;
+        c.c_4 = k_10 + k_28 * k_28 + k_27 * (k_29 * k_29) * (k_43 * k_43) - Number(4) * (k_44 * k_44);
+        const Number k_45 = k_25 * k_25;
+        const Number k_46 = c.v_phi * (c.eps * (k_37 + Number(1) / Number(8) - k_32) - k_35) + k_34 * (Number(1) / Number(48) * k_30 + Number(5) / Number(16));
+        const Number k_47 = c.eps * (c.eps * k_46 - Number(1) / Number(4) * c.v_phi * k_39) - k_42;
+        const Number k_48 = k_22 + c.eps * c.u_phi * (k_45 * k_45) * k_47;
+        c.c_5 = Number(1) - Number(4) * (k_48 * k_48);
     }
 
     // dtheta/dT
@@ -182,6 +213,8 @@ private:
         if (!finite(start.phi_0)) return Status::bad_argument;
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        if (!(c_.c_4 > Real(0))) return Status::outside_domain;
+        if (!(c_.c_5 > Real(0))) return Status::outside_domain;
         if (!(c_.J_mean > Real(0))) return Status::outside_domain;
         Real reach = end; // less where the domain ends before
         Constants<Wide> wide;

@@ -137,6 +137,7 @@ private:
         Number c_10{};
         Number c_11{};
         Number c_12{};
+        Number c_13{};
     };
 
     template <class Number> static void compute_constants(
@@ -151,28 +152,38 @@ private:
         c.c_3 = Number(3) / Number(16);
         c.theta_dot_0 = Number(start.theta_dot_0);
         const Number k_3 = c.theta_dot_0 * c.theta_dot_0;
+        const Number k_4 = c.c_3 * k_3;
         c.c_4 = Number(1) / Number(8);
         const Number x_dot_0 = Number(start.x_dot_0);
-        const Number k_4 = x_0 * (-k_2 - c.c_3 * k_3) - c.c_4 * x_dot_0 * c.theta_0 * c.theta_dot_0;
-        c.u_x = x_0 + c.c_1 * k_4;
+        const Number k_5 = c.c_1 * (x_0 * (-k_2 - k_4) - c.c_4 * x_dot_0 * c.theta_0 * c.theta_dot_0);
+        c.u_x = x_0 + k_5;
         c.c_5 = Number(1) / Number(4);
-        const Number k_5 = c.c_5 * k_1;
-        const Number k_6 = c.c_5 * k_3;
-        c.c_6 = c.eps * (k_5 + k_6);
-        const Number k_7 = c.c_2 * k_3;
-        const Number k_8 = -x_dot_0 * (Number(5) / Number(16) * k_1 - k_7) - Number(3) / Number(8) * x_0 * c.theta_0 * c.theta_dot_0;
-        c.v_x = c.c_1 * k_8 - x_dot_0;
-        c.c_7 = c.eps * (-k_5 - k_6);
-        c.c_8 = c.theta_dot_0 * (c.c_1 * (k_2 + k_7) + Number(1) / Number(2));
-        c.c_9 = c.theta_0 * (c.c_1 * (-k_2 - k_7) - Number(1) / Number(2));
+        const Number k_6 = c.c_5 * k_1;
+        const Number k_7 = c.c_5 * k_3;
+        c.c_6 = c.eps * (k_6 + k_7);
+        const Number k_8 = Number(5) / Number(16) * k_1;
+        const Number k_9 = c.c_2 * k_3;
+        const Number k_10 = -x_dot_0 * (k_8 - k_9) - Number(3) / Number(8) * x_0 * c.theta_0 * c.theta_dot_0;
+        const Number k_11 = c.c_1 * k_10;
+        c.v_x = k_11 - x_dot_0;
+        c.c_7 = c.eps * (-k_6 - k_7);
+        c.c_8 = c.theta_dot_0 * (c.c_1 * (k_2 + k_9) + Number(1) / Number(2));
+        c.c_9 = c.theta_0 * (c.c_1 * (-k_2 - k_9) - Number(1) / Number(2));
         c.c_10 = Number(0);
         c.c_11 = Number(1) / c.eps;
         const Number y_0 = Number(start.y_0);
-        const Number k_9 = c.u_x * (Number(15) / Number(128) * k_3 - Number(7) / Number(384) * k_1);
-        const Number k_10 = k_9 + Number(5) / Number(128) * c.theta_0 * c.theta_dot_0 * c.v_x;
-        const Number k_11 = c.theta_0 * k_10 + Number(1) / Number(128) * c.v_x * (k_3 * c.theta_dot_0);
-        const Number k_12 = c.c_1 * k_11 + c.c_5 * c.theta_0 * c.u_x + c.c_5 * c.theta_dot_0 * c.v_x;
-        c.c_12 = y_0 - c.eps * k_12;
+        const Number k_12 = c.u_x * (Number(15) / Number(128) * k_3 - Number(7) / Number(384) * k_1);
+        const Number k_13 = k_12 + Number(5) / Number(128) * c.theta_0 * c.theta_dot_0 * c.v_x;
+        const Number k_14 = c.theta_0 * k_13 + Number(1) / Number(128) * c.v_x * (k_3 * c.theta_dot_0);
+        const Number k_15 = c.c_1 * k_14 + c.c_5 * c.theta_0 * c.u_x + c.c_5 * c.theta_dot_0 * c.v_x;
+        c.c_12 = y_0 - c.eps * k_15;
+        const Number k_16 = c.c_1 * c.eps;
+        const Number k_17 = c.c_1 * c.c_1;
+        const Number k_18 = c.u_x * (k_2 + k_4) - c.c_4 * c.theta_0 * c.theta_dot_0 * c.v_x;
+        const Number k_19 = c.v_x * (k_9 - k_8) + Number(3) / Number(8) * c.theta_0 * c.theta_dot_0 * c.u_x;
+        const Number k_20 = k_5 + c.c_1 * k_18;
+        const Number k_21 = k_11 + c.c_1 * k_19;
+        c.c_13 = k_16 * k_16 + x_0 * x_0 + x_dot_0 * x_dot_0 + k_17 * (k_18 * k_18) + k_17 * (k_19 * k_19) - Number(4) * (k_20 * k_20 + k_21 * k_21);
     }
 
     // The slow flow: du_x/dT, dv_x/dT
@@ -259,6 +270,7 @@ private:
         if (!finite(start.y_0)) return Status::bad_argument;
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        if (!(c_.c_13 > Real(0))) return Status::outside_domain;
         Real reach = end; // less where the domain ends before
         if (const Status built = interval_.shorten(
                 tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
