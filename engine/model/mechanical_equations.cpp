@@ -169,7 +169,8 @@ std::vector<ExactRow> Deriver::rows_of(const std::vector<ex>& residuals,
     return rows;
 }
 
-// As they are where each holds its own acceleration only, else solved.
+// As they are where each holds its own acceleration only, else solved; those of many links, whose solution is
+// longer than a text may be, are solved by whoever reads them.
 void Deriver::write_independent(const ChangeOfVariables& change) {
     std::vector<ex> residuals;
     std::vector<Coordinate> unknowns;
@@ -182,11 +183,18 @@ void Deriver::write_independent(const ChangeOfVariables& change) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (std::size_t k = 0; k < unknowns.size(); ++k)
             coupled = coupled || (i != k && form_.vanishes(rows[i][k]) != Zero::yes);
-    const std::vector<ex> solution =
-        coupled ? solve_exactly(rows, form_, place_of(mechanism_.source)) : std::vector<ex>{};
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        derived(unknowns[i].name, coupled ? unknowns[i].name + "'' = " + written(form_, solution[i])
-                                          : written(form_, without_content(residuals[i])) + " = 0");
+    std::vector<std::string> texts;
+    if (coupled)
+        for (const ex& solution : solve_exactly(rows, form_, place_of(mechanism_.source)))
+            texts.push_back(unknowns[texts.size()].name + "'' = " + written(form_, solution));
+    const bool too_long = std::any_of(texts.begin(), texts.end(),
+                                      [](const std::string& text) { return text.size() > Limits{}.length; });
+    if (!coupled || too_long) {
+        texts.clear();
+        for (const ex& residual : residuals)
+            texts.push_back(written(form_, without_content(residual)) + " = 0");
+    }
+    for (std::size_t i = 0; i < texts.size(); ++i) derived(unknowns[i].name, texts[i]);
 }
 
 bool Deriver::quasi_velocities_are_variables() const {

@@ -44,6 +44,16 @@ TEST_F(Settings, StandInTheEquations) {
               "y'' + q^2*y + (1 + log(2))*x^2 = 0\n");
 }
 
+TEST_F(Settings, StandInTheLinesBetweenAMechanismAndItsEquations) {
+    const std::string edge = std::string(RESONFORM_SOURCE_DIR) + "/systems/steered_knife_edge";
+    const std::string text = printed("derive " + edge + " --stage accelerations --set m=2 J=1/2");
+    EXPECT_NE(text.find("\n  theta'' = -2*k*theta\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nrelations:\n  k = c/4\n"), std::string::npos) << text;
+    const Json json =
+        Json::parse(printed("derive " + edge + " --stage accelerations --set J=1/2 --format json"));
+    EXPECT_EQ(json["sections"].back()["equations"].back(), "theta'' = -k*theta/(1/2)");
+}
+
 TEST_F(Settings, ThatAreWrongAreBadInput) {
     for (const char* wrong :
          {"--set g=1", "--set p", "--set p=-1", "--set p=0", "--set p=q", "--set p=1 p=2"}) {

@@ -94,6 +94,44 @@ TEST(DerivedEquations, CoupledOnesAreSolved) {
     EXPECT_EQ(equation(system, "b"), "b'' = 2*a/3 - 8*b/3");
 }
 
+// A chain of `n` links that hangs; masses and lengths are parameters or 1.
+System chain(int n, bool symbolic) {
+    const auto times = [&](const std::string& parameter, int k) {
+        return symbolic ? parameter + std::to_string(k) + "*" : "";
+    };
+    std::string parameters, names, roles, particles, x, y, potential;
+    for (int k = 1; k <= n; ++k) {
+        const std::string index = std::to_string(k), mass = symbolic ? "M" + index : "1";
+        if (symbolic)
+            parameters += "M" + index + " = { positive = true }\nL" + index + " = { positive = true }\n";
+        roles += "a" + index + " = { role = \"fast\" }\n";
+        names += "a" + index + " = {}\n";
+        x += " + " + times("L", k) + "sin(a" + index + ")";
+        y += " - " + times("L", k) + "cos(a" + index + ")";
+        particles +=
+            "p" + index + " = { mass = \"" + mass + "\", position = [\"" + x + "\", \"" + y + "\"] }\n";
+        potential += " + " + mass + "*(" + y + ")";
+    }
+    return read_system_text("[system]\nname = \"chain\"\n[parameters]\n" + parameters + "[variables]\n" +
+                                roles + "[coordinates]\n" + names + "[particles]\n" + particles +
+                                "[energy]\npotential = \"" + potential + "\"\n",
+                            "system.toml");
+}
+
+TEST(Chains, OfThreeLinksAreDerivedInSymbols) {
+    const System system = chain(3, true);
+    EXPECT_EQ(equation(system, "a3").substr(0, 6), "a3'' =");
+    EXPECT_EQ(system.parameters.size(), 6U);
+}
+
+// The solution is longer than a text of the file may be: the equations stay coupled.
+TEST(SlowChains, OfFourLinksStayCoupled) {
+    const System system = chain(4, false);
+    EXPECT_LT(equation(system, "a1").size(), 1000U);
+    EXPECT_NE(equation(system, "a1").find("*a4''"), std::string::npos) << equation(system, "a1");
+    EXPECT_NO_THROW(solve_for_highest(std::make_shared<System>(system)));
+}
+
 TEST(ConstantsOfConstraints, AreFoundWhereTheyAreElementary) {
     const System system = read("x = { role = \"fast\" }\n",
                                plane + "[constraints]\nc = \"y' = 2*x*x' + eps*x*x'^1 + cos(x)*x'\"\n");
