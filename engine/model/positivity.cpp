@@ -42,6 +42,7 @@ private:
     Sign of_symbol(const ex& e) const;
     Sign of_power(const ex& e, int comparisons) const;
     Sign of_function(const ex& e) const;
+    Sign of_sum(const ex& e, int comparisons) const;
     Sign of_product(const ex& e, int comparisons) const;
     Sign of_negative(const ex& part, int comparisons) const;
     Sign by_structure(const ex& e, int comparisons) const;
