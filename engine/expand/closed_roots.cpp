@@ -156,12 +156,8 @@ private:
         const ex sqrt_q = root.outside * root_of(root.inside);
         const bool factors = provably_positive(common, system_);
         const ex big = factors ? common * (above + below * root_of(root.inside)) : h + sqrt_q;
-        const ex rest = alike ? c : ex(-c), small = alike ? h - sqrt_q : sqrt_q - h;
-        // sqrt(small) = sqrt(rest/big), in one root. Of numbers 1/sqrt(1 + sqrt(2)) would be made rational
-        // below, sqrt(sqrt(2) - 1), a second root that depends on the first: small/rest is 1/big.
-        const bool numbers = GiNaC::is_a<numeric>(big.evalf());
-        return {big, root_of(big), small,
-                numbers ? root_of(big) * small / root_of(rest) : root_of(rest) / root_of(big)};
+        const ex rest = alike ? c : ex(-c);
+        return {big, root_of(big), alike ? h - sqrt_q : sqrt_q - h, root_of(rest) / root_of(big)};
     }
 
     // c = n^2: sqrt(h +- sqrt(q)) = alpha +- beta with alpha^2 = (h + n)/2, beta^2 = (h - n)/2.

@@ -111,7 +111,7 @@ x = "x'' + x + x^3 = 0"
 
 // Neither 2 + sin(s) nor sums of it with 2 + cos(s) vanish.
 TEST(Divisors, BoundsOfFunctionsRuleSurfacesOut) {
-    const std::string text = printed(R"(
+    const std::string text = printed(R"toml(
 [system]
 name = "test"
 [variables]
@@ -122,7 +122,7 @@ p = { role = "angle" }
 x = "x'' + (2 + sin(s))^2*x = x^2 + eps*x*cos(p)"
 s = "s' = eps"
 p = "p' = 1 + cos(s)/2"
-)",
+)toml",
                                      2, Format::text);
     EXPECT_EQ(text.find("\n  cos(s) + 2 = 0"), std::string::npos) << text;
     EXPECT_EQ(text.find("4*sin(s) - cos(s) + 6 = 0"), std::string::npos) << text;
