@@ -11,11 +11,11 @@ namespace {
 
 using GiNaC::ex;
 
-using Change = std::function<ex(const ex&)>;
+using Reading = std::function<ex(const ex&)>;
 
 class Distribution {
 public:
-    Distribution(const SolvedConstraints& constraints, const Motion& motion, const Change& change)
+    Distribution(const SolvedConstraints& constraints, const Motion& motion, const Reading& change)
         : constraints_(constraints), motion_(motion), slope_(constraints.slope) {
         for (auto& row : slope_)
             for (ex& e : row) e = change(e);

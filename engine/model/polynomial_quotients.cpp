@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/polynomial_quotients.hpp"
 
+#include "model/integer_polynomial.hpp"
+
 #include <algorithm>
-#include <flint/fmpz_mpoly.h>
-#include <limits>
 #include <map>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -15,129 +14,6 @@ namespace {
 
 using GiNaC::ex;
 using GiNaC::numeric;
-
-struct NoQuotient {}; // thrown where an expression is no rational one
-
-// The variables of polynomials.
-class PolynomialContext {
-public:
-    explicit PolynomialContext(std::size_t variables) {
-        fmpz_mpoly_ctx_init(context_, static_cast<slong>(variables), ORD_LEX);
-    }
-    ~PolynomialContext() { fmpz_mpoly_ctx_clear(context_); }
-    PolynomialContext(const PolynomialContext&) = delete;
-    PolynomialContext& operator=(const PolynomialContext&) = delete;
-    [[nodiscard]] const fmpz_mpoly_ctx_struct* get() const { return context_; }
-
-private:
-    fmpz_mpoly_ctx_t context_;
-};
-
-class Whole { // an integer
-public:
-    Whole() { fmpz_init(value_); }
-    explicit Whole(const numeric& n) : Whole() {
-        if (GiNaC::abs(n) < numeric(std::numeric_limits<int>::max())) {
-            fmpz_set_si(value_, n.to_long());
-            return;
-        }
-        std::ostringstream digits;
-        digits << n;
-        fmpz_set_str(value_, digits.str().c_str(), 10);
-    }
-    ~Whole() { fmpz_clear(value_); }
-    Whole(const Whole&) = delete;
-    Whole& operator=(const Whole&) = delete;
-    [[nodiscard]] fmpz* get() { return value_; }
-    [[nodiscard]] numeric value() const {
-        if (fmpz_fits_si(value_) != 0) return numeric(static_cast<long>(fmpz_get_si(value_)));
-        char* digits = fmpz_get_str(nullptr, 10, value_);
-        const numeric result(digits);
-        flint_free(digits);
-        return result;
-    }
-
-private:
-    fmpz_t value_;
-};
-
-class Packed { // a polynomial
-public:
-    explicit Packed(const PolynomialContext& context, slong value = 0) : context_(&context) {
-        fmpz_mpoly_init(value_, context.get());
-        fmpz_mpoly_set_si(value_, value, context.get());
-    }
-    Packed(const Packed& other) : context_(other.context_) {
-        fmpz_mpoly_init(value_, context_->get());
-        fmpz_mpoly_set(value_, other.value_, context_->get());
-    }
-    Packed(Packed&& other) noexcept : context_(other.context_) {
-        fmpz_mpoly_init(value_, context_->get());
-        fmpz_mpoly_swap(value_, other.value_, context_->get());
-    }
-    Packed& operator=(Packed other) noexcept {
-        fmpz_mpoly_swap(value_, other.value_, context_->get());
-        return *this;
-    }
-    ~Packed() { fmpz_mpoly_clear(value_, context_->get()); }
-
-    [[nodiscard]] fmpz_mpoly_struct* get() { return value_; }
-    [[nodiscard]] const fmpz_mpoly_struct* get() const { return value_; }
-    [[nodiscard]] bool is_one() const { return fmpz_mpoly_is_one(value_, context_->get()) != 0; }
-    [[nodiscard]] bool is_zero() const { return fmpz_mpoly_is_zero(value_, context_->get()) != 0; }
-    [[nodiscard]] slong terms() const { return fmpz_mpoly_length(value_, context_->get()); }
-
-    [[nodiscard]] bool begins_negative() const {
-        Whole number;
-        if (is_zero()) return false;
-        fmpz_mpoly_get_term_coeff_fmpz(number.get(), value_, 0, context_->get());
-        return fmpz_sgn(number.get()) < 0;
-    }
-    [[nodiscard]] Packed negative() const {
-        Packed result(*context_);
-        fmpz_mpoly_neg(result.value_, value_, context_->get());
-        return result;
-    }
-
-    friend bool operator==(const Packed& a, const Packed& b) {
-        return fmpz_mpoly_equal(a.value_, b.value_, a.context_->get()) != 0;
-    }
-    friend Packed operator+(const Packed& a, const Packed& b) {
-        Packed sum(*a.context_);
-        fmpz_mpoly_add(sum.value_, a.value_, b.value_, a.context_->get());
-        return sum;
-    }
-    friend Packed operator*(const Packed& a, const Packed& b) {
-        if (a.is_one()) return b;
-        if (b.is_one()) return a;
-        Packed product(*a.context_);
-        fmpz_mpoly_mul(product.value_, a.value_, b.value_, a.context_->get());
-        return product;
-    }
-    [[nodiscard]] Packed raised(ulong n) const {
-        Packed power(*context_);
-        if (fmpz_mpoly_pow_ui(power.value_, value_, n, context_->get()) == 0) throw NoQuotient{};
-        return power;
-    }
-    // Of a divisor.
-    [[nodiscard]] Packed divided_by(const Packed& divisor) const {
-        if (divisor.is_one()) return *this;
-        Packed quotient(*context_);
-        if (fmpz_mpoly_divides(quotient.value_, value_, divisor.value_, context_->get()) == 0)
-            throw NoQuotient{};
-        return quotient;
-    }
-    friend Packed common_divisor(const Packed& a, const Packed& b) {
-        if (a.is_one() || b.is_one()) return Packed(*a.context_, 1);
-        Packed divisor(*a.context_);
-        if (fmpz_mpoly_gcd(divisor.value_, a.value_, b.value_, a.context_->get()) == 0) throw NoQuotient{};
-        return divisor;
-    }
-
-private:
-    const PolynomialContext* context_;
-    fmpz_mpoly_t value_;
-};
 
 struct Quotient {
     Packed above, below; // coprime
