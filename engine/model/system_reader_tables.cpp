@@ -101,8 +101,9 @@ void SystemReader::read_relations() {
     GiNaC::exmap values;
     for (const auto& [parameter, value] : relation_values()) {
         const TomlNode& node = *root_.find("relations")->find(parameter->name);
-        if (std::any_of(small_.begin(), small_.end(),
-                        [&](const auto& small) { return small.first.is_equal(parameter->symbol); }))
+        if (std::any_of(small_.begin(), small_.end(), [&, given = parameter](const auto& small) {
+                return small.first.is_equal(given->symbol);
+            }))
             bad_value(node, "a parameter that is given by others has no weight of its own",
                       "remove weight where it is declared, and write its power of eps here");
         const GiNaC::ex rest = regular_at_rest(value.value, node);
