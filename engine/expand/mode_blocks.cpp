@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace resonform {
 
 namespace {
@@ -88,13 +90,33 @@ BlockModes real_modes(const Matrix& a, const Eigenvalues& e, int first) {
     return {{real_mode(a, e, first), real_mode(a, e, -first)}};
 }
 
+BlockModes modes_with(const Matrix& a, const Eigenvalues& e) {
+    if (e.square == Sign::positive) return {{complex_pair(a, e)}};
+    return real_modes(a, e, 1);
+}
+
+// sqrt(|kappa|) for kappa = middle + sign root. Of numbers sqrt(2 + sqrt(2)) and sqrt(2 - sqrt(2)) would be
+// two roots, the second of which depends on the first: their product is the root of a rational number. The
+// smaller is written by the larger.
+std::optional<ex> root_by_the_larger(const Eigenvalues& e, int sign) {
+    const ex own = e.middle + sign * e.root, other = e.middle - sign * e.root;
+    const ex own_value = own.evalf(), other_value = other.evalf();
+    if (GiNaC::is_a<GiNaC::numeric>(e.root) || !GiNaC::is_a<GiNaC::numeric>(own_value)) return std::nullopt;
+    const auto size = [](const ex& value) { return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value)); };
+    if (size(own_value) >= size(other_value)) return std::nullopt;
+    const auto absolute = [](const ex& kappa, const ex& value) {
+        return GiNaC::ex_to<GiNaC::numeric>(value).is_negative() ? ex(-kappa) : kappa;
+    };
+    const ex product = (e.middle * e.middle - e.root * e.root).expand();
+    return GiNaC::sqrt(absolute(other, other_value)) * absolute(own, own_value) /
+           GiNaC::sqrt(absolute(product, product.evalf()));
+}
+
 } // namespace
 
 BlockModes modes_of_block(const Matrix& a, const System& system, const BlockName& name) {
     if (a.size() == 1) return {{{{a[0][0], 0}, {{1, 0}}, {{1, 0}}}}};
-    const Eigenvalues e = eigenvalues_of(a, system, name);
-    if (e.square == Sign::positive) return {{complex_pair(a, e)}};
-    return real_modes(a, e, 1);
+    return modes_with(a, eigenvalues_of(a, system, name));
 }
 
 bool has_plain_frequencies(const Matrix& k, const System& system) {
@@ -116,12 +138,16 @@ BlockModes modes_of_coupled_oscillators(const Matrix& k, const System& system, c
                 fmt::format("those of {} are complex", name.variables), "use other variables", name.place});
     const BlockModes normal_coordinates = real_modes(k, e, -1); // the lower frequency first
     BlockModes modes{{}, normal_coordinates.chained};
+    int sign = -1;
     for (const BlockMode& normal_coordinate : normal_coordinates.modes) {
         BlockName one = name;
         one.oscillator = true;
         const ex kappa = normal_coordinate.eigenvalue.re;
         const Matrix oscillator{{0, 1}, {-kappa, 0}};
-        for (const BlockMode& mode : modes_of_block(oscillator, system, one).modes) {
+        Eigenvalues eigenvalues = eigenvalues_of(oscillator, system, one);
+        if (const auto root = root_by_the_larger(e, sign)) eigenvalues.root = *root;
+        sign = 1;
+        for (const BlockMode& mode : modes_with(oscillator, eigenvalues).modes) {
             BlockMode both{mode.eigenvalue, {}, {}};
             for (std::size_t variable = 0; variable < 2; ++variable) {
                 for (std::size_t state = 0; state < 2; ++state) {

@@ -184,7 +184,22 @@ private:
         return !one_sum && positive_factors(factored).has_value();
     }
 
+    // 1/(a + b*sqrt(d)) = (a - b*sqrt(d))/(a^2 - b^2*d) for rational a, b, d: without it an inverse would be
+    // a base of its own, which depends on the roots.
+    static std::optional<ex> inverse_of_surd(const ex& e) {
+        if (!is_a<GiNaC::add>(e) || e.nops() != 2) return std::nullopt;
+        for (const std::size_t k : {0U, 1U}) {
+            const ex rational = e.op(k), root = e.op(1 - k), square = (root * root).expand();
+            if (!rational.info(GiNaC::info_flags::rational) || !square.info(GiNaC::info_flags::rational))
+                continue;
+            return ((rational - root) / (rational * rational - square)).expand();
+        }
+        return std::nullopt;
+    }
+
     void append_sum(const ex& base, const Rational& exponent) {
+        if (is_integer(exponent) && cln::minusp(exponent))
+            if (const auto inverse = inverse_of_surd(base)) return split(*inverse, -exponent);
         const ex content = base.integer_content();
         const ex primitive = (base / content).expand();
         if (!content.is_equal(1)) split_number(content, exponent);

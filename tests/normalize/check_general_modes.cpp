@@ -225,5 +225,18 @@ TEST(Angles, AResonantForcingAsLargeAsTheModeIsRefused) {
         coefficient_of(*n.normal_form.field, n.normal_form.mode[0], {{"t1", 1}, {"eps", 3}}).empty());
 }
 
+// The squares of the eigenvalues are 1 +- sqrt(2): sqrt(sqrt(2) - 1) = 1/sqrt(sqrt(2) + 1) is no root of its
+// own.
+TEST(GeneralModes, NumbersWithDependentRoots) {
+    const std::string two = "x = { role = \"fast\" }\ny = { role = \"fast\" }\n";
+    normalized({two, "x = \"x'' - x + 2*y + x*y = 0\"\ny = \"y'' + x - y = x^2\"\n", "", ""}, 2);
+    // a double pendulum in numbers: squares 2 +- sqrt(2), with the product 2
+    normalized({two,
+                "x = \"(2 + y^2)*x'' + cos(x - y)*y'' + sin(x - y)*y'^2 + 2*sin(x) = 0\"\n"
+                "y = \"cos(x - y)*x'' + y'' - sin(x - y)*x'^2 + sin(y) = eps*x'\"\n",
+                "", ""},
+               2);
+}
+
 } // namespace
 } // namespace resonform
