@@ -93,7 +93,7 @@ ConstraintRow Elimination::row_of(const Constraint& constraint) const {
 
 // The first addend that is not linear in the velocities; all of it, where no addend by itself is to blame.
 ex Elimination::nonlinear_term(const Constraint& constraint) const {
-    const ex condition = constraint.condition.value.expand();
+    ex condition = constraint.condition.value.expand();
     const auto is_linear = [&](const ex& e) {
         for (const Coordinate& c : coordinates_)
             for (const Coordinate& other : coordinates_)

@@ -99,7 +99,7 @@ ExactForm::Fraction ExactForm::quotient(const ex& rational) const {
     if (const auto q = polynomial_quotient(rational, symbols(), relations()))
         return {q->numerator, q->denominator};
     const ex parts = rational.numer_denom(); // complex numbers, fractions in a relation
-    const Fraction lowered{reduced(parts.op(0)), reduced(parts.op(1))};
+    Fraction lowered{reduced(parts.op(0)), reduced(parts.op(1))};
     if (lowered.numerator.is_zero() || lowered.denominator.is_zero()) return lowered;
     const ex coprime = (lowered.numerator / lowered.denominator).numer_denom();
     return {coprime.op(0).expand(), coprime.op(1).expand()};

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] GiNaC::numeric value() const {
         if (fmpz_fits_si(value_) != 0) return GiNaC::numeric(static_cast<long>(fmpz_get_si(value_)));
         char* digits = fmpz_get_str(nullptr, 10, value_);
-        const GiNaC::numeric result(digits);
+        GiNaC::numeric result(digits);
         flint_free(digits);
         return result;
     }

@@ -164,7 +164,7 @@ Written MechanismReader::equation_of(const TomlNode& node, const Scope& scope) {
 
 // A mass or a moment of inertia; zero is allowed, as of a thin rod about itself.
 ex MechanismReader::inertia_of(const TomlNode& node, const std::string& what) {
-    const ex value = part_of(node, constants_).value;
+    ex value = part_of(node, constants_).value;
     if (provably_positive(-value, system_)) bad_value(node, what + " is not negative", "correct its sign");
     return value;
 }

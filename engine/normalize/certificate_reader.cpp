@@ -27,7 +27,7 @@ int ExponentReader::read(const Monomial& m) {
 
 void ExponentReader::decode(const Monomial& m, int word) {
     const auto w = static_cast<std::size_t>(word);
-    int* exponents = exponents_.data() + word * per_word_;
+    int* exponents = exponents_.data() + w * static_cast<std::size_t>(per_word_);
     ring_.packing().read_word(m, word, exponents);
     std::size_t count = 0;
     for (int f = 0; f < per_word_; ++f) {
@@ -37,11 +37,11 @@ void ExponentReader::decode(const Monomial& m, int word) {
     counts_[w] = count;
 }
 
-PointReader::Wanted::Wanted(Side side, std::vector<GeneratorId> slopes) : side_(side) {
+PointReader::Wanted::Wanted(Side side, const std::vector<GeneratorId>& slopes) : side_(side) {
     place_.fill(-1);
     slopes_.reserve(slopes.size());
     for (const GeneratorId by : slopes) {
-        place_[static_cast<std::size_t>(by)] = static_cast<std::int8_t>(slopes_.size());
+        place_[static_cast<std::size_t>(by)] = static_cast<int>(slopes_.size());
         slopes_.push_back({by});
     }
 }
@@ -86,8 +86,10 @@ PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point)
 }
 
 inline Residue PointReader::power(const AtPoint& at, Half& half, const ExponentReader::Power& p) {
-    const auto place = static_cast<std::size_t>(p.exponent + static_cast<int>(span) / 2);
-    if (place >= span) return far_power(at, half, p);
+    constexpr int middle = static_cast<int>(span) / 2;
+    if (p.exponent < -middle || p.exponent >= middle) return far_power(at, half, p);
+    const int shifted = p.exponent + middle;
+    const auto place = static_cast<std::size_t>(shifted);
     Residue& known = half.powers[static_cast<std::size_t>(p.id) * span + place];
     if (known == 0) known = far_power(at, half, p); // the generator itself is not zero
     return known;

@@ -8,7 +8,6 @@
 #include "normalize/certificate_sampler.hpp"
 
 #include <array>
-#include <cstdint>
 #include <map>
 #include <span>
 #include <tuple>
@@ -64,7 +63,7 @@ public:
     // The sum of all terms, and its derivatives by some generators, at each point.
     class Wanted {
     public:
-        Wanted(Side side, std::vector<GeneratorId> slopes);
+        Wanted(Side side, const std::vector<GeneratorId>& slopes);
         [[nodiscard]] Residue value(std::size_t point) const { return value_[point]; }
         [[nodiscard]] Residue slope(std::size_t k, std::size_t point) const {
             return slopes_[k].value[point];
@@ -81,7 +80,7 @@ public:
         };
         Side side_;
         std::vector<Slope> slopes_;
-        std::array<std::int8_t, Packing::most_fields> place_; // in slopes_, by generator; -1
+        std::array<int, Packing::most_fields> place_; // in slopes_, by generator; -1
         Sums sum_{};
         Values value_{};
     };
