@@ -4,6 +4,7 @@
 #include "algebra/montgomery.hpp"
 
 #include <cln/integer.h>
+#include <gmp.h>
 
 #include <algorithm>
 #include <array>
@@ -31,20 +32,29 @@ private:
     std::uint64_t n_;
 };
 
-// n - 1 = odd * 2^twos: for each base a^odd is 1, or one of its first `twos` squares is -1. The powers are
-// taken side by side, as each product waits for the one before.
+// base^exponent for each base, side by side, as each product waits for the one before.
+template <std::size_t Count, class Arithmetic>
+std::array<std::uint64_t, Count> powers_of(const Arithmetic& modulo, std::array<std::uint64_t, Count> base,
+                                           std::uint64_t exponent) {
+    std::array<std::uint64_t, Count> x;
+    x.fill(modulo.enter(1));
+    for (; exponent != 0; exponent >>= 1)
+        for (std::size_t k = 0; k < Count; ++k) {
+            if ((exponent & 1) != 0) x[k] = modulo.multiply(x[k], base[k]);
+            base[k] = modulo.multiply(base[k], base[k]);
+        }
+    return x;
+}
+
+// n - 1 = odd * 2^twos: for each base a^odd is 1, or one of its first `twos` squares is -1.
 template <std::size_t Count, class Arithmetic>
 bool is_strong_probable_prime(const Arithmetic& modulo, std::uint64_t n,
                               const std::array<std::uint64_t, Count>& bases) {
     const int twos = std::countr_zero(n - 1);
     const std::uint64_t one = modulo.enter(1), minus_one = modulo.negate(one), odd = (n - 1) >> twos;
-    std::array<std::uint64_t, Count> base, x;
-    for (std::size_t k = 0; k < Count; ++k) x[k] = base[k] = modulo.enter(bases[k] % n);
-    for (int bit = static_cast<int>(std::bit_width(odd)) - 2; bit >= 0; --bit)
-        for (std::size_t k = 0; k < Count; ++k) {
-            x[k] = modulo.multiply(x[k], x[k]);
-            if (((odd >> bit) & 1) != 0) x[k] = modulo.multiply(x[k], base[k]);
-        }
+    std::array<std::uint64_t, Count> base;
+    for (std::size_t k = 0; k < Count; ++k) base[k] = modulo.enter(bases[k] % n);
+    std::array<std::uint64_t, Count> x = powers_of(modulo, base, odd);
     for (std::size_t k = 0; k < Count; ++k) {
         bool found = base[k] == 0 || x[k] == one || x[k] == minus_one;
         for (int j = 1; j < twos && !found; ++j) {
@@ -145,6 +155,13 @@ std::optional<Residue> PrimeField::from(const Rational& value) const {
     return multiply(numerator, inverse(divisor));
 }
 
+// Legendre's symbol, without a power.
+bool PrimeField::is_square(Residue a) const {
+    mpz_t above, below;
+    const mp_limb_t a_limb = a, p_limb = prime_;
+    return mpz_jacobi(mpz_roinit_n(above, &a_limb, 1), mpz_roinit_n(below, &p_limb, 1)) >= 0;
+}
+
 std::optional<Residue> PrimeField::root(Residue a, int k) const {
     if (a == 0) return Residue{0};
     // k = product of prime powers; a root of coprime indices may be taken one after the other.
@@ -161,26 +178,31 @@ std::optional<Residue> PrimeField::root(Residue a, int k) const {
 
 // With q = factor^times, p - 1 = factor^e t and 1 + t v = q u:  (a^u)^q = a (a^t)^v, and a^t lies in the
 // subgroup of order factor^e, where roots are read off discrete logarithms, digit by digit in base
-// `factor` (Pohlig and Hellman; Adleman, Manders and Miller, 1977).
+// `factor` (Pohlig and Hellman; Adleman, Manders and Miller, 1977). With t = q s + r and w = a^s both powers
+// are short ones: a^t = w^q a^r, a^u = w^v a^((1 + r v)/q).
 std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t factor, int times) const {
     std::uint64_t q = 1;
     for (int j = 0; j < times; ++j) q *= factor;
     std::uint64_t cofactor = prime_ - 1, order = 1;
     for (; cofactor % factor == 0; cofactor /= factor) order *= factor;
-    if (raise(a, (prime_ - 1) / std::min(q, order)) != 1) return std::nullopt;
+    if (factor == 2 && order > 1 && !is_square(a)) return std::nullopt; // seen soonest
+    const Residue w = raise(a, cofactor / q);
+    const std::uint64_t r = cofactor % q;
+    const Residue in_subgroup = multiply(raise(w, q), raise(a, r)); // a^cofactor
+    if (raise(in_subgroup, order / std::min(q, order)) != 1) return std::nullopt;
 
     std::uint64_t v = 0;
-    while ((1 + static_cast<UnsignedWide>(cofactor) * v) % q != 0) ++v;
-    const auto u = static_cast<std::uint64_t>((1 + static_cast<UnsignedWide>(cofactor) * v) / q);
-    const Residue first = raise(a, u);
+    while ((1 + static_cast<UnsignedWide>(r) * v) % q != 0) ++v;
+    const auto above = static_cast<std::uint64_t>((1 + static_cast<UnsignedWide>(r) * v) / q);
+    const Residue first = multiply(raise(w, v), raise(a, above));
     if (order <= q) return first; // a^cofactor = 1
     // What `first` must be multiplied with has q-th power `rest`, an element of the subgroup.
-    const Residue rest = inverse(raise(raise(a, cofactor), v));
+    const Residue rest = raise(in_subgroup, order - v); // v < q < order
     const Residue generator = sylow_generator(factor, cofactor);
     const Residue of_order_factor = raise(generator, order / factor);
     std::uint64_t logarithm = 0;
     for (std::uint64_t digit = 1; digit < order; digit *= factor) {
-        const Residue remaining = multiply(rest, inverse(raise(generator, logarithm)));
+        const Residue remaining = multiply(rest, raise(generator, order - logarithm));
         const Residue target = raise(remaining, order / digit / factor);
         for (Residue x = 1; x != target; x = multiply(x, of_order_factor)) logarithm += digit;
     }
@@ -189,13 +211,14 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
 
 Residue PrimeField::sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const {
     for (Residue x = 2;; ++x)
-        if (raise(x, (prime_ - 1) / factor) != 1) return raise(x, cofactor);
+        if (factor == 2 ? !is_square(x) : raise(x, (prime_ - 1) / factor) != 1) return raise(x, cofactor);
 }
 
 // x^((p - 1)/4) for the first x that is no square.
 Residue PrimeField::imaginary_unit() const {
-    for (Residue x = 2;; ++x)
-        if (const Residue i = raise(x, (prime_ - 1) / 4); multiply(i, i) == prime_ - 1) return i;
+    Residue x = 2;
+    while (is_square(x)) ++x;
+    return raise(x, (prime_ - 1) / 4);
 }
 
 Residue PrimeField::random_unit(std::mt19937_64& random) const {

@@ -56,6 +56,7 @@ public:
     [[nodiscard]] Residue from(std::int64_t n) const;
     // nullopt where the prime divides the denominator.
     [[nodiscard]] std::optional<Residue> from(const Rational& value) const;
+    [[nodiscard]] bool is_square(Residue a) const; // the prime is odd
     // Some x with x^k = a, or nullopt if there is none. The cost grows with the largest prime factor
     // of k, which divides p - 1.
     [[nodiscard]] std::optional<Residue> root(Residue a, int k) const;

@@ -35,11 +35,16 @@ public:
         return static_cast<int>((biased >> shift_of(field)) & mask_) - (1 << (bits_ - 1));
     }
 
-    // Of the fields_per_word() fields of one word.
-    void read_word(const Monomial& m, int word, int* exponents) const {
+    // visit(f, exponent) for the fields_per_word() fields of one word.
+    template <class Visit> void visit_word(const Monomial& m, int word, Visit visit) const {
         std::uint64_t biased = m.word[static_cast<std::size_t>(word)] + half_;
+        if (bits_ == 16) { // most rings: without a loop
+            for (int f = 0; f < 4; ++f, biased >>= 16)
+                visit(f, static_cast<int>(biased & 0xffff) - (1 << 15));
+            return;
+        }
         for (int f = 0; f < per_word_; ++f, biased >>= bits_)
-            exponents[f] = static_cast<int>(biased & mask_) - (1 << (bits_ - 1));
+            visit(f, static_cast<int>(biased & mask_) - (1 << (bits_ - 1)));
     }
 
     // -2^(bits-2) <= e < 2^(bits-2) in all fields: with a quarter added no field has its top bit set.
@@ -68,7 +73,6 @@ private:
     int per_word_;
     int bits_;
     std::array<std::uint8_t, most_fields> words_, shifts_; // by field: divisions would take longer
-    std::array<std::uint8_t, 64> places_{};                // in its word, by bit: the field
     std::uint64_t mask_;
     std::uint64_t half_ = 0;    // 2^(bits-1) in every field
     std::uint64_t quarter_ = 0; // 2^(bits-2) in every field

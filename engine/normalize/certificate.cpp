@@ -25,28 +25,35 @@ constexpr int unlucky_points_allowed = 64;
 
 using Matrix = std::vector<std::vector<Residue>>;
 
+// Elimination without division: rows are multiplied by pivots, which are not zero.
 bool is_singular(const PrimeField& f, Matrix a) {
     for (std::size_t column = 0; column < a.size(); ++column) {
-        std::size_t pivot = column;
-        while (pivot < a.size() && a[pivot][column] == 0) ++pivot;
-        if (pivot == a.size()) return true;
-        std::swap(a[pivot], a[column]);
-        const Residue inverse = f.inverse(a[column][column]);
-        for (std::size_t row = column + 1; row < a.size(); ++row) {
-            const Residue factor = f.multiply(a[row][column], inverse);
+        std::size_t row = column;
+        while (row < a.size() && a[row][column] == 0) ++row;
+        if (row == a.size()) return true;
+        std::swap(a[row], a[column]);
+        const Residue pivot = a[column][column];
+        for (++row; row < a.size(); ++row) { // those above it have nothing in the column
+            const Residue factor = a[row][column];
+            if (factor == 0) continue;
             for (std::size_t k = column; k < a.size(); ++k)
-                a[row][k] = f.subtract(a[row][k], f.multiply(factor, a[column][k]));
+                a[row][k] = f.subtract(f.multiply(a[row][k], pivot), f.multiply(factor, a[column][k]));
         }
     }
     return false;
 }
 
+std::vector<Residue> at_origin(const PointRun& run, const std::vector<Slot>& slots) {
+    std::vector<Residue> values;
+    values.reserve(slots.size());
+    for (const Slot slot : slots) values.push_back(run.at_origin(slot));
+    return values;
+}
+
 Matrix at_origin(const PointRun& run, const std::vector<std::vector<Slot>>& slots) {
     Matrix values;
-    for (const std::vector<Slot>& row : slots) {
-        values.emplace_back();
-        for (const Slot slot : row) values.back().push_back(run.at_origin(slot));
-    }
+    values.reserve(slots.size());
+    for (const std::vector<Slot>& row : slots) values.push_back(at_origin(run, row));
     return values;
 }
 
@@ -78,8 +85,8 @@ std::string complaint_of(const CertificatePlan& plan, const PointRun& run, const
 }
 
 FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, const Point& point) {
-    const Matrix values = at_origin(run, {plan.growth, plan.omega, plan.angle});
-    return {point.field, values[0], values[1], values[2], point.values};
+    return {point.field, at_origin(run, plan.growth), at_origin(run, plan.omega), at_origin(run, plan.angle),
+            point.values};
 }
 
 int points_needed(double bound) {
@@ -93,12 +100,13 @@ int points_needed(double bound) {
 
 // Part (a); the frequencies at the points are kept for part (b).
 template <class Source>
-std::string residual_complaint(const CertificatePlan& plan, Source& source, std::uint64_t seed,
-                               Certificate& certificate, std::vector<FrequencySample>& samples) {
+std::string residual_complaint(const CertificatePlan& plan, Source& source, Surveyor& surveys,
+                               std::uint64_t seed, Certificate& certificate,
+                               std::vector<FrequencySample>& samples) {
     const NormalForm& shape = source.normal_form();
     const GradedField& field = *shape.field;
     const int through = shape.through + (shape.hamiltonian ? weight_of_modes(field) : 0);
-    const double bound = point_error_bound(plan, shape, source.map()) + source.error();
+    const double bound = point_error_bound(plan, shape, source.map(), surveys) + source.error();
     const int points = points_needed(bound);
     // The bound itself follows the shape in which the expression library keeps an equation, which may
     // differ from run to run: what is said is what there are points for.
@@ -147,11 +155,12 @@ template <class Source, class Plan> Certificate certified(Plan plan, Source& sou
     const NormalForm& normal_form = source.normal_form();
     Certificate certificate;
     certificate.through_weight = normal_form.field->system().weight(normal_form.through);
-    certificate.complaint = shape_complaint(normal_form, source.map());
+    Surveyor surveys(*normal_form.field->ring);
+    certificate.complaint = shape_complaint(normal_form, source.map(), surveys);
     if (!certificate.complaint.empty()) return certificate;
 
     std::vector<FrequencySample> samples;
-    const std::string residual = residual_complaint(plan(), source, seed, certificate, samples);
+    const std::string residual = residual_complaint(plan(), source, surveys, seed, certificate, samples);
     const std::string scan = scan_complaint(normal_form, source.map(), samples);
     certificate.residual_zero = residual.empty();
     certificate.normal_form_scan = scan.empty();

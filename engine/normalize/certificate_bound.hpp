@@ -19,10 +19,11 @@
 #pragma once
 
 #include "normalize/certificate_plan.hpp"
+#include "normalize/certificate_survey.hpp"
 
 namespace resonform {
 
 double point_error_bound(const CertificatePlan& plan, const NormalForm& normal_form,
-                         const NearIdentityMap& map);
+                         const NearIdentityMap& map, Surveyor& surveys);
 
 } // namespace resonform

@@ -54,7 +54,8 @@ public:
             places_.emplace(c.id, places_.size());
             others[static_cast<std::size_t>(c.id)] = 1;
         }
-        PointReader reader(*normal_form.field->ring, {Point{point.field, others}});
+        const Point there{point.field, others};
+        PointReader reader(*normal_form.field->ring, {&there, 1});
         for (const HamiltonianForm::Bracket& b : form.brackets) {
             Residue value = 0;
             for (const Residue term : reader.terms(b.value.fractions())) value = m_.add(value, term);

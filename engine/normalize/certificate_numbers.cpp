@@ -110,7 +110,8 @@ Certificate certify_numbers(const Normalization& n, const std::shared_ptr<const 
     certificate.route = "substitution, balls";
     certificate.through_weight = field->system().weight(n.normal_form.through);
     certificate.error_probability = std::numeric_limits<double>::quiet_NaN();
-    certificate.complaint = shape_complaint(n.normal_form, n.map);
+    Surveyor surveys(*n.normal_form.field->ring);
+    certificate.complaint = shape_complaint(n.normal_form, n.map, surveys);
     if (!certificate.complaint.empty()) return certificate;
 
     const CertificatePlan plan = plan_certificate(*n.normal_form.field, nullptr);

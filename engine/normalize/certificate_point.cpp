@@ -3,53 +3,104 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <future>
+#include <thread>
 #include <utility>
 
 namespace resonform {
 
-// A series that a step needs on its way.
+namespace {
+
+// There are few.
+template <class Key>
+const std::vector<Residue>* find_in(const std::vector<std::pair<Key, std::vector<Residue>>>& list,
+                                    const Key& key) {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == key; });
+    return found == list.end() ? nullptr : &found->second;
+}
+
+} // namespace
+
+// A series that a step needs on its way; its room is used again.
 class PointRun::Scratch {
 public:
-    explicit Scratch(int through) : room_(static_cast<std::size_t>(through) + 1, 0) {}
+    explicit Scratch(PointRun& run) : unused_(run.unused_) {
+        if (unused_.empty()) {
+            unused_.reserve(unused_.capacity() + 1); // to take it back
+        } else {
+            room_ = std::move(unused_.back());
+            unused_.pop_back();
+        }
+        room_.assign(static_cast<std::size_t>(run.through_) + 1, 0);
+    }
+    ~Scratch() { unused_.push_back(std::move(room_)); }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
     Value value() { return {room_.data(), static_cast<int>(room_.size()), -1}; }
 
 private:
+    std::vector<std::vector<Residue>>& unused_;
     std::vector<Residue> room_;
 };
 
 PointReadings::PointReadings(const CertificatePlan& plan, const NormalForm& normal_form,
                              const NearIdentityMap& map, const std::vector<Point>& points, int through) {
     const Ring& ring = *normal_form.field->ring;
-    PointReader reader(ring, points);
-    std::vector<PointReader::Wanted> wanted;
-    const auto keep = [&](Slot slot, int weight, const auto& value) {
-        Coefficient coefficient{slot, weight, {}};
-        bool any = false;
-        for (std::size_t n = 0; n < points.size(); ++n) {
-            coefficient.value[n] = value(n);
-            any = any || coefficient.value[n] != 0;
-        }
-        if (any) coefficients_.push_back(coefficient);
-    };
+    std::size_t terms = 0;
     for (const CertificatePlan::Reading& reading : plan.readings) {
-        wanted.clear();
-        for (const auto& of : reading.sides) {
-            std::vector<GeneratorId> slopes;
-            for (const auto& slope : of.slopes) slopes.push_back(slope.first);
-            wanted.emplace_back(of.side, slopes);
-        }
         const Series& from = series_of(reading.series, plan.program, normal_form, map);
         for (int weight = 0; weight <= std::min(through, from.through()); ++weight) {
             if (from.part(weight).empty()) continue;
-            reader.read(from.part(weight).fractions(), wanted);
-            for (std::size_t side = 0; side < wanted.size(); ++side) {
-                const auto& of = reading.sides[side];
-                const PointReader::Wanted& w = wanted[side];
-                if (of.value >= 0) keep(of.value, weight, [&](std::size_t n) { return w.value(n); });
-                for (std::size_t k = 0; k < of.slopes.size(); ++k)
-                    keep(of.slopes[k].second, weight - ring.generator(of.slopes[k].first).weight,
-                         [&](std::size_t n) { return w.slope(k, n); });
+            parts_.push_back({&reading, &from.part(weight).fractions()});
+            terms += parts_.back().numbers->size();
+            for (const auto& of : reading.sides) {
+                if (of.value >= 0) coefficients_.push_back({of.value, weight, {}});
+                for (const auto& [by, slot] : of.slopes)
+                    coefficients_.push_back({slot, weight - ring.generator(by).weight, {}});
             }
+        }
+    }
+    // Two threads take a share of the points each. They meet no number of CLN.
+    constexpr std::size_t enough = std::size_t{1} << 15; // half a millisecond
+    if (points.size() < 2 || terms * points.size() < enough || std::thread::hardware_concurrency() < 2) {
+        read(ring, points, 0);
+        return;
+    }
+    const std::span<const Point> all(points);
+    const std::size_t half = points.size() / 2;
+    std::future<void> other = std::async(std::launch::async, [&] { read(ring, all.subspan(half), half); });
+    read(ring, all.first(half), 0);
+    other.get();
+}
+
+// The first of them is number `first` of all.
+void PointReadings::read(const Ring& ring, std::span<const Point> points, std::size_t first) {
+    PointReader reader(ring, points);
+    std::vector<PointReader::Wanted> wanted;
+    const CertificatePlan::Reading* reading = nullptr;
+    auto to = coefficients_.begin();
+    const auto keep = [&](const auto& value) {
+        for (std::size_t n = 0; n < points.size(); ++n) to->value[first + n] = value(n);
+        ++to;
+    };
+    for (const Part& part : parts_) {
+        if (part.reading != reading) {
+            reading = part.reading;
+            wanted.clear();
+            for (const auto& of : reading->sides) {
+                std::vector<GeneratorId> slopes;
+                for (const auto& slope : of.slopes) slopes.push_back(slope.first);
+                wanted.emplace_back(of.side, slopes);
+            }
+        }
+        reader.read(*part.numbers, wanted);
+        for (std::size_t side = 0; side < wanted.size(); ++side) {
+            const PointReader::Wanted& w = wanted[side];
+            if (reading->sides[side].value >= 0) keep([&](std::size_t n) { return w.value(n); });
+            for (std::size_t k = 0; k < reading->sides[side].slopes.size(); ++k)
+                keep([&](std::size_t n) { return w.slope(k, n); });
         }
     }
 }
@@ -121,11 +172,11 @@ void PointRun::multiply(Value& to, const Value& a, const Value& b, int last) con
     }
 }
 
-void PointRun::taylor(Value& to, const std::vector<Residue>& coefficients, const Value& u) const {
+void PointRun::taylor(Value& to, const std::vector<Residue>& coefficients, const Value& u) {
     if (u.first > u.last) return set(to, 0, coefficients.front());
     const int terms = through_ / u.first; // u^k begins at weight k u.first
     const int used = std::min(terms, static_cast<int>(coefficients.size()) - 1);
-    Scratch one(through_), other(through_);
+    Scratch one(*this), other(*this);
     Value sum = one.value(), next = other.value();
     set(sum, 0, coefficients[static_cast<std::size_t>(used)]);
     for (int k = used; k-- > 0;) { // it is multiplied with u^k still
@@ -142,7 +193,7 @@ void PointRun::taylor(Value& to, const std::vector<Residue>& coefficients, const
 void PointRun::function(Value& to, Elementary function, const Value& u) {
     if (function == Elementary::tangent || function == Elementary::hyperbolic_tangent) {
         const bool circular = function == Elementary::tangent;
-        Scratch above(through_), below(through_), inverse(through_);
+        Scratch above(*this), below(*this), inverse(*this);
         Value sine = above.value(), cosine = below.value(), quotient = inverse.value();
         this->function(sine, circular ? Elementary::sine : Elementary::hyperbolic_sine, u);
         this->function(cosine, circular ? Elementary::cosine : Elementary::hyperbolic_cosine, u);
@@ -158,7 +209,7 @@ void PointRun::function(Value& to, Elementary function, const Value& u) {
 }
 
 void PointRun::power(Value& to, const Value& a, const Rational& exponent, const Value& lead) {
-    Scratch quotient(through_), sum(through_);
+    Scratch quotient(*this), sum(*this);
     Value ratio = quotient.value(), total = sum.value();
     const Residue below = inverse(a.at[0]);
     for (int n = 1; n <= a.last; ++n) set(ratio, n, montgomery_.multiply(below, a.at[n]));
@@ -167,7 +218,7 @@ void PointRun::power(Value& to, const Value& a, const Rational& exponent, const 
 }
 
 void PointRun::inverse_power(Value& to, const Value& a, int n) {
-    Scratch number(through_);
+    Scratch number(*this);
     Value lead = number.value();
     set(lead, 0, power(inverse(a.at[0]), n));
     power(to, a, -n, lead);
@@ -202,8 +253,10 @@ Residue PointRun::inverse_of(int k) {
     return inverses_[static_cast<std::size_t>(k)];
 }
 
-std::vector<Residue> PointRun::binomial(const Rational& exponent) {
-    std::vector<Residue> c{one_};
+const std::vector<Residue>& PointRun::binomial(const Rational& exponent) {
+    if (const auto* known = find_in(binomials_, exponent)) return *known;
+    std::vector<Residue>& c = binomials_.emplace_back(exponent, std::vector<Residue>{one_}).second;
+    c.reserve(static_cast<std::size_t>(through_) + 1);
     Residue factor = residue(exponent); // exponent - (k - 1)
     for (int k = 1; k <= through_; ++k) {
         c.push_back(montgomery_.multiply(c.back(), montgomery_.multiply(factor, inverse_of(k))));
@@ -212,10 +265,12 @@ std::vector<Residue> PointRun::binomial(const Rational& exponent) {
     return c;
 }
 
-std::vector<Residue> PointRun::taylor_coefficients(Elementary function) {
+const std::vector<Residue>& PointRun::taylor_coefficients(Elementary function) {
+    if (const auto* known = find_in(taylor_, function)) return *known;
+    std::vector<Residue>& c = taylor_.emplace_back(function, std::vector<Residue>{}).second;
+    c.reserve(static_cast<std::size_t>(through_) + 1);
     const bool alternating =
         function == Elementary::sine || function == Elementary::cosine || function == Elementary::arc_tangent;
-    std::vector<Residue> c;
     Residue factorial = one_, central = one_; // 1/k!, and binomial(2j, j)/4^j with j = (k - 1)/2
     for (int k = 0; k <= through_; ++k) {
         const bool odd = k % 2 != 0;

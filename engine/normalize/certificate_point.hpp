@@ -8,6 +8,8 @@
 
 #include <array>
 #include <map>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -19,7 +21,7 @@ public:
     PointReadings(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map,
                   const std::vector<Point>& points, int through);
 
-    // What is not zero, in Montgomery's form: the coefficient of t^weight, by point.
+    // The coefficient of t^weight by point, in Montgomery's form.
     struct Coefficient {
         Slot slot;
         int weight;
@@ -28,7 +30,15 @@ public:
     [[nodiscard]] const std::vector<Coefficient>& coefficients() const { return coefficients_; }
 
 private:
-    std::vector<Coefficient> coefficients_;
+    struct Part {
+        const CertificatePlan::Reading* reading;
+        const Fractions* numbers;
+    };
+
+    void read(const Ring& ring, std::span<const Point> points, std::size_t first);
+
+    std::vector<Part> parts_;
+    std::vector<Coefficient> coefficients_; // of the parts, one after the other
 };
 
 // Runs a program at a point. Residues are held in Montgomery's form, so that only zeros can be read off.
@@ -60,7 +70,7 @@ private:
     // Through weight `last`.
     void multiply(Value& to, const Value& a, const Value& b, int last) const;
     // sum_k coefficients[k] u^k with u_0 = 0, by Horner's rule.
-    void taylor(Value& to, const std::vector<Residue>& coefficients, const Value& u) const;
+    void taylor(Value& to, const std::vector<Residue>& coefficients, const Value& u);
     void function(Value& to, Elementary function, const Value& u);
     void power(Value& to, const Value& a, const Rational& exponent, const Value& lead);
     void inverse_power(Value& to, const Value& a, int n);
@@ -68,9 +78,11 @@ private:
     [[nodiscard]] Residue residue(const Rational& value) const;
     [[nodiscard]] Residue inverse(Residue a); // throws UnluckyPoint
     [[nodiscard]] Residue power(Residue a, int exponent);
-    [[nodiscard]] Residue inverse_of(int k);                               // 1/k for 1 <= k
-    [[nodiscard]] std::vector<Residue> binomial(const Rational& exponent); // of (1 + u)^exponent
-    [[nodiscard]] std::vector<Residue> taylor_coefficients(Elementary function);
+    [[nodiscard]] Residue inverse_of(int k); // 1/k for 1 <= k
+    // Of (1 + u)^exponent. What is returned stays until the next call.
+    [[nodiscard]] const std::vector<Residue>& binomial(const Rational& exponent);
+    // The same.
+    [[nodiscard]] const std::vector<Residue>& taylor_coefficients(Elementary function);
 
     const Ring& ring_;
     Montgomery montgomery_;
@@ -79,6 +91,9 @@ private:
     Residue one_;
     std::vector<Residue> inverses_;        // of 1, 2, ...
     std::map<Residue, Residue> quotients_; // inverses of what powers are taken of, often of the same
+    std::vector<std::pair<Rational, std::vector<Residue>>> binomials_;
+    std::vector<std::pair<Elementary, std::vector<Residue>>> taylor_;
+    std::vector<std::vector<Residue>> unused_; // room of series that were needed on the way
     std::vector<std::size_t> offsets_;
     std::vector<Residue> values_;
     std::vector<Value> slots_;

@@ -2,6 +2,7 @@
 #include "normalize/certificate_reader.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -11,6 +12,11 @@ ExponentReader::ExponentReader(const Ring& ring)
     : ring_(ring), per_word_(ring.packing().fields_per_word()),
       words_((ring.size() + per_word_ - 1) / per_word_),
       exponents_(static_cast<std::size_t>(words_ * per_word_), 0) {}
+
+ExponentReader::ExponentReader(const Ring& ring, const std::vector<GeneratorId>& through)
+    : ExponentReader(ring) {
+    words_ = through.empty() ? 0 : *std::max_element(through.begin(), through.end()) / per_word_ + 1;
+}
 
 int ExponentReader::read(const Monomial& m) {
     int from = started_ ? words_ : 0; // all words count as new the first time
@@ -27,14 +33,15 @@ int ExponentReader::read(const Monomial& m) {
 
 void ExponentReader::decode(const Monomial& m, int word) {
     const auto w = static_cast<std::size_t>(word);
-    int* exponents = exponents_.data() + w * static_cast<std::size_t>(per_word_);
-    ring_.packing().read_word(m, word, exponents);
-    std::size_t count = 0;
-    for (int f = 0; f < per_word_; ++f) {
-        powers_[w][count] = {word * per_word_ + f, exponents[f]};
-        if (exponents[f] != 0) ++count;
-    }
-    counts_[w] = count;
+    const int first = word * per_word_;
+    int* exponents = exponents_.data() + first;
+    Power* powers = powers_[w].data();
+    ring_.packing().visit_word(m, word, [&](int field, int exponent) {
+        exponents[field] = exponent;
+        *powers = {first + field, exponent};
+        powers += exponent != 0 ? 1 : 0; // or it is written over
+    });
+    counts_[w] = static_cast<std::size_t>(powers - powers_[w].data());
 }
 
 PointReader::Wanted::Wanted(Side side, const std::vector<GeneratorId>& slopes) : side_(side) {
@@ -46,7 +53,7 @@ PointReader::Wanted::Wanted(Side side, const std::vector<GeneratorId>& slopes) :
     }
 }
 
-PointReader::PointReader(const Ring& ring, const std::vector<Point>& points) : exponents_(ring) {
+PointReader::PointReader(const Ring& ring, std::span<const Point> points) : exponents_(ring) {
     points_.reserve(points.size());
     for (const Point& point : points) points_.push_back(prepared(ring, point));
 }
@@ -57,6 +64,11 @@ PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point)
     // All inverses by one: 1/a_k = (a_0 ... a_{k-1}) / (a_0 ... a_k).
     Half& here = at.halves[0];
     std::vector<Residue> products{montgomery.enter(1)};
+    products.reserve(point.values.size() + 1);
+    for (Half& half : at.halves) {
+        half.values.reserve(point.values.size());
+        half.inverses.reserve(point.values.size());
+    }
     for (const Residue g : point.values) {
         here.values.push_back(montgomery.enter(g));
         products.push_back(montgomery.multiply(products.back(), here.values.back()));
@@ -149,12 +161,12 @@ inline void PointReader::read_term(const Fractions& part, std::size_t k) {
 inline void PointReader::add_term(Wanted& wanted) {
     const auto side = static_cast<std::size_t>(wanted.side_);
     const auto words = static_cast<std::size_t>(exponents_.words());
-    Wanted::Sums values;
+    std::array<std::int64_t, most_points> values;
     for (std::size_t j = 0; j < points_.size(); ++j) {
         AtPoint& at = points_[j];
         Half& half = at.halves[side];
         multiply_words(at, half, fresh_[side]);
-        values[j] = static_cast<Signed>(at.montgomery.multiply(at.number, half.products[words]));
+        values[j] = static_cast<std::int64_t>(at.montgomery.multiply(at.number, half.products[words]));
         wanted.sum_[j] += values[j];
     }
     fresh_[side] = exponents_.words();
@@ -164,7 +176,7 @@ inline void PointReader::add_term(Wanted& wanted) {
             const int place = wanted.place_[static_cast<std::size_t>(p.id)];
             if (place < 0) continue;
             Wanted::Sums& sum = wanted.slopes_[static_cast<std::size_t>(place)].sum;
-            for (std::size_t j = 0; j < points_.size(); ++j) sum[j] += values[j] * p.exponent;
+            for (std::size_t j = 0; j < points_.size(); ++j) sum[j] += Signed{values[j]} * p.exponent;
         }
 }
 

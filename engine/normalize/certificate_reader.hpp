@@ -24,9 +24,10 @@ public:
     };
 
     explicit ExponentReader(const Ring& ring);
+    // Through the last word of these generators: the exponents of later ones count as 0.
+    ExponentReader(const Ring& ring, const std::vector<GeneratorId>& through);
 
     [[nodiscard]] int words() const { return words_; }
-    [[nodiscard]] int word_of(GeneratorId id) const { return id / per_word_; }
     // The first word in which m differs from the monomial read before; words() if there is none.
     int read(const Monomial& m);
     [[nodiscard]] std::span<const Power> powers(int word) const {
@@ -58,7 +59,7 @@ class PointReader {
 public:
     static constexpr std::size_t most_points = 4;
     // 1 ... most_points of them, at which no generator is zero.
-    PointReader(const Ring& ring, const std::vector<Point>& points);
+    PointReader(const Ring& ring, std::span<const Point> points);
 
     // The sum of all terms, and its derivatives by some generators, at each point.
     class Wanted {

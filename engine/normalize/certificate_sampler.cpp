@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace resonform {
 
@@ -12,26 +13,20 @@ namespace {
 constexpr int attempts_per_prime = 16;
 constexpr int primes_per_search = 1 << 18; // a second or two
 
-Residue evaluate_at(const Ring& ring, const Polynomial& p, const Point& point) {
-    const PrimeField& f = point.field;
-    Residue sum = 0;
-    for (const Term& term : p.terms()) {
-        const std::optional<Residue> coefficient = f.from(term.coefficient);
-        if (!coefficient) throw UnluckyPoint();
-        Residue product = *coefficient;
-        const std::vector<int> exponents = ring.exponents(term.monomial);
-        for (std::size_t id = 0; id < exponents.size(); ++id)
-            if (exponents[id] != 0) product = f.multiply(product, f.power(point.values[id], exponents[id]));
-        sum = f.add(sum, product);
-    }
-    return sum;
-}
-
 } // namespace
 
 PointSampler::PointSampler(const Ring& ring, std::uint64_t seed)
-    : ring_(ring), random_(seed), root_of_(static_cast<std::size_t>(ring.size()), -1) {
+    : ring_(ring), random_(seed), root_of_(static_cast<std::size_t>(ring.size()), -1),
+      radicands_(static_cast<std::size_t>(ring.size())) {
     draw_powers();
+    for (GeneratorId root = 0; root < ring.size(); ++root)
+        for (const Term& term : ring.generator(root).radicand.terms()) {
+            const std::vector<int> exponents = ring.exponents(term.monomial);
+            std::vector<std::pair<std::size_t, int>> powers;
+            for (std::size_t id = 0; id < exponents.size(); ++id)
+                if (exponents[id] != 0) powers.emplace_back(id, exponents[id]);
+            radicands_[static_cast<std::size_t>(root)].push_back({term.coefficient, std::move(powers)});
+        }
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
         const bool drawn = std::find(root_of_.begin(), root_of_.end(), id) != root_of_.end();
@@ -64,8 +59,12 @@ Point PointSampler::next() {
         const PrimeField field(random_prime(random_));
         if (!has_roots_of_numbers(field)) continue;
         const Residue i = field.imaginary_unit();
+        Point point{field, std::vector<Residue>(static_cast<std::size_t>(ring_.size()))};
         for (int k = 0; k < attempts_per_prime; ++k)
-            if (std::optional<Point> point = attempt(field, i)) return *std::move(point);
+            if (attempt(point, i)) {
+                draw_variables(point);
+                return point;
+            }
     }
     refuse({"a random point at which all roots of the ring exist is found",
             std::to_string(witnesses_.size()),
@@ -79,7 +78,8 @@ void PointSampler::prove_roots_independent() {
     };
     for (int n = 0; n < primes_per_search && missing() != witnesses_.end(); ++n) {
         const PrimeField field(random_prime(random_));
-        attempt(field, field.imaginary_unit());
+        Point point{field, std::vector<Residue>(static_cast<std::size_t>(ring_.size()))};
+        attempt(point, field.imaginary_unit());
     }
     if (const auto witness = missing(); witness != witnesses_.end())
         refuse(
@@ -90,8 +90,17 @@ void PointSampler::prove_roots_independent() {
              {}});
 }
 
-std::optional<Point> PointSampler::attempt(const PrimeField& field, Residue i) {
-    Point point{field, std::vector<Residue>(static_cast<std::size_t>(ring_.size()), 0)};
+void PointSampler::draw_variables(Point& point) {
+    for (GeneratorId id = 0; id < ring_.size(); ++id) {
+        const GeneratorKind kind = ring_.generator(id).kind;
+        if (kind == GeneratorKind::fast || kind == GeneratorKind::small || kind == GeneratorKind::phase)
+            point.values[static_cast<std::size_t>(id)] = point.field.random_unit(random_);
+    }
+}
+
+bool PointSampler::attempt(Point& point, Residue i) {
+    const PrimeField& field = point.field;
+    std::fill(point.values.begin(), point.values.end(), 0);
     for (GeneratorId id = 0; id < ring_.size(); ++id) {
         const Generator& g = ring_.generator(id);
         Residue& value = point.values[static_cast<std::size_t>(id)];
@@ -99,7 +108,7 @@ std::optional<Point> PointSampler::attempt(const PrimeField& field, Residue i) {
         case GeneratorKind::imaginary: value = i; break;
         case GeneratorKind::fast:
         case GeneratorKind::small:
-        case GeneratorKind::phase: value = field.random_unit(random_); break;
+        case GeneratorKind::phase: break; // no root has them
         case GeneratorKind::parameter:
         case GeneratorKind::slow: {
             const Residue random = field.random_unit(random_);
@@ -113,7 +122,7 @@ std::optional<Point> PointSampler::attempt(const PrimeField& field, Residue i) {
             if (value != 0) break; // drawn with its radicand
             const std::optional<Residue> here =
                 g.kind == GeneratorKind::root ? root_value(point, id) : function_value(point, g);
-            if (!here || *here == 0) return std::nullopt;
+            if (!here || *here == 0) return false;
             value = *here;
             break;
         }
@@ -125,7 +134,7 @@ std::optional<Point> PointSampler::attempt(const PrimeField& field, Residue i) {
                     {}});
         }
     }
-    return point;
+    return true;
 }
 
 // They exist modulo a prime or not, whatever the point.
@@ -145,10 +154,19 @@ bool PointSampler::has_roots_of_numbers(const PrimeField& field) {
 
 std::optional<Residue> PointSampler::root_value(const Point& point, GeneratorId id) {
     const Generator& g = ring_.generator(id);
-    const Residue radicand = evaluate_at(ring_, g.radicand, point);
+    const PrimeField& f = point.field;
+    Residue radicand = 0;
+    for (const RadicandTerm& term : radicands_[static_cast<std::size_t>(id)]) {
+        const std::optional<Residue> coefficient = f.from(term.coefficient);
+        if (!coefficient) throw UnluckyPoint();
+        Residue product = *coefficient;
+        for (const auto& [of, power] : term.powers)
+            product = f.multiply(product, f.power(point.values[of], power));
+        radicand = f.add(radicand, product);
+    }
     if (radicand == 0) return std::nullopt;
-    observe(point.field, id, radicand);
-    return point.field.root(radicand, g.index);
+    observe(f, id, radicand);
+    return f.root(radicand, g.index);
 }
 
 // A point of the circle: s = 2 t/(1 + t^2), c = (1 - t^2)/(1 + t^2) = s (1 - t^2)/(2 t). Other functions are
@@ -170,7 +188,7 @@ void PointSampler::observe(const PrimeField& field, GeneratorId root, Residue ra
             continue;
         const auto exponent =
             static_cast<std::int64_t>((field.prime() - 1) / static_cast<std::uint64_t>(w.prime));
-        w.found = field.power(radicand, exponent) != 1;
+        w.found = w.prime == 2 ? !field.is_square(radicand) : field.power(radicand, exponent) != 1;
     }
 }
 

@@ -9,6 +9,7 @@
 #include <exception>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -48,9 +49,15 @@ private:
         bool found;
     };
 
+    struct RadicandTerm {
+        Rational coefficient;
+        std::vector<std::pair<std::size_t, int>> powers; // of generators
+    };
+
     void draw_powers();
-    // With a root of -1.
-    std::optional<Point> attempt(const PrimeField& field, Residue i);
+    // All but fast and small variables and phases, with a root of -1; whether all roots exist.
+    bool attempt(Point& point, Residue i);
+    void draw_variables(Point& point);
     bool has_roots_of_numbers(const PrimeField& field);
     std::optional<Residue> root_value(const Point& point, GeneratorId id);
     std::optional<Residue> function_value(const Point& point, const Generator& g);
@@ -59,8 +66,9 @@ private:
     const Ring& ring_;
     std::mt19937_64 random_;
     std::vector<Witness> witnesses_;
-    std::vector<GeneratorId> root_of_; // by generator: the root that it is drawn by, -1
-    Residue half_tangent_ = 0;         // of the sine that was drawn last; its cosine comes right after it
+    std::vector<GeneratorId> root_of_;                 // by generator: the root that it is drawn by, -1
+    std::vector<std::vector<RadicandTerm>> radicands_; // by generator
+    Residue half_tangent_ = 0; // of the sine that was drawn last; its cosine comes right after it
 };
 
 } // namespace resonform

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace resonform {
 
@@ -91,32 +90,31 @@ std::string first_complaint(const Ring& ring, const Item& item, ExponentReader& 
     return "";
 }
 
-// Weight and negative powers of what monomials begin with, by word.
-class Shape {
-public:
-    Shape(const Ring& ring, const ExponentReader& reader) : ring_(ring), reader_(reader) {}
+bool has_shape(const Ring& ring, const Item& item, const Survey& survey) {
+    if (survey.is_empty()) return true;
+    if (!survey.homogeneous || survey.first < item.from || survey.last > item.to) return false;
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        if (survey.lowest[static_cast<std::size_t>(id)] < 0 && !ring.generator(id).invertible) return false;
+    return true;
+}
 
-    void read(int from) {
-        for (int word = from; word < reader_.words(); ++word) {
-            const auto w = static_cast<std::size_t>(word);
-            weights_[w + 1] = weights_[w];
-            forbidden_[w + 1] = forbidden_[w];
-            for (const auto& [id, exponent] : reader_.powers(word)) {
-                const Generator& g = ring_.generator(id);
-                weights_[w + 1] += exponent * g.weight;
-                if (exponent < 0 && !g.invertible) forbidden_[w + 1] = true;
-            }
+// Of a series without the shape.
+std::string misshapen_term(const Ring& ring, const Item& item) {
+    ExponentReader reader(ring);
+    return first_complaint(ring, item, reader, [&](int n, int /*word*/) -> const char* {
+        if (n < item.from || n > item.to) return "stands outside the weights of the series";
+        int weight = 0;
+        bool forbidden = false;
+        for (GeneratorId id = 0; id < ring.size(); ++id) {
+            const Generator& g = ring.generator(id);
+            const int exponent = reader.exponents()[static_cast<std::size_t>(id)];
+            weight += exponent * g.weight;
+            forbidden = forbidden || (exponent < 0 && !g.invertible);
         }
-    }
-    [[nodiscard]] int weight() const { return weights_[static_cast<std::size_t>(reader_.words())]; }
-    [[nodiscard]] bool is_forbidden() const { return forbidden_[static_cast<std::size_t>(reader_.words())]; }
-
-private:
-    const Ring& ring_;
-    const ExponentReader& reader_;
-    std::array<int, 5> weights_{};
-    std::array<bool, 5> forbidden_{};
-};
+        if (weight != n) return "has another weight";
+        return forbidden ? "has a negative power of what may vanish" : nullptr;
+    });
+}
 
 // In the style hamiltonian each modal coordinate has one partner.
 std::string brackets_complaint(const NormalForm& normal_form) {
@@ -138,7 +136,7 @@ std::string brackets_complaint(const NormalForm& normal_form) {
 
 } // namespace
 
-std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map) {
+std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map, Surveyor& surveys) {
     const GradedField& field = *normal_form.field;
     const Ring& ring = *field.ring;
     if (normal_form.through < 1 || map.through != normal_form.through)
@@ -152,19 +150,9 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
     if (!complete(normal_form) || !complete(map))
         return "normal form and map do not have one series for each variable";
     if (std::string complaint = brackets_complaint(normal_form); !complaint.empty()) return complaint;
-    ExponentReader reader(ring);
-    Shape shape(ring, reader);
-    for (const Item& item : items(normal_form, map)) {
-        const auto wrong = [&](int n, int from) -> const char* {
-            shape.read(from);
-            if (n < item.from || n > item.to) return "stands outside the weights of the series";
-            if (shape.weight() != n) return "has another weight";
-            if (shape.is_forbidden()) return "has a negative power of what may vanish";
-            return nullptr;
-        };
-        if (std::string complaint = first_complaint(ring, item, reader, wrong); !complaint.empty())
-            return complaint;
-    }
+    for (const Item& item : items(normal_form, map))
+        if (!has_shape(ring, item, surveys(*item.series)))
+            if (std::string complaint = misshapen_term(ring, item); !complaint.empty()) return complaint;
     return "";
 }
 
@@ -175,17 +163,15 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
     // In a linear part that is not semisimple, monomials with D = 0 stand in both
     // (certificate_inner_product).
     const bool shared = normal_form.style == Style::inner_product && !field.is_semisimple();
-    ExponentReader reader(*field.ring);
     const std::vector<GeneratorId> outer = field.outer();
-    int last_word = 0; // that outer generators stand in
-    for (const GeneratorId id : outer) last_word = std::max(last_word, reader.word_of(id));
-    std::vector<int> powers, last; // of the outer generators
+    ExponentReader reader(*field.ring, outer); // no other exponents are asked for
+    std::vector<int> powers, last;             // of the outer generators
     for (const Item& item : items(normal_form, map)) {
         if (!item.scanned) continue;
         last.clear();
         // Asked once for neighbours that agree in their outer generators.
         const auto wrong = [&](int /*weight*/, int from) -> const char* {
-            if (from > last_word && !last.empty()) return nullptr;
+            if (from == reader.words() && !last.empty()) return nullptr;
             const std::vector<int>& exponents = reader.exponents();
             powers.clear();
             for (const GeneratorId id : outer) powers.push_back(exponents[static_cast<std::size_t>(id)]);

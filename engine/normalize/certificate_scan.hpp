@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algebra/modular.hpp"
+#include "normalize/certificate_survey.hpp"
 #include "normalize/normal_form.hpp"
 
 #include <string>
@@ -14,7 +15,7 @@ namespace resonform {
 
 // One series for each variable, part n homogeneous of weight n; N from the weight of the mode, 0 (angles) or
 // 1 on, the map from 1 on; nothing beyond M, no negative power of what may vanish.
-std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map);
+std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map, Surveyor& surveys);
 
 // What the scan knows of one random point modulo a prime.
 struct FrequencySample {

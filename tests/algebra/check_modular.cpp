@@ -84,6 +84,16 @@ TEST(PrimeField, a_root_is_found_exactly_when_there_is_one) {
     }
 }
 
+TEST(PrimeField, squares_are_told_as_by_powers) {
+    std::mt19937_64 random(8);
+    for (int n = 0; n < 200; ++n) {
+        const PrimeField f(n % 2 == 0 ? random_prime(random) : small_primes.back());
+        const Residue a = f.random_unit(random);
+        EXPECT_EQ(f.is_square(a), f.power(a, static_cast<std::int64_t>((f.prime() - 1) / 2)) == 1);
+        EXPECT_TRUE(f.is_square(f.multiply(a, a)));
+    }
+}
+
 TEST(PrimeField, powers_modulo_large_primes_have_roots) {
     std::mt19937_64 random(5);
     for (int n = 0; n < 100; ++n) {

@@ -185,7 +185,7 @@ TEST(PointSampler, PointsSatisfyTheRelations) {
     for (int n = 0; n < 20; ++n) {
         const Point point = sampler.next();
         const Montgomery montgomery(point.field);
-        PointReader reader(ring, {point});
+        PointReader reader(ring, {&point, 1});
         const auto at = [&](const Polynomial& p) {
             Residue sum = 0;
             for (const Residue term : reader.terms(p.fractions())) sum = montgomery.add(sum, term);

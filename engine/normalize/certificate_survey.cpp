@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normalize/certificate_survey.hpp"
+
+#include "algebra/fractions.hpp"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+
+namespace resonform {
+
+namespace {
+
+// Numerators over a common denominator: their largest, and the bits of the denominator.
+struct NumberBits {
+    mpz_class denominator = 1;
+    double numerator = 0;
+
+    void include(const Fractions& part) {
+        mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), part.denominator.get_mpz_t());
+    }
+    void include_numerators(const Fractions& part) {
+        const auto own = static_cast<double>(mpz_sizeinbase(part.denominator.get_mpz_t(), 2));
+        numerator = std::max(numerator, static_cast<double>(part.bits()) + denominator_bits() - own + 1);
+    }
+    [[nodiscard]] double denominator_bits() const {
+        return static_cast<double>(mpz_sizeinbase(denominator.get_mpz_t(), 2));
+    }
+};
+
+} // namespace
+
+int Survey::exponent(GeneratorId id) const {
+    const auto k = static_cast<std::size_t>(id);
+    return std::max(-lowest[k], highest[k]);
+}
+
+Surveyor::Surveyor(const Ring& ring) : ring_(ring) {
+    sizes_.reserve(static_cast<std::size_t>(ring.size()));
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        GeneratorSize size{g.kind == GeneratorKind::imaginary ? 0.0 : 1.0, 0, g.weight};
+        if (g.kind == GeneratorKind::root) {
+            const Size radicand = size_of(g.radicand); // of generators before it
+            size.denominator = radicand.denominator;
+            size.degree = std::max(1.0, std::ceil(radicand.degree / g.index)) + radicand.denominator;
+        }
+        if (is_circle(id)) size.degree = size.denominator = 2;
+        sizes_.push_back(size);
+    }
+}
+
+bool Surveyor::is_circle(GeneratorId id) const {
+    const Generator& g = ring_.generator(id);
+    return g.kind == GeneratorKind::function &&
+           (g.of.function == Function::sine || g.of.function == Function::cosine);
+}
+
+const Survey& Surveyor::operator()(const Series& s) {
+    const auto [known, is_new] = known_.try_emplace(&s);
+    if (is_new) known->second = read(s);
+    return known->second;
+}
+
+auto Surveyor::add(Sums sums, std::span<const ExponentReader::Power> word, Survey& survey) const -> Sums {
+    for (const auto& [generator, e] : word) {
+        const auto id = static_cast<std::size_t>(generator);
+        survey.lowest[id] = std::min(survey.lowest[id], e);
+        survey.highest[id] = std::max(survey.highest[id], e);
+        sums.weight += sizes_[id].weight * e;
+        sums.degree += sizes_[id].degree * e;
+        sums.own += sizes_[id].denominator * std::abs(e);
+    }
+    return sums;
+}
+
+// The norm is at most denominator + terms * (largest numerator), over the common denominator of the numbers
+// and the lowest power of each generator.
+Survey Surveyor::read(const Series& s) const {
+    Survey survey;
+    survey.lowest.assign(static_cast<std::size_t>(ring_.size()), 0);
+    survey.highest = survey.lowest;
+    std::size_t terms = 0;
+    double degree = 0, own = 0; // the largest of all monomials
+    NumberBits numbers;
+    ExponentReader exponents(ring_);
+    const auto words = static_cast<std::size_t>(exponents.words());
+    std::array<Sums, 5> sums{};
+    for (int n = 0; n <= s.through(); ++n) {
+        if (s.part(n).empty()) continue;
+        const Fractions& part = s.part(n).fractions();
+        if (survey.is_empty()) survey.first = n;
+        survey.last = n;
+        terms += part.size();
+        numbers.include(part);
+        for (const Monomial& m : part.monomials) {
+            for (int from = exponents.read(m); from < exponents.words(); ++from) {
+                const auto word = static_cast<std::size_t>(from);
+                sums[word + 1] = add(sums[word], exponents.powers(from), survey);
+            }
+            survey.homogeneous = survey.homogeneous && sums[words].weight == n;
+            degree = std::max(degree, sums[words].degree);
+            own = std::max(own, sums[words].own);
+        }
+    }
+    if (survey.is_empty()) return survey;
+    for (int n = survey.first; n <= survey.last; ++n)
+        if (!s.part(n).empty()) numbers.include_numerators(s.part(n).fractions());
+    Size& size = survey.size;
+    for (std::size_t id = 0; id < sizes_.size(); ++id)
+        size.denominator -= sizes_[id].degree * survey.lowest[id];
+    size.denominator += own;
+    size.degree = size.denominator + degree;
+    const double numerator_bits = numbers.numerator + std::log2(static_cast<double>(terms + 1));
+    size.bits = 1 + std::max(numbers.denominator_bits(), numerator_bits) + own;
+    return survey;
+}
+
+} // namespace resonform
