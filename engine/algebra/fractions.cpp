@@ -24,8 +24,22 @@ std::size_t significant_limbs(const mp_limb_t* limbs, std::size_t count) {
     return count;
 }
 
+void swap_terms(Fractions& f, std::size_t a, std::size_t b) {
+    std::swap(f.monomials[a], f.monomials[b]);
+    std::swap(f.negative[a], f.negative[b]);
+    mp_limb_t* limbs = f.magnitudes.data();
+    std::swap_ranges(limbs + a * f.limbs, limbs + (a + 1) * f.limbs, limbs + b * f.limbs);
+}
+
 void sort_by_monomial(Fractions& f) {
     if (std::is_sorted(f.monomials.begin(), f.monomials.end())) return;
+    constexpr std::size_t few = 12; // sorted where they are
+    if (f.size() <= few) {
+        for (std::size_t k = 1; k < f.size(); ++k)
+            for (std::size_t j = k; j > 0 && f.monomials[j] < f.monomials[j - 1]; --j)
+                swap_terms(f, j, j - 1);
+        return;
+    }
     std::vector<std::uint32_t> order(f.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(),
@@ -42,15 +56,14 @@ void sort_by_monomial(Fractions& f) {
 mpz_class common_factor(const Fractions& f) {
     mpz_class factor = f.denominator;
     mpz_t numerator;
-    for (std::size_t k = 0; k < f.size() && factor != 1; ++k) {
-        if (mpz_size(factor.get_mpz_t()) == 1) {
-            factor = mpn_gcd_1(f.magnitude(k), static_cast<mp_size_t>(f.limbs), factor.get_ui());
-        } else {
-            const mpz_srcptr n = mpz_roinit_n(numerator, f.magnitude(k), static_cast<mp_size_t>(f.limbs));
-            mpz_gcd(factor.get_mpz_t(), factor.get_mpz_t(), n);
-        }
-    }
-    return factor;
+    for (std::size_t k = 0; k < f.size() && mpz_size(factor.get_mpz_t()) > 1; ++k)
+        mpz_gcd(factor.get_mpz_t(), factor.get_mpz_t(),
+                mpz_roinit_n(numerator, f.magnitude(k), static_cast<mp_size_t>(f.limbs)));
+    mp_limb_t word = factor.get_ui();
+    if (mpz_size(factor.get_mpz_t()) > 1) return factor;
+    for (std::size_t k = 0; k < f.size() && word != 1; ++k)
+        word = mpn_gcd_1(f.magnitude(k), static_cast<mp_size_t>(f.limbs), word);
+    return word;
 }
 
 void divide_numerators(Fractions& f, const mpz_class& factor) {
@@ -106,6 +119,7 @@ void Fractions::append(const Monomial& monomial, const Fractions& from, std::siz
 }
 
 mpz_class to_mpz(const Integer& value) {
+    if (cln::integer_length(value) < 63) return cln::cl_I_to_long(value);
     const Integer size = cln::abs(value);
     mpz_class result;
     const std::size_t limbs = (cln::integer_length(size) + 63) / 64;
@@ -119,7 +133,18 @@ mpz_class to_mpz(const Integer& value) {
     return result;
 }
 
-Fractions constant_fraction(const Rational& value) { return to_fractions({Term{Monomial{}, value}}); }
+Fractions constant_fraction(const Rational& value) {
+    Fractions f;
+    f.denominator = to_mpz(cln::denominator(value));
+    const mpz_class numerator = to_mpz(cln::numerator(value));
+    const mpz_srcptr limbs = numerator.get_mpz_t();
+    f.monomials.emplace_back();
+    f.limbs = std::max<std::size_t>(1, mpz_size(limbs));
+    f.magnitudes.resize(f.limbs, 0);
+    std::copy_n(mpz_limbs_read(limbs), mpz_size(limbs), f.magnitudes.begin());
+    f.negative.push_back(sgn(numerator) < 0 ? 1 : 0);
+    return f;
+}
 
 Fractions to_fractions(const std::vector<Term>& terms) {
     Integer denominator = 1;
@@ -155,10 +180,12 @@ std::vector<Term> to_terms(const Fractions& f) {
 }
 
 void make_canonical(Fractions& f) {
-    const mpz_class factor = common_factor(f);
-    if (factor != 1) {
-        divide_numerators(f, factor);
-        mpz_divexact(f.denominator.get_mpz_t(), f.denominator.get_mpz_t(), factor.get_mpz_t());
+    if (f.denominator != 1) {
+        const mpz_class factor = common_factor(f);
+        if (factor != 1) {
+            divide_numerators(f, factor);
+            mpz_divexact(f.denominator.get_mpz_t(), f.denominator.get_mpz_t(), factor.get_mpz_t());
+        }
     }
     trim(f);
     sort_by_monomial(f);

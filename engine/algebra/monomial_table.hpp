@@ -19,10 +19,9 @@ public:
         return m.word[0] * 0x9E3779B97F4A7C15ULL + m.word[1] * 0xBF58476D1CE4E5B9ULL +
                m.word[2] * 0x94D049BB133111EBULL + m.word[3] * 0xD6E8FEB86659FD93ULL;
     }
-    [[nodiscard]] static std::vector<std::uint64_t> hashes(const std::vector<Monomial>& monomials) {
-        std::vector<std::uint64_t> result(monomials.size());
-        for (std::size_t k = 0; k < result.size(); ++k) result[k] = hash(monomials[k]);
-        return result;
+    static void hash_all(const std::vector<Monomial>& monomials, std::vector<std::uint64_t>& hashes) {
+        hashes.resize(monomials.size());
+        for (std::size_t k = 0; k < hashes.size(); ++k) hashes[k] = hash(monomials[k]);
     }
 
     // The number of m; a new one is appended.
@@ -43,6 +42,7 @@ public:
 private:
     void grow() {
         slots_.assign(slots_.empty() ? 32 : 2 * slots_.size(), 0);
+        monomials_.reserve(slots_.size() / 2);
         shift_ = slots_.size() == 32 ? 59 : shift_ - 1;
         for (std::size_t k = 0; k < monomials_.size(); ++k) {
             std::size_t s = hash(monomials_[k]) >> shift_;

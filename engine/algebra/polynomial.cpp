@@ -100,8 +100,9 @@ Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>
     if (present.size() == 1 && present.front()->first == 1) return *present.front()->second;
     const Fractions one = constant_fraction(1);
     std::vector<FractionProduct> products;
+    products.reserve(present.size());
     for (const auto* addend : present)
-        products.push_back(scaled_product(addend->first, addend->second->fractions(), one));
+        products.push_back({&addend->second->fractions(), &one, addend->first});
     return Polynomial::from_fractions(sum_of_products(products));
 }
 

@@ -7,8 +7,11 @@
 #include <array>
 #include <bit>
 #include <cstdlib>
+#include <deque>
 #include <future>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -18,12 +21,12 @@ namespace {
 __extension__ using Wide = __int128;
 __extension__ using UnsignedWide = unsigned __int128;
 
-// The products over the common denominator D of all of them: left and right are whole numbers, and
-// their product is numerator over D.
+// A product over the common denominator D of all of them: factor * left * right is numerator over D.
 struct WholeProduct {
     const Fractions* left;
     const Fractions* right;
-    Fractions scaled_left; // used if the left factor had to be multiplied; its denominator is not looked at
+    std::int64_t factor;
+    std::size_t bits; // of the largest numerator, with the factor
 };
 
 // product = a b; it has as many limbs as both together.
@@ -51,29 +54,85 @@ Fractions times(const Fractions& f, const mpz_class& factor) {
     return result;
 }
 
-// Fills `whole`, returns D.
-mpz_class over_common_denominator(const std::vector<FractionProduct>& products,
-                                  std::vector<WholeProduct>& whole) {
+std::size_t bits_of(std::int64_t factor) {
+    return factor == 1 || factor == -1
+               ? 0
+               : static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(factor))));
+}
+
+WholeProduct whole_product(const Fractions& a, const Fractions& b, std::int64_t factor) {
+    const bool swap = b.size() < a.size();
+    return {swap ? &b : &a, swap ? &a : &b, factor, a.bits() + b.bits() + bits_of(factor)};
+}
+
+bool is_zero(const FractionProduct& p) {
+    return p.left->size() == 0 || p.right->size() == 0 || cln::zerop(p.factor);
+}
+
+// Small enough for products of three to be seen to overflow.
+std::optional<std::int64_t> in_word(const Integer& n) {
+    return cln::integer_length(n) < 62 ? std::optional<std::int64_t>(cln::cl_I_to_long(n)) : std::nullopt;
+}
+std::optional<std::int64_t> in_word(const mpz_class& n) {
+    return n.fits_slong_p() && mpz_sizeinbase(n.get_mpz_t(), 2) < 62 ? std::optional<std::int64_t>(n.get_si())
+                                                                     : std::nullopt;
+}
+std::optional<std::int64_t> product_in_word(std::optional<std::int64_t> a, std::optional<std::int64_t> b) {
+    if (!a || !b) return std::nullopt;
+    const Wide product = static_cast<Wide>(*a) * *b;
+    constexpr Wide largest = Wide{1} << 61;
+    return -largest < product && product < largest ? std::optional(static_cast<std::int64_t>(product))
+                                                   : std::nullopt;
+}
+
+// Fills `whole`, returns D; nullopt if a number does not fit into a word.
+std::optional<std::int64_t> over_word(const std::vector<FractionProduct>& products,
+                                      std::vector<WholeProduct>& whole) {
+    std::int64_t common = 1;
+    std::vector<std::int64_t> own; // denominators
+    own.reserve(products.size());
+    for (const FractionProduct& p : products) {
+        const auto operands = product_in_word(in_word(p.left->denominator), in_word(p.right->denominator));
+        const auto denominator = product_in_word(operands, in_word(cln::denominator(p.factor)));
+        if (!denominator) return std::nullopt;
+        own.push_back(*denominator);
+        if (*denominator == common) continue;
+        const auto multiple = product_in_word(common / std::gcd(common, *denominator), denominator);
+        if (!multiple) return std::nullopt;
+        common = *multiple;
+    }
+    whole.reserve(products.size());
+    for (std::size_t k = 0; k < products.size(); ++k) {
+        const FractionProduct& p = products[k];
+        if (is_zero(p)) continue;
+        const auto factor = product_in_word(in_word(cln::numerator(p.factor)), common / own[k]);
+        if (!factor) return std::nullopt;
+        whole.push_back(whole_product(*p.left, *p.right, *factor));
+    }
+    return common;
+}
+
+// The same for numbers of any size; factors that do not fit are multiplied into `scaled`.
+mpz_class over_any(const std::vector<FractionProduct>& products, std::vector<WholeProduct>& whole,
+                   std::deque<Fractions>& scaled) {
     mpz_class common = 1;
     std::vector<mpz_class> own;
     for (const FractionProduct& p : products) {
-        own.push_back(p.left->denominator * p.right->denominator * p.denominator);
+        own.push_back(p.left->denominator * p.right->denominator * to_mpz(cln::denominator(p.factor)));
         if (own.back() != common) common = lcm(common, own.back());
     }
     for (std::size_t k = 0; k < products.size(); ++k) {
         const FractionProduct& p = products[k];
-        if (p.left->size() == 0 || p.right->size() == 0 || sgn(p.numerator) == 0) continue;
-        const bool swap = p.right->size() < p.left->size();
-        WholeProduct w{swap ? p.right : p.left, swap ? p.left : p.right, {}};
-        const mpz_class factor = p.numerator * (common / own[k]);
-        if (factor != 1) {
-            w.scaled_left = times(*w.left, factor);
-            w.left = nullptr;
+        if (is_zero(p)) continue;
+        const mpz_class factor = to_mpz(cln::numerator(p.factor)) * (common / own[k]);
+        if (const auto word = in_word(factor)) {
+            whole.push_back(whole_product(*p.left, *p.right, *word));
+            continue;
         }
-        whole.push_back(std::move(w));
+        const bool swap = p.right->size() < p.left->size();
+        scaled.push_back(times(swap ? *p.right : *p.left, factor));
+        whole.push_back(whole_product(scaled.back(), swap ? *p.left : *p.right, 1));
     }
-    for (WholeProduct& w : whole)
-        if (w.left == nullptr) w.left = &w.scaled_left;
     return common;
 }
 
@@ -81,19 +140,23 @@ mpz_class over_common_denominator(const std::vector<FractionProduct>& products,
 std::size_t bits_of_sums(const std::vector<WholeProduct>& products) {
     std::size_t bits = 0, summands = 0;
     for (const WholeProduct& p : products) {
-        bits = std::max(bits, p.left->bits() + p.right->bits());
+        bits = std::max(bits, p.bits);
         summands += std::min(p.left->size(), p.right->size());
     }
     return bits + static_cast<std::size_t>(std::bit_width(summands)) + 1;
 }
 
-template <class Sum> std::vector<Sum> signed_numerators(const Fractions& f) {
-    std::vector<Sum> result(f.size());
-    for (std::size_t k = 0; k < f.size(); ++k) {
-        const Sum magnitude = static_cast<Sum>(f.magnitudes[k]);
-        result[k] = f.negative[k] != 0 ? -magnitude : magnitude;
-    }
-    return result;
+// All numerators have one limb, and what is summed fits into a word or two.
+bool fits_words(const std::vector<WholeProduct>& products, std::size_t bits) {
+    return bits <= 128 && std::all_of(products.begin(), products.end(), [](const WholeProduct& p) {
+               return p.left->limbs == 1 && p.right->limbs == 1 && p.left->bits() < 64 &&
+                      p.right->bits() < 64;
+           });
+}
+
+template <class Sum> Sum signed_numerator(const Fractions& f, std::size_t k) {
+    const Sum magnitude = static_cast<Sum>(f.magnitudes[k]);
+    return f.negative[k] != 0 ? -magnitude : magnitude;
 }
 
 template <class Sum> void store(Fractions& f, Sum value) {
@@ -106,6 +169,15 @@ template <class Sum> void store(Fractions& f, Sum value) {
         f.magnitudes.push_back(static_cast<mp_limb_t>(magnitude >> 64));
 }
 
+template <class Sum> Fractions room_for(std::size_t terms) {
+    Fractions f;
+    f.limbs = sizeof(Sum) / sizeof(mp_limb_t);
+    f.monomials.reserve(terms);
+    f.negative.reserve(terms);
+    f.magnitudes.reserve(terms * f.limbs);
+    return f;
+}
+
 // The monomials of a sum that are collected together: all, or those in which one exponent is odd (even).
 // Parities add in a product, so that the pairs of a share are known beforehand.
 class Share {
@@ -114,6 +186,7 @@ public:
     Share(const Packing& packing, int field, unsigned parity)
         : packing_(&packing), field_(field), wanted_(parity) {}
 
+    [[nodiscard]] bool is_all() const { return packing_ == nullptr; }
     [[nodiscard]] unsigned parity(const Monomial& m) const {
         return packing_ == nullptr ? 0 : static_cast<unsigned>(packing_->exponent(m, field_)) & 1U;
     }
@@ -132,32 +205,72 @@ private:
 };
 
 // All numerators of the operands have one limb, all sums fit into Sum.
-template <class Sum> Fractions sum_in_words(const std::vector<WholeProduct>& products, const Share& share) {
-    MonomialTable table;
-    std::vector<Sum> sums;
-    for (const WholeProduct& p : products) {
-        const std::vector<Sum> left = signed_numerators<Sum>(*p.left),
-                               right = signed_numerators<Sum>(*p.right);
-        const std::vector<std::uint64_t> hashes = MonomialTable::hashes(p.right->monomials);
-        const auto partners = share.partners(*p.right);
-        for (std::size_t i = 0; i < left.size(); ++i) {
+template <class Sum> class WordSums {
+public:
+    void add(const WholeProduct& p, const Share& share) {
+        const Fractions &left = *p.left, &right = *p.right;
+        right_.resize(right.size());
+        for (std::size_t j = 0; j < right.size(); ++j) right_[j] = signed_numerator<Sum>(right, j);
+        MonomialTable::hash_all(right.monomials, hashes_);
+        if (share.is_all())
+            return add_pairs(p, [&](std::size_t, auto pair) {
+                for (std::size_t j = 0; j < right.size(); ++j) pair(j);
+            });
+        const auto partners = share.partners(right);
+        add_pairs(p, [&](std::size_t i, auto pair) {
+            for (const std::uint32_t j : partners[share.parity(left.monomials[i])]) pair(j);
+        });
+    }
+
+    [[nodiscard]] Fractions numerators() const {
+        const auto zeros = std::count(sums_.begin(), sums_.end(), Sum{0});
+        Fractions result = room_for<Sum>(sums_.size() - static_cast<std::size_t>(zeros));
+        for (std::size_t k = 0; k < sums_.size(); ++k) {
+            if (sums_[k] == 0) continue;
+            result.monomials.push_back(table_.monomials()[k]);
+            store(result, sums_[k]);
+        }
+        return result;
+    }
+
+private:
+    // partners(i, pair) calls pair(j) for the right factors j that the left factor i meets.
+    template <class Partners> void add_pairs(const WholeProduct& p, Partners partners) {
+        for (std::size_t i = 0; i < p.left->size(); ++i) {
             const Monomial& m = p.left->monomials[i];
             const std::uint64_t hash = MonomialTable::hash(m);
-            for (const std::uint32_t j : partners[share.parity(m)]) {
-                const std::size_t k = table.index(m + p.right->monomials[j], hash + hashes[j]);
-                if (k == sums.size()) sums.push_back(0);
-                sums[k] += left[i] * right[j];
-            }
+            const Sum left = signed_numerator<Sum>(*p.left, i) * p.factor;
+            partners(i, [&](std::size_t j) {
+                const std::size_t k = table_.index(m + p.right->monomials[j], hash + hashes_[j]);
+                if (k == sums_.size()) sums_.push_back(0);
+                sums_[k] += left * right_[j];
+            });
         }
     }
-    Fractions result;
-    result.limbs = sizeof(Sum) / sizeof(mp_limb_t);
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-        if (sums[k] == 0) continue;
-        result.monomials.push_back(table.monomials()[k]);
-        store(result, sums[k]);
+
+    MonomialTable table_;
+    std::vector<Sum> sums_;
+    std::vector<Sum> right_;            // of the product that is added
+    std::vector<std::uint64_t> hashes_; // of its right monomials
+};
+
+// A multiple of one term: nothing has to be collected.
+template <class Sum> Fractions shifted(const WholeProduct& p) {
+    Fractions result = room_for<Sum>(p.right->size());
+    const Sum left = signed_numerator<Sum>(*p.left, 0) * p.factor;
+    for (std::size_t j = 0; j < p.right->size(); ++j) {
+        result.monomials.push_back(p.left->monomials[0] + p.right->monomials[j]);
+        store(result, left * signed_numerator<Sum>(*p.right, j));
     }
     return result;
+}
+
+template <class Sum> Fractions sum_in_words(const std::vector<WholeProduct>& products, const Share& share) {
+    if (products.size() == 1 && products.front().left->size() == 1 && share.is_all())
+        return shifted<Sum>(products.front());
+    WordSums<Sum> sums;
+    for (const WholeProduct& p : products) sums.add(p, share);
+    return sums.numerators();
 }
 
 // Sums of `width` limbs in two's complement.
@@ -214,9 +327,10 @@ private:
 Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t width, const Share& share) {
     MonomialTable table;
     LimbSums sums(width);
+    std::vector<std::uint64_t> hashes;
     for (const WholeProduct& p : products) {
         const Fractions &left = *p.left, &right = *p.right;
-        const std::vector<std::uint64_t> hashes = MonomialTable::hashes(right.monomials);
+        MonomialTable::hash_all(right.monomials, hashes);
         const auto partners = share.partners(right);
         for (std::size_t i = 0; i < left.size(); ++i) {
             const Monomial& m = left.monomials[i];
@@ -232,14 +346,10 @@ Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t wi
     return std::move(sums).numerators(std::move(table).monomials());
 }
 
-Fractions sum_over(const std::vector<WholeProduct>& products, const Share& share) {
-    const bool words = std::all_of(products.begin(), products.end(), [](const WholeProduct& p) {
-        return p.left->limbs == 1 && p.right->limbs == 1 && p.left->bits() < 64 && p.right->bits() < 64;
-    });
-    const std::size_t bits = bits_of_sums(products);
-    if (words && bits <= 64) return sum_in_words<std::int64_t>(products, share);
-    if (words && bits <= 128) return sum_in_words<Wide>(products, share);
-    return sum_in_limbs(products, (bits + 63) / 64, share);
+// The bits of the sums; factors are 1 unless they fit words.
+Fractions sum_over(const std::vector<WholeProduct>& products, std::size_t bits, const Share& share) {
+    if (!fits_words(products, bits)) return sum_in_limbs(products, (bits + 63) / 64, share);
+    return bits <= 64 ? sum_in_words<std::int64_t>(products, share) : sum_in_words<Wide>(products, share);
 }
 
 std::size_t work(const WholeProduct& p) { return p.left->size() * p.right->size(); }
@@ -274,9 +384,12 @@ int dividing_field(const Packing& packing, const std::vector<WholeProduct>& prod
 
 // Two threads collect disjoint shares of the monomials, so that nothing has to be merged. They meet the
 // numbers of GMP only: those of CLN count their references without locks.
-Fractions sum_in_two_threads(const Packing& packing, const std::vector<WholeProduct>& products) {
+Fractions sum_in_two_threads(const Packing& packing, const std::vector<WholeProduct>& products,
+                             std::size_t bits) {
     const int field = dividing_field(packing, products);
-    const auto collect = [&](unsigned parity) { return sum_over(products, Share(packing, field, parity)); };
+    const auto collect = [&](unsigned parity) {
+        return sum_over(products, bits, Share(packing, field, parity));
+    };
     std::future<Fractions> other = std::async(std::launch::async, collect, 1U);
     Fractions result = collect(0);
     const Fractions odd = other.get(); // with as many limbs, as that follows from the products
@@ -288,16 +401,28 @@ Fractions sum_in_two_threads(const Packing& packing, const std::vector<WholeProd
 
 } // namespace
 
-FractionProduct scaled_product(const Rational& factor, const Fractions& left, const Fractions& right) {
-    return {&left, &right, to_mpz(cln::numerator(factor)), to_mpz(cln::denominator(factor))};
-}
-
 Fractions sum_of_products(const std::vector<FractionProduct>& products, const Packing* packing) {
     std::vector<WholeProduct> whole;
-    const mpz_class denominator = over_common_denominator(products, whole);
-    Fractions result = packing != nullptr && is_worth_two_threads(whole) ? sum_in_two_threads(*packing, whole)
-                                                                         : sum_over(whole, Share());
-    result.denominator = denominator;
+    std::deque<Fractions> scaled; // a deque leaves them in their places
+    mpz_class denominator;
+    if (const auto word = over_word(products, whole)) {
+        denominator = *word;
+    } else {
+        whole.clear();
+        denominator = over_any(products, whole, scaled);
+    }
+    const std::size_t bits = bits_of_sums(whole);
+    if (!fits_words(whole, bits))
+        for (WholeProduct& p : whole) {
+            if (p.factor == 1) continue;
+            scaled.push_back(times(*p.left, p.factor));
+            p.left = &scaled.back();
+            p.factor = 1;
+        }
+    Fractions result = packing != nullptr && is_worth_two_threads(whole)
+                           ? sum_in_two_threads(*packing, whole, bits)
+                           : sum_over(whole, bits, Share());
+    result.denominator = std::move(denominator);
     return result;
 }
 

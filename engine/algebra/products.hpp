@@ -13,10 +13,8 @@ namespace resonform {
 struct FractionProduct {
     const Fractions* left;
     const Fractions* right;
-    mpz_class numerator{1}, denominator{1}; // factor; denominator > 0
+    Rational factor = 1;
 };
-
-FractionProduct scaled_product(const Rational& factor, const Fractions& left, const Fractions& right);
 
 // sum_k c_k a_k b_k: different monomials in an order of no meaning, no zero, not reduced. No relation is
 // applied. With the packing of the monomials large sums are collected in two threads, where the machine has

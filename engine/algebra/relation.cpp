@@ -38,14 +38,40 @@ Fractions power_of_value(const Packing& packing, const Polynomial& value, int q)
     return result;
 }
 
+// The value is a monomial or its negative, as for i^2 = -1 and g = G^2: terms are rewritten one by one.
+bool is_signed_monomial(const Polynomial& value) {
+    const Fractions& f = value.fractions();
+    return f.size() == 1 && f.limbs == 1 && f.magnitudes.front() == 1 && f.denominator == 1;
+}
+
+int quotient_of(const Packing& packing, const Relation& relation, const Monomial& m) {
+    return relation.applies(packing, m) ? floor_quotient(packing.exponent(m, relation.lead), relation.degree)
+                                        : 0;
+}
+
+Fractions apply_to_terms(const Packing& packing, const Relation& relation, Fractions f) {
+    const Fractions& value = relation.value.fractions();
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        Monomial& m = f.monomials[k];
+        const int q = quotient_of(packing, relation, m);
+        if (q == 0) continue;
+        m = m - packing.power(relation.lead, static_cast<long>(q) * relation.degree);
+        const Monomial by = packing.scaled(value.monomials.front(), q);
+        packing.require_safe(m);
+        packing.require_safe(by);
+        m = m + by;
+        if (q % 2 != 0) f.negative[k] ^= value.negative.front();
+    }
+    const Fractions one = constant_fraction(1); // equal monomials are collected
+    return sum_of_products({{&f, &one}}, &packing);
+}
+
 // f = sum_q lead^(degree q) f_q  ->  sum_q value^q f_q
 Fractions apply(const Packing& packing, const Relation& relation, const Fractions& f) {
     std::map<int, Fractions> groups; // f_q by q
     for (std::size_t k = 0; k < f.size(); ++k) {
         const Monomial& m = f.monomials[k];
-        const int q = relation.applies(packing, m)
-                          ? floor_quotient(packing.exponent(m, relation.lead), relation.degree)
-                          : 0;
+        const int q = quotient_of(packing, relation, m);
         groups[q].append(
             q == 0 ? m : m - packing.power(relation.lead, static_cast<long>(q) * relation.degree), f, k);
     }
@@ -72,7 +98,8 @@ Fractions rewrite(const Packing& packing, const std::vector<Relation>& relations
         bool changed = false;
         for (const Relation& relation : relations) {
             if (!applies_anywhere(packing, relation, f)) continue;
-            f = apply(packing, relation, f);
+            f = is_signed_monomial(relation.value) ? apply_to_terms(packing, relation, std::move(f))
+                                                   : apply(packing, relation, f);
             for (const Monomial& m : f.monomials) packing.require_safe(m);
             changed = true;
         }

@@ -62,7 +62,7 @@ Polynomial Ring::dot(const std::vector<Product>& products) const {
     fractions.reserve(products.size());
     for (const Product& p : products)
         if (!p.left->empty() && !p.right->empty() && !cln::zerop(p.factor))
-            fractions.push_back(scaled_product(p.factor, p.left->fractions(), p.right->fractions()));
+            fractions.push_back({&p.left->fractions(), &p.right->fractions(), p.factor});
     return collected(fractions);
 }
 

@@ -65,7 +65,7 @@ Polynomial by_definition(const std::vector<Summand>& summands) {
 Polynomial by_kernel(const std::vector<Summand>& summands, const Packing* packing = nullptr) {
     std::vector<FractionProduct> products;
     for (const Summand& s : summands)
-        products.push_back(scaled_product(s.factor, s.left.fractions(), s.right.fractions()));
+        products.push_back({&s.left.fractions(), &s.right.fractions(), s.factor});
     return Polynomial::from_fractions(sum_of_products(products, packing));
 }
 
