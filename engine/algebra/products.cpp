@@ -254,6 +254,10 @@ private:
     std::vector<std::uint64_t> hashes_; // of its right monomials
 };
 
+bool is_multiple_of_term(const std::vector<WholeProduct>& products) {
+    return products.size() == 1 && products.front().left->size() == 1;
+}
+
 // A multiple of one term: nothing has to be collected.
 template <class Sum> Fractions shifted(const WholeProduct& p) {
     Fractions result = room_for<Sum>(p.right->size());
@@ -264,10 +268,11 @@ template <class Sum> Fractions shifted(const WholeProduct& p) {
     }
     return result;
 }
+Fractions shifted(const WholeProduct& p, std::size_t bits) {
+    return bits <= 64 ? shifted<std::int64_t>(p) : shifted<Wide>(p);
+}
 
 template <class Sum> Fractions sum_in_words(const std::vector<WholeProduct>& products, const Share& share) {
-    if (products.size() == 1 && products.front().left->size() == 1 && share.is_all())
-        return shifted<Sum>(products.front());
     WordSums<Sum> sums;
     for (const WholeProduct& p : products) sums.add(p, share);
     return sums.numerators();
@@ -419,10 +424,19 @@ Fractions sum_of_products(const std::vector<FractionProduct>& products, const Pa
             p.left = &scaled.back();
             p.factor = 1;
         }
-    Fractions result = packing != nullptr && is_worth_two_threads(whole)
+    Fractions result = is_multiple_of_term(whole) && fits_words(whole, bits) ? shifted(whole.front(), bits)
+                       : packing != nullptr && is_worth_two_threads(whole)
                            ? sum_in_two_threads(*packing, whole, bits)
                            : sum_over(whole, bits, Share());
     result.denominator = std::move(denominator);
+    return result;
+}
+
+Fractions collected(const Fractions& f) {
+    const Fractions one = constant_fraction(1);
+    const std::size_t bits = f.bits() + static_cast<std::size_t>(std::bit_width(f.size())) + 1;
+    Fractions result = sum_over({whole_product(one, f, 1)}, bits, Share());
+    result.denominator = f.denominator;
     return result;
 }
 

@@ -16,10 +16,13 @@ struct FractionProduct {
     Rational factor = 1;
 };
 
-// sum_k c_k a_k b_k: different monomials in an order of no meaning, no zero, not reduced. No relation is
-// applied. With the packing of the monomials large sums are collected in two threads, where the machine has
+// sum_k c_k a_k b_k of operands with different monomials each: different monomials in an order of no meaning,
+// no zero, not reduced. No relation is applied. With the packing of the monomials large sums are collected in two threads, where the machine has
 // them.
 Fractions sum_of_products(const std::vector<FractionProduct>& products, const Packing* packing = nullptr);
+
+// The sum of its terms, among which monomials may be equal: in the same way.
+Fractions collected(const Fractions& f);
 
 // Exponents that could overflow in one product are refused.
 void require_safe(const Packing& packing, const std::vector<FractionProduct>& products);

@@ -62,8 +62,7 @@ Fractions apply_to_terms(const Packing& packing, const Relation& relation, Fract
         m = m + by;
         if (q % 2 != 0) f.negative[k] ^= value.negative.front();
     }
-    const Fractions one = constant_fraction(1); // equal monomials are collected
-    return sum_of_products({{&f, &one}}, &packing);
+    return collected(f);
 }
 
 // f = sum_q lead^(degree q) f_q  ->  sum_q value^q f_q

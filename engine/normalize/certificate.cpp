@@ -43,39 +43,42 @@ bool is_singular(const PrimeField& f, Matrix a) {
     return false;
 }
 
-std::vector<Residue> at_origin(const PointRun& run, const std::vector<Slot>& slots) {
+// At the n-th point, as all below.
+std::vector<Residue> at_origin(const PointRun& run, std::size_t n, const std::vector<Slot>& slots) {
     std::vector<Residue> values;
     values.reserve(slots.size());
-    for (const Slot slot : slots) values.push_back(run.at_origin(slot));
+    for (const Slot slot : slots) values.push_back(run.at_origin(slot, n));
     return values;
 }
 
-Matrix at_origin(const PointRun& run, const std::vector<std::vector<Slot>>& slots) {
+Matrix at_origin(const PointRun& run, std::size_t n, const std::vector<std::vector<Slot>>& slots) {
     Matrix values;
     values.reserve(slots.size());
-    for (const std::vector<Slot>& row : slots) values.push_back(at_origin(run, row));
+    for (const std::vector<Slot>& row : slots) values.push_back(at_origin(run, n, row));
     return values;
 }
 
-void require_known_rates(const CertificatePlan& plan, const PointRun& run, const Ring& ring, int through) {
+void require_known_rates(const CertificatePlan& plan, const PointRun& run, std::size_t n, const Ring& ring,
+                         int through) {
     for (const auto& [id, slope] : plan.unknown)
-        if (std::any_of(run(slope), run(slope) + through + 1, [](Residue r) { return r != 0; }))
-            refuse({"a normal form holds no higher derivatives than its weights can bring",
-                    ring.generator(id).name,
-                    "ask for a lower order",
-                    {}});
+        for (int weight = 0; weight <= through; ++weight)
+            if (run(slope, weight, n) != 0)
+                refuse({"a normal form holds no higher derivatives than its weights can bring",
+                        ring.generator(id).name,
+                        "ask for a lower order",
+                        {}});
 }
 
 // What does not vanish at a point, of the lowest stage and there of the lowest weight; "" if all vanishes.
-std::string complaint_of(const CertificatePlan& plan, const PointRun& run, const System& system, int order) {
+std::string complaint_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
+                         const System& system, int order) {
     const VanishingCheck* worst = nullptr;
     int lowest = 0;
     for (const VanishingCheck& check : plan.checks) {
         if (worst != nullptr && worst->stage < check.stage) continue;
-        const Residue* value = run(check.slot);
         const int last = check.weight + (check.above_order ? order : 0);
         int weight = 0;
-        while (weight <= last && value[weight] == 0) ++weight;
+        while (weight <= last && run(check.slot, weight, n) == 0) ++weight;
         if (weight > last || (worst != nullptr && worst->stage == check.stage && weight >= lowest)) continue;
         worst = &check;
         lowest = weight;
@@ -84,9 +87,10 @@ std::string complaint_of(const CertificatePlan& plan, const PointRun& run, const
                             : fmt::format("weight {}: {}", to_string(system.weight(lowest)), worst->sentence);
 }
 
-FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, const Point& point) {
-    return {point.field, at_origin(run, plan.growth), at_origin(run, plan.omega), at_origin(run, plan.angle),
-            point.values};
+FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
+                               const Point& point) {
+    return {point.field, at_origin(run, n, plan.growth), at_origin(run, n, plan.omega),
+            at_origin(run, n, plan.angle), point.values};
 }
 
 int points_needed(double bound) {
@@ -122,17 +126,17 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
                 batch.push_back(sampler.next());
             source.go_to(batch.front());
             const PointReadings readings(plan, source.normal_form(), source.map(), batch, through);
+            const PointRun run(plan, *field.ring, readings, batch, through);
             for (std::size_t n = 0; n < batch.size(); ++n) {
-                const PointRun run(plan, *field.ring, readings, n, batch[n], through);
-                require_known_rates(plan, run, *field.ring, through);
+                require_known_rates(plan, run, n, *field.ring, through);
                 // A residual that vanishes through M says that the highest derivatives are right through M
                 // only if they are determined at weight 0. A non-zero determinant at one point proves it.
-                if (is_singular(batch[n].field, at_origin(run, plan.jacobian))) throw UnluckyPoint();
-                std::string here = complaint_of(plan, run, field.system(), shape.through);
+                if (is_singular(batch[n].field, at_origin(run, n, plan.jacobian))) throw UnluckyPoint();
+                std::string here = complaint_of(plan, run, n, field.system(), shape.through);
                 if (here.empty() && shape.hamiltonian)
-                    here = generator_complaint(plan, source.normal_form(), run, batch[n]);
+                    here = generator_complaint(plan, source.normal_form(), run, n, batch[n]);
                 if (complaint.empty()) complaint = here;
-                samples.push_back(frequencies_of(plan, run, batch[n]));
+                samples.push_back(frequencies_of(plan, run, n, batch[n]));
                 certificate.primes.push_back(batch[n].field.prime());
                 ++certificate.points;
             }

@@ -6,6 +6,7 @@
 #include "normalize/certificate_inner_product.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -33,6 +34,8 @@ public:
     run(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map) const {
         const std::vector<Step>& steps = plan.program.steps();
         std::vector<std::optional<Size>> sizes(steps.size());
+        SeriesName name{};
+        const Survey* survey = nullptr; // of that name, as neighbours often have
         for (std::size_t k = 0; k < steps.size(); ++k) {
             if (!plan.needed[k]) continue;
             const Step& step = steps[k];
@@ -40,11 +43,14 @@ public:
                 sizes[k] = size_of(step, sizes);
                 continue;
             }
-            const Survey& survey = surveys_(series_of(step.series, plan.program, normal_form, map));
+            if (survey == nullptr || name != step.series) {
+                name = step.series;
+                survey = &surveys_(series_of(name, plan.program, normal_form, map));
+            }
             if (step.operation == Operation::slope)
-                sizes[k] = slope(survey, step.index);
-            else if (!survey.is_empty())
-                sizes[k] = survey.size;
+                sizes[k] = slope(*survey, step.index);
+            else if (!survey->is_empty())
+                sizes[k] = survey->size;
         }
         return sizes;
     }
@@ -55,7 +61,7 @@ public:
         Size slope = survey.size;
         slope.degree += surveys_.generator(by).denominator;
         slope.denominator += surveys_.generator(by).degree;
-        slope.bits += std::log2(survey.exponent(by));
+        slope.bits += std::bit_width(static_cast<unsigned>(survey.exponent(by)));
         return slope;
     }
 
@@ -98,11 +104,8 @@ public:
     }
     [[nodiscard]] double radicand_bits() const {
         double bits = 0;
-        for (GeneratorId id = 0; id < ring_.size(); ++id) {
-            const Generator& g = ring_.generator(id);
-            if (g.kind == GeneratorKind::root)
-                bits = std::max(bits, surveys_.size_of(g.radicand).bits / g.index);
-        }
+        for (GeneratorId id = 0; id < ring_.size(); ++id)
+            bits = std::max(bits, surveys_.generator(id).radicand_bits);
         return bits;
     }
 

@@ -212,11 +212,11 @@ private:
 } // namespace
 
 std::string generator_complaint(const CertificatePlan& plan, const NormalForm& normal_form,
-                                const PointRun& run, const Point& point) {
+                                const PointRun& run, std::size_t number, const Point& point) {
     const FlowAtPoint flow(plan, normal_form, point);
     for (std::size_t c = 0; c < plan.coordinates.size(); ++c)
         for (int n = 0; n <= normal_form.through; ++n)
-            if (flow.at_one(c, n) != run(plan.coordinates[c].mapped)[n])
+            if (flow.at_one(c, n) != run(plan.coordinates[c].mapped, n, number))
                 return fmt::format("weight {}: the map of {} is not the Lie series of the generator",
                                    to_string(normal_form.field->system().weight(n)),
                                    plan.coordinates[c].mode);

@@ -11,8 +11,9 @@
 
 namespace resonform {
 
-// Whether the coordinates of the plan are y(1), through M; "" if they are. Throws UnluckyPoint.
+// Whether the coordinates of the plan are y(1) at a point, number `number` of the run, through M; "" if they
+// are. Throws UnluckyPoint.
 std::string generator_complaint(const CertificatePlan& plan, const NormalForm& normal_form,
-                                const PointRun& run, const Point& point);
+                                const PointRun& run, std::size_t number, const Point& point);
 
 } // namespace resonform

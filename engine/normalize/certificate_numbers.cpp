@@ -87,12 +87,13 @@ std::vector<FrequencySample> sampled(const std::shared_ptr<const GradedField>& f
     std::vector<FrequencySample> result;
     PointSampler sampler(*field->ring, seed);
     for (int n = 0; n < samples; ++n) {
-        const Point point = sampler.next();
-        const PointReadings readings(plan, none, {}, {point}, 0);
-        const PointRun run(plan, *field->ring, readings, 0, point, 0);
+        const std::vector<Point> drawn{sampler.next()};
+        const Point& point = drawn.front();
+        const PointReadings readings(plan, none, {}, drawn, 0);
+        const PointRun run(plan, *field->ring, readings, drawn, 0);
         const auto values = [&](const std::vector<Slot>& slots) {
             std::vector<Residue> residues;
-            for (const Slot slot : slots) residues.push_back(run.at_origin(slot));
+            for (const Slot slot : slots) residues.push_back(run.at_origin(slot, 0));
             return residues;
         };
         certificate.primes.push_back(point.field.prime());

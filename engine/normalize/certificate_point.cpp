@@ -12,9 +12,8 @@ namespace resonform {
 namespace {
 
 // There are few.
-template <class Key>
-const std::vector<Residue>* find_in(const std::vector<std::pair<Key, std::vector<Residue>>>& list,
-                                    const Key& key) {
+template <class Key, class Entry>
+const Entry* find_in(const std::vector<std::pair<Key, Entry>>& list, const Key& key) {
     const auto found =
         std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == key; });
     return found == list.end() ? nullptr : &found->second;
@@ -32,7 +31,7 @@ public:
             room_ = std::move(unused_.back());
             unused_.pop_back();
         }
-        room_.assign(static_cast<std::size_t>(run.through_) + 1, 0);
+        room_.assign(static_cast<std::size_t>(run.through_) + 1, {});
     }
     ~Scratch() { unused_.push_back(std::move(room_)); }
     Scratch(const Scratch&) = delete;
@@ -41,14 +40,19 @@ public:
     Value value() { return {room_.data(), static_cast<int>(room_.size()), -1}; }
 
 private:
-    std::vector<std::vector<Residue>>& unused_;
-    std::vector<Residue> room_;
+    std::vector<std::vector<Lanes>>& unused_;
+    std::vector<Lanes> room_;
 };
 
 PointReadings::PointReadings(const CertificatePlan& plan, const NormalForm& normal_form,
                              const NearIdentityMap& map, const std::vector<Point>& points, int through) {
     const Ring& ring = *normal_form.field->ring;
-    std::size_t terms = 0;
+    std::size_t terms = 0, slots = 0;
+    for (const CertificatePlan::Reading& reading : plan.readings)
+        for (const auto& of : reading.sides) slots += 1 + of.slopes.size();
+    const std::size_t weights = static_cast<std::size_t>(through) + 1;
+    parts_.reserve(plan.readings.size() * weights);
+    coefficients_.reserve(slots * weights);
     for (const CertificatePlan::Reading& reading : plan.readings) {
         const Series& from = series_of(reading.series, plan.program, normal_form, map);
         for (int weight = 0; weight <= std::min(through, from.through()); ++weight) {
@@ -106,9 +110,11 @@ void PointReadings::read(const Ring& ring, std::span<const Point> points, std::s
 }
 
 PointRun::PointRun(const CertificatePlan& plan, const Ring& ring, const PointReadings& readings,
-                   std::size_t n, const Point& point, int through)
-    : ring_(ring), montgomery_(point.field), generators_(point.values), through_(through),
-      one_(montgomery_.enter(1)) {
+                   const std::vector<Point>& points, int through)
+    : ring_(ring), points_(points), through_(through) {
+    arithmetic_.reserve(points.size());
+    for (const Point& point : points) arithmetic_.emplace_back(point.field);
+    one_ = by_point([](const Montgomery& m, std::size_t) { return m.enter(1); });
     const std::vector<Step>& steps = plan.program.steps();
     const auto length = static_cast<std::size_t>(through_) + 1;
     offsets_.reserve(steps.size());
@@ -118,23 +124,29 @@ PointRun::PointRun(const CertificatePlan& plan, const Ring& ring, const PointRea
         offsets_.push_back(room);
         if (plan.needed[k]) room += length;
     }
-    values_.assign(room + length, 0);
+    values_.assign(room + length, {});
     for (const std::size_t offset : offsets_) slots_.push_back({values_.data() + offset, through_ + 1, -1});
     for (const PointReadings::Coefficient& read : readings.coefficients())
-        set(slots_[static_cast<std::size_t>(read.slot)], read.weight, read.value[n]);
+        set(slots_[static_cast<std::size_t>(read.slot)], read.weight, read.value);
     for (std::size_t k = 0; k < steps.size(); ++k)
         if (plan.needed[k]) run(steps[k], slots_[k]);
+}
+
+auto PointRun::product(const Lanes& a, const Lanes& b) const -> Lanes {
+    return by_point([&](const Montgomery& m, std::size_t n) { return m.multiply(a[n], b[n]); });
 }
 
 void PointRun::run(const Step& step, Value& to) {
     const auto operand = [&](Slot slot) -> const Value& { return slots_[static_cast<std::size_t>(slot)]; };
     switch (step.operation) {
-    case Operation::number: return set(to, 0, residue(step.number));
+    case Operation::number: return set(to, 0, residues(step.number));
     case Operation::generator: {
         const int weight = ring_.generator(step.index).weight * step.power;
         if (weight < 0 || weight > through_) return;
-        return set(to, weight,
-                   power(montgomery_.enter(generators_[static_cast<std::size_t>(step.index)]), step.power));
+        const auto id = static_cast<std::size_t>(step.index);
+        const Lanes value =
+            by_point([&](const Montgomery& m, std::size_t n) { return m.enter(points_[n].values[id]); });
+        return set(to, weight, power(value, step.power));
     }
     case Operation::add: return add(to, operand(step.left), operand(step.right));
     case Operation::multiply: return multiply(to, operand(step.left), operand(step.right), through_);
@@ -147,8 +159,10 @@ void PointRun::run(const Step& step, Value& to) {
     }
 }
 
-void PointRun::set(Value& to, int weight, Residue coefficient) const {
-    if (coefficient == 0 || weight < 0) return;
+void PointRun::set(Value& to, int weight, const Lanes& coefficient) const {
+    Residue any = 0;
+    for (const Residue c : coefficient) any |= c;
+    if (any == 0 || weight < 0) return;
     to.at[weight] = coefficient;
     to.first = std::min(to.first, weight);
     to.last = std::max(to.last, weight);
@@ -157,22 +171,25 @@ void PointRun::set(Value& to, int weight, Residue coefficient) const {
 void PointRun::add(Value& to, const Value& a, const Value& b) const {
     to.first = std::min(a.first, b.first);
     to.last = std::max(a.last, b.last);
-    for (int n = to.first; n <= to.last; ++n) to.at[n] = montgomery_.add(a.at[n], b.at[n]);
+    for (int k = to.first; k <= to.last; ++k)
+        to.at[k] =
+            by_point([&](const Montgomery& m, std::size_t n) { return m.add(a.at[k][n], b.at[k][n]); });
 }
 
 void PointRun::multiply(Value& to, const Value& a, const Value& b, int last) const {
     if (a.first > a.last || b.first > b.last) return;
     to.first = std::min(a.first + b.first, through_ + 1);
     to.last = std::min(a.last + b.last, last);
-    for (int n = to.first; n <= to.last; ++n) {
-        Montgomery::Wide sum = 0;
-        for (int j = std::max(a.first, n - b.last); j <= std::min(a.last, n - b.first); ++j)
-            montgomery_.accumulate(sum, a.at[j], b.at[n - j]);
-        to.at[n] = montgomery_.reduce(sum);
+    for (int k = to.first; k <= to.last; ++k) {
+        std::array<Montgomery::Wide, PointReader::most_points> sums{};
+        for (int j = std::max(a.first, k - b.last); j <= std::min(a.last, k - b.first); ++j)
+            for (std::size_t n = 0; n < arithmetic_.size(); ++n)
+                arithmetic_[n].accumulate(sums[n], a.at[j][n], b.at[k - j][n]);
+        to.at[k] = by_point([&](const Montgomery& m, std::size_t n) { return m.reduce(sums[n]); });
     }
 }
 
-void PointRun::taylor(Value& to, const std::vector<Residue>& coefficients, const Value& u) {
+void PointRun::taylor(Value& to, const std::vector<Lanes>& coefficients, const Value& u) {
     if (u.first > u.last) return set(to, 0, coefficients.front());
     const int terms = through_ / u.first; // u^k begins at weight k u.first
     const int used = std::min(terms, static_cast<int>(coefficients.size()) - 1);
@@ -180,14 +197,14 @@ void PointRun::taylor(Value& to, const std::vector<Residue>& coefficients, const
     Value sum = one.value(), next = other.value();
     set(sum, 0, coefficients[static_cast<std::size_t>(used)]);
     for (int k = used; k-- > 0;) { // it is multiplied with u^k still
-        std::fill_n(next.at, through_ + 1, 0);
+        std::fill_n(next.at, through_ + 1, Lanes{});
         next.first = through_ + 1;
         next.last = -1;
         multiply(next, sum, u, through_ - k * u.first);
         set(next, 0, coefficients[static_cast<std::size_t>(k)]);
         std::swap(sum, next);
     }
-    for (int n = sum.first; n <= sum.last; ++n) set(to, n, sum.at[n]);
+    for (int k = sum.first; k <= sum.last; ++k) set(to, k, sum.at[k]);
 }
 
 void PointRun::function(Value& to, Elementary function, const Value& u) {
@@ -200,7 +217,7 @@ void PointRun::function(Value& to, Elementary function, const Value& u) {
         inverse_power(quotient, cosine, 1);
         return multiply(to, sine, quotient, through_);
     }
-    if (u.at[0] != (function == Elementary::logarithm ? one_ : 0))
+    if (u.at[0] != (function == Elementary::logarithm ? one_ : Lanes{}))
         refuse({"a Taylor sum is taken where its argument vanishes at the origin (is 1 for log)",
                 "weight 0 of an argument",
                 "write the argument so that its value at the origin is plain",
@@ -211,8 +228,8 @@ void PointRun::function(Value& to, Elementary function, const Value& u) {
 void PointRun::power(Value& to, const Value& a, const Rational& exponent, const Value& lead) {
     Scratch quotient(*this), sum(*this);
     Value ratio = quotient.value(), total = sum.value();
-    const Residue below = inverse(a.at[0]);
-    for (int n = 1; n <= a.last; ++n) set(ratio, n, montgomery_.multiply(below, a.at[n]));
+    const Lanes below = inverse(a.at[0]);
+    for (int k = 1; k <= a.last; ++k) set(ratio, k, product(below, a.at[k]));
     taylor(total, binomial(exponent), ratio);
     multiply(to, lead, total, through_);
 }
@@ -224,75 +241,99 @@ void PointRun::inverse_power(Value& to, const Value& a, int n) {
     power(to, a, -n, lead);
 }
 
-Residue PointRun::residue(const Rational& value) const {
-    const std::optional<Residue> r = montgomery_.field().from(value);
-    if (!r) throw UnluckyPoint();
-    return montgomery_.enter(*r);
+auto PointRun::residues(const Rational& value) const -> Lanes {
+    return by_point([&](const Montgomery& m, std::size_t) {
+        const std::optional<Residue> r = m.field().from(value);
+        if (!r) throw UnluckyPoint();
+        return m.enter(*r);
+    });
 }
 
-Residue PointRun::inverse(Residue a) {
-    if (a == 0) throw UnluckyPoint();
-    const auto [known, is_new] = quotients_.try_emplace(a);
-    if (is_new) known->second = montgomery_.inverse(a);
-    return known->second;
+auto PointRun::inverse(const Lanes& a) -> Lanes {
+    if (const Lanes* known = find_in(quotients_, a)) return *known;
+    const Lanes below = by_point([&](const Montgomery& m, std::size_t n) {
+        if (a[n] == 0) throw UnluckyPoint();
+        return m.inverse(a[n]);
+    });
+    quotients_.emplace_back(a, below);
+    return below;
 }
 
-Residue PointRun::power(Residue a, int exponent) {
-    return montgomery_.power(exponent < 0 ? inverse(a) : a, static_cast<std::uint64_t>(std::abs(exponent)));
+auto PointRun::power(const Lanes& a, int exponent) -> Lanes {
+    const Lanes base = exponent < 0 ? inverse(a) : a;
+    return by_point([&](const Montgomery& m, std::size_t n) {
+        return m.power(base[n], static_cast<std::uint64_t>(std::abs(exponent)));
+    });
 }
 
 // p = q k + r: 1/k = -q/r
-Residue PointRun::inverse_of(int k) {
-    if (inverses_.empty()) inverses_ = {0, one_};
-    const std::uint64_t prime = montgomery_.field().prime();
+auto PointRun::inverse_of(int k) -> const Lanes& {
+    if (inverses_.empty()) inverses_ = {Lanes{}, one_};
     while (inverses_.size() <= static_cast<std::size_t>(k)) {
         const std::uint64_t next = inverses_.size();
-        const Residue quotient = montgomery_.enter(prime / next);
-        inverses_.push_back(montgomery_.negate(montgomery_.multiply(quotient, inverses_[prime % next])));
+        inverses_.push_back(by_point([&](const Montgomery& m, std::size_t n) {
+            const std::uint64_t prime = m.field().prime();
+            return m.negate(m.multiply(m.enter(prime / next), inverses_[prime % next][n]));
+        }));
     }
     return inverses_[static_cast<std::size_t>(k)];
 }
 
-const std::vector<Residue>& PointRun::binomial(const Rational& exponent) {
+auto PointRun::binomial(const Rational& exponent) -> const std::vector<Lanes>& {
     if (const auto* known = find_in(binomials_, exponent)) return *known;
-    std::vector<Residue>& c = binomials_.emplace_back(exponent, std::vector<Residue>{one_}).second;
+    std::vector<Lanes>& c = binomials_.emplace_back(exponent, std::vector<Lanes>{one_}).second;
     c.reserve(static_cast<std::size_t>(through_) + 1);
-    Residue factor = residue(exponent); // exponent - (k - 1)
+    Lanes factor = residues(exponent); // exponent - (k - 1)
     for (int k = 1; k <= through_; ++k) {
-        c.push_back(montgomery_.multiply(c.back(), montgomery_.multiply(factor, inverse_of(k))));
-        factor = montgomery_.subtract(factor, one_);
+        c.push_back(product(c.back(), product(factor, inverse_of(k))));
+        factor = by_point([&](const Montgomery& m, std::size_t n) { return m.subtract(factor[n], one_[n]); });
     }
     return c;
 }
 
-const std::vector<Residue>& PointRun::taylor_coefficients(Elementary function) {
+auto PointRun::taylor_coefficients(Elementary function) -> const std::vector<Lanes>& {
     if (const auto* known = find_in(taylor_, function)) return *known;
-    std::vector<Residue>& c = taylor_.emplace_back(function, std::vector<Residue>{}).second;
+    std::vector<Lanes>& c = taylor_.emplace_back(function, std::vector<Lanes>{}).second;
     c.reserve(static_cast<std::size_t>(through_) + 1);
     const bool alternating =
         function == Elementary::sine || function == Elementary::cosine || function == Elementary::arc_tangent;
-    Residue factorial = one_, central = one_; // 1/k!, and binomial(2j, j)/4^j with j = (k - 1)/2
+    const auto negative = [&](const Lanes& a) {
+        return by_point([&](const Montgomery& m, std::size_t n) { return m.negate(a[n]); });
+    };
+    Lanes factorial = one_, central = one_; // 1/k!, and binomial(2j, j)/4^j with j = (k - 1)/2
     for (int k = 0; k <= through_; ++k) {
         const bool odd = k % 2 != 0;
-        if (k > 0) factorial = montgomery_.multiply(factorial, inverse_of(k));
-        if (odd && k > 1) // (k - 2)/(k - 1) = 1 - 1/(k - 1)
-            central = montgomery_.multiply(central, montgomery_.subtract(one_, inverse_of(k - 1)));
-        Residue value = 0;
+        if (k > 0) factorial = product(factorial, inverse_of(k));
+        if (odd && k > 1) { // (k - 2)/(k - 1) = 1 - 1/(k - 1)
+            const Lanes& below = inverse_of(k - 1);
+            central = product(central, by_point([&](const Montgomery& m, std::size_t n) {
+                                  return m.subtract(one_[n], below[n]);
+                              }));
+        }
+        Lanes value{};
         switch (function) {
         case Elementary::exponential: value = factorial; break;
         case Elementary::sine:
-        case Elementary::hyperbolic_sine: value = odd ? factorial : 0; break;
+        case Elementary::hyperbolic_sine:
+            if (odd) value = factorial;
+            break;
         case Elementary::cosine:
-        case Elementary::hyperbolic_cosine: value = odd ? 0 : factorial; break;
-        case Elementary::arc_tangent: value = odd ? inverse_of(k) : 0; break;
-        case Elementary::arc_sine: value = odd ? montgomery_.multiply(central, inverse_of(k)) : 0; break;
+        case Elementary::hyperbolic_cosine:
+            if (!odd) value = factorial;
+            break;
+        case Elementary::arc_tangent:
+            if (odd) value = inverse_of(k);
+            break;
+        case Elementary::arc_sine:
+            if (odd) value = product(central, inverse_of(k));
+            break;
         case Elementary::logarithm:
-            if (k > 0) value = odd ? inverse_of(k) : montgomery_.negate(inverse_of(k));
+            if (k > 0) value = odd ? inverse_of(k) : negative(inverse_of(k));
             break;
         case Elementary::tangent:
         case Elementary::hyperbolic_tangent: break; // quotients, see function()
         }
-        c.push_back(alternating && k % 4 >= 2 ? montgomery_.negate(value) : value);
+        c.push_back(alternating && k % 4 >= 2 ? negative(value) : value);
     }
     return c;
 }

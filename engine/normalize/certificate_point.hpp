@@ -7,7 +7,6 @@
 #include "normalize/certificate_reader.hpp"
 
 #include <array>
-#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,61 +40,73 @@ private:
     std::vector<Coefficient> coefficients_; // of the parts, one after the other
 };
 
-// Runs a program at a point. Residues are held in Montgomery's form, so that only zeros can be read off.
+// Runs a program at the points of some readings, side by side. Residues are held in Montgomery's form, so
+// that only zeros can be read off.
 class PointRun {
 public:
-    // At the n-th of the points of the readings; series are known through their weight `through`. Throws
-    // UnluckyPoint. Errors (refused): a Taylor sum whose argument does not vanish at the origin.
-    PointRun(const CertificatePlan& plan, const Ring& ring, const PointReadings& readings, std::size_t n,
-             const Point& point, int through);
+    // Series are known through their weight `through`. Throws UnluckyPoint. Errors (refused): a Taylor sum
+    // whose argument does not vanish at the origin.
+    PointRun(const CertificatePlan& plan, const Ring& ring, const PointReadings& readings,
+             const std::vector<Point>& points, int through);
 
-    // The coefficients of t^0 ... t^through.
-    [[nodiscard]] const Residue* operator()(Slot slot) const {
-        return values_.data() + offsets_[static_cast<std::size_t>(slot)];
+    // The coefficient of t^weight at the n-th point, weight <= through.
+    [[nodiscard]] Residue operator()(Slot slot, int weight, std::size_t n) const {
+        const std::size_t offset = offsets_[static_cast<std::size_t>(slot)];
+        return values_[offset + static_cast<std::size_t>(weight)][n];
     }
     // The coefficient of t^0, as a residue.
-    [[nodiscard]] Residue at_origin(Slot slot) const { return montgomery_.leave((*this)(slot)[0]); }
+    [[nodiscard]] Residue at_origin(Slot slot, std::size_t n) const {
+        return arithmetic_[n].leave((*this)(slot, 0, n));
+    }
 
 private:
+    using Lanes = std::array<Residue, PointReader::most_points>; // by point; 0 beyond the last
     // A span of through + 1 coefficients, of which those outside of first ... last are zero.
     struct Value {
-        Residue* at;
+        Lanes* at;
         int first, last;
     };
     class Scratch;
 
+    template <class Function> [[nodiscard]] Lanes by_point(Function function) const {
+        Lanes result{};
+        for (std::size_t n = 0; n < arithmetic_.size(); ++n) result[n] = function(arithmetic_[n], n);
+        return result;
+    }
+    [[nodiscard]] Lanes product(const Lanes& a, const Lanes& b) const;
+
     void run(const Step& step, Value& to);
-    void set(Value& to, int weight, Residue coefficient) const;
+    void set(Value& to, int weight, const Lanes& coefficient) const;
     void add(Value& to, const Value& a, const Value& b) const;
     // Through weight `last`.
     void multiply(Value& to, const Value& a, const Value& b, int last) const;
     // sum_k coefficients[k] u^k with u_0 = 0, by Horner's rule.
-    void taylor(Value& to, const std::vector<Residue>& coefficients, const Value& u);
+    void taylor(Value& to, const std::vector<Lanes>& coefficients, const Value& u);
     void function(Value& to, Elementary function, const Value& u);
     void power(Value& to, const Value& a, const Rational& exponent, const Value& lead);
     void inverse_power(Value& to, const Value& a, int n);
 
-    [[nodiscard]] Residue residue(const Rational& value) const;
-    [[nodiscard]] Residue inverse(Residue a); // throws UnluckyPoint
-    [[nodiscard]] Residue power(Residue a, int exponent);
-    [[nodiscard]] Residue inverse_of(int k); // 1/k for 1 <= k
+    [[nodiscard]] Lanes residues(const Rational& value) const;
+    [[nodiscard]] Lanes inverse(const Lanes& a); // throws UnluckyPoint
+    [[nodiscard]] Lanes power(const Lanes& a, int exponent);
+    [[nodiscard]] const Lanes& inverse_of(int k); // 1/k for 1 <= k
     // Of (1 + u)^exponent. What is returned stays until the next call.
-    [[nodiscard]] const std::vector<Residue>& binomial(const Rational& exponent);
+    [[nodiscard]] const std::vector<Lanes>& binomial(const Rational& exponent);
     // The same.
-    [[nodiscard]] const std::vector<Residue>& taylor_coefficients(Elementary function);
+    [[nodiscard]] const std::vector<Lanes>& taylor_coefficients(Elementary function);
 
     const Ring& ring_;
-    Montgomery montgomery_;
-    const std::vector<Residue>& generators_;
+    const std::vector<Point>& points_;
+    std::vector<Montgomery> arithmetic_;
     int through_;
-    Residue one_;
-    std::vector<Residue> inverses_;        // of 1, 2, ...
-    std::map<Residue, Residue> quotients_; // inverses of what powers are taken of, often of the same
-    std::vector<std::pair<Rational, std::vector<Residue>>> binomials_;
-    std::vector<std::pair<Elementary, std::vector<Residue>>> taylor_;
-    std::vector<std::vector<Residue>> unused_; // room of series that were needed on the way
+    Lanes one_;
+    std::vector<Lanes> inverses_;                    // of 1, 2, ...
+    std::vector<std::pair<Lanes, Lanes>> quotients_; // inverses of what powers are taken of
+    std::vector<std::pair<Rational, std::vector<Lanes>>> binomials_;
+    std::vector<std::pair<Elementary, std::vector<Lanes>>> taylor_;
+    std::vector<std::vector<Lanes>> unused_; // room of series that were needed on the way
     std::vector<std::size_t> offsets_;
-    std::vector<Residue> values_;
+    std::vector<Lanes> values_;
     std::vector<Value> slots_;
 };
 

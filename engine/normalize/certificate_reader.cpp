@@ -44,6 +44,20 @@ void ExponentReader::decode(const Monomial& m, int word) {
     counts_[w] = static_cast<std::size_t>(powers - powers_[w].data());
 }
 
+namespace {
+
+int head_of(const Ring& ring, const ExponentReader& exponents) {
+    int words = 0;
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (g.conjugate >= 0 || g.kind == GeneratorKind::phase || id == Ring::imaginary_unit)
+            words = std::max(words, exponents.word_of(id) + 1);
+    }
+    return words;
+}
+
+} // namespace
+
 PointReader::Wanted::Wanted(Side side, const std::vector<GeneratorId>& slopes) : side_(side) {
     place_.fill(-1);
     slopes_.reserve(slopes.size());
@@ -53,13 +67,14 @@ PointReader::Wanted::Wanted(Side side, const std::vector<GeneratorId>& slopes) :
     }
 }
 
-PointReader::PointReader(const Ring& ring, std::span<const Point> points) : exponents_(ring) {
+PointReader::PointReader(const Ring& ring, std::span<const Point> points)
+    : exponents_(ring), head_(head_of(ring, exponents_)) {
     points_.reserve(points.size());
     for (const Point& point : points) points_.push_back(prepared(ring, point));
 }
 
 PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point) {
-    AtPoint at{Montgomery(point.field), {}, {}, {}};
+    AtPoint at{Montgomery(point.field), {}, 0, {}, {}};
     const Montgomery& montgomery = at.montgomery;
     // All inverses by one: 1/a_k = (a_0 ... a_{k-1}) / (a_0 ... a_k).
     Half& here = at.halves[0];
@@ -89,11 +104,12 @@ PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point)
         there.values.push_back(negated ? montgomery.negate(value) : value);
         there.inverses.push_back(negated ? montgomery.negate(below) : below);
     }
-    for (Half& half : at.halves) {
-        half.powers.resize(half.values.size() * span);
-        half.products[0] = montgomery.enter(1);
-    }
-    at.limb_factors.push_back(montgomery.enter(montgomery.enter(1))); // 2^128
+    for (Half& half : at.halves) half.powers.resize(half.values.size() * span);
+    at.one = montgomery.enter(1);
+    at.tails[0] = montgomery.enter(at.one);
+    constexpr std::size_t some = 16;
+    at.inverses.reserve(some);
+    at.limb_factors.push_back(at.one);
     return at;
 }
 
@@ -113,12 +129,27 @@ Residue PointReader::far_power(const AtPoint& at, const Half& half, const Expone
                                static_cast<std::uint64_t>(std::abs(p.exponent)));
 }
 
-inline void PointReader::multiply_words(AtPoint& at, Half& half, int from) const {
-    for (int word = from; word < exponents_.words(); ++word) {
-        Residue product = half.products[static_cast<std::size_t>(word)];
-        for (const ExponentReader::Power& p : exponents_.powers(word))
-            product = at.montgomery.multiply(product, power(at, half, p));
-        half.products[static_cast<std::size_t>(word) + 1] = product;
+inline Residue PointReader::multiplied(const AtPoint& at, Half& half, Residue product, int word) const {
+    for (const ExponentReader::Power& p : exponents_.powers(word))
+        product = at.montgomery.multiply(product, power(at, half, p));
+    return product;
+}
+
+inline void PointReader::read_head(Side side) {
+    const auto s = static_cast<std::size_t>(side);
+    if (has_head_[s]) return;
+    for (AtPoint& at : points_) {
+        Half& half = at.halves[s];
+        half.head = at.one;
+        for (int word = 0; word < head_; ++word) half.head = multiplied(at, half, half.head, word);
+    }
+    has_head_[s] = true;
+}
+
+inline void PointReader::read_tail(AtPoint& at, int from) const {
+    for (int word = std::max(from, head_); word < exponents_.words(); ++word) {
+        Residue* product = at.tails.data() + (word - head_);
+        product[1] = multiplied(at, at.halves[0], product[0], word);
     }
 }
 
@@ -132,17 +163,23 @@ void PointReader::read_denominator(AtPoint& at, const Fractions& part) {
     if (mpz_cmp_ui(denominator, 1) == 0) return;
     const Residue below = montgomery.field().from_limbs(mpz_limbs_read(denominator), mpz_size(denominator));
     if (below == 0) throw UnluckyPoint();
-    const auto [known, is_new] = at.inverses.try_emplace(below);
-    if (is_new) known->second = montgomery.enter(montgomery.field().inverse(below));
+    auto known = std::lower_bound(at.inverses.begin(), at.inverses.end(), std::pair(below, Residue{0}));
+    if (known == at.inverses.end() || known->first != below)
+        known = at.inverses.emplace(known, below, montgomery.enter(montgomery.field().inverse(below)));
     at.cofactor = known->second;
 }
 
-inline void PointReader::read_number(AtPoint& at, const Fractions& part, std::size_t k) {
+// Times the tail of its monomial.
+inline void PointReader::read_number(AtPoint& at, const Fractions& part, std::size_t k, Residue tail) {
     const mp_limb_t* limbs = part.magnitude(k);
-    Montgomery::Wide sum = 0;
-    for (std::size_t limb = 0; limb < part.limbs; ++limb)
-        at.montgomery.accumulate(sum, at.limb_factors[limb], limbs[limb]);
-    const Residue value = at.montgomery.reduce(sum);
+    std::uint64_t number = limbs[0]; // need not be reduced
+    if (part.limbs > 1) {
+        Montgomery::Wide sum = 0;
+        for (std::size_t limb = 0; limb < part.limbs; ++limb)
+            at.montgomery.accumulate(sum, at.limb_factors[limb], limbs[limb]);
+        number = at.montgomery.reduce(sum);
+    }
+    const Residue value = at.montgomery.multiply(number, tail);
     at.number = part.negative[k] != 0 ? at.montgomery.negate(value) : value;
 }
 
@@ -154,22 +191,23 @@ inline Residue PointReader::reduced(const AtPoint& at, Signed sum) {
 
 inline void PointReader::read_term(const Fractions& part, std::size_t k) {
     const int from = exponents_.read(part.monomials[k]);
-    for (int& fresh : fresh_) fresh = std::min(fresh, from);
-    for (AtPoint& at : points_) read_number(at, part, k);
+    if (from < head_) has_head_.fill(false);
+    const auto tail = static_cast<std::size_t>(exponents_.words() - head_);
+    for (AtPoint& at : points_) {
+        read_tail(at, from);
+        read_number(at, part, k, at.tails[tail]);
+    }
 }
 
 inline void PointReader::add_term(Wanted& wanted) {
     const auto side = static_cast<std::size_t>(wanted.side_);
-    const auto words = static_cast<std::size_t>(exponents_.words());
+    read_head(wanted.side_);
     std::array<std::int64_t, most_points> values;
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        AtPoint& at = points_[j];
-        Half& half = at.halves[side];
-        multiply_words(at, half, fresh_[side]);
-        values[j] = static_cast<std::int64_t>(at.montgomery.multiply(at.number, half.products[words]));
+        const AtPoint& at = points_[j];
+        values[j] = static_cast<std::int64_t>(at.montgomery.multiply(at.number, at.halves[side].head));
         wanted.sum_[j] += values[j];
     }
-    fresh_[side] = exponents_.words();
     if (wanted.slopes_.empty()) return;
     for (int word = 0; word < exponents_.words(); ++word)
         for (const ExponentReader::Power& p : exponents_.powers(word)) {
@@ -186,9 +224,12 @@ void PointReader::finish(Wanted& wanted) const {
         const Half& half = at.halves[static_cast<std::size_t>(wanted.side_)];
         wanted.value_[j] = at.montgomery.multiply(at.cofactor, reduced(at, wanted.sum_[j]));
         for (Wanted::Slope& slope : wanted.slopes_)
-            slope.value[j] = at.montgomery.multiply(
-                at.montgomery.multiply(at.cofactor, half.inverses[static_cast<std::size_t>(slope.by)]),
-                reduced(at, slope.sum[j]));
+            slope.value[j] = slope.sum[j] == 0
+                                 ? 0
+                                 : at.montgomery.multiply(
+                                       at.montgomery.multiply(
+                                           at.cofactor, half.inverses[static_cast<std::size_t>(slope.by)]),
+                                       reduced(at, slope.sum[j]));
     }
 }
 
@@ -208,16 +249,13 @@ void PointReader::read(const Fractions& part, std::vector<Wanted>& wanted) {
 
 std::vector<Residue> PointReader::terms(const Fractions& part) {
     AtPoint& at = points_.front();
-    Half& half = at.halves[0];
     std::vector<Residue> values;
     read_denominator(at, part);
     for (std::size_t k = 0; k < part.size(); ++k) {
         read_term(part, k);
-        multiply_words(at, half, fresh_[0]);
-        fresh_[0] = exponents_.words();
+        read_head(Side::itself);
         const Residue number = at.montgomery.multiply(at.cofactor, at.number);
-        values.push_back(
-            at.montgomery.multiply(number, half.products[static_cast<std::size_t>(exponents_.words())]));
+        values.push_back(at.montgomery.multiply(number, at.halves[0].head));
     }
     return values;
 }

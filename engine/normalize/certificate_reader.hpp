@@ -8,9 +8,9 @@
 #include "normalize/certificate_sampler.hpp"
 
 #include <array>
-#include <map>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -28,6 +28,9 @@ public:
     ExponentReader(const Ring& ring, const std::vector<GeneratorId>& through);
 
     [[nodiscard]] int words() const { return words_; }
+    [[nodiscard]] int word_of(GeneratorId id) const { return id / per_word_; }
+    // All words of the next monomial count as new.
+    void forget() { started_ = false; }
     // The first word in which m differs from the monomial read before; words() if there is none.
     int read(const Monomial& m);
     [[nodiscard]] std::span<const Power> powers(int word) const {
@@ -93,24 +96,28 @@ private:
     static constexpr std::size_t span = 128; // exponents whose powers are kept
     struct Half {                            // one side
         std::vector<Residue> values, inverses;
-        std::vector<Residue> powers;       // by generator and exponent, -span/2 ...; 0: not known yet
-        std::array<Residue, 5> products{}; // of the first words of a monomial
+        std::vector<Residue> powers; // by generator and exponent, -span/2 ...; 0: not known yet
+        Residue head = 0;            // of the monomial that is read
     };
     struct AtPoint {
         Montgomery montgomery;
         std::array<Half, 2> halves;
-        std::vector<Residue> limb_factors;   // 2^(64 k + 128)
-        std::map<Residue, Residue> inverses; // of denominators, which come again and again
-        Residue cofactor = 0, number = 0;    // of the part, of the term that is read
+        Residue one = 0;
+        std::vector<Residue> limb_factors;                 // 2^(64 k + 64)
+        std::vector<std::pair<Residue, Residue>> inverses; // of denominators, ascending: they come again
+        std::array<Residue, 5> tails{};                    // of the first words after the head, times 2^64
+        Residue cofactor = 0, number = 0;                  // of the part, of the term that is read
     };
 
     [[nodiscard]] static AtPoint prepared(const Ring& ring, const Point& point);
     [[nodiscard]] static Residue power(const AtPoint& at, Half& half, const ExponentReader::Power& p);
     [[nodiscard]] static Residue far_power(const AtPoint& at, const Half& half,
                                            const ExponentReader::Power& p);
-    void multiply_words(AtPoint& at, Half& half, int from) const;
+    [[nodiscard]] Residue multiplied(const AtPoint& at, Half& half, Residue product, int word) const;
+    void read_head(Side side);
+    void read_tail(AtPoint& at, int from) const;
     static void read_denominator(AtPoint& at, const Fractions& part);
-    static void read_number(AtPoint& at, const Fractions& part, std::size_t k);
+    static void read_number(AtPoint& at, const Fractions& part, std::size_t k, Residue tail);
     [[nodiscard]] static Residue reduced(const AtPoint& at, Signed sum);
     void read_term(const Fractions& part, std::size_t k);
     void add_term(Wanted& wanted);
@@ -118,7 +125,10 @@ private:
 
     ExponentReader exponents_;
     std::vector<AtPoint> points_;
-    std::array<int, 2> fresh_{}; // by side: the first word whose product is not up to date
+    // The words of generators that are not their own conjugates are the head of a monomial: the tail is the
+    // same on both sides.
+    int head_;
+    std::array<bool, 2> has_head_{}; // by side: it is up to date
 };
 
 } // namespace resonform

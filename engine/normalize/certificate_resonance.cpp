@@ -14,7 +14,7 @@ std::ptrdiff_t nonzero(const std::vector<int>& multiples) {
 Residue combined(const PrimeField& f, const std::vector<int>& multiples, const std::vector<Residue>& of) {
     Residue sum = 0;
     for (std::size_t k = 0; k < multiples.size(); ++k)
-        sum = f.add(sum, f.multiply(f.from(multiples[k]), of[k]));
+        if (multiples[k] != 0 && of[k] != 0) sum = f.add(sum, f.multiply(f.from(multiples[k]), of[k]));
     return sum;
 }
 

@@ -16,10 +16,11 @@ namespace {
 // One series to be looked through.
 struct Item {
     const Series* series;
-    std::string what; // "normal form of z1"
-    int from, to;     // weights that may occur
-    int mode;         // index of the mode whose equation it belongs to, -1 for slow, drift and energy
-    bool in_kernel;   // normal form; else: map, or generator
+    const char* what; // "normal form of "
+    const std::string* name = nullptr;
+    int from, to;   // weights that may occur
+    int mode;       // index of the mode whose equation it belongs to, -1 for slow, drift and energy
+    bool in_kernel; // normal form; else: map, or generator
     bool scanned = true;
 };
 
@@ -29,23 +30,25 @@ std::vector<Item> items(const NormalForm& normal_form, const NearIdentityMap& ma
     const int through = normal_form.through;
     const bool scan_map = !normal_form.hamiltonian;
     std::vector<Item> result;
+    result.reserve(2 *
+                   (field.modes.size() + field.angles.size() + field.slow.size() + field.drift.size() + 1));
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const Mode& mode = field.modes[k];
-        result.push_back({&normal_form.mode[k], "normal form of " + mode.name,
+        result.push_back({&normal_form.mode[k], "normal form of ", &mode.name,
                           field.ring->generator(mode.z).weight, through, static_cast<int>(k), true});
         result.push_back(
-            {&map.mode[k], "map of " + mode.name, 1, through, static_cast<int>(k), false, scan_map});
+            {&map.mode[k], "map of ", &mode.name, 1, through, static_cast<int>(k), false, scan_map});
     }
     const auto add = [&](const std::string& name, const Series& rate, const Series& shift, int from) {
-        result.push_back({&rate, "normal form of " + name, from, through, -1, true});
-        result.push_back({&shift, "map of " + name, 1, through, -1, false});
+        result.push_back({&rate, "normal form of ", &name, from, through, -1, true});
+        result.push_back({&shift, "map of ", &name, 1, through, -1, false});
     };
     if (normal_form.hamiltonian) {
         const int weight = field.ring->generator(field.modes.front().z).weight;
-        result.push_back(
-            {&normal_form.hamiltonian->energy, "energy of the normal form", 0, through + weight, -1, true});
-        result.push_back({&normal_form.hamiltonian->generator, "generator of the map", 2 * weight + 1,
-                          through + weight, -1, false});
+        result.push_back({&normal_form.hamiltonian->energy, "energy of the normal form", nullptr, 0,
+                          through + weight, -1, true});
+        result.push_back({&normal_form.hamiltonian->generator, "generator of the map", nullptr,
+                          2 * weight + 1, through + weight, -1, false});
     }
     for (std::size_t k = 0; k < field.angles.size(); ++k)
         add(field.angles[k].name, normal_form.angle[k], map.angle[k], 0);
@@ -84,7 +87,8 @@ std::string first_complaint(const Ring& ring, const Item& item, ExponentReader& 
     for (int n = 0; n <= item.series->through(); ++n)
         for (const Monomial& monomial : item.series->part(n).fractions().monomials)
             if (const char* complaint = wrong(n, reader.read(monomial)); complaint != nullptr)
-                return fmt::format("{}, weight {}: {} {}", item.what,
+                return fmt::format("{}{}, weight {}: {} {}", item.what,
+                                   item.name == nullptr ? "" : *item.name,
                                    to_string(Rational(n) / ring.weights_in_one()),
                                    spell_monomial(ring, reader.exponents()), complaint);
     return "";
@@ -94,7 +98,8 @@ bool has_shape(const Ring& ring, const Item& item, const Survey& survey) {
     if (survey.is_empty()) return true;
     if (!survey.homogeneous || survey.first < item.from || survey.last > item.to) return false;
     for (GeneratorId id = 0; id < ring.size(); ++id)
-        if (survey.lowest[static_cast<std::size_t>(id)] < 0 && !ring.generator(id).invertible) return false;
+        if (survey.exponents[static_cast<std::size_t>(id)].lowest < 0 && !ring.generator(id).invertible)
+            return false;
     return true;
 }
 

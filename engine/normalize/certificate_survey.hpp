@@ -5,6 +5,8 @@
 #include "algebra/series.hpp"
 #include "normalize/certificate_reader.hpp"
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <vector>
@@ -18,10 +20,13 @@ struct Size {
 };
 
 struct Survey {
-    int first = -1, last = -1;        // weights of the parts that are not empty; -1: there are none
-    bool homogeneous = true;          // all monomials of part n have weight n
-    std::vector<int> lowest, highest; // by generator, exponents and 0
-    Size size;                        // over the common denominator of numbers, and of generators
+    struct Range {
+        int lowest = 0, highest = 0;
+    };
+    int first = -1, last = -1;    // weights of the parts that are not empty; -1: there are none
+    bool homogeneous = true;      // all monomials of part n have weight n
+    std::vector<Range> exponents; // by generator, with 0
+    Size size;                    // over the common denominator of numbers, and of generators
 
     [[nodiscard]] bool is_empty() const { return last < 0; }
     // The largest absolute value.
@@ -31,7 +36,7 @@ struct Survey {
 // Of a generator, as polynomials in what is chosen at random (certificate_bound.hpp).
 struct GeneratorSize {
     double degree, denominator; // of the numerator; 1 + t^2 of a sine
-    int weight;
+    double radicand_bits;       // of a root, over its index
 };
 
 class Surveyor {
@@ -40,7 +45,7 @@ public:
 
     // The same series is read once: it must stay as it is.
     const Survey& operator()(const Series& s);
-    [[nodiscard]] Size size_of(const Polynomial& p) const { return read(Series({p})).size; }
+    [[nodiscard]] Size size_of(const Polynomial& p) { return read(Series({p})).size; }
 
     [[nodiscard]] const Ring& ring() const { return ring_; }
     [[nodiscard]] const GeneratorSize& generator(GeneratorId id) const {
@@ -52,15 +57,25 @@ private:
     // Of the first words of a monomial.
     struct Sums {
         int weight = 0;
-        double degree = 0, own = 0; // before denominators are cleared; of those of the generators themselves
+        std::int64_t degree = 0; // before denominators are cleared
+        std::int64_t own = 0;    // of the denominators of the generators themselves
     };
+    struct Tally {
+        std::int64_t degree, denominator; // at most largest_degree
+        int weight;
+        Survey::Range range = {}; // in the series that is read
+    };
+    static constexpr double largest_degree = 1e12; // a bound with it is refused
 
-    [[nodiscard]] Survey read(const Series& s) const;
+    [[nodiscard]] Survey read(const Series& s);
     // With one more word.
-    [[nodiscard]] Sums add(Sums sums, std::span<const ExponentReader::Power> word, Survey& survey) const;
+    [[nodiscard]] Sums add(Sums sums, std::span<const ExponentReader::Power> word);
 
     const Ring& ring_;
     std::vector<GeneratorSize> sizes_;
+    std::vector<Tally> tallies_;
+    ExponentReader exponents_;
+    std::array<Sums, 5> sums_{}; // of the first words of the monomial that is read
     std::map<const Series*, Survey> known_;
 };
 

@@ -122,6 +122,32 @@ TEST(Products, ThatCancelAreEmpty) {
     EXPECT_TRUE(by_kernel({}).empty());
 }
 
+// One term times many, factors and denominators up to the edges of a word and beyond.
+TEST(Products, OfOneTermAndOfLargeFactors) {
+    RandomTerms random(11);
+    for (const int bits : {3, 30, 61, 62, 63, 64, 100})
+        for (const int more : {1, 59, 60, 61, 62, 63, 65, 130}) {
+            const Rational factor =
+                (cln::ash(Integer(1), more) + 1) / Rational(cln::ash(Integer(1), bits) - 1);
+            const Polynomial a = random.next(1, bits), b = random.next(9, bits), c = random.next(5, more);
+            for (const Rational& f : {factor, Rational(-factor), Rational(1 / factor)})
+                for (const std::vector<Summand>& sum :
+                     {std::vector<Summand>{{f, a, b}}, {{f, b, a}, {1, c, b}, {-f, c, c}}})
+                    EXPECT_EQ(by_kernel(sum), by_definition(sum)) << bits << " bits, " << more;
+        }
+}
+
+TEST(Products, TermsWithEqualMonomialsAreCollected) {
+    RandomTerms random(12);
+    for (const int bits : {8, 62, 64, 150}) {
+        const Polynomial p = random.next(20, bits);
+        Fractions twice = p.fractions();
+        for (std::size_t k = 0; k < p.size(); ++k)
+            for (int n = 0; n < 4; ++n) twice.append(p.fractions().monomials[k], p.fractions(), k);
+        EXPECT_EQ(Polynomial::from_fractions(collected(twice)), Rational(5) * p);
+    }
+}
+
 TEST(Fractions, AndTermsAreOneThing) {
     RandomTerms random(5);
     for (const int bits : {8, 40, 64, 150}) {

@@ -62,7 +62,7 @@ TEST(Survey, TellsExponentsWeightsAndSize) {
     EXPECT_TRUE(survey.homogeneous);
     const auto range = [&](const char* name) {
         const auto k = static_cast<std::size_t>(*ring.find(name));
-        return std::pair(survey.lowest[k], survey.highest[k]);
+        return std::pair(survey.exponents[k].lowest, survey.exponents[k].highest);
     };
     EXPECT_EQ(range("z1"), std::pair(0, 3));
     EXPECT_EQ(range("r"), std::pair(-1, 0));
