@@ -70,10 +70,11 @@ PointReader::Wanted::Wanted(Side side, const std::vector<GeneratorId>& slopes) :
 PointReader::PointReader(const Ring& ring, std::span<const Point> points)
     : exponents_(ring), head_(head_of(ring, exponents_)) {
     points_.reserve(points.size());
-    for (const Point& point : points) points_.push_back(prepared(ring, point));
+    for (const Point& point : points)
+        points_.push_back(prepared(ring, point, static_cast<std::size_t>(exponents_.first_of(head_))));
 }
 
-PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point) {
+PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point, std::size_t head) {
     AtPoint at{Montgomery(point.field), {}, 0, {}, {}};
     const Montgomery& montgomery = at.montgomery;
     // All inverses by one: 1/a_k = (a_0 ... a_{k-1}) / (a_0 ... a_k).
@@ -104,7 +105,8 @@ PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point)
         there.values.push_back(negated ? montgomery.negate(value) : value);
         there.inverses.push_back(negated ? montgomery.negate(below) : below);
     }
-    for (Half& half : at.halves) half.powers.resize(half.values.size() * span);
+    here.powers.resize(here.values.size() * span);
+    there.powers.resize(head * span);
     at.one = montgomery.enter(1);
     at.tails[0] = montgomery.enter(at.one);
     constexpr std::size_t some = 16;

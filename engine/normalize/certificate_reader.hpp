@@ -29,6 +29,7 @@ public:
 
     [[nodiscard]] int words() const { return words_; }
     [[nodiscard]] int word_of(GeneratorId id) const { return id / per_word_; }
+    [[nodiscard]] GeneratorId first_of(int word) const { return word * per_word_; }
     // All words of the next monomial count as new.
     void forget() { started_ = false; }
     // The first word in which m differs from the monomial read before; words() if there is none.
@@ -109,7 +110,8 @@ private:
         Residue cofactor = 0, number = 0;                  // of the part, of the term that is read
     };
 
-    [[nodiscard]] static AtPoint prepared(const Ring& ring, const Point& point);
+    // With the number of generators in the head.
+    [[nodiscard]] static AtPoint prepared(const Ring& ring, const Point& point, std::size_t head);
     [[nodiscard]] static Residue power(const AtPoint& at, Half& half, const ExponentReader::Power& p);
     [[nodiscard]] static Residue far_power(const AtPoint& at, const Half& half,
                                            const ExponentReader::Power& p);
