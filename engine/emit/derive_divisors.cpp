@@ -62,11 +62,13 @@ std::vector<Surface> surfaces(const GradedField& field, const std::vector<Diviso
     return found;
 }
 
-const char* meaning(DivisorVerdict verdict) {
-    switch (verdict) {
+const char* meaning(const DivisorRecord& record) {
+    switch (record.verdict) {
     case DivisorVerdict::removed: return "divided by";
     case DivisorVerdict::kept_exact: return "resonant";
-    case DivisorVerdict::kept_near: return "below the threshold of [normal_form] near";
+    case DivisorVerdict::kept_near:
+        return record.divisor.empty() ? "zero in all digits, for no reason that is known"
+                                      : "below the threshold of [normal_form] near";
     case DivisorVerdict::ambiguous: return "undecided";
     }
     return "";
@@ -90,7 +92,7 @@ Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& d
         if (record.weight > order) continue;
         ++count[record.verdict];
         const std::string heading =
-            fmt::format("{}, {} ({})", record.variable, to_string(record.verdict), meaning(record.verdict));
+            fmt::format("{}, {} ({})", record.variable, to_string(record.verdict), meaning(record));
         auto section = std::find_if(page.sections.begin(), page.sections.end(),
                                     [&](const Section& s) { return s.heading == heading; });
         if (section == page.sections.end())
