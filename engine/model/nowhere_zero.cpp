@@ -43,13 +43,13 @@ bool SignProver::nonzero(const ex& e) const {
 
 // Though it may have either sign: tau where tau^2 - 2 is declared, x^2 - y - sqrt(y).
 bool SignProver::has_no_zero(const ex& e) const {
-    if (e.nops() > largest_compared) return false;
+    if (e.nops() > largest_compared || !is_comparable(e)) return false;
     const auto signs = signs_of_one_atom(e, system_);
     if ((signs && !signs->zero && real(e)) || is_excluded(e)) return true;
     const auto split = split_by_root(e.expand());
     if (!split) return false;
-    const ex norm = split->norm(); // e (a - b r)
-    return norm.nops() <= largest_compared && nonzero(norm);
+    const auto norm = split->norm(largest_compared); // e (a - b r)
+    return norm && nonzero(*norm);
 }
 
 // Would its zeros contradict a declaration?

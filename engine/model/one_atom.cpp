@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/one_atom.hpp"
 
+#include "model/growth.hpp"
 #include "model/named_function.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ public:
         const Atom own = of(e).value_or(Atom{});
         for (const ex& met : own.met_)
             if (by_t_.find(met) == by_t_.end()) return std::nullopt;
-        if (own.met_.empty()) return std::nullopt;
+        if (own.met_.empty() || of_expression(e).degree > highest_power) return std::nullopt;
         const ex fraction = e.subs(by_t_, GiNaC::subs_options::no_pattern).normal().numer_denom();
         const ex p = (fraction.op(0) * fraction.op(1)).expand();
         if (!p.is_polynomial(t_) || p.degree(t_) > highest_power) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "model/root_split.hpp"
 
 #include "model/canonical.hpp"
+#include "model/growth.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -32,6 +33,14 @@ void collect_roots(const ex& e, std::vector<ex>& roots) {
     for (const ex& part : e) collect_roots(part, roots);
 }
 
+// Of t, of any sign; t stands in no other root and no function.
+bool is_sum_of_powers(const ex& e, const ex& t) {
+    if (e.is_equal(t) || !e.has(t)) return true;
+    if (is_a<GiNaC::power>(e)) return e.op(0).is_equal(t) && e.op(1).info(GiNaC::info_flags::integer);
+    return (is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e)) &&
+           std::all_of(e.begin(), e.end(), [&](const ex& part) { return is_sum_of_powers(part, t); });
+}
+
 // By the powers of one radicand.
 std::optional<RootSplit> split_by(const ex& radicand, const ex& e, const std::vector<ex>& roots) {
     numeric index = 1;
@@ -46,8 +55,8 @@ std::optional<RootSplit> split_by(const ex& radicand, const ex& e, const std::ve
         if (r.op(0).is_equal(radicand)) by_t[r] = GiNaC::pow(t, power);
     }
     ex in_t = e.subs(by_t, GiNaC::subs_options::no_pattern).expand();
+    if (!is_sum_of_powers(in_t, t)) return std::nullopt;
     in_t = (in_t * GiNaC::pow(t, -std::min(0, in_t.ldegree(t)))).expand();
-    if (!in_t.is_polynomial(t)) return std::nullopt;
     RootSplit split{0, 0, GiNaC::pow(radicand, 2 / index), radicand};
     for (int k = 0; k <= in_t.degree(t); ++k)
         (k % 2 == 0 ? split.a : split.b) += in_t.coeff(t, k) * GiNaC::pow(radicand, (k - k % 2) / index);
@@ -58,7 +67,13 @@ std::optional<RootSplit> split_by(const ex& radicand, const ex& e, const std::ve
 
 } // namespace
 
-ex RootSplit::norm() const { return (a * a - b * b * square).expand(); }
+std::optional<ex> RootSplit::norm(std::size_t most_operands) const {
+    const ex product = a * a - b * b * square;
+    // Collecting leaves fewer terms than this bound, but not many times fewer.
+    if (of_expression(product).terms > 20 * static_cast<double>(most_operands)) return std::nullopt;
+    ex norm = product.expand();
+    return norm.nops() > most_operands ? std::nullopt : std::optional(std::move(norm));
+}
 
 std::optional<RootSplit> split_by_root(const ex& e) {
     std::vector<ex> roots;

@@ -16,8 +16,8 @@ struct RootSplit {
     GiNaC::ex square;   // r^2
     GiNaC::ex radicand; // what r is a root of
 
-    // a^2 - b^2 r^2, expanded.
-    [[nodiscard]] GiNaC::ex norm() const;
+    // a^2 - b^2 r^2, expanded; nullopt: of more operands.
+    [[nodiscard]] std::optional<GiNaC::ex> norm(std::size_t most_operands) const;
 };
 
 // Of e times a power of r, by a root of even index that stands in no other root; nullopt: there is none, or

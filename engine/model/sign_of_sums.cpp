@@ -3,6 +3,7 @@
 
 #include "model/bounds.hpp"
 #include "model/constant_sign.hpp"
+#include "model/growth.hpp"
 #include "model/one_atom.hpp"
 #include "model/pairs_of_terms.hpp"
 #include "model/root_split.hpp"
@@ -17,8 +18,11 @@ using GiNaC::ex;
 using GiNaC::numeric;
 
 constexpr std::size_t largest_divided = 10; // operands of a sum
+constexpr double most_terms = 20000;        // of what is expanded
 
 } // namespace
+
+bool is_comparable(const ex& e) { return of_expression(e).terms <= most_terms; }
 
 // What is constant in it counts as one addend: sqrt(a) - 1 + pi.
 ProvedSign SignProver::of_sum(const ex& e, int comparisons) const {
@@ -58,19 +62,19 @@ ex SignProver::without_squares(const ex& e, int comparisons) const {
 
 // a + b r with r >= 0 has the sign of a where a^2 > b^2 r^2, else that of b: sqrt(tau^2 + r) - tau.
 ProvedSign SignProver::by_root(const ex& e, int comparisons) const {
-    if (comparisons == 0 || e.nops() > largest_compared) return ProvedSign::unknown;
+    if (comparisons == 0 || e.nops() > largest_compared || !is_comparable(e)) return ProvedSign::unknown;
     if (const ex plain = without_squares(e, comparisons - 1); !plain.is_equal(e))
         return sign(plain, comparisons - 1);
     const auto split = split_by_root(e.expand());
     if (!split || sign(split->radicand, comparisons - 1) == ProvedSign::unknown || !real(e))
         return ProvedSign::unknown;
-    const ex norm = split->norm();
-    if (norm.nops() > largest_compared) return ProvedSign::unknown;
+    const auto norm = split->norm(largest_compared);
+    if (!norm) return ProvedSign::unknown;
     const ProvedSign a = sign(split->a, comparisons - 1), b = sign(split->b, comparisons - 1);
     if (a != ProvedSign::unknown && b != ProvedSign::unknown)
         return b == ProvedSign::positive && nonzero(split->radicand) ? b : a;
-    if (a != ProvedSign::unknown) return sign(norm, comparisons - 1);
-    return b == ProvedSign::unknown ? b : sign((-norm).expand(), comparisons - 1);
+    if (a != ProvedSign::unknown) return sign(*norm, comparisons - 1);
+    return b == ProvedSign::unknown ? b : sign((-*norm).expand(), comparisons - 1);
 }
 
 // By all that is known of a single symbol or function: x^2 - x - 1 where x - 2 is declared.
@@ -97,7 +101,7 @@ ProvedSign SignProver::by_bounds(const ex& e, int comparisons) const {
 // m + c - c*cos(u)^2, x^2 - x*y + y^2: not negative, and positive if it is so without a little of a positive
 // term.
 ProvedSign SignProver::by_pairs(const ex& e, int comparisons) const {
-    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e)) return ProvedSign::unknown;
+    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e) || !is_comparable(e)) return ProvedSign::unknown;
     const ex sum = e.expand(); // which terms there are is not left to the form of e
     if (!GiNaC::is_a<GiNaC::add>(sum) || sum.nops() > largest_compared) return ProvedSign::unknown;
     const auto nonnegative = [&](const ex& all) {
@@ -115,7 +119,7 @@ ProvedSign SignProver::by_pairs(const ex& e, int comparisons) const {
 
 // With d > 0 declared: e = q d has the sign of q; e = d + rest is positive if the rest is >= 0.
 ProvedSign SignProver::by_declaration(const ex& e, int comparisons) const {
-    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e)) return ProvedSign::unknown;
+    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e) || !is_comparable(e)) return ProvedSign::unknown;
     const ex expanded = e.expand();
     if (expanded.nops() > largest_compared) return ProvedSign::unknown;
     for (const Declaration& declared : system_.positive) {

@@ -12,6 +12,8 @@ enum class ProvedSign { unknown, nonnegative, positive };
 
 // Comparing divides and multiplies polynomials; no honest one has more operands than this.
 constexpr std::size_t largest_compared = 60;
+// And none grows to more terms, by an upper bound of their number, before they are collected.
+bool is_comparable(const GiNaC::ex& e);
 
 // What is proved holds wherever parameters and slow variables lie in their domain.
 class SignProver {
