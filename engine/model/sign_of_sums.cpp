@@ -9,6 +9,9 @@
 #include "model/root_split.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace resonform {
 
@@ -39,7 +42,39 @@ ProvedSign SignProver::of_sum(const ex& e, int comparisons) const {
         if (!known) break;
         strongest = std::max(strongest, s);
     }
-    return known ? strongest : std::max(by_root(e, comparisons), by_bounds(e, comparisons));
+    if (known) return strongest;
+    const ProvedSign whole = std::max(by_root(e, comparisons), by_bounds(e, comparisons));
+    return whole == ProvedSign::unknown ? by_independent_part(e, comparisons) : whole;
+}
+
+// sqrt(b^2 + 1) - b + tau^2: without the addends that are not negative and have no symbol in common with
+// those whose sign is unknown.
+ProvedSign SignProver::by_independent_part(const ex& e, int comparisons) const {
+    if (comparisons == 0 || e.nops() > largest_compared) return ProvedSign::unknown;
+    ex rest = 0;
+    GiNaC::exset open; // symbols
+    std::vector<std::pair<ex, ProvedSign>> closed;
+    for (const ex& part : e) {
+        const ProvedSign s = is_constant(part) ? ProvedSign::unknown : sign(part, comparisons - 1);
+        if (s != ProvedSign::unknown) {
+            closed.emplace_back(part, s);
+            continue;
+        }
+        rest += part;
+        std::copy_if(part.preorder_begin(), part.preorder_end(), std::inserter(open, open.end()),
+                     [](const ex& inner) { return GiNaC::is_a<GiNaC::symbol>(inner); });
+    }
+    ProvedSign left_out = ProvedSign::unknown;
+    for (const auto& [part, s] : closed) {
+        const bool shares = std::any_of(part.preorder_begin(), part.preorder_end(),
+                                        [&](const ex& inner) { return open.count(inner) > 0; });
+        if (shares)
+            rest += part;
+        else
+            left_out = std::max(left_out, s);
+    }
+    const ProvedSign s = left_out == ProvedSign::unknown ? left_out : sign(rest, comparisons - 1);
+    return s == ProvedSign::unknown ? s : std::max(s, left_out);
 }
 
 // sqrt(b^2) is b or -b, where the sign of b is known.

@@ -38,6 +38,7 @@ private:
     ProvedSign of_negative(const GiNaC::ex& part, int comparisons) const;
 
     ProvedSign of_sum(const GiNaC::ex& e, int comparisons) const;
+    ProvedSign by_independent_part(const GiNaC::ex& e, int comparisons) const;
     GiNaC::ex without_squares(const GiNaC::ex& e, int comparisons) const;
     ProvedSign by_root(const GiNaC::ex& e, int comparisons) const;
     ProvedSign by_one_atom(const GiNaC::ex& e) const;

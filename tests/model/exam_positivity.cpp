@@ -152,15 +152,15 @@ TEST_F(Positivity, Nonzero) {
 
 TEST_F(Positivity, OfSumsWithRoots) {
     for (const char* text :
-         {"sqrt(r^2 + p) - r", "-r + sqrt(r^2 + p)", "3*r - sqrt(8*r^2)", "sqrt(r + sqrt(p)) - sqrt(r)",
-          "sqrt(r) + sqrt(p) - sqrt(r + p)", "r + p - sqrt(r^2 + p^2)", "sqrt(r^2 + tau^2 + 1) + tau",
-          "(r^2 + p)^(1/4) - sqrt(r)", "1/sqrt(r) - 1/sqrt(r + p)", "sqrt((2 + sin(tau))^2) - sin(tau)",
-          "r*sqrt(r^2 + 1) + r*tau*sqrt(tau^2) + r*tau^2"})
+         {"sqrt(r^2 + p) - r", "sqrt(c^2 + 1) - c + tau^2*p", "-r + sqrt(r^2 + p)", "3*r - sqrt(8*r^2)",
+          "sqrt(r + sqrt(p)) - sqrt(r)", "sqrt(r) + sqrt(p) - sqrt(r + p)", "r + p - sqrt(r^2 + p^2)",
+          "sqrt(r^2 + tau^2 + 1) + tau", "(r^2 + p)^(1/4) - sqrt(r)", "1/sqrt(r) - 1/sqrt(r + p)",
+          "sqrt((2 + sin(tau))^2) - sin(tau)", "r*sqrt(r^2 + 1) + r*tau*sqrt(tau^2) + r*tau^2"})
         EXPECT_TRUE(positive(text)) << text;
-    for (const char* text :
-         {"sqrt(r^2 - 1) - r", "sqrt(r^2 + p) - 2*r", "sqrt(r^2 + k) + r", "sqrt(tau^2) + tau",
-          "sqrt(r) + sqrt(p) - 5/4*sqrt(r + p)", "r + p - 9/8*sqrt(r^2 + p^2)", "sqrt(r^2 + tau) + r",
-          "2*sqrt(tau^2) - tau", "sqrt((2 + sin(tau))^2) - 4*sin(tau)", "r - sqrt(8*r)"}) {
+    for (const char* text : {"sqrt(r^2 - 1) - r", "sqrt(c^2 + 1) - 2*c + tau^2*p", "sqrt(r^2 + p) - 2*r",
+                             "sqrt(r^2 + k) + r", "sqrt(tau^2) + tau", "sqrt(r) + sqrt(p) - 5/4*sqrt(r + p)",
+                             "r + p - 9/8*sqrt(r^2 + p^2)", "sqrt(r^2 + tau) + r", "2*sqrt(tau^2) - tau",
+                             "sqrt((2 + sin(tau))^2) - 4*sin(tau)", "r - sqrt(8*r)"}) {
         EXPECT_FALSE(positive(text)) << text;
         EXPECT_FALSE(positive("-(" + std::string(text) + ")")) << text;
     }
@@ -207,6 +207,9 @@ TEST(Domain, ExcludesZeros) {
     for (const char* text :
          {"tau", "tau^2 - 1", "tau + 1", "2*tau - 5", "tau^3 - 2*tau", "a", "a + b", "a*b", "b*tau"})
         EXPECT_TRUE(nonzero(text)) << text;
+    // Names are what follows of them.
+    EXPECT_TRUE(system.variables[1].nonzero && !system.variables[1].positive);
+    EXPECT_TRUE(system.parameter("a")->nonzero && !system.parameter("a")->positive);
     for (const char* text : {"2*tau - 3", "tau^2 - 5/2", "a - b", "tau - a", "a*b - 2*r", "a - 1"})
         EXPECT_FALSE(nonzero(text)) << text;
 }
