@@ -6,6 +6,7 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/document.hpp"
+#include "normalize/centre_manifold.hpp"
 
 #include <fmt/format.h>
 
@@ -115,6 +116,7 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
     }
     if (in_graph(*expanded.field, weight, stage, format, coefficients))
         return from_graph(expanded, weight, stage, format, watch);
+    if (stage == Stage::manifold) require_slaved_modes(*expanded.field);
     const auto normalization = normalize_certified(expanded, weight, watch);
     if (stage == Stage::divisors)
         return print_divisors(*normalization->normal_form.field, normalization->divisors, weight, format);

@@ -3,7 +3,7 @@
 // were divided by vanishes.
 #include "emit/derive.hpp"
 #include "emit/normal_form_parts.hpp"
-#include "model/positivity.hpp"
+#include "emit/vanishing.hpp"
 
 #include <fmt/format.h>
 
@@ -28,70 +28,16 @@ Polynomial part_of(const Ring& ring, const Polynomial& p, int power_of_i) {
     return Polynomial::from_terms(std::move(terms));
 }
 
-// What each generator in a monomial is asked for.
-template <class Asked> bool all_of(const Ring& ring, const Monomial& m, Asked asked) {
-    for (GeneratorId id = 0; id < ring.size(); ++id)
-        if (const int exponent = ring.exponent(m, id); exponent != 0 && !asked(ring.generator(id), exponent))
-            return false;
-    return true;
-}
-
-bool is_divisor(const Generator& g) { return g.kind == GeneratorKind::root && g.index == 1; }
-
-// With the radicands in place of divisors that the ring has learned, and without powers of roots as factors:
-// tau^2 + 1 may be held as delta - 2. As it is where that leaves a divisor below.
-Polynomial written_out(const Ring& ring, const Polynomial& p) {
-    const auto parts = ring.expanded_form(p);
-    const bool whole = parts.size() == 1 && all_of(ring, parts.front().first,
-                                                   [](const Generator& g, int) { return !is_divisor(g); });
-    return whole ? parts.front().second : p;
-}
-
-// Declared or proved: one term vanishes nowhere and the others, if any, have its sign or are zero.
-bool is_of_one_sign(const Ring& ring, const Polynomial& p) {
-    const auto positive = [&](const Generator& g) {
-        return g.positive || (g.kind == GeneratorKind::root && !is_divisor(g));
-    };
-    const auto vanishes_nowhere = [&](const Term& t) {
-        return all_of(ring, t.monomial, [&](const Generator& g, int) {
-            return positive(g) || (g.invertible && !is_divisor(g));
-        });
-    };
-    const bool minus = cln::minusp(p.terms().front().coefficient);
-    const auto of_that_sign = [&](const Term& t) {
-        return cln::minusp(t.coefficient) == minus &&
-               all_of(ring, t.monomial,
-                      [&](const Generator& g, int exponent) { return positive(g) || exponent % 2 == 0; });
-    };
-    return std::any_of(p.terms().begin(), p.terms().end(), vanishes_nowhere) &&
-           (p.size() == 1 || std::all_of(p.terms().begin(), p.terms().end(), of_that_sign));
-}
-
-bool nowhere_zero(const Ring& ring, const Polynomial& p) {
-    return is_of_one_sign(ring, p) || is_of_one_sign(ring, written_out(ring, p));
-}
-
-// What p is a product of, as far as it may vanish: divisors that the ring has learned, and the rest.
-std::vector<Polynomial> vanishing_factors(const Ring& ring, const Polynomial& p) {
-    std::vector<Polynomial> factors;
-    for (GeneratorId id = 0; id < ring.size(); ++id)
-        if (is_divisor(ring.generator(id)) && ring.lowest_exponent(p, id) > 0 &&
-            !nowhere_zero(ring, ring.generator(id).radicand))
-            factors.push_back(ring.generator(id).radicand);
-    Polynomial rest = primitive_part(ring, p);
-    if (!nowhere_zero(ring, rest)) factors.push_back(std::move(rest));
-    return factors;
-}
-
 // One polynomial for each surface of a real divisor, or two that vanish together.
-std::vector<std::vector<Polynomial>> surfaces_of(const Ring& ring, const Polynomial& divisor) {
+std::vector<std::vector<Polynomial>> surfaces_of(const GradedField& field, Vanishing& vanishing_of,
+                                                 const Polynomial& divisor) {
     std::vector<std::vector<Polynomial>> result{{}};
     for (const int power_of_i : {0, 1}) {
-        const Polynomial part = part_of(ring, divisor, power_of_i);
+        const Polynomial part = part_of(*field.ring, divisor, power_of_i);
         if (part.empty()) continue;
         std::vector<std::vector<Polynomial>> longer;
         for (const std::vector<Polynomial>& vanishing : result)
-            for (const Polynomial& factor : vanishing_factors(ring, part)) {
+            for (const Polynomial& factor : vanishing_of.factors(part)) {
                 longer.push_back(vanishing);
                 longer.back().push_back(factor);
             }
@@ -100,30 +46,13 @@ std::vector<std::vector<Polynomial>> surfaces_of(const Ring& ring, const Polynom
     return result;
 }
 
-// By the bounds of sin(tau) and what else is known of expressions: 2 + sin(tau).
-bool is_proved_nonzero(const GradedField& field, const DivisorRecord& record) {
-    const Ring& ring = *field.ring;
-    GiNaC::ex growth = 0, frequency = 0;
-    for (std::size_t k = 0; k < field.modes.size(); ++k) {
-        const Mode& mode = field.modes[k];
-        const auto& lambda = field.basis.modes[k].eigenvalue;
-        const int own = ring.exponent(record.monomial, mode.z) - (mode.name == record.variable ? 1 : 0);
-        const int other = mode.is_real() ? 0 : ring.exponent(record.monomial, mode.zbar);
-        growth += (own + other) * lambda.re;
-        frequency += (own - other) * lambda.im;
-    }
-    for (const AngleVariable& angle : field.angles)
-        frequency += ring.exponent(record.monomial, angle.phase) * angle.law;
-    return provably_nonzero(growth, field.system()) || provably_nonzero(frequency, field.system());
-}
-
 std::vector<Surface> surfaces(const GradedField& field, const std::vector<DivisorRecord>& divisors,
                               int order) {
     std::vector<Surface> found;
+    Vanishing vanishing_of(field);
     for (const DivisorRecord& record : divisors) {
         if (record.weight > order || record.verdict != DivisorVerdict::removed) continue;
-        if (is_proved_nonzero(field, record)) continue;
-        for (std::vector<Polynomial>& vanishing : surfaces_of(*field.ring, record.divisor)) {
+        for (std::vector<Polynomial>& vanishing : surfaces_of(field, vanishing_of, record.divisor)) {
             auto known = std::find_if(found.begin(), found.end(),
                                       [&](const Surface& s) { return s.vanishing == vanishing; });
             if (known == found.end()) known = found.insert(found.end(), Surface{std::move(vanishing), {}});
@@ -133,11 +62,13 @@ std::vector<Surface> surfaces(const GradedField& field, const std::vector<Diviso
     return found;
 }
 
-const char* meaning(DivisorVerdict verdict) {
-    switch (verdict) {
+const char* meaning(const DivisorRecord& record) {
+    switch (record.verdict) {
     case DivisorVerdict::removed: return "divided by";
     case DivisorVerdict::kept_exact: return "resonant";
-    case DivisorVerdict::kept_near: return "below the threshold of [normal_form] near";
+    case DivisorVerdict::kept_near:
+        return record.divisor.empty() ? "zero in all digits, for no reason that is known"
+                                      : "below the threshold of [normal_form] near";
     case DivisorVerdict::ambiguous: return "undecided";
     }
     return "";
@@ -161,7 +92,7 @@ Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& d
         if (record.weight > order) continue;
         ++count[record.verdict];
         const std::string heading =
-            fmt::format("{}, {} ({})", record.variable, to_string(record.verdict), meaning(record.verdict));
+            fmt::format("{}, {} ({})", record.variable, to_string(record.verdict), meaning(record));
         auto section = std::find_if(page.sections.begin(), page.sections.end(),
                                     [&](const Section& s) { return s.heading == heading; });
         if (section == page.sections.end())
@@ -173,7 +104,7 @@ Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& d
     Section resonances{"resonance surfaces", {}};
     for (const Surface& surface : surfaces(field, divisors, order))
         for (const Polynomial& vanishing : surface.vanishing)
-            resonances.formulas.push_back({side(display(ring, vanishing)), zero_side()});
+            resonances.formulas.push_back({side(display_without_sign(ring, vanishing)), zero_side()});
     if (resonances.formulas.empty())
         page.remarks.emplace_back("no divisor that was divided by can vanish");
     else

@@ -4,6 +4,7 @@
 #include "emit/normal_form_json.hpp"
 #include "emit/normal_form_parts.hpp"
 #include "emit/spelling.hpp"
+#include "emit/vanishing.hpp"
 
 #include <fmt/format.h>
 
@@ -94,8 +95,9 @@ private:
 std::vector<std::string> growth_remarks(const CentreManifold& manifold) {
     const GradedField& field = *manifold.flow.field;
     std::vector<std::string> remarks;
+    Vanishing vanishing(field);
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (manifold.slaved[k] && !field.ring->inverse(field.modes[k].growth))
+        if (manifold.slaved[k] && !vanishing.nowhere(field.modes[k].growth))
             remarks.push_back(fmt::format(
                 "{} is slaved: its growth rate is taken to vanish nowhere, {}", field.modes[k].name,
                 spell(display(*field.ring, field.modes[k].growth), text_spelling())));

@@ -6,6 +6,7 @@
 #include "emit/normal_form_parts.hpp"
 #include "emit/slow_rate.hpp"
 #include "emit/spelling.hpp"
+#include "emit/vanishing.hpp"
 
 #include <fmt/format.h>
 #include <utility>
@@ -136,8 +137,11 @@ private:
 // What the result is divided by without a proof that it vanishes nowhere; "" if nothing.
 std::string divisor_remark(const GradedField& field) {
     std::string text;
+    Vanishing vanishing(field);
     for (const Polynomial& divisor : small_divisors(field))
-        text += (text.empty() ? "" : ", ") + spell(display(*field.ring, divisor), text_spelling());
+        if (!vanishing.nowhere(divisor))
+            text += (text.empty() ? "" : ", ") +
+                    spell(display_without_sign(*field.ring, divisor), text_spelling());
     return text.empty() ? "" : "small divisors, taken to vanish nowhere: " + text;
 }
 

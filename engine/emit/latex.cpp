@@ -14,7 +14,7 @@ namespace resonform {
 
 namespace {
 
-using Kind = DisplayFactor::Kind;
+using FactorKind = DisplayFactor::Kind;
 
 bool is_greek(const std::string& word) {
     static constexpr std::array<const char*, 34> letters = {
@@ -69,7 +69,7 @@ bool is_simple_argument(const DisplaySum& argument) {
     if (argument.terms.size() != 1) return false;
     const DisplayTerm& term = argument.terms.front();
     return !cln::minusp(term.coefficient) && cln::denominator(term.coefficient) == 1 && !term.imaginary &&
-           term.factors.size() == 1 && term.factors.front().kind == Kind::symbol &&
+           term.factors.size() == 1 && term.factors.front().kind == FactorKind::symbol &&
            term.factors.front().exponent == 1 && term.tail.empty();
 }
 
@@ -99,12 +99,12 @@ std::string integral(const DisplayFactor& factor) {
 
 std::string inner(const DisplayFactor& factor) {
     switch (factor.kind) {
-    case Kind::symbol: return latex_name(factor.name, factor.primes);
-    case Kind::number: return latex(number_sum(factor.number));
-    case Kind::sum: return latex(factor.arguments.front());
-    case Kind::function: return function(factor);
-    case Kind::integral: return integral(factor);
-    case Kind::power:
+    case FactorKind::symbol: return latex_name(factor.name, factor.primes);
+    case FactorKind::number: return latex(number_sum(factor.number));
+    case FactorKind::sum: return latex(factor.arguments.front());
+    case FactorKind::function: return function(factor);
+    case FactorKind::integral: return integral(factor);
+    case FactorKind::power:
         return latex(factor.arguments[0].terms.front().factors.front()) + "^{" + latex(factor.arguments[1]) +
                "}";
     }
@@ -116,9 +116,9 @@ std::string exponent_text(const Rational& exponent) { return "^{" + to_string(ex
 std::string power(const DisplayFactor& factor, const Rational& exponent) {
     const std::string base = inner(factor);
     if (exponent == Rational(1) / 2) return "\\sqrt{" + base + "}";
-    const bool atom = factor.kind == Kind::symbol || exponent == 1;
-    const bool primed_symbol = factor.kind == Kind::symbol && factor.primes > 2 && exponent != 1;
-    const bool bare = atom && factor.kind != Kind::sum && !primed_symbol;
+    const bool atom = factor.kind == FactorKind::symbol || exponent == 1;
+    const bool primed_symbol = factor.kind == FactorKind::symbol && factor.primes > 2 && exponent != 1;
+    const bool bare = atom && factor.kind != FactorKind::sum && !primed_symbol;
     return (bare ? base : parenthesised(base)) + (exponent == 1 ? std::string() : exponent_text(exponent));
 }
 
@@ -137,7 +137,7 @@ struct BarSide {
 
     void multiply(const DisplayFactor& factor) {
         const Rational exponent = cln::abs(factor.exponent);
-        const bool lone = text.empty() && factor.kind == Kind::sum && exponent == 1;
+        const bool lone = text.empty() && factor.kind == FactorKind::sum && exponent == 1;
         lone_sum = lone ? inner(factor) : std::string();
         append(text, power(factor, exponent));
     }
@@ -158,7 +158,7 @@ std::string head(const DisplayTerm& term) {
         below.text = to_string(Rational(cln::denominator(size)));
     if (term.imaginary) append(above.text, "i");
     for (const DisplayFactor& factor : term.factors) {
-        const bool wide = factor.kind == Kind::function || factor.kind == Kind::integral;
+        const bool wide = factor.kind == FactorKind::function || factor.kind == FactorKind::integral;
         if (factor.exponent > 0 && wide)
             append(behind, power(factor, factor.exponent));
         else

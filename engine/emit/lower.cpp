@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/lower.hpp"
 
-#include "algebra/error.hpp"
+#include "emit/display.hpp"
+#include "emit/spelling.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace resonform {
+
+namespace {
+
+[[noreturn]] void divides_by_zero(const Ring& ring, const Generator& g) {
+    const std::string name =
+        g.kind == GeneratorKind::root ? spell(display(ring, g.radicand), text_spelling()) : g.name;
+    throw DivisionByZero(
+        Kind::refused,
+        {"a value that is divided by must not be zero", name + " = 0", "change it under [fix]", {}});
+}
+
+} // namespace
 
 void Lowering::define(GeneratorId id, Graph::Node node, bool varying) {
     nodes_[static_cast<std::size_t>(id)] = node;
@@ -23,10 +36,7 @@ void Lowering::fold(const Monomial& m, Rational coefficient, Terms& terms) const
         const Graph::Entry& entry = graph_->at(nodes_[id]);
         if (entry.op != Graph::Op::rational) continue;
         if (entry.value == 0 && exponents[id] < 0)
-            refuse({"a value that is divided by must not be zero",
-                    ring_->generator(static_cast<int>(id)).name + " = 0",
-                    "change it under [fix]",
-                    {}});
+            divides_by_zero(*ring_, ring_->generator(static_cast<GeneratorId>(id)));
         coefficient = coefficient * cln::expt(entry.value, exponents[id]);
         exponents[id] = 0;
     }

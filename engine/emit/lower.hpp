@@ -7,6 +7,7 @@
 // call to call, so that the coefficients are constants of the construction.
 #pragma once
 
+#include "algebra/error.hpp"
 #include "algebra/ring.hpp"
 #include "emit/graph.hpp"
 
@@ -14,6 +15,12 @@
 #include <vector>
 
 namespace resonform {
+
+// Among the numbers put in.
+class DivisionByZero : public Error {
+public:
+    using Error::Error;
+};
 
 class Lowering {
 public:
@@ -29,7 +36,7 @@ public:
     [[nodiscard]] Graph::Node node(GeneratorId id) const { return nodes_[static_cast<std::size_t>(id)]; }
     [[nodiscard]] bool varying(GeneratorId id) const { return varying_[static_cast<std::size_t>(id)]; }
 
-    // Precondition: every generator in p is defined. Errors (refused): 1/0 among numbers put in.
+    // Precondition: every generator in p is defined. Errors (refused): DivisionByZero.
     Graph::Node polynomial(const Polynomial& p);
     // The same without looking for common root powers: for radicands, while roots are not yet defined.
     Graph::Node radicand(const Polynomial& p);

@@ -3,9 +3,11 @@
 
 #include "algebra/error.hpp"
 #include "emit/count.hpp"
+#include "emit/fixed_divisors.hpp"
 #include "emit/flow_program.hpp"
 #include "emit/identifier.hpp"
 #include "emit/layers.hpp"
+#include "emit/lower.hpp"
 #include "emit/moment.hpp"
 #include "emit/prune.hpp"
 #include "emit/quadratures.hpp"
@@ -164,6 +166,16 @@ Program built(const Solution& solution, const Scene& scene, const ProgramOptions
                          : ProgramBuilder(solution, scene, options).build();
 }
 
+// What is divided by zero is in the first place a divisor of the normal form.
+Program built_with_reason(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
+    try {
+        return built(solution, scene, options);
+    } catch (const DivisionByZero&) {
+        require_divisors(*solution.normalization, scene);
+        throw;
+    }
+}
+
 // The same scene with nothing left out and nothing fixed: what the evaluator would compute without pruning.
 Program without_savings(const Solution& solution, Scene scene) {
     scene.outputs.clear();
@@ -177,7 +189,7 @@ Program without_savings(const Solution& solution, Scene scene) {
 } // namespace
 
 Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
-    Program program = built(solution, scene, options);
+    Program program = built_with_reason(solution, scene, options);
     prune(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
     if (options.fold_fixed && !scene.fix.empty())

@@ -15,7 +15,7 @@ namespace resonform {
 
 namespace {
 
-using Kind = DisplayFactor::Kind;
+using FactorKind = DisplayFactor::Kind;
 
 bool is_integer(const Rational& value) { return cln::denominator(value) == 1; }
 
@@ -128,14 +128,14 @@ std::string function(const DisplayFactor& factor, const Spelling& spelling) {
 // The base without parentheses around it.
 std::string inner(const DisplayFactor& factor, const Spelling& spelling) {
     switch (factor.kind) {
-    case Kind::symbol: return spelling.symbol(factor.name, factor.primes);
-    case Kind::number: return rational(factor.number, spelling);
-    case Kind::sum: return spell(factor.arguments.front(), spelling);
-    case Kind::function: return function(factor, spelling);
-    case Kind::integral:
+    case FactorKind::symbol: return spelling.symbol(factor.name, factor.primes);
+    case FactorKind::number: return rational(factor.number, spelling);
+    case FactorKind::sum: return spell(factor.arguments.front(), spelling);
+    case FactorKind::function: return function(factor, spelling);
+    case FactorKind::integral:
         return spelling.integral(spell(factor.arguments[0], spelling), spell(factor.arguments[1], spelling),
                                  spell(factor.arguments[2], spelling), spell(factor.arguments[3], spelling));
-    case Kind::power:
+    case FactorKind::power:
         return spell(factor.arguments[0].terms.front().factors.front(), spelling) + spelling.power +
                symbolic_exponent(factor.arguments[1], spelling);
     }
@@ -143,12 +143,13 @@ std::string inner(const DisplayFactor& factor, const Spelling& spelling) {
 }
 
 bool needs_parentheses(const DisplayFactor& factor) {
-    return factor.kind == Kind::sum || (factor.kind == Kind::number && !is_integer(factor.number));
+    return factor.kind == FactorKind::sum ||
+           (factor.kind == FactorKind::number && !is_integer(factor.number));
 }
 
 std::string power(const DisplayFactor& factor, const Rational& exponent, const Spelling& spelling) {
     const std::string base = inner(factor, spelling);
-    const bool has_root = factor.kind != Kind::sum || spelling.root_of_sums;
+    const bool has_root = factor.kind != FactorKind::sum || spelling.root_of_sums;
     if (has_root && exponent == Rational(1) / 2) return "sqrt(" + base + ")";
     std::string atom = needs_parentheses(factor) ? "(" + base + ")" : base;
     if (exponent == 1) return atom;

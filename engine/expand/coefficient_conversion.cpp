@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Expressions become polynomials of a ring that is frozen.
+// Expressions become polynomials of a ring that is frozen, and back.
 #include "expand/coefficient_ring.hpp"
 #include "model/canonical.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace resonform {
 
@@ -80,6 +83,30 @@ Polynomial CoefficientRing::convert_power(const ex& base, const Rational& expone
         }
     }
     return result;
+}
+
+ex CoefficientRing::expression(const Polynomial& p) const {
+    ex sum = 0;
+    for (const Term& t : p.terms()) {
+        ex product = to_ginac(t.coefficient);
+        for (GeneratorId id = 0; id < ring_->size(); ++id)
+            if (const int exponent = ring_->exponent(t.monomial, id); exponent != 0)
+                product *= power_of(id, exponent);
+        sum += product;
+    }
+    return sum;
+}
+
+ex CoefficientRing::power_of(GeneratorId id, int exponent) const {
+    for (const auto& [symbol, known] : symbols_)
+        if (known == id) return GiNaC::pow(functions_->domain().meaning(symbol), exponent);
+    for (const Base& base : bases_)
+        if (base.id == id)
+            return GiNaC::pow(functions_->domain().meaning(base.expression),
+                              GiNaC::numeric(exponent, base.index));
+    if (std::find(divisors_.begin(), divisors_.end(), id) != divisors_.end())
+        return GiNaC::pow(expression(ring_->generator(id).radicand), exponent);
+    throw std::logic_error("no coefficient: " + ring_->generator(id).name);
 }
 
 } // namespace resonform

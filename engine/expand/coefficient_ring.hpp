@@ -77,6 +77,8 @@ public:
     // Precondition: freeze() was called and e was collected. e in parameters, slow variables, eps.
     [[nodiscard]] Polynomial convert(const GiNaC::ex& e, const Place& place) const;
     [[nodiscard]] Polynomial convert(const Complex& e, const Place& place) const;
+    // The other way: what a polynomial in constants of the ring means, roots and functions written out.
+    [[nodiscard]] GiNaC::ex expression(const Polynomial& p) const;
 
 private:
     struct Base {
@@ -106,6 +108,7 @@ private:
     [[nodiscard]] Polynomial polynomial(const GiNaC::ex& e, const RingBuilder& builder,
                                         const Place& place) const;
     [[nodiscard]] Term factor(const GiNaC::ex& e, const RingBuilder& builder, const Place& place) const;
+    [[nodiscard]] GiNaC::ex power_of(GeneratorId id, int exponent) const;
     [[nodiscard]] std::string key_of(const GiNaC::ex& base) const;
     [[nodiscard]] int level_of(const GiNaC::ex& base) const;
     void add_symbols(RingBuilder& builder);

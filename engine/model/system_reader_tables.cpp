@@ -64,12 +64,16 @@ void SystemReader::read_domain() {
             bad_value(item, "an expression declared positive can be positive", "correct or remove it");
         }
         system_.positive.push_back({value, item.text, item.source});
-        // A name by itself is the same as positive = true.
-        for (Parameter& p : system_.parameters)
-            if (value.is_equal(p.symbol)) p.positive = p.nonzero = true;
-        for (Variable& v : system_.variables)
-            if (value.is_equal(v.jet.front())) v.positive = v.nonzero = true;
     }
+    // A name by itself is the same as positive = true, and so is what follows: k with k - 2, nonzero tau with
+    // tau^2 - k.
+    const auto conclude = [this](auto& named, const GiNaC::ex& symbol) {
+        named.positive = named.positive || provably_positive(symbol, system_);
+        named.nonzero = named.nonzero || provably_nonzero(symbol, system_);
+    };
+    for (Parameter& p : system_.parameters) conclude(p, p.symbol);
+    for (Variable& v : system_.variables)
+        if (v.role == Role::slow) conclude(v, v.jet.front());
 }
 
 std::vector<GivenRelation> SystemReader::relation_values() const {

@@ -41,8 +41,20 @@ void require_invariance(const GradedField& field, const Mode& mode, const Series
 
 } // namespace
 
+void require_slaved_modes(const GradedField& field) {
+    const auto& modes = field.modes;
+    if (std::any_of(modes.begin(), modes.end(), [](const Mode& m) { return !m.growth.empty(); })) return;
+    const System& system = field.system();
+    refuse({"a centre manifold is for systems with modes that decay or grow at eps = 0",
+            fmt::format("no mode of {} does", system.name),
+            "damping with a factor eps belongs to the normal form: leave out --stage manifold",
+            modes.empty() ? whole_file(system.file)
+                          : place_of(system.equations[modes.front().variable].source)});
+}
+
 CentreManifold centre_manifold(const Normalization& normalization) {
     const GradedField& field = *normalization.normal_form.field;
+    require_slaved_modes(field);
     CentreManifold result{{}, normalization.normal_form, normalization.map, {}};
     std::vector<GeneratorId> slaved;
     for (const Mode& mode : field.modes) {
@@ -51,11 +63,6 @@ CentreManifold centre_manifold(const Normalization& normalization) {
         slaved.push_back(mode.z);
         if (!mode.is_real()) slaved.push_back(mode.zbar);
     }
-    if (slaved.empty())
-        refuse({"a centre manifold is for systems with modes that decay or grow at eps = 0",
-                fmt::format("no mode of {} does", field.system().name),
-                "damping with a factor eps belongs to the normal form: leave out --stage manifold",
-                {}});
     for (auto* list :
          {&result.flow.mode, &result.flow.angle, &result.flow.slow, &result.flow.drift, &result.manifold.mode,
           &result.manifold.angle, &result.manifold.slow, &result.manifold.drift})

@@ -23,7 +23,10 @@ struct CentreManifold {
     NearIdentityMap fibres;   // g in the old variables; of a slaved mode: zero
 };
 
-// Errors (refused): no mode has a growth rate; a term that was kept near, or a declared relation, drives a
+// Errors (refused): no mode has a growth rate. It is known before anything is derived.
+void require_slaved_modes(const GradedField& field);
+
+// Errors (refused): that of require_slaved_modes; a term that was kept near, or a declared relation, drives a
 // slaved mode.
 CentreManifold centre_manifold(const Normalization& normalization);
 

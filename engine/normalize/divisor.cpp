@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace resonform {
 
@@ -27,6 +28,12 @@ namespace {
 // sizes in doubles. Equality is on one, where it is seen exactly.
 constexpr double undecided_part = 1e-12;
 Rational to_exact(double value) { return cln::rational(cln::cl_DF(value)); }
+
+double middle(const RealBall& c) { return arf_get_d(arb_midref(c.get()), ARF_RND_NEAR); }
+
+std::string size_for_message(double size, const Rational& near) {
+    return fmt::format(", |D| = {:.17g}, near = {:.17g}", size, cln::double_approx(near));
+}
 
 // 1/(a + i b), given that it is not zero and the norm a^2 + b^2 (a or b where the other vanishes); nullopt
 // where the ring has no inverse of that.
@@ -55,7 +62,7 @@ template <class Domain> auto DivisorTable<Domain>::of(const Monomial& monomial) 
     const Multiples multiples = multiples_of(monomial);
     const auto known = known_.find(multiples);
     if (known != known_.end()) return known->second;
-    return known_.emplace(multiples, make(multiples)).first->second;
+    return known_.emplace(multiples, make({monomial, multiples})).first->second;
 }
 
 // Multiples of what is zero are left out, so that equal divisors have one entry.
@@ -75,8 +82,9 @@ template <class Domain> auto DivisorTable<Domain>::multiples_of(const Monomial& 
     return multiples;
 }
 
-template <class Domain> auto DivisorTable<Domain>::make(const Multiples& multiples) -> Divisor<Part> {
+template <class Domain> auto DivisorTable<Domain>::make(const Asked& asked) -> Divisor<Part> {
     const Ring& ring = *field_.ring;
+    const Multiples& multiples = asked.multiples;
     Polynomial growth, frequency;
     for (std::size_t m = 0; m < field_.modes.size(); ++m) {
         growth = growth + Rational(multiples[2 * m]) * field_.modes[m].growth;
@@ -85,17 +93,17 @@ template <class Domain> auto DivisorTable<Domain>::make(const Multiples& multipl
     for (std::size_t a = 0; a < field_.angles.size(); ++a)
         frequency = frequency + Rational(multiples[2 * field_.modes.size() + a]) * field_.angles[a].frequency;
     if (ring.vanishes(frequency) && ring.vanishes(growth)) return {{}, DivisorVerdict::kept_exact, {}};
-    return judged(growth, frequency, multiples);
+    return judged(growth, frequency, asked);
 }
 
 template <class Domain>
-auto DivisorTable<Domain>::judged(const Polynomial& growth, const Polynomial& frequency,
-                                  const Multiples& multiples) -> Divisor<Part> {
+auto DivisorTable<Domain>::judged(const Polynomial& growth, const Polynomial& frequency, const Asked& asked)
+    -> Divisor<Part> {
     const Ring& ring = *field_.ring;
     const Polynomial i = ring.imaginary();
     const Polynomial value = growth + ring.multiply(i, frequency);
     const bool real = ring.vanishes(frequency), imaginary = ring.vanishes(growth);
-    if (is_near(multiples)) return {value, DivisorVerdict::kept_near, {}};
+    if (is_near(asked)) return {value, DivisorVerdict::kept_near, {}};
     const Polynomial norm = real        ? growth
                             : imaginary ? frequency
                                         : ring.multiply(growth, growth) + ring.multiply(frequency, frequency);
@@ -110,14 +118,14 @@ auto DivisorTable<Domain>::judged(const Polynomial& growth, const Polynomial& fr
         return {value, DivisorVerdict::removed, inverse.value_or(Part())};
     }
     refuse({"a divisor is proved to be zero or to be non-zero before anything is divided by it",
-            spell(multiples),
+            spell(asked),
             "write the frequencies so that their relation is plain, or give parameters numeric values",
             {}});
 }
 
 template <>
 Divisor<NumberPart> DivisorTable<NumberDomain>::judged(const Polynomial& growth, const Polynomial& frequency,
-                                                       const Multiples& multiples) {
+                                                       const Asked& asked) {
     const std::int64_t bits = domain_.bits();
     const Polynomial value = growth + field_.ring->multiply(field_.ring->imaginary(), frequency);
     const ComplexBall d = domain_.value(value);
@@ -127,17 +135,20 @@ Divisor<NumberPart> DivisorTable<NumberDomain>::judged(const Polynomial& growth,
         arb_addmul(excess.get(), d.im().get(), d.im().get(), bits);
         RealBall nearly = excess;
         arb_add_error(nearly.get(), RealBall(near * near * to_exact(undecided_part), bits).get());
-        if (nearly.contains_zero()) throw UndecidedDivisor{spell(multiples), true};
+        if (nearly.contains_zero())
+            throw UndecidedDivisor{
+                spell(asked) + size_for_message(std::hypot(middle(d.re()), middle(d.im())), near), true};
         if (excess.negative().is_positive()) return {value, DivisorVerdict::kept_near, {}};
     }
     const auto inverse = domain_.inverse(domain_.constant(d));
-    if (!inverse) throw UndecidedDivisor{spell(multiples), false};
+    if (!inverse) throw UndecidedDivisor{spell(asked), false};
     return {value, DivisorVerdict::removed, *inverse};
 }
 
-template <class Domain> bool DivisorTable<Domain>::is_near(const Multiples& multiples) const {
+template <class Domain> bool DivisorTable<Domain>::is_near(const Asked& asked) const {
     const Rational& near = field_.system().near;
     if (cln::zerop(near)) return false;
+    const Multiples& multiples = asked.multiples;
     GiNaC::ex growth = 0, frequency = 0;
     for (std::size_t m = 0; m < field_.modes.size(); ++m) {
         growth += multiples[2 * m] * field_.basis.modes[m].eigenvalue.re;
@@ -153,16 +164,19 @@ template <class Domain> bool DivisorTable<Domain>::is_near(const Multiples& mult
     const double excess = ball.middle - limit;
     if (std::abs(excess) > ball.radius + undecided_part * limit) return excess < 0;
     refuse({"a divisor is larger or smaller than near, by more than rounding errors",
-            spell(multiples),
+            spell(asked) + size_for_message(std::sqrt(ball.middle), near),
             "change near in [normal_form] a little",
             {}});
 }
 
-template <class Domain> std::string DivisorTable<Domain>::spell(const Multiples& multiples) const {
+template <class Domain> std::string DivisorTable<Domain>::spell(const Asked& asked) const {
     std::string growth, frequency;
     const auto add = [](std::string& text, int k, const std::string& name) {
-        if (k != 0) text += fmt::format("{}{}*{}", text.empty() ? "" : " + ", k, name);
+        if (k == 0) return;
+        text += text.empty() ? (k < 0 ? "-" : "") : (k < 0 ? " - " : " + ");
+        text += (std::abs(k) == 1 ? "" : fmt::format("{}*", std::abs(k))) + name;
     };
+    const Multiples& multiples = asked.multiples;
     for (std::size_t m = 0; m < field_.modes.size(); ++m) {
         const std::string& variable = field_.system().variables[field_.modes[m].variable].name;
         add(growth, multiples[2 * m], "growth_" + variable);
@@ -171,7 +185,26 @@ template <class Domain> std::string DivisorTable<Domain>::spell(const Multiples&
     for (std::size_t a = 0; a < field_.angles.size(); ++a)
         add(frequency, multiples[2 * field_.modes.size() + a], "omega_" + field_.angles[a].name);
     if (!frequency.empty()) frequency = "i*(" + frequency + ")";
-    return growth.empty() ? frequency : frequency.empty() ? growth : growth + " + " + frequency;
+    const std::string of =
+        mode_ < 0 ? ""
+                  : " of " + field_.modes[static_cast<std::size_t>(mode_)].name; // else the place says it
+    return fmt::format("D({}){} = {}{}{}", spell(asked.monomial), of, growth,
+                       growth.empty() || frequency.empty() ? "" : " + ", frequency);
+}
+
+template <class Domain> std::string DivisorTable<Domain>::spell(const Monomial& monomial) const {
+    const Ring& ring = *field_.ring;
+    std::string text;
+    for (const GeneratorId id : field_.outer()) {
+        const int k = ring.exponent(monomial, id);
+        if (k == 0) continue;
+        const Generator& g = ring.generator(id);
+        text += text.empty() ? "" : "*";
+        text += g.kind == GeneratorKind::phase ? fmt::format("exp({}*i*{})", k, g.name)
+                : k == 1                       ? g.name
+                                               : fmt::format("{}^{}", g.name, k);
+    }
+    return text.empty() ? "1" : text;
 }
 
 template class DivisorTable<RingDomain>;

@@ -24,8 +24,9 @@ template <class Part> struct Divisor {
 
 // In numbers: the balls do not tell whether a divisor is zero, or as small as `near`; more bits may.
 struct UndecidedDivisor {
-    std::string divisor;
+    std::string divisor; // D(z1^2) of z3 = i*(2*omega_x - omega_y)
     bool near;
+    Place place = {}; // of the equation
 };
 
 // The divisors of one equation. This is the only place where the normaliser divides: a divisor has an inverse
@@ -50,13 +51,19 @@ private:
     // Multiples of the growth and of the frequency of each mode, of the frequency of each angle.
     using Multiples = std::vector<int>;
     [[nodiscard]] Multiples multiples_of(const Monomial& monomial) const;
-    [[nodiscard]] Divisor<Part> make(const Multiples& multiples);
+    struct Asked {
+        const Monomial& monomial; // the first with these multiples
+        Multiples multiples;
+    };
+    [[nodiscard]] Divisor<Part> make(const Asked& asked);
     // The divisor growth + i frequency, of which not both vanish identically.
     [[nodiscard]] Divisor<Part> judged(const Polynomial& growth, const Polynomial& frequency,
-                                       const Multiples& multiples);
-    [[nodiscard]] std::string spell(const Multiples& multiples) const;
+                                       const Asked& asked);
+    // For messages.
+    [[nodiscard]] std::string spell(const Asked& asked) const;
+    [[nodiscard]] std::string spell(const Monomial& monomial) const;
     // |D| <= near, where D is a number. Errors (refused): that cannot be told (ambiguous).
-    [[nodiscard]] bool is_near(const Multiples& multiples) const;
+    [[nodiscard]] bool is_near(const Asked& asked) const;
 
     const GradedField& field_;
     Domain domain_;

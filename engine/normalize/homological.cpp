@@ -68,8 +68,14 @@ template <class Domain> void HomologicalEquation<Domain>::accept(int weight, Par
 
 template <class Domain>
 auto HomologicalEquation<Domain>::divisor_of(const Monomial& outer, int weight) -> const Divisor<Part>& {
-    const Divisor<Part>& divisor =
-        at_place(place_, [&]() -> const Divisor<Part>& { return divisors_.of(outer); });
+    const Divisor<Part>& divisor = at_place(place_, [&]() -> const Divisor<Part>& {
+        try {
+            return divisors_.of(outer);
+        } catch (UndecidedDivisor& undecided) {
+            undecided.place = place_;
+            throw;
+        }
+    });
     if (seen_.insert(outer).second)
         records_.push_back({variable_, outer, weight, divisor.value, divisor.verdict});
     return divisor;

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace resonform {
 
@@ -132,6 +134,37 @@ GradedField rounded_field(const GradedField& field, const GivenNumbers& given, c
     return result;
 }
 
+// The monomials of a rate and its correction.
+void add_monomials(const GradedField& field, const Series& series, std::set<Monomial>& monomials) {
+    for (int n = 0; n <= series.through(); ++n)
+        for (const Term& t : series.part(n).terms())
+            monomials.insert(field.ring->restricted(t.monomial, field.outer()));
+}
+
+// The records of what is there: a coefficient that is zero for its structure is zero within its ball, and no
+// term. What is resonant at eps = 0 has its record anyway.
+std::vector<DivisorRecord> records_of_terms(const Normalization& n, std::vector<DivisorRecord> records) {
+    const GradedField& field = *n.normal_form.field;
+    std::map<std::string, std::set<Monomial>> there; // by variable
+    const auto add = [&](const auto& variables, const std::vector<Series>& rates,
+                         const std::vector<Series>& corrections) {
+        for (std::size_t k = 0; k < variables.size(); ++k)
+            for (const Series* series : {&rates[k], &corrections[k]})
+                add_monomials(field, *series, there[variables[k].name]);
+    };
+    add(field.modes, n.normal_form.mode, n.map.mode);
+    add(field.angles, n.normal_form.angle, n.map.angle);
+    add(field.drift, n.normal_form.drift, n.map.drift);
+    for (const Mode& mode : field.modes) there[mode.name].insert(field.ring->monomial(mode.z));
+    for (const AngleVariable& angle : field.angles) there[angle.name].insert(Monomial{});
+    const auto is_absent = [&](const DivisorRecord& r) {
+        const auto found = there.find(r.variable);
+        return found != there.end() && found->second.count(r.monomial) == 0;
+    };
+    records.erase(std::remove_if(records.begin(), records.end(), is_absent), records.end());
+    return records;
+}
+
 Normalization rounded_normalization(NormalizationOf<Part> n, const GivenNumbers& given,
                                     const NumberDomain& domain, const Rounding& rounding) {
     Normalization result;
@@ -145,24 +178,20 @@ Normalization rounded_normalization(NormalizationOf<Part> n, const GivenNumbers&
     result.map.mode = rounding.all(n.map.mode);
     result.map.angle = rounding.all(n.map.angle);
     result.map.drift = rounding.all(n.map.drift);
-    for (DivisorRecord& record : n.divisors) {
-        record.divisor = rounding.constant(record.divisor);
-        result.divisors.push_back(std::move(record));
-    }
+    result.divisors = records_of_terms(result, std::move(n.divisors));
+    for (DivisorRecord& record : result.divisors) record.divisor = rounding.constant(record.divisor);
     return result;
 }
 
 [[noreturn]] void refuse_undecided(const UndecidedDivisor& undecided, std::int64_t bits) {
     if (undecided.near)
-        refuse({"a divisor is larger or smaller than near, by more than rounding errors",
-                undecided.divisor,
-                "change near in [normal_form] a little",
-                {}});
+        refuse({"a divisor is larger or smaller than near, by more than rounding errors", undecided.divisor,
+                "change near in [normal_form] a little", undecided.place});
     refuse({"a divisor in numbers is told from zero, or is zero for a reason that is known",
             fmt::format("{} is zero to {} bits", undecided.divisor, bits),
             "keep its monomials with near = 1e-6 in [normal_form], or give the modes in closed form in "
             "[modes]",
-            {}});
+            undecided.place});
 }
 
 } // namespace

@@ -53,6 +53,21 @@ TEST_F(Numbers, FindModesWithoutClosedForm) {
     EXPECT_NE(printed("derive chain --digits 12 --stage divisors").find("removed"), std::string::npos);
 }
 
+// lambda^2 = -s, s^3 - 6 s^2 + 9 s - 3 = 0, and the same for lambda/2: that 2 w1 = w2 no digits prove.
+TEST_F(Numbers, WhatIsZeroInAllDigitsIsSaidToBe) {
+    write(
+        scratch_.path() / "systems/doubled/system.toml",
+        "[system]\nname = \"doubled\"\n[normal_form]\nnear = 1e-6\n[variables]\na = { role = \"fast\" }\nb = "
+        "{ "
+        "role = \"fast\" }\nc = { role = \"fast\" }\np = { role = \"fast\" }\nq = { role = \"fast\" }\nr = { "
+        "role = \"fast\" }\n[equations]\na = \"a'' = b + a*b\"\nb = \"b'' = c\"\nc = \"c'' = -3*a - 9*b - "
+        "6*c\"\np = \"p'' = q + a^2\"\nq = \"q'' = r\"\nr = \"r'' = -192*p - 144*q - 24*r\"\n");
+    const std::string text = printed("derive doubled --order 2 --digits 12 --stage divisors");
+    EXPECT_NE(text.find("kept near (zero in all digits, for no reason that is known):\n"), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("below the threshold"), std::string::npos) << text;
+}
+
 TEST_F(Numbers, ThatCannotBeAreSaid) {
     const auto code = [&](const std::string& options) {
         const Outcome outcome = said("derive two " + options);

@@ -88,6 +88,28 @@ TEST_F(Settings, SmallDivisorsOfSymbolsAreNamed) {
     EXPECT_EQ(printed("derive two"), text);
 }
 
+// In a scene: not "divisor 9 = 0".
+TEST_F(Settings, ThatMakeADivisorZeroAreToldWithItsMonomial) {
+    write(scratch_.path() / "systems/two/scenes/s.toml",
+          "order = 2\n[fix]\np = 1\nq = 2\na = 1\n[start]\namplitude.x = 1\nphase.x = 0\namplitude.y = "
+          "1\nphase.y = 0\n");
+    const Outcome refused = said("generate systems/two/scenes/s.toml -o two.hpp");
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("s.toml: fix: no divisor that was divided by is zero"), std::string::npos)
+        << refused.err;
+    EXPECT_NE(refused.err.find("D(z2*z3) of z1 = -I*(2*p - q) = 0"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("change p, q under [fix]"), std::string::npos) << refused.err;
+}
+
+// Before anything is derived, with the place.
+TEST_F(Settings, AManifoldIsForModesThatDecayOrGrow) {
+    const Outcome refused = said("derive two --stage manifold --order 2");
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("system.toml:11:"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("equations.x: a centre manifold is for systems"), std::string::npos)
+        << refused.err;
+}
+
 // u'' + k (1 + s) u = 0, s' = eps k: the frequency makes k the square of a root.
 TEST_F(Settings, ParameterOfASlowLawUnderARoot) {
     write(scratch_.path() / "systems/law/system.toml",

@@ -31,7 +31,63 @@ std::string printed(const std::string& file, int order, Format format) {
     return print_divisors(*n.normal_form.field, n.divisors, order, format);
 }
 
+std::string normal_form(const std::string& file, int order) {
+    return print_normal_form(normalize_poincare(field_from(file), order), order, Format::text, nullptr);
+}
+
+// Roots of x^2 + 2*g*x - k: their differences and multiples keep their signs, 2*w1 - w2 does not.
+const std::string roots_and_frequencies = R"(
+[system]
+name = "test"
+[parameters]
+g = { positive = true }
+k = { positive = true }
+w1 = { positive = true }
+w2 = { positive = true }
+[variables]
+x = { role = "fast" }
+y = { role = "fast" }
+z = { role = "fast" }
+tau = { role = "slow" }
+[equations]
+x = "x'' + 2*g*x' - k*x = x^2"
+y = "y'' + w1^2*y = y*z"
+z = "z'' + (w2*(tau^2 + 1))^2*z = y^2"
+tau = "tau' = eps"
+)";
+
+// tau = 0 and tau = 1 lie outside of the domain, tau = 2 does not.
+const std::string frequency_in_a_domain = R"toml(
+[system]
+name = "test"
+[variables]
+p = { role = "angle" }
+q = { role = "angle" }
+x = { role = "drift" }
+tau = { role = "slow" }
+[domain]
+positive = ["tau^2 - 2"]
+[equations]
+p = "p' = tau"
+q = "q' = 2"
+x = "x' = eps*(cos(p) + cos(2*p - q) + cos(p - q))"
+tau = "tau' = eps"
+)toml";
+
 } // namespace
+
+TEST(Divisors, WhatIsProvedNonzeroIsNoSurface) {
+    const std::string text = printed(roots_and_frequencies, 2, Format::text);
+    EXPECT_NE(text.find("resonance surfaces:\n  w2*tau^2 - 2*w1 + w2 = 0\n\n"), std::string::npos) << text;
+    const std::string in_domain = printed(frequency_in_a_domain, 1, Format::text);
+    EXPECT_NE(in_domain.find("resonance surfaces:\n  tau - 2 = 0\n\n"), std::string::npos) << in_domain;
+}
+
+TEST(Divisors, WhatIsProvedNonzeroIsNotTakenToBe) {
+    const std::string text = normal_form(roots_and_frequencies, 2);
+    EXPECT_NE(text.find("small divisors, taken to vanish nowhere: w2*tau^2 - 2*w1 + w2\n"), std::string::npos)
+        << text;
+}
 
 TEST(Divisors, TellWhereTheNormalFormMeansNothing) {
     const std::string text = printed(two_oscillators, 2, Format::text);
@@ -126,6 +182,7 @@ p = "p' = 1 + cos(s)/2"
                                      2, Format::text);
     EXPECT_EQ(text.find("\n  cos(s) + 2 = 0"), std::string::npos) << text;
     EXPECT_EQ(text.find("4*sin(s) + cos(s) + 10 = 0"), std::string::npos) << text;
+    EXPECT_NE(text.find("no divisor that was divided by can vanish\n"), std::string::npos) << text;
 }
 
 } // namespace resonform::test

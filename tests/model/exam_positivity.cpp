@@ -150,6 +150,70 @@ TEST_F(Positivity, Nonzero) {
         EXPECT_FALSE(nonzero(text)) << text;
 }
 
+TEST_F(Positivity, OfSumsWithRoots) {
+    for (const char* text :
+         {"sqrt(r^2 + p) - r", "sqrt(c^2 + 1) - c + tau^2*p", "-r + sqrt(r^2 + p)", "3*r - sqrt(8*r^2)",
+          "sqrt(r + sqrt(p)) - sqrt(r)", "sqrt(r) + sqrt(p) - sqrt(r + p)", "r + p - sqrt(r^2 + p^2)",
+          "sqrt(r^2 + tau^2 + 1) + tau", "(r^2 + p)^(1/4) - sqrt(r)", "1/sqrt(r) - 1/sqrt(r + p)",
+          "sqrt((2 + sin(tau))^2) - sin(tau)", "r*sqrt(r^2 + 1) + r*tau*sqrt(tau^2) + r*tau^2"})
+        EXPECT_TRUE(positive(text)) << text;
+    for (const char* text : {"sqrt(r^2 - 1) - r", "sqrt(c^2 + 1) - 2*c + tau^2*p", "sqrt(r^2 + p) - 2*r",
+                             "sqrt(r^2 + k) + r", "sqrt(tau^2) + tau", "sqrt(r) + sqrt(p) - 5/4*sqrt(r + p)",
+                             "r + p - 9/8*sqrt(r^2 + p^2)", "sqrt(r^2 + tau) + r", "2*sqrt(tau^2) - tau",
+                             "sqrt((2 + sin(tau))^2) - 4*sin(tau)", "r - sqrt(8*r)"}) {
+        EXPECT_FALSE(positive(text)) << text;
+        EXPECT_FALSE(positive("-(" + std::string(text) + ")")) << text;
+    }
+    for (const char* text :
+         {"c + sqrt(c^2 + 1)", "c - sqrt(4*c^2)", "k - sqrt(k^2 + r)", "r - sqrt(r + 2*r^2)"})
+        EXPECT_TRUE(nonzero(text)) << text;
+    for (const char* text : {"r - sqrt(r)", "c - sqrt(c^2)", "c + sqrt(c^2)", "2 + k - sqrt(k^2 + r)"})
+        EXPECT_FALSE(nonzero(text)) << text;
+}
+
+TEST_F(Positivity, OfOneSymbolOrFunction) {
+    for (const char* text : {"p^2 - p + 1", "q + 1/q - 1", "9 - q^2", "q^3 - 27*q + 54",
+                             "(q + 1)*(q - 4)*(q - 3)*(q - 5)*(-1)^3", "3*sin(tau) + 4*cos(tau) + 6",
+                             "4*sin(tau) - cos(tau) + 6", "2 + cos(tau) + sin(tau)*cos(tau)",
+                             "2*sin(tau)^2 - 2*sin(tau)*cos(tau) + cos(tau)^2 + 1/10",
+                             "exp(2*tau) - exp(tau) + 1", "exp(tau) + exp(-tau) - 1", "1 + tanh(k)^3",
+                             "4 - atan(tau)^2", "cosh(k)^2 - cosh(k) + 1/4", "tau^3 + 3*tau^2 + 3*tau + 1"})
+        EXPECT_TRUE(positive(text)) << text;
+    for (const char* text : {"p^2 - 2*p + 1", "q + 1/q - 3", "8 - q^2", "3*sin(tau) + 4*cos(tau) + 5",
+                             "2*sin(tau) - cos(tau)", "1 + cos(tau)", "sin(tau)*cos(tau) + 49/100",
+                             "exp(2*tau) - 3*exp(tau) + 1", "exp(tau) + exp(-tau) - 2", "1 + 2*tanh(k)",
+                             "2 - atan(tau)^2", "cosh(k) - 1", "tau^3 + 3*tau^2 + 3*tau", "c^3", "p - p^2"})
+        EXPECT_FALSE(positive(text)) << text;
+    for (const char* text : {"c^3 + c", "cosh(k) - 1/2", "1/c - c^3/(c^2 + c^4 + 1)"})
+        EXPECT_TRUE(nonzero(text)) << text;
+    for (const char* text : {"c^3 - c", "1 + cos(tau)", "cosh(k) - 1", "p^2 - 3*p + 2"})
+        EXPECT_FALSE(nonzero(text)) << text;
+}
+
+// What would contradict a declaration is not: tau = 0 where tau^2 - 2 > 0.
+TEST(Domain, ExcludesZeros) {
+    const System system =
+        read_system_text("[system]\nname = \"s\"\n"
+                         "[parameters]\na = {}\nb = {}\nr = { positive = true }\n"
+                         "[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
+                         "[equations]\nx = \"x'' = -x\"\ntau = \"tau' = eps\"\n"
+                         "[domain]\npositive = [\"tau^2 - 2\", \"a*b - r\", \"3 - tau^2\"]\n",
+                         "system.toml");
+    Scope scope = system.constants();
+    scope.define("tau", system.variables[1].jet.front());
+    const auto nonzero = [&](const char* text) {
+        return provably_nonzero(read_expression(text, scope, SourceText{}), system);
+    };
+    for (const char* text :
+         {"tau", "tau^2 - 1", "tau + 1", "2*tau - 5", "tau^3 - 2*tau", "a", "a + b", "a*b", "b*tau"})
+        EXPECT_TRUE(nonzero(text)) << text;
+    // Names are what follows of them.
+    EXPECT_TRUE(system.variables[1].nonzero && !system.variables[1].positive);
+    EXPECT_TRUE(system.parameter("a")->nonzero && !system.parameter("a")->positive);
+    for (const char* text : {"2*tau - 3", "tau^2 - 5/2", "a - b", "tau - a", "a*b - 2*r", "a - 1"})
+        EXPECT_FALSE(nonzero(text)) << text;
+}
+
 TEST_F(Positivity, ZeroTestHasThreeAnswers) {
     EXPECT_EQ(vanishes(read("tau - k")), Zero::no);
     EXPECT_EQ(vanishes(read("sin(tau) - tau")), Zero::no);

@@ -3,10 +3,13 @@
 // closed form are found, and the certificate sees every lie.
 #include "normalize/lies.hpp"
 #include "normalize/numbers.hpp"
+#include "normalize/poincare.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cln/cln.h>
+
+#include <set>
 
 namespace resonform {
 namespace {
@@ -208,12 +211,57 @@ TEST(Numbers, WhatCannotBeToldFromZeroIsRefusedOrKeptNear) {
         FAIL() << "2 omega_1 = omega_2 was divided by";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Kind::refused);
-        EXPECT_NE(std::string(error.what()).find("told from zero"), std::string::npos) << error.what();
+        const std::string text = error.what();
+        EXPECT_NE(text.find("told from zero"), std::string::npos) << text;
+        EXPECT_NE(text.find("system.toml:"), std::string::npos) << text;
+        EXPECT_NE(text.find(" = i*("), std::string::npos) << text;
+        EXPECT_NE(text.find("D(z"), std::string::npos) << text;
     }
     const std::string near = "[normal_form]\nnear = 1e-6\n";
     const InNumbers kept = normalized(fast(doubled(), "", "", near), 2, 15);
     EXPECT_TRUE(std::any_of(kept.n.divisors.begin(), kept.n.divisors.end(),
                             [](const DivisorRecord& d) { return d.verdict == DivisorVerdict::kept_near; }));
+}
+
+// The force is even in x and w, so that the mode x - w has none: the balls of its coefficients hold zero.
+TEST(Numbers, WhatIsZeroForItsStructureHasNoRecord) {
+    const std::string chain = fast(
+        {{"x", "x'' = -2*x + y + (x+w)^2"}, {"y", "y'' = x - 2*y + w"}, {"w", "w'' = y - 2*w + (x+w)^2"}});
+    const auto records = [](const Normalization& n) {
+        std::set<std::pair<std::string, std::vector<int>>> all;
+        for (const DivisorRecord& r : n.divisors) {
+            std::vector<int> exponents;
+            for (const GeneratorId id : n.normal_form.field->outer())
+                exponents.push_back(n.normal_form.field->ring->exponent(r.monomial, id));
+            all.insert({r.variable + " " + to_string(r.verdict), std::move(exponents)});
+        }
+        return all;
+    };
+    const auto exact = records(normalize_poincare(field_of(chain, 0), 3));
+    EXPECT_EQ(records(normalized(chain, 3, 20).n), exact);
+    EXPECT_EQ(exact.count({"z3 removed", {2, 0, 0, 0, 0, 0, 0}}), 0U);
+}
+
+// 2*omega_x - omega_y lies on the threshold, but for a part in 10^14 of it.
+TEST(Numbers, OnTheThresholdTheMessageNamesMonomialDivisorAndValue) {
+    const std::string toml = fast({{"x", "x'' = -x + x*y"}, {"y", "y'' = -(2 + 1/1000)^2*y + x^2"}}, "", "",
+                                  "[normal_form]\nnear = 0.00100000000000001\n");
+    for (const int digits : {0, 20}) {
+        try {
+            if (digits == 0)
+                normalize_poincare(field_of(toml, 0), 2);
+            else
+                normalize_in_numbers(field_of(toml, digits), 2);
+            FAIL() << digits;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), Kind::refused);
+            const std::string text = error.what();
+            EXPECT_NE(text.find("system.toml:9:"), std::string::npos) << text;
+            EXPECT_NE(text.find("D(z2*z3) of z1 = i*(-2*omega_x + omega_y)"), std::string::npos) << text;
+            EXPECT_NE(text.find("near = 0.00100000000000001\n"), std::string::npos) << text;
+            EXPECT_NE(text.find("change near in [normal_form] a little"), std::string::npos) << text;
+        }
+    }
 }
 
 TEST(Numbers, EveryLieIsFound) {

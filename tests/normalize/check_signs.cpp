@@ -47,7 +47,11 @@ INSTANTIATE_TEST_SUITE_P(
                       File{"b - tau", "x'' + x + x^3*sqrt((b-tau)^3*b) = 0", "b = { positive = true }\n"},
                       File{"b - tau", "x'' + sqrt(1/(b-tau))*x = 0", "b = { positive = true }\n"},
                       File{"b - tau", "x'' + (b/(b-tau)^3)^(1/2)*x + x^2/(b-tau)^5 = 0",
-                           "b = { positive = true }\n"}));
+                           "b = { positive = true }\n"},
+                      File{"tau^2 - 2", "x'' + (tau^2 - 1)*x + x^3/tau = 0", ""},
+                      File{"4 - tau^2", "x'' + (tau + 2)*x + x^2/(tau - 3) = 0", ""},
+                      File{"b - 2", "x'' + (sqrt(b^2 + 1) - b + tau^2)*x + sqrt(b)*x^3 = 0", "b = {}\n"},
+                      File{"3 - tau", "x'' + (3*sin(tau) + 4*cos(tau) + 6)*x + x^2 = 0", ""}));
 
 } // namespace
 } // namespace resonform

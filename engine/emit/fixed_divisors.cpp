@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/fixed_divisors.hpp"
+
+#include "emit/normal_form_parts.hpp"
+#include "emit/spelling.hpp"
+#include "model/zero_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+bool is_zero_when_fixed(const GiNaC::ex& e, const Scene& scene) {
+    try {
+        return vanishes(scene.fixed(e).expand()) == Zero::yes;
+    } catch (const GiNaC::pole_error&) { // what stands below it is a divisor, too
+        return false;
+    }
+}
+
+// "w1, w2"
+std::string fixed_in(const GiNaC::ex& e, const Scene& scene) {
+    std::string names;
+    for (const Parameter& p : scene.system->parameters)
+        if (scene.fix.count(p.name) > 0 && e.has(p.symbol)) names += (names.empty() ? "" : ", ") + p.name;
+    return names;
+}
+
+[[noreturn]] void refuse_fixed(const Ring& ring, const DivisorRecord& record, const std::string& names,
+                               const Scene& scene) {
+    const auto text = [&](const Polynomial& p) {
+        return spell(display(ring, p, phases(ring)), text_spelling());
+    };
+    Place place = whole_file(scene.file);
+    place.key = "fix";
+    refuse(
+        {"no divisor that was divided by is zero with the values under [fix]",
+         fmt::format("D({}) of {} = {} = 0", text(Polynomial(record.monomial, 1)), record.variable,
+                     text(record.divisor)),
+         fmt::format("change {} under [fix], or declare the resonance in [relations] of the system", names),
+         place});
+}
+
+} // namespace
+
+void require_divisors(const Normalization& normalization, const Scene& scene) {
+    const GradedField& field = *normalization.normal_form.field;
+    const Ring& ring = *field.ring;
+    std::vector<Polynomial> seen;
+    for (const DivisorRecord& record : normalization.divisors) {
+        if (record.verdict != DivisorVerdict::removed ||
+            std::find(seen.begin(), seen.end(), record.divisor) != seen.end())
+            continue;
+        seen.push_back(record.divisor);
+        const Polynomial conjugate = ring.conjugate(record.divisor);
+        const GiNaC::ex re = field.coefficients->expression(record.divisor + conjugate);
+        const GiNaC::ex im =
+            field.coefficients->expression(ring.multiply(-ring.imaginary(), record.divisor - conjugate));
+        if (is_zero_when_fixed(re, scene) && is_zero_when_fixed(im, scene))
+            refuse_fixed(ring, record, fixed_in(re + im, scene), scene);
+    }
+}
+
+} // namespace resonform

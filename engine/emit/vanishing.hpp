@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where what was divided by may vanish, as far as the declared domain does not rule it out.
+//
+//   (2*w1 - w2)*(tau^2 + 1)*w1, w1 positive   ->   2*w1 - w2
+#pragma once
+
+#include "emit/display.hpp"
+#include "expand/graded_field.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+// Of polynomials in constants of the ring, without i. Keeps what it has found out.
+class Vanishing {
+public:
+    explicit Vanishing(const GradedField& field) : field_(field) {}
+
+    // Proved; false: it may vanish somewhere.
+    bool nowhere(const Polynomial& p);
+    // What p is a product of, as far as it may vanish, without common factors of its terms: divisors that the
+    // ring has learned, and the rest.
+    std::vector<Polynomial> factors(const Polynomial& p);
+
+private:
+    const GradedField& field_;
+    std::vector<std::pair<Polynomial, bool>> known_;
+};
+
+// What is set to zero: p or -p, whichever begins without a minus.
+DisplaySum display_without_sign(const Ring& ring, const Polynomial& p);
+
+} // namespace resonform
