@@ -2,6 +2,7 @@
 #include "model/change_of_variables.hpp"
 
 #include "model/canonical.hpp"
+#include "model/exact_solution.hpp"
 #include "model/substitution.hpp"
 #include "model/written_form.hpp"
 

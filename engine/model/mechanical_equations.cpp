@@ -3,12 +3,16 @@
 
 #include "model/canonical.hpp"
 #include "model/change_of_variables.hpp"
+#include "model/exact_solution.hpp"
+#include "model/expression.hpp"
 #include "model/frobenius.hpp"
 #include "model/gibbs_appell.hpp"
+#include "model/growth.hpp"
 #include "model/multipliers.hpp"
 #include "model/quasi_velocities.hpp"
 #include "model/substitution.hpp"
 #include "model/written_form.hpp"
+#include "model/zero_test.hpp"
 
 #include <algorithm>
 
@@ -27,7 +31,7 @@ public:
         require_integrable_unperturbed(constraints_, motion_);
         constants_ = find_constants(constraints_, motion_);
         appell_ = appell_equations(motion_, constraints_);
-        check_by_multipliers(mechanism_, form_, constraints_.velocities, all_accelerations());
+        check_by_multipliers(mechanism_, form_, constraints_, appell_);
         if (!mechanism_.quasi_velocities.empty()) quasi_ = quasi_equations(motion_, constraints_, appell_);
         first_order_ = quasi_velocities_are_variables();
     }
@@ -54,13 +58,19 @@ private:
         return mechanism_.coordinates[constraints_.dependent[d]];
     }
     void look_at_parts();
-    [[nodiscard]] GiNaC::exmap all_accelerations() const;
     void require_regular(const ChangeOfVariables& change);
     void write_prescribed();
     [[nodiscard]] bool quasi_velocities_are_variables() const;
     void write_independent(const ChangeOfVariables& change);
+    std::vector<std::string> texts_of(const std::vector<ex>& residuals,
+                                      const std::vector<Coordinate>& unknowns);
+    std::vector<std::string> texts_of_exact(std::vector<ex> residuals,
+                                            const std::vector<Coordinate>& unknowns);
+    std::vector<std::string> solved_texts(const std::vector<ExactRow>& rows,
+                                          const std::vector<Coordinate>& unknowns);
     void write_first_order(const ChangeOfVariables& change);
     [[nodiscard]] ex rate_of_constant(std::size_t k, const ChangeOfVariables& change);
+    [[nodiscard]] bool depends(const ex& e, const GiNaC::symbol& symbol);
     void write_constants(const ChangeOfVariables& change);
     // What is prescribed, at eps = 0.
     [[nodiscard]] std::string unperturbed_motion();
@@ -70,6 +80,7 @@ private:
     void write_accelerations();
     void write_equations();
     void write_quasi_velocities();
+    void print(const std::vector<DerivationSection>& sections);
     void derived(const std::string& variable, const std::string& text);
     [[nodiscard]] ex without_content(const ex& residual);
     // Linear equations in accelerations: the coefficients, and minus the rest.
@@ -95,16 +106,6 @@ void Deriver::look_at_parts() {
         trial.fraction(part.value);
     }
     form_.set_place(place_of(mechanism_.source));
-}
-
-GiNaC::exmap Deriver::all_accelerations() const {
-    GiNaC::exmap all;
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-        all[independent(i).acceleration] = appell_.accelerations[i];
-    GiNaC::exmap result = all;
-    for (const auto& [acceleration, value] : appell_.differentiated)
-        result[acceleration] = value.subs(all, GiNaC::subs_options::no_pattern);
-    return result;
 }
 
 void Deriver::require_regular(const ChangeOfVariables& change) {
@@ -169,32 +170,60 @@ std::vector<ExactRow> Deriver::rows_of(const std::vector<ex>& residuals,
     return rows;
 }
 
-// As they are where each holds its own acceleration only, else solved; those of many links, whose solution is
-// longer than a text may be, are solved by whoever reads them.
+// As they are where each holds its own acceleration only, else solved; those whose solution is longer than a
+// text may be are solved by whoever reads them. What a change of variables would make too long when it is
+// multiplied out stands as the change leaves it.
 void Deriver::write_independent(const ChangeOfVariables& change) {
     std::vector<ex> residuals;
     std::vector<Coordinate> unknowns;
     for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
-        residuals.push_back(form_.simplified(change(appell_.equations[i])));
+        residuals.push_back(change(appell_.equations[i]));
         unknowns.push_back(change.variable(i));
     }
-    const std::vector<ExactRow> rows = rows_of(residuals, unknowns);
+    const std::vector<std::string> texts = texts_of(residuals, unknowns);
+    for (std::size_t i = 0; i < texts.size(); ++i) derived(unknowns[i].name, texts[i]);
+}
+
+std::vector<std::string> Deriver::texts_of(const std::vector<ex>& residuals,
+                                           const std::vector<Coordinate>& unknowns) {
+    constexpr double shortest_term = 10; // bytes
+    double exact = 0, as_put_in = 0;
+    for (const ex& residual : residuals) {
+        exact = std::max(exact, terms_in_exact_form(residual));
+        as_put_in = std::max(as_put_in, of_expression(residual).terms);
+    }
+    if (exact * shortest_term <= static_cast<double>(Limits{}.length) || as_put_in > Limits{}.terms)
+        return texts_of_exact(residuals, unknowns);
+    std::vector<std::string> texts;
+    for (const ex& residual : residuals) texts.push_back(spell(residual) + " = 0");
+    return texts;
+}
+
+std::vector<std::string> Deriver::texts_of_exact(std::vector<ex> residuals,
+                                                 const std::vector<Coordinate>& unknowns) {
+    for (ex& residual : residuals) residual = form_.simplified(residual);
+    std::vector<std::string> texts = solved_texts(rows_of(residuals, unknowns), unknowns);
+    if (texts.empty())
+        for (const ex& residual : residuals)
+            texts.push_back(written(form_, without_content(residual)) + " = 0");
+    return texts;
+}
+
+// Nothing where they are not coupled, or too long.
+std::vector<std::string> Deriver::solved_texts(const std::vector<ExactRow>& rows,
+                                               const std::vector<Coordinate>& unknowns) {
     bool coupled = false;
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (std::size_t k = 0; k < unknowns.size(); ++k)
             coupled = coupled || (i != k && form_.vanishes(rows[i][k]) != Zero::yes);
+    if (!coupled) return {};
     std::vector<std::string> texts;
-    if (coupled)
-        for (const ex& solution : solve_exactly(rows, form_, place_of(mechanism_.source)))
-            texts.push_back(unknowns[texts.size()].name + "'' = " + written(form_, solution));
-    const bool too_long = std::any_of(texts.begin(), texts.end(),
-                                      [](const std::string& text) { return text.size() > Limits{}.length; });
-    if (!coupled || too_long) {
-        texts.clear();
-        for (const ex& residual : residuals)
-            texts.push_back(written(form_, without_content(residual)) + " = 0");
+    for (const ex& solution : solve_if_short(rows, form_, place_of(mechanism_.source))) {
+        texts.push_back(unknowns[texts.size()].name + "'' = " + written(form_, solution));
+        if (texts.back().size() > Limits{}.length || of_expression(solution).terms > Limits{}.terms)
+            return {};
     }
-    for (std::size_t i = 0; i < texts.size(); ++i) derived(unknowns[i].name, texts[i]);
+    return texts;
 }
 
 bool Deriver::quasi_velocities_are_variables() const {
@@ -218,9 +247,12 @@ void Deriver::write_first_order(const ChangeOfVariables& change) {
                     : written(form_, without_content(form_.simplified(change(old.velocity) - rate))) +
                           " = 0");
     }
-    for (std::size_t k = 0; k < quasi_->accelerations.size(); ++k) {
+    for (std::size_t k = 0; k < quasi_->equations.size(); ++k) {
         const std::string& name = mechanism_.quasi_velocities[k].name;
-        derived(name, name + "' = " + written(form_, form_.simplified(change(quasi_->accelerations[k]))));
+        derived(name,
+                quasi_->accelerations.empty()
+                    ? written(form_, without_content(form_.simplified(change(quasi_->equations[k])))) + " = 0"
+                    : name + "' = " + written(form_, form_.simplified(change(quasi_->accelerations[k]))));
     }
 }
 
@@ -231,18 +263,26 @@ ex Deriver::rate_of_constant(std::size_t k, const ChangeOfVariables& change) {
     return form_.simplified(change(put(rate, quasi_->velocities)));
 }
 
+// Does a symbol in it not cancel?
+bool Deriver::depends(const ex& e, const GiNaC::symbol& symbol) {
+    if (!e.has(symbol)) return false;
+    const ex slope = e.diff(symbol);
+    return differs_from_zero(slope) || form_.vanishes(slope) != Zero::yes;
+}
+
 void Deriver::write_constants(const ChangeOfVariables& change) {
     std::vector<ex> others, rates; // what may depend on a constant
-    for (const ex& equation : first_order_ ? quasi_->accelerations : appell_.equations)
-        others.push_back(form_.simplified(change(equation)));
+    for (const ex& equation : first_order_ ? quasi_->equations : appell_.equations)
+        others.push_back(change(equation));
     if (first_order_)
         for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-            others.push_back(form_.simplified(change(quasi_->velocities.at(independent(i).velocity))));
+            others.push_back(change(quasi_->velocities.at(independent(i).velocity)));
     for (std::size_t k = 0; k < constants_.size(); ++k) rates.push_back(rate_of_constant(k, change));
     others.insert(others.end(), rates.begin(), rates.end());
     for (std::size_t k = 0; k < constants_.size(); ++k) {
         const Coordinate& c = constants_[k].coordinate;
-        const bool slow = std::any_of(others.begin(), others.end(), [&](const ex& e) { return e.has(c.at); });
+        const bool slow =
+            std::any_of(others.begin(), others.end(), [&](const ex& e) { return depends(e, c.at); });
         const bool fixed = slow && form_.vanishes(rates[k]) == Zero::yes;
         result_.constants.push_back(
             {c, dependent(constants_[k].dependent).name, slow ? Role::slow : Role::drift, fixed});
@@ -345,19 +385,19 @@ void Deriver::write_accelerations() {
         write_quasi_velocities();
     else
         write_equations();
-    result_.derivation.agreement = {
+    result_.derivation.agreement.push_back(
         constants_.empty() ? "the equations of Lagrange agree, identically"
-                           : "the equations of d'Alembert and Lagrange with multipliers agree, identically"};
+                           : "the equations of d'Alembert and Lagrange with multipliers agree, identically");
 }
 
 void Deriver::write_equations() {
     DerivationSection equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
-    for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
-        equations.equations.push_back(written(form_, without_content(appell_.equations[i])) + " = 0");
-        solved.equations.push_back(independent(i).name + "'' = " + written(form_, appell_.accelerations[i]));
-    }
-    result_.derivation.accelerations.push_back(std::move(equations));
-    result_.derivation.accelerations.push_back(std::move(solved));
+    for (const ex& equation : appell_.equations)
+        equations.equations.push_back(written(form_, without_content(equation)) + " = 0");
+    for (const ex& acceleration : appell_.accelerations)
+        solved.equations.push_back(independent(solved.equations.size()).name +
+                                   "'' = " + written(form_, acceleration));
+    print({equations, solved});
 }
 
 void Deriver::write_quasi_velocities() {
@@ -370,10 +410,19 @@ void Deriver::write_quasi_velocities() {
         const QuasiVelocity& u = mechanism_.quasi_velocities[k];
         definitions.equations.push_back(u.name + " = " + written(form_, u.form.value));
         equations.equations.push_back(written(form_, without_content(quasi_->equations[k])) + " = 0");
-        solved.equations.push_back(u.name + "' = " + written(form_, quasi_->accelerations[k]));
+        if (!quasi_->accelerations.empty())
+            solved.equations.push_back(u.name + "' = " + written(form_, quasi_->accelerations[k]));
     }
-    for (DerivationSection* section : {&definitions, &velocities, &energy, &equations, &solved})
-        result_.derivation.accelerations.push_back(std::move(*section));
+    print({definitions, velocities, energy, equations, solved});
+}
+
+// The last section is empty where it is too long.
+void Deriver::print(const std::vector<DerivationSection>& sections) {
+    for (const DerivationSection& section : sections)
+        if (!section.equations.empty()) result_.derivation.accelerations.push_back(section);
+    if (sections.back().equations.empty())
+        result_.derivation.agreement.push_back(
+            "the accelerations are not written: solved, the equations are longer than a text may be");
 }
 
 } // namespace
