@@ -38,6 +38,7 @@ public:
 
     MechanicalEquations run() {
         const ChangeOfVariables change(motion_, constraints_, constants_);
+        require_rank(change);
         require_regular(change);
         write_prescribed();
         if (first_order_)
@@ -58,6 +59,7 @@ private:
         return mechanism_.coordinates[constraints_.dependent[d]];
     }
     void look_at_parts();
+    void require_rank(const ChangeOfVariables& change);
     void require_regular(const ChangeOfVariables& change);
     void write_prescribed();
     [[nodiscard]] bool quasi_velocities_are_variables() const;
@@ -106,6 +108,26 @@ void Deriver::look_at_parts() {
         trial.fraction(part.value);
     }
     form_.set_place(place_of(mechanism_.source));
+}
+
+// Where a dependent velocity has a pole at the origin, and the equations or the rate of a constant have it,
+// too.
+void Deriver::require_rank(const ChangeOfVariables& change) {
+    const auto has_pole = [&](const ex& e) {
+        const ex denominator = form_.meaning(form_.fraction(e).denominator);
+        return form_.vanishes(change.at_origin(denominator)) == Zero::yes;
+    };
+    bool matters = std::any_of(appell_.equations.begin(), appell_.equations.end(), has_pole);
+    for (std::size_t k = 0; k < constants_.size(); ++k) matters = matters || has_pole(change.rate(k));
+    if (!matters) return;
+    for (std::size_t d = 0; d < constraints_.dependent.size(); ++d) {
+        const ex velocity = constraints_.velocities.at(dependent(d).velocity);
+        if (!has_pole(velocity)) continue;
+        const Written& condition = mechanism_.constraints[d].condition;
+        refuse({"the rank of the constraints does not fall at the origin, where the equations are expanded",
+                excerpt(dependent(d).name + "' = " + written(form_, velocity)),
+                "choose another origin by [change], or another constraint", place_of(condition.source)});
+    }
 }
 
 void Deriver::require_regular(const ChangeOfVariables& change) {
