@@ -12,12 +12,14 @@ namespace resonform {
 namespace {
 
 using GiNaC::ex;
-using Counts = std::vector<std::vector<double>>;
+using EntryCounts = std::vector<std::vector<double>>;
 
-double terms_of(const ex& sum) { return GiNaC::is_a<GiNaC::add>(sum) ? static_cast<double>(sum.nops()) : 1; }
+double sum_length(const ex& sum) {
+    return GiNaC::is_a<GiNaC::add>(sum) ? static_cast<double>(sum.nops()) : 1;
+}
 
 // How many terms the entries of a row have over one denominator.
-std::vector<double> counts_of(const ExactRow& row, ExactForm& form) {
+std::vector<double> entry_counts(const ExactRow& row, ExactForm& form) {
     std::vector<ExactForm::Fraction> fractions;
     std::vector<ex> denominators;
     double common = 1;
@@ -28,17 +30,17 @@ std::vector<double> counts_of(const ExactRow& row, ExactForm& form) {
                                        [&](const ex& d) { return d.is_equal(below); });
         if (known) continue;
         denominators.push_back(below);
-        common *= terms_of(below);
+        common *= sum_length(below);
     }
     std::vector<double> counts;
     for (const ExactForm::Fraction& f : fractions)
-        counts.push_back(f.numerator.is_zero() ? 0
-                                               : terms_of(f.numerator) * common / terms_of(f.denominator));
+        counts.push_back(
+            f.numerator.is_zero() ? 0 : sum_length(f.numerator) * common / sum_length(f.denominator));
     return counts;
 }
 
 // Of the products that a determinant of n columns is the sum of; `columns` are in the order of their bits.
-double products(const Counts& rows, const std::vector<std::size_t>& columns) {
+double determinant_terms(const EntryCounts& rows, const std::vector<std::size_t>& columns) {
     const std::size_t n = rows.size();
     std::vector<double> sums(std::size_t{1} << n, 0);
     sums[0] = 1;
@@ -54,15 +56,15 @@ double products(const Counts& rows, const std::vector<std::size_t>& columns) {
 
 // By Cramer's rule, the fraction multiplied out.
 double terms_when_solved(const std::vector<ExactRow>& rows, ExactForm& form) {
-    Counts counts;
-    for (const ExactRow& row : rows) counts.push_back(counts_of(row, form));
+    EntryCounts counts;
+    for (const ExactRow& row : rows) counts.push_back(entry_counts(row, form));
     std::vector<std::size_t> columns;
     for (std::size_t k = 0; k < rows.size(); ++k) columns.push_back(k);
-    const double below = products(counts, columns);
+    const double below = determinant_terms(counts, columns);
     double most = 0;
     for (std::size_t& column : columns) {
         const std::size_t unknown = std::exchange(column, rows.size());
-        most = std::max(most, products(counts, columns) * below);
+        most = std::max(most, determinant_terms(counts, columns) * below);
         column = unknown;
     }
     return most;

@@ -3,13 +3,9 @@
 
 #include "model/canonical.hpp"
 #include "model/change_of_variables.hpp"
-#include "model/exact_solution.hpp"
-#include "model/expression.hpp"
+#include "model/derivation_lines.hpp"
 #include "model/frobenius.hpp"
-#include "model/gibbs_appell.hpp"
-#include "model/growth.hpp"
 #include "model/multipliers.hpp"
-#include "model/quasi_velocities.hpp"
 #include "model/substitution.hpp"
 #include "model/written_form.hpp"
 #include "model/zero_test.hpp"
@@ -46,8 +42,8 @@ public:
         else
             write_independent(change);
         write_constants(change);
-        write_constraints();
-        write_accelerations();
+        result_.derivation =
+            derivation_of({motion_, constraints_, constants_, appell_, quasi_, texts_}, result_.constants);
         return std::move(result_);
     }
 
@@ -64,29 +60,11 @@ private:
     void write_prescribed();
     [[nodiscard]] bool quasi_velocities_are_variables() const;
     void write_independent(const ChangeOfVariables& change);
-    std::vector<std::string> texts_of(const std::vector<ex>& residuals,
-                                      const std::vector<Coordinate>& unknowns);
-    std::vector<std::string> texts_of_exact(std::vector<ex> residuals,
-                                            const std::vector<Coordinate>& unknowns);
-    std::vector<std::string> solved_texts(const std::vector<ExactRow>& rows,
-                                          const std::vector<Coordinate>& unknowns);
     void write_first_order(const ChangeOfVariables& change);
     [[nodiscard]] ex rate_of_constant(std::size_t k, const ChangeOfVariables& change);
     [[nodiscard]] bool depends(const ex& e, const GiNaC::symbol& symbol);
     void write_constants(const ChangeOfVariables& change);
-    // What is prescribed, at eps = 0.
-    [[nodiscard]] std::string unperturbed_motion();
-    void write_constraints();
-    void write_coefficients(DerivationSection& section, const Constant& constant);
-    void write_change();
-    void write_accelerations();
-    void write_equations();
-    void write_quasi_velocities();
-    void print(const std::vector<DerivationSection>& sections);
     void derived(const std::string& variable, const std::string& text);
-    [[nodiscard]] ex without_content(const ex& residual);
-    // Linear equations in accelerations: the coefficients, and minus the rest.
-    std::vector<ExactRow> rows_of(const std::vector<ex>& residuals, const std::vector<Coordinate>& unknowns);
 
     const Mechanism& mechanism_;
     const System& system_;
@@ -97,6 +75,7 @@ private:
     AppellEquations appell_;
     std::optional<QuasiEquations> quasi_;
     bool first_order_ = false; // quasi-velocities are variables of the system
+    EquationTexts texts_{system_, form_, place_of(mechanism_.source)};
     MechanicalEquations result_;
 };
 
@@ -158,43 +137,6 @@ void Deriver::write_prescribed() {
         result_.equations.push_back({p.coordinate.name, p.law.text, p.law.source});
 }
 
-// Divided by a number and by what is declared not zero, multiplied by a denominator that moves.
-ex Deriver::without_content(const ex& residual) {
-    const ExactForm::Fraction f = form_.fraction(residual);
-    if (f.numerator.is_zero()) return residual;
-    const bool moves = std::any_of(form_.generators().begin(), form_.generators().end(), [&](const auto& g) {
-        return g.kind <= ExactForm::Kind::rate && f.denominator.has(g.symbol);
-    });
-    if (moves) return without_content(form_.meaning(f.numerator));
-    ex factor = f.denominator.integer_content() / f.numerator.integer_content();
-    const auto divide_by = [&](const ex& symbol) {
-        factor *= GiNaC::pow(symbol, f.denominator.ldegree(symbol) - f.numerator.ldegree(symbol));
-    };
-    divide_by(system_.eps);
-    for (const Parameter& p : system_.parameters)
-        if (p.nonzero) divide_by(p.symbol);
-    for (const Variable& v : system_.variables)
-        if (v.nonzero) divide_by(v.jet.front());
-    return form_.simplified(residual * factor);
-}
-
-std::vector<ExactRow> Deriver::rows_of(const std::vector<ex>& residuals,
-                                       const std::vector<Coordinate>& unknowns) {
-    GiNaC::exmap none;
-    for (const Coordinate& c : unknowns) none[c.acceleration] = 0;
-    std::vector<ExactRow> rows;
-    for (const ex& residual : residuals) {
-        ExactRow row;
-        for (const Coordinate& c : unknowns) row.push_back(form_.simplified(residual.diff(c.acceleration)));
-        row.push_back(form_.simplified(-residual.subs(none, GiNaC::subs_options::no_pattern)));
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
-
-// As they are where each holds its own acceleration only, else solved; those whose solution is longer than a
-// text may be are solved by whoever reads them. What a change of variables would make too long when it is
-// multiplied out stands as the change leaves it.
 void Deriver::write_independent(const ChangeOfVariables& change) {
     std::vector<ex> residuals;
     std::vector<Coordinate> unknowns;
@@ -202,50 +144,8 @@ void Deriver::write_independent(const ChangeOfVariables& change) {
         residuals.push_back(change(appell_.equations[i]));
         unknowns.push_back(change.variable(i));
     }
-    const std::vector<std::string> texts = texts_of(residuals, unknowns);
+    const std::vector<std::string> texts = texts_.of(residuals, unknowns);
     for (std::size_t i = 0; i < texts.size(); ++i) derived(unknowns[i].name, texts[i]);
-}
-
-std::vector<std::string> Deriver::texts_of(const std::vector<ex>& residuals,
-                                           const std::vector<Coordinate>& unknowns) {
-    constexpr double shortest_term = 10; // bytes
-    double exact = 0, as_put_in = 0;
-    for (const ex& residual : residuals) {
-        exact = std::max(exact, terms_in_exact_form(residual));
-        as_put_in = std::max(as_put_in, of_expression(residual).terms);
-    }
-    if (exact * shortest_term <= static_cast<double>(Limits{}.length) || as_put_in > Limits{}.terms)
-        return texts_of_exact(residuals, unknowns);
-    std::vector<std::string> texts;
-    for (const ex& residual : residuals) texts.push_back(spell(residual) + " = 0");
-    return texts;
-}
-
-std::vector<std::string> Deriver::texts_of_exact(std::vector<ex> residuals,
-                                                 const std::vector<Coordinate>& unknowns) {
-    for (ex& residual : residuals) residual = form_.simplified(residual);
-    std::vector<std::string> texts = solved_texts(rows_of(residuals, unknowns), unknowns);
-    if (texts.empty())
-        for (const ex& residual : residuals)
-            texts.push_back(written(form_, without_content(residual)) + " = 0");
-    return texts;
-}
-
-// Nothing where they are not coupled, or too long.
-std::vector<std::string> Deriver::solved_texts(const std::vector<ExactRow>& rows,
-                                               const std::vector<Coordinate>& unknowns) {
-    bool coupled = false;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < unknowns.size(); ++k)
-            coupled = coupled || (i != k && form_.vanishes(rows[i][k]) != Zero::yes);
-    if (!coupled) return {};
-    std::vector<std::string> texts;
-    for (const ex& solution : solve_if_short(rows, form_, place_of(mechanism_.source))) {
-        texts.push_back(unknowns[texts.size()].name + "'' = " + written(form_, solution));
-        if (texts.back().size() > Limits{}.length || of_expression(solution).terms > Limits{}.terms)
-            return {};
-    }
-    return texts;
 }
 
 bool Deriver::quasi_velocities_are_variables() const {
@@ -266,14 +166,15 @@ void Deriver::write_first_order(const ChangeOfVariables& change) {
         derived(variable.name,
                 variable.name == old.name
                     ? variable.name + "' = " + written(form_, rate)
-                    : written(form_, without_content(form_.simplified(change(old.velocity) - rate))) +
+                    : written(form_, texts_.without_content(form_.simplified(change(old.velocity) - rate))) +
                           " = 0");
     }
     for (std::size_t k = 0; k < quasi_->equations.size(); ++k) {
         const std::string& name = mechanism_.quasi_velocities[k].name;
         derived(name,
                 quasi_->accelerations.empty()
-                    ? written(form_, without_content(form_.simplified(change(quasi_->equations[k])))) + " = 0"
+                    ? written(form_, texts_.without_content(form_.simplified(change(quasi_->equations[k])))) +
+                          " = 0"
                     : name + "' = " + written(form_, form_.simplified(change(quasi_->accelerations[k]))));
     }
 }
@@ -310,141 +211,6 @@ void Deriver::write_constants(const ChangeOfVariables& change) {
             {c, dependent(constants_[k].dependent).name, slow ? Role::slow : Role::drift, fixed});
         if (!fixed) derived(c.name, c.name + "' = " + written(form_, rates[k]));
     }
-}
-
-// q' = eps*(sum of c_q_x x' + c_q_0), in the coordinates before a change
-void Deriver::write_coefficients(DerivationSection& section, const Constant& constant) {
-    GiNaC::exmap values, none;
-    for (const Constant& other : constants_)
-        if (!other.itself) values[dependent(other.dependent).at] = other.value;
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i) none[independent(i).velocity] = 0;
-    const ex rate = motion_.with_laws(motion_.derivative(constant.integral)
-                                          .subs(constraints_.velocities, GiNaC::subs_options::no_pattern)
-                                          .subs(values, GiNaC::subs_options::no_pattern));
-    const auto add = [&](const std::string& name, const ex& part) {
-        if (form_.vanishes(part) != Zero::yes)
-            section.equations.push_back("c_" + constant.coordinate.name + "_" + name + " = " +
-                                        written(form_, part / system_.eps));
-    };
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-        add(independent(i).name, rate.diff(independent(i).velocity));
-    add("0", rate.subs(none, GiNaC::subs_options::no_pattern));
-}
-
-std::string Deriver::unperturbed_motion() {
-    std::string laws;
-    for (const Prescribed* p : motion_.moving())
-        laws += (laws.empty() ? "with " : ", ") + p->coordinate.name +
-                "' = " + written(form_, motion_.unperturbed(p->rate));
-    return laws.empty() ? "what is prescribed at rest" : laws;
-}
-
-void Deriver::write_constraints() {
-    Derivation& derivation = result_.derivation;
-    if (constants_.empty()) {
-        derivation.remarks.push_back("no constraints: every coordinate is independent");
-        write_change();
-        return;
-    }
-    DerivationSection solved{"constraints", {}}, rest{"at eps = 0, " + unperturbed_motion(), {}},
-        integrals{"constants of these", {}},
-        coefficients{"(2): q' = eps*(sum of c_q_x*x' + c_q_0), with", {}};
-    for (const Constant& constant : constants_) {
-        const Coordinate& d = dependent(constant.dependent);
-        const ex velocity = constraints_.velocities[d.velocity];
-        solved.equations.push_back(d.name + "' = " + written(form_, velocity));
-        rest.equations.push_back(d.name + "' = " + written(form_, motion_.unperturbed(velocity)));
-        if (!constant.itself)
-            integrals.equations.push_back(constant.coordinate.name + " = " +
-                                          written(form_, constant.integral));
-        write_coefficients(coefficients, constant);
-    }
-    derivation.constraints = {solved, rest};
-    if (!integrals.equations.empty()) derivation.constraints.push_back(integrals);
-    write_change();
-    if (!coefficients.equations.empty()) derivation.constraints.push_back(coefficients);
-    derivation.remarks.push_back(integrable_for_every_eps(constraints_, motion_)
-                                     ? "holonomic after all: the constraints are integrable for every eps"
-                                     : "weakly nonholonomic: the constraints are integrable at eps = 0");
-    for (const MechanicalEquations::Former& former : result_.constants)
-        derivation.remarks.push_back(former.coordinate.name +
-                                     (former.fixed                ? " is constant for every eps: a parameter"
-                                      : former.role == Role::slow ? " is slow: something depends on it"
-                                                                  : " is a drift: nothing depends on it"));
-}
-
-// (14), and dependent coordinates by their constants.
-void Deriver::write_change() {
-    DerivationSection section{"change of variables", {}};
-    for (const Change& change : mechanism_.changes)
-        section.equations.push_back(mechanism_.coordinates[change.coordinate].name + " = " +
-                                    change.value.text);
-    for (const Constant& constant : constants_) {
-        const std::size_t coordinate = constraints_.dependent[constant.dependent];
-        const bool told = std::any_of(mechanism_.changes.begin(), mechanism_.changes.end(),
-                                      [&](const Change& c) { return c.coordinate == coordinate; });
-        if (!constant.itself && !told)
-            section.equations.push_back(dependent(constant.dependent).name + " = " +
-                                        written(form_, constant.value));
-    }
-    if (!section.equations.empty()) result_.derivation.constraints.push_back(section);
-}
-
-void Deriver::write_accelerations() {
-    std::vector<DerivationSection>& sections = result_.derivation.accelerations;
-    sections.push_back({"energy of accelerations", {"S = " + written(form_, appell_.energy)}});
-    if (!constants_.empty()) {
-        DerivationSection differentiated{"the constraints, differentiated", {}};
-        for (std::size_t d = 0; d < constraints_.dependent.size(); ++d)
-            differentiated.equations.push_back(
-                dependent(d).name +
-                "'' = " + written(form_, appell_.differentiated[dependent(d).acceleration]));
-        sections.push_back(std::move(differentiated));
-        sections.push_back(
-            {"energy of accelerations with the constraints", {"S = " + written(form_, appell_.constrained)}});
-    }
-    if (quasi_)
-        write_quasi_velocities();
-    else
-        write_equations();
-    result_.derivation.agreement.push_back(
-        constants_.empty() ? "the equations of Lagrange agree, identically"
-                           : "the equations of d'Alembert and Lagrange with multipliers agree, identically");
-}
-
-void Deriver::write_equations() {
-    DerivationSection equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
-    for (const ex& equation : appell_.equations)
-        equations.equations.push_back(written(form_, without_content(equation)) + " = 0");
-    for (const ex& acceleration : appell_.accelerations)
-        solved.equations.push_back(independent(solved.equations.size()).name +
-                                   "'' = " + written(form_, acceleration));
-    print({equations, solved});
-}
-
-void Deriver::write_quasi_velocities() {
-    DerivationSection definitions{"quasi-velocities", {}}, velocities{"velocities in these", {}},
-        energy{"energy of accelerations in these", {"S = " + written(form_, quasi_->energy)}},
-        equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
-    for (const Coordinate& c : mechanism_.coordinates)
-        velocities.equations.push_back(c.name + "' = " + written(form_, quasi_->velocities.at(c.velocity)));
-    for (std::size_t k = 0; k < quasi_->equations.size(); ++k) {
-        const QuasiVelocity& u = mechanism_.quasi_velocities[k];
-        definitions.equations.push_back(u.name + " = " + written(form_, u.form.value));
-        equations.equations.push_back(written(form_, without_content(quasi_->equations[k])) + " = 0");
-        if (!quasi_->accelerations.empty())
-            solved.equations.push_back(u.name + "' = " + written(form_, quasi_->accelerations[k]));
-    }
-    print({definitions, velocities, energy, equations, solved});
-}
-
-// The last section is empty where it is too long.
-void Deriver::print(const std::vector<DerivationSection>& sections) {
-    for (const DerivationSection& section : sections)
-        if (!section.equations.empty()) result_.derivation.accelerations.push_back(section);
-    if (sections.back().equations.empty())
-        result_.derivation.agreement.push_back(
-            "the accelerations are not written: solved, the equations are longer than a text may be");
 }
 
 } // namespace
