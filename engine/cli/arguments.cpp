@@ -30,8 +30,8 @@ int read_integer(const std::string& option, const std::string& text, int lowest,
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size() || number < lowest || number > highest)
-        bad_argument(option, fmt::format("{} must be an integer from {} to {}", option, lowest, highest),
-                     text, fmt::format("give for example {} {}", option, example));
+        bad_argument(option, fmt::format("must be an integer from {} to {}", lowest, highest), text,
+                     fmt::format("give for example {} {}", option, example));
     return number;
 }
 
@@ -41,7 +41,7 @@ void bad_argument(const std::string& option, const std::string& rule, const std:
                   const std::string& mend) {
     Place place;
     place.key = option;
-    bad_input({rule, value, mend, place});
+    bad_input({rule, printable(value), mend, place});
 }
 
 int read_order(const std::string& option, const std::string& text) {
@@ -55,7 +55,7 @@ int read_digits(const std::string& text) {
 double read_eps(const std::string& text) {
     const auto eps = read_double(text);
     if (!eps || !std::isfinite(*eps) || *eps <= 0)
-        bad_argument("--eps", "eps must be a finite decimal number > 0", text, "give for example --eps 0.01");
+        bad_argument("--eps", "must be a finite decimal number > 0", text, "give for example --eps 0.01");
     if (*eps < smallest_eps || *eps > largest_eps)
         bad_argument("--eps", std::string(eps_rule) + ", where the expansion in eps has a meaning", text,
                      "give for example --eps 0.01");
@@ -66,7 +66,7 @@ double read_limit(const std::string& option, const std::string& text) {
     if (text == "none") return std::numeric_limits<double>::infinity();
     const auto limit = read_double(text);
     if (!limit || !std::isfinite(*limit) || *limit <= 0)
-        bad_argument(option, fmt::format("{} must be a decimal number > 0, or none", option), text,
+        bad_argument(option, "must be a decimal number > 0, or none", text,
                      fmt::format("give for example {} 600", option));
     return *limit;
 }
@@ -75,7 +75,7 @@ double read_count_limit(const std::string& option, const std::string& text) {
     if (text == "none") return std::numeric_limits<double>::infinity();
     const double limit = read_double(text).value_or(0);
     if (!std::isfinite(limit) || limit < 1 || limit != std::floor(limit))
-        bad_argument(option, fmt::format("{} must be a whole number >= 1, or none", option), text,
+        bad_argument(option, "must be a whole number >= 1, or none", text,
                      fmt::format("give for example {} 1000000", option));
     return limit;
 }
@@ -111,7 +111,7 @@ std::string read_choice(const std::string& option, const std::string& text,
     for (const std::string& choice : known)
         if (choice == text) return choice;
     const std::string near = nearest(text, known);
-    bad_argument(option, fmt::format("{} must be one of {}", option, fmt::join(known, ", ")), text,
+    bad_argument(option, fmt::format("must be one of {}", fmt::join(known, ", ")), text,
                  near.empty() ? fmt::format("give {}", known.front())
                               : fmt::format("did you mean {}?", near));
 }

@@ -28,7 +28,7 @@ int truncation_of(const GradedField& field, int order, const std::string& asked)
     if (!asked.empty()) {
         const int truncation = read_order("--truncation", asked);
         if (truncation < order)
-            bad_argument("--truncation", fmt::format("order <= truncation, and order is {}", order), asked,
+            bad_argument("--truncation", fmt::format("must not be below the order, {}", order), asked,
                          fmt::format("give --truncation {} or more", order));
         return truncation;
     }
@@ -129,8 +129,8 @@ bool of_mechanism(Stage stage) { return stage == Stage::constraints || stage == 
 
 void require_printable_in_numbers(Stage stage, Format format) {
     if (of_mechanism(stage) || stage == Stage::equations || stage == Stage::expand || of_solution(stage))
-        bad_argument("--digits", "--digits goes with --stage normal_form, divisors or manifold",
-                     to_string(stage), "leave it out: this stage is exact");
+        bad_argument("--digits", "goes with --stage normal_form, divisors or manifold", to_string(stage),
+                     "leave it out: this stage is exact");
     if (format == Format::sympy || format == Format::maxima)
         bad_argument("--digits", "numbers of many digits are written as text, latex or json",
                      to_string(format), "choose one of these formats");
@@ -140,8 +140,8 @@ int run_derive(const DeriveRequest& request) {
     const int order = read_order("--order", request.order);
     const Stage stage = parse_stage(request.stage);
     if (!request.truncation.empty() && !of_solution(stage))
-        bad_argument("--truncation", "--truncation goes with --stage solution or transgression",
-                     request.truncation, "leave it out: normal form and map reach --order");
+        bad_argument("--truncation", "goes with --stage solution or transgression", request.truncation,
+                     "leave it out: normal form and map reach --order");
     const Format format = parse_format(request.format);
     require_printable(stage, format);
     const std::string coefficients =

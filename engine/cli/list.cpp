@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// resonform list: the systems of systems/ and their scenes.
+// resonform list: the systems of systems/ and their scenes, by their headings: no equations are derived.
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/locations.hpp"
 #include "cli/output.hpp"
-#include "model/scene_file.hpp"
+#include "model/heading.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,11 +29,11 @@ struct Listing {
     }
 };
 
-Json list_scenes(const SystemFiles& files, const Home& home, Listing& listing) {
+Json list_scenes(const SystemFiles& files, Listing& listing) {
     Json scenes = Json::array();
     for (const auto& file : files.scenes) {
         try {
-            const Scene scene = read_scene(file, home.systems());
+            const Heading scene = read_heading_of_scene(file);
             scenes.push_back({{"name", scene.name}, {"title", scene.title}, {"file", file.string()}});
         } catch (const Error& error) {
             listing.complain(error);
@@ -46,12 +46,12 @@ Listing list_all(const Home& home) {
     Listing listing;
     for (const SystemFiles& files : list_systems(home)) {
         try {
-            const System system = read_system(files.system);
-            require_name_of_folder(system);
+            const Heading system = read_heading_of_system(files.system);
+            require_name_of_folder(system.name, files.system);
             listing.systems.push_back({{"name", system.name},
                                        {"title", system.title},
                                        {"file", files.system.string()},
-                                       {"scenes", list_scenes(files, home, listing)}});
+                                       {"scenes", list_scenes(files, listing)}});
         } catch (const Error& error) {
             listing.complain(error);
         }

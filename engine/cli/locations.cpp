@@ -134,15 +134,14 @@ std::vector<SystemFiles> list_systems(const Home& home) {
     return systems;
 }
 
-void require_name_of_folder(const System& system) {
-    const std::string folder = fs::absolute(system.file).parent_path().filename().string();
-    if (folder == system.name) return;
+void require_name_of_folder(const std::string& name, const fs::path& file) {
+    const std::string folder = fs::absolute(file).parent_path().filename().string();
+    if (folder == name) return;
     Place place;
-    place.file = system.file.string();
+    place.file = file.string();
     place.key = "system.name";
-    bad_input({fmt::format("a system in systems/ must have the name of its folder, '{}'", folder),
-               system.name,
-               fmt::format("write name = \"{}\", or rename the folder to {}", folder, system.name), place});
+    bad_input({fmt::format("a system in systems/ must have the name of its folder, '{}'", folder), name,
+               fmt::format("write name = \"{}\", or rename the folder to {}", folder, name), place});
 }
 
 fs::path find_scene(const std::string& argument, const Home& home) {

@@ -72,7 +72,8 @@ std::string regenerate_scene(const fs::path& scene, const fs::path& file, const 
 
 // The headers of one system. A broken file is said, and hides none of the others.
 void regenerate_system(const SystemFiles& files, const RegenerateRequest& request, Regeneration& result) {
-    const auto read = result.attempt([&] { require_name_of_folder(read_system(files.system)); });
+    const auto read =
+        result.attempt([&] { require_name_of_folder(read_system(files.system).name, files.system); });
     for (const fs::path& scene : files.scenes) {
         const fs::path name = files.system.parent_path().filename() / (scene.stem().string() + ".hpp");
         const fs::path file = request.home.generated() / name;

@@ -71,6 +71,28 @@ bool CoefficientRing::has_weight(const ex& e) const {
            std::any_of(moving_.begin(), moving_.end(), [&](const ex& symbol) { return e.has(symbol); });
 }
 
+bool CoefficientRing::is_finite(const ex& e) const {
+    GiNaC::exmap small{{system_->eps, 0}};
+    std::vector<ex> finite;
+    for (const Variable& v : system_->variables)
+        for (const GiNaC::symbol& symbol : v.jet) {
+            if (v.role != Role::fast) continue;
+            if (v.weight > 0)
+                small[symbol] = 0;
+            else
+                finite.push_back(symbol);
+        }
+    const auto holds_one = [&](const ex& part) {
+        return std::any_of(finite.begin(), finite.end(), [&](const ex& symbol) { return part.has(symbol); });
+    };
+    if (!holds_one(e)) return false;
+    try {
+        return holds_one(e.subs(small, GiNaC::subs_options::no_pattern).normal());
+    } catch (const std::exception&) { // a pole, refused elsewhere
+        return true;
+    }
+}
+
 void CoefficientRing::collect(const ex& e, const Place& place) {
     if (is_a<GiNaC::power>(e)) {
         const ex& base = e.op(0);

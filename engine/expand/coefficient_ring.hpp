@@ -56,6 +56,9 @@ public:
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Place& place) const;
     // Does a symbol occur in e that vanishes or moves?
     [[nodiscard]] bool has_weight(const GiNaC::ex& e) const;
+    // Does it hold a fast variable of weight 0 where eps and small ones are 0? There is no expansion about
+    // such a value.
+    [[nodiscard]] bool is_finite(const GiNaC::ex& e) const;
     // How often functions known by their names only can be differentiated.
     [[nodiscard]] int derivatives() const { return derivatives_; }
     // Was one collected that is to be expanded, as omega(tau + psi)?

@@ -56,11 +56,19 @@ Node Translator::power(const ex& e, const Place& place) {
     if (!whole && coefficients_.at_origin(e.op(0), place).is_zero())
         bad_input({"a root or an inverse is taken only of what does not vanish at the origin", spell(e),
                    "remove the singularity, or expand about another point", place});
+    if (!whole) require_small(e, place);
     return program_.power((*this)(e.op(0), place), exponent);
+}
+
+void Translator::require_small(const ex& function, const Place& place) const {
+    if (!coefficients_.is_finite(function.op(0))) return;
+    refuse({"functions, roots and inverses are expanded in small variables, not in finite ones (of weight 0)",
+            spell(function), "write the equations with polynomials of these, or use weight 1", place});
 }
 
 // f(u_0 + r), where u_0 is of weight 0 and r begins at weight 1.
 Node Translator::function(const ex& e, const Place& place) {
+    require_small(e, place);
     if (holds_angle(e)) return of_angles(e, place);
     const ex u0 = coefficients_.at_origin(e.op(0), place);
     const Node u = (*this)(e.op(0), place);

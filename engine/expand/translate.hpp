@@ -37,6 +37,7 @@ private:
     SeriesProgram::Node translate(const GiNaC::ex& e, const Place& place);
     SeriesProgram::Node product(const GiNaC::ex& e, const Place& place);
     SeriesProgram::Node power(const GiNaC::ex& e, const Place& place);
+    void require_small(const GiNaC::ex& function, const Place& place) const;
     SeriesProgram::Node function(const GiNaC::ex& e, const Place& place);
     [[nodiscard]] bool holds_angle(const GiNaC::ex& e) const;
     SeriesProgram::Node of_angles(const GiNaC::ex& e, const Place& place);

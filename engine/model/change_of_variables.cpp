@@ -2,6 +2,7 @@
 #include "model/change_of_variables.hpp"
 
 #include "model/canonical.hpp"
+#include "model/exact_solution.hpp"
 #include "model/substitution.hpp"
 #include "model/written_form.hpp"
 
@@ -112,8 +113,9 @@ void ChangeOfVariables::require_invertible() const {
     const Zero zero = motion_.form().vanishes(at_origin(jacobian.determinant()));
     const Place place = place_of(motion_.mechanism().changes.front().value.source);
     if (zero == Zero::yes)
-        bad_input({"a change of variables is invertible", "the determinant of its derivatives is zero",
-                   "correct it", place});
+        bad_input({"a change of variables is invertible where the equations are expanded",
+                   "the determinant of its derivatives is zero at the origin of the new variables",
+                   "correct it, or choose another origin", place});
     if (zero == Zero::unknown)
         refuse({"a change of variables is seen to be invertible",
                 "the determinant of its derivatives can be told neither zero nor nonzero",

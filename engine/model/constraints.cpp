@@ -2,6 +2,7 @@
 #include "model/constraints.hpp"
 
 #include "model/canonical.hpp"
+#include "model/exact_solution.hpp"
 #include "model/written_form.hpp"
 
 #include <algorithm>

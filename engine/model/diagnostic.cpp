@@ -23,10 +23,30 @@ std::size_t character_length(std::string_view text) {
 
 } // namespace
 
+namespace {
+
+// A character of two or three bytes that turns the direction of what follows, breaks lines or controls the
+// terminal.
+bool is_control(std::string_view character) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(character[k]); };
+    if (character.size() == 2) return (byte(0) == 0xC2U && byte(1) < 0xA0U) || character == "\xD8\x9C";
+    if (character.size() != 3 || byte(0) != 0xE2U) return false;
+    if (byte(1) == 0x81U) return byte(2) >= 0xA0U && byte(2) <= 0xAFU;    // U+2060 ... U+206F
+    return byte(1) == 0x80U && ((byte(2) >= 0x8BU && byte(2) <= 0x8FU) || // U+200B ... U+200F
+                                (byte(2) >= 0xA8U && byte(2) <= 0xAEU));  // U+2028 ... U+202E
+}
+
+} // namespace
+
 std::string printable(std::string_view text) {
     std::string shown;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = character_length(text.substr(at));
+        if (is_control(text.substr(at, length))) {
+            shown.append(length, '?');
+            at += length;
+            continue;
+        }
         const bool control =
             length == 1 && (static_cast<unsigned char>(text[at]) < 0x20U || text[at] == 0x7f);
         if (length == 0 || (control && text[at] != '\t')) {

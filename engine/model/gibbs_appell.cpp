@@ -2,6 +2,7 @@
 #include "model/gibbs_appell.hpp"
 
 #include "model/canonical.hpp"
+#include "model/exact_solution.hpp"
 #include "model/substitution.hpp"
 
 namespace resonform {
@@ -91,7 +92,7 @@ std::vector<ex> solved(const Motion& motion, const SolvedConstraints& constraint
     if (motion.form().vanishes(masses.determinant()) == Zero::yes)
         bad_input({"the matrix of the accelerations is regular", "its determinant is zero",
                    "give every coordinate a mass, or leave it out", place_of(motion.mechanism().source)});
-    return solve_exactly(std::move(rows), motion.form(), place_of(motion.mechanism().source));
+    return solve_if_short(std::move(rows), motion.form(), place_of(motion.mechanism().source));
 }
 
 } // namespace

@@ -12,7 +12,7 @@ struct AppellEquations {
     GiNaC::exmap differentiated;          // x_d'' of dependent coordinates, by independent accelerations
     GiNaC::ex constrained;                // S of the independent ones
     std::vector<GiNaC::ex> equations;     // dS/dx'' - Q, of independent coordinates
-    std::vector<GiNaC::ex> accelerations; // these solved
+    std::vector<GiNaC::ex> accelerations; // these solved; none where they would be too long
 };
 
 // S of a Lagrangian is the one whose derivatives are Nielsen's, dL'/dx' - 2 dL/dx.

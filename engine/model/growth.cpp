@@ -50,6 +50,42 @@ Growth of_substitution(const GiNaC::ex& e, const GiNaC::symbol& symbol, const Gr
     return total;
 }
 
+namespace {
+
+// cos(a + b) = cos(a)*cos(b) - sin(a)*sin(b), and cos(n*u) is a polynomial in cos(u).
+double terms_of_circular(const GiNaC::ex& argument, double terms) {
+    constexpr double most = 64;
+    if (terms > most) return std::exp2(most);
+    const GiNaC::ex sum = argument.expand();
+    const bool several = GiNaC::is_a<GiNaC::add>(sum);
+    double total = 1;
+    for (std::size_t k = 0; k < (several ? sum.nops() : 1); ++k) {
+        const GiNaC::numeric multiple = (several ? sum.op(k) : sum).integer_content().numer();
+        total *= (k == 0 ? 1 : 2) * (1 + std::floor(multiple.to_double() / 2));
+    }
+    return total;
+}
+
+} // namespace
+
+double terms_in_exact_form(const GiNaC::ex& e) {
+    if (e.nops() == 0) return 1;
+    const double first = terms_in_exact_form(e.op(0));
+    if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
+        return of_power({first, 1, 0, 0}, GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_double()).terms;
+    if (GiNaC::is_a<GiNaC::function>(e)) {
+        const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+        const bool divided = name == "sin" || name == "cos" || name == "sinh" || name == "cosh";
+        return divided ? terms_of_circular(e.op(0), first) : 1;
+    }
+    double total = first;
+    for (std::size_t k = 1; k < e.nops(); ++k) {
+        const double part = terms_in_exact_form(e.op(k));
+        total = GiNaC::is_a<GiNaC::add>(e) ? total + part : total * part;
+    }
+    return total;
+}
+
 Growth of_expression(const GiNaC::ex& e) { return of_substitution(e, GiNaC::symbol(), {}); }
 
 } // namespace resonform

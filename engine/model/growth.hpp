@@ -23,6 +23,8 @@ Growth of_power(const Growth& base, double exponent);
 // The growth of e when `symbol` is replaced by something of the growth `value`.
 Growth of_substitution(const GiNaC::ex& e, const GiNaC::symbol& symbol, const Growth& value);
 Growth of_expression(const GiNaC::ex& e);
+// Terms of the exact form: sines and cosines, circular or hyperbolic, of sums are taken apart, too.
+double terms_in_exact_form(const GiNaC::ex& e);
 Growth growth_of_number(const GiNaC::numeric& n);
 
 } // namespace resonform

@@ -3,12 +3,12 @@
 
 #include "model/canonical.hpp"
 #include "model/change_of_variables.hpp"
+#include "model/derivation_lines.hpp"
 #include "model/frobenius.hpp"
-#include "model/gibbs_appell.hpp"
 #include "model/multipliers.hpp"
-#include "model/quasi_velocities.hpp"
 #include "model/substitution.hpp"
 #include "model/written_form.hpp"
+#include "model/zero_test.hpp"
 
 #include <algorithm>
 
@@ -27,13 +27,14 @@ public:
         require_integrable_unperturbed(constraints_, motion_);
         constants_ = find_constants(constraints_, motion_);
         appell_ = appell_equations(motion_, constraints_);
-        check_by_multipliers(mechanism_, form_, constraints_.velocities, all_accelerations());
+        check_by_multipliers(mechanism_, form_, constraints_, appell_);
         if (!mechanism_.quasi_velocities.empty()) quasi_ = quasi_equations(motion_, constraints_, appell_);
         first_order_ = quasi_velocities_are_variables();
     }
 
     MechanicalEquations run() {
         const ChangeOfVariables change(motion_, constraints_, constants_);
+        require_rank(change);
         require_regular(change);
         write_prescribed();
         if (first_order_)
@@ -41,8 +42,8 @@ public:
         else
             write_independent(change);
         write_constants(change);
-        write_constraints();
-        write_accelerations();
+        result_.derivation =
+            derivation_of({motion_, constraints_, constants_, appell_, quasi_, texts_}, result_.constants);
         return std::move(result_);
     }
 
@@ -54,26 +55,16 @@ private:
         return mechanism_.coordinates[constraints_.dependent[d]];
     }
     void look_at_parts();
-    [[nodiscard]] GiNaC::exmap all_accelerations() const;
+    void require_rank(const ChangeOfVariables& change);
     void require_regular(const ChangeOfVariables& change);
     void write_prescribed();
     [[nodiscard]] bool quasi_velocities_are_variables() const;
     void write_independent(const ChangeOfVariables& change);
     void write_first_order(const ChangeOfVariables& change);
     [[nodiscard]] ex rate_of_constant(std::size_t k, const ChangeOfVariables& change);
+    [[nodiscard]] bool depends(const ex& e, const GiNaC::symbol& symbol);
     void write_constants(const ChangeOfVariables& change);
-    // What is prescribed, at eps = 0.
-    [[nodiscard]] std::string unperturbed_motion();
-    void write_constraints();
-    void write_coefficients(DerivationSection& section, const Constant& constant);
-    void write_change();
-    void write_accelerations();
-    void write_equations();
-    void write_quasi_velocities();
     void derived(const std::string& variable, const std::string& text);
-    [[nodiscard]] ex without_content(const ex& residual);
-    // Linear equations in accelerations: the coefficients, and minus the rest.
-    std::vector<ExactRow> rows_of(const std::vector<ex>& residuals, const std::vector<Coordinate>& unknowns);
 
     const Mechanism& mechanism_;
     const System& system_;
@@ -84,6 +75,7 @@ private:
     AppellEquations appell_;
     std::optional<QuasiEquations> quasi_;
     bool first_order_ = false; // quasi-velocities are variables of the system
+    EquationTexts texts_{system_, form_, place_of(mechanism_.source)};
     MechanicalEquations result_;
 };
 
@@ -97,14 +89,24 @@ void Deriver::look_at_parts() {
     form_.set_place(place_of(mechanism_.source));
 }
 
-GiNaC::exmap Deriver::all_accelerations() const {
-    GiNaC::exmap all;
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-        all[independent(i).acceleration] = appell_.accelerations[i];
-    GiNaC::exmap result = all;
-    for (const auto& [acceleration, value] : appell_.differentiated)
-        result[acceleration] = value.subs(all, GiNaC::subs_options::no_pattern);
-    return result;
+// Where a dependent velocity has a pole at the origin, and the equations or the rate of a constant have it,
+// too.
+void Deriver::require_rank(const ChangeOfVariables& change) {
+    const auto has_pole = [&](const ex& e) {
+        const ex denominator = form_.meaning(form_.fraction(e).denominator);
+        return form_.vanishes(change.at_origin(denominator)) == Zero::yes;
+    };
+    bool matters = std::any_of(appell_.equations.begin(), appell_.equations.end(), has_pole);
+    for (std::size_t k = 0; k < constants_.size(); ++k) matters = matters || has_pole(change.rate(k));
+    if (!matters) return;
+    for (std::size_t d = 0; d < constraints_.dependent.size(); ++d) {
+        const ex velocity = constraints_.velocities.at(dependent(d).velocity);
+        if (!has_pole(velocity)) continue;
+        const Written& condition = mechanism_.constraints[d].condition;
+        refuse({"the rank of the constraints does not fall at the origin, where the equations are expanded",
+                excerpt(dependent(d).name + "' = " + written(form_, velocity)),
+                "choose another origin by [change], or another constraint", place_of(condition.source)});
+    }
 }
 
 void Deriver::require_regular(const ChangeOfVariables& change) {
@@ -135,65 +137,14 @@ void Deriver::write_prescribed() {
         result_.equations.push_back({p.coordinate.name, p.law.text, p.law.source});
 }
 
-// Divided by a number and by what is declared not zero, multiplied by a denominator that moves.
-ex Deriver::without_content(const ex& residual) {
-    const ExactForm::Fraction f = form_.fraction(residual);
-    if (f.numerator.is_zero()) return residual;
-    const bool moves = std::any_of(form_.generators().begin(), form_.generators().end(), [&](const auto& g) {
-        return g.kind <= ExactForm::Kind::rate && f.denominator.has(g.symbol);
-    });
-    if (moves) return without_content(form_.meaning(f.numerator));
-    ex factor = f.denominator.integer_content() / f.numerator.integer_content();
-    const auto divide_by = [&](const ex& symbol) {
-        factor *= GiNaC::pow(symbol, f.denominator.ldegree(symbol) - f.numerator.ldegree(symbol));
-    };
-    divide_by(system_.eps);
-    for (const Parameter& p : system_.parameters)
-        if (p.nonzero) divide_by(p.symbol);
-    for (const Variable& v : system_.variables)
-        if (v.nonzero) divide_by(v.jet.front());
-    return form_.simplified(residual * factor);
-}
-
-std::vector<ExactRow> Deriver::rows_of(const std::vector<ex>& residuals,
-                                       const std::vector<Coordinate>& unknowns) {
-    GiNaC::exmap none;
-    for (const Coordinate& c : unknowns) none[c.acceleration] = 0;
-    std::vector<ExactRow> rows;
-    for (const ex& residual : residuals) {
-        ExactRow row;
-        for (const Coordinate& c : unknowns) row.push_back(form_.simplified(residual.diff(c.acceleration)));
-        row.push_back(form_.simplified(-residual.subs(none, GiNaC::subs_options::no_pattern)));
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
-
-// As they are where each holds its own acceleration only, else solved; those of many links, whose solution is
-// longer than a text may be, are solved by whoever reads them.
 void Deriver::write_independent(const ChangeOfVariables& change) {
     std::vector<ex> residuals;
     std::vector<Coordinate> unknowns;
     for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
-        residuals.push_back(form_.simplified(change(appell_.equations[i])));
+        residuals.push_back(change(appell_.equations[i]));
         unknowns.push_back(change.variable(i));
     }
-    const std::vector<ExactRow> rows = rows_of(residuals, unknowns);
-    bool coupled = false;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < unknowns.size(); ++k)
-            coupled = coupled || (i != k && form_.vanishes(rows[i][k]) != Zero::yes);
-    std::vector<std::string> texts;
-    if (coupled)
-        for (const ex& solution : solve_exactly(rows, form_, place_of(mechanism_.source)))
-            texts.push_back(unknowns[texts.size()].name + "'' = " + written(form_, solution));
-    const bool too_long = std::any_of(texts.begin(), texts.end(),
-                                      [](const std::string& text) { return text.size() > Limits{}.length; });
-    if (!coupled || too_long) {
-        texts.clear();
-        for (const ex& residual : residuals)
-            texts.push_back(written(form_, without_content(residual)) + " = 0");
-    }
+    const std::vector<std::string> texts = texts_.of(residuals, unknowns);
     for (std::size_t i = 0; i < texts.size(); ++i) derived(unknowns[i].name, texts[i]);
 }
 
@@ -215,12 +166,16 @@ void Deriver::write_first_order(const ChangeOfVariables& change) {
         derived(variable.name,
                 variable.name == old.name
                     ? variable.name + "' = " + written(form_, rate)
-                    : written(form_, without_content(form_.simplified(change(old.velocity) - rate))) +
+                    : written(form_, texts_.without_content(form_.simplified(change(old.velocity) - rate))) +
                           " = 0");
     }
-    for (std::size_t k = 0; k < quasi_->accelerations.size(); ++k) {
+    for (std::size_t k = 0; k < quasi_->equations.size(); ++k) {
         const std::string& name = mechanism_.quasi_velocities[k].name;
-        derived(name, name + "' = " + written(form_, form_.simplified(change(quasi_->accelerations[k]))));
+        derived(name,
+                quasi_->accelerations.empty()
+                    ? written(form_, texts_.without_content(form_.simplified(change(quasi_->equations[k])))) +
+                          " = 0"
+                    : name + "' = " + written(form_, form_.simplified(change(quasi_->accelerations[k]))));
     }
 }
 
@@ -231,149 +186,31 @@ ex Deriver::rate_of_constant(std::size_t k, const ChangeOfVariables& change) {
     return form_.simplified(change(put(rate, quasi_->velocities)));
 }
 
+// Does a symbol in it not cancel?
+bool Deriver::depends(const ex& e, const GiNaC::symbol& symbol) {
+    if (!e.has(symbol)) return false;
+    const ex slope = e.diff(symbol);
+    return differs_from_zero(slope) || form_.vanishes(slope) != Zero::yes;
+}
+
 void Deriver::write_constants(const ChangeOfVariables& change) {
     std::vector<ex> others, rates; // what may depend on a constant
-    for (const ex& equation : first_order_ ? quasi_->accelerations : appell_.equations)
-        others.push_back(form_.simplified(change(equation)));
+    for (const ex& equation : first_order_ ? quasi_->equations : appell_.equations)
+        others.push_back(change(equation));
     if (first_order_)
         for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-            others.push_back(form_.simplified(change(quasi_->velocities.at(independent(i).velocity))));
+            others.push_back(change(quasi_->velocities.at(independent(i).velocity)));
     for (std::size_t k = 0; k < constants_.size(); ++k) rates.push_back(rate_of_constant(k, change));
     others.insert(others.end(), rates.begin(), rates.end());
     for (std::size_t k = 0; k < constants_.size(); ++k) {
         const Coordinate& c = constants_[k].coordinate;
-        const bool slow = std::any_of(others.begin(), others.end(), [&](const ex& e) { return e.has(c.at); });
+        const bool slow =
+            std::any_of(others.begin(), others.end(), [&](const ex& e) { return depends(e, c.at); });
         const bool fixed = slow && form_.vanishes(rates[k]) == Zero::yes;
         result_.constants.push_back(
             {c, dependent(constants_[k].dependent).name, slow ? Role::slow : Role::drift, fixed});
         if (!fixed) derived(c.name, c.name + "' = " + written(form_, rates[k]));
     }
-}
-
-// q' = eps*(sum of c_q_x x' + c_q_0), in the coordinates before a change
-void Deriver::write_coefficients(DerivationSection& section, const Constant& constant) {
-    GiNaC::exmap values, none;
-    for (const Constant& other : constants_)
-        if (!other.itself) values[dependent(other.dependent).at] = other.value;
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i) none[independent(i).velocity] = 0;
-    const ex rate = motion_.with_laws(motion_.derivative(constant.integral)
-                                          .subs(constraints_.velocities, GiNaC::subs_options::no_pattern)
-                                          .subs(values, GiNaC::subs_options::no_pattern));
-    const auto add = [&](const std::string& name, const ex& part) {
-        if (form_.vanishes(part) != Zero::yes)
-            section.equations.push_back("c_" + constant.coordinate.name + "_" + name + " = " +
-                                        written(form_, part / system_.eps));
-    };
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-        add(independent(i).name, rate.diff(independent(i).velocity));
-    add("0", rate.subs(none, GiNaC::subs_options::no_pattern));
-}
-
-std::string Deriver::unperturbed_motion() {
-    std::string laws;
-    for (const Prescribed* p : motion_.moving())
-        laws += (laws.empty() ? "with " : ", ") + p->coordinate.name +
-                "' = " + written(form_, motion_.unperturbed(p->rate));
-    return laws.empty() ? "what is prescribed at rest" : laws;
-}
-
-void Deriver::write_constraints() {
-    Derivation& derivation = result_.derivation;
-    if (constants_.empty()) {
-        derivation.remarks.push_back("no constraints: every coordinate is independent");
-        write_change();
-        return;
-    }
-    DerivationSection solved{"constraints", {}}, rest{"at eps = 0, " + unperturbed_motion(), {}},
-        integrals{"constants of these", {}},
-        coefficients{"(2): q' = eps*(sum of c_q_x*x' + c_q_0), with", {}};
-    for (const Constant& constant : constants_) {
-        const Coordinate& d = dependent(constant.dependent);
-        const ex velocity = constraints_.velocities[d.velocity];
-        solved.equations.push_back(d.name + "' = " + written(form_, velocity));
-        rest.equations.push_back(d.name + "' = " + written(form_, motion_.unperturbed(velocity)));
-        if (!constant.itself)
-            integrals.equations.push_back(constant.coordinate.name + " = " +
-                                          written(form_, constant.integral));
-        write_coefficients(coefficients, constant);
-    }
-    derivation.constraints = {solved, rest};
-    if (!integrals.equations.empty()) derivation.constraints.push_back(integrals);
-    write_change();
-    if (!coefficients.equations.empty()) derivation.constraints.push_back(coefficients);
-    derivation.remarks.push_back(integrable_for_every_eps(constraints_, motion_)
-                                     ? "holonomic after all: the constraints are integrable for every eps"
-                                     : "weakly nonholonomic: the constraints are integrable at eps = 0");
-    for (const MechanicalEquations::Former& former : result_.constants)
-        derivation.remarks.push_back(former.coordinate.name +
-                                     (former.fixed                ? " is constant for every eps: a parameter"
-                                      : former.role == Role::slow ? " is slow: something depends on it"
-                                                                  : " is a drift: nothing depends on it"));
-}
-
-// (14), and dependent coordinates by their constants.
-void Deriver::write_change() {
-    DerivationSection section{"change of variables", {}};
-    for (const Change& change : mechanism_.changes)
-        section.equations.push_back(mechanism_.coordinates[change.coordinate].name + " = " +
-                                    change.value.text);
-    for (const Constant& constant : constants_) {
-        const std::size_t coordinate = constraints_.dependent[constant.dependent];
-        const bool told = std::any_of(mechanism_.changes.begin(), mechanism_.changes.end(),
-                                      [&](const Change& c) { return c.coordinate == coordinate; });
-        if (!constant.itself && !told)
-            section.equations.push_back(dependent(constant.dependent).name + " = " +
-                                        written(form_, constant.value));
-    }
-    if (!section.equations.empty()) result_.derivation.constraints.push_back(section);
-}
-
-void Deriver::write_accelerations() {
-    std::vector<DerivationSection>& sections = result_.derivation.accelerations;
-    sections.push_back({"energy of accelerations", {"S = " + written(form_, appell_.energy)}});
-    if (!constants_.empty()) {
-        DerivationSection differentiated{"the constraints, differentiated", {}};
-        for (std::size_t d = 0; d < constraints_.dependent.size(); ++d)
-            differentiated.equations.push_back(
-                dependent(d).name +
-                "'' = " + written(form_, appell_.differentiated[dependent(d).acceleration]));
-        sections.push_back(std::move(differentiated));
-        sections.push_back(
-            {"energy of accelerations with the constraints", {"S = " + written(form_, appell_.constrained)}});
-    }
-    if (quasi_)
-        write_quasi_velocities();
-    else
-        write_equations();
-    result_.derivation.agreement = {
-        constants_.empty() ? "the equations of Lagrange agree, identically"
-                           : "the equations of d'Alembert and Lagrange with multipliers agree, identically"};
-}
-
-void Deriver::write_equations() {
-    DerivationSection equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
-    for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
-        equations.equations.push_back(written(form_, without_content(appell_.equations[i])) + " = 0");
-        solved.equations.push_back(independent(i).name + "'' = " + written(form_, appell_.accelerations[i]));
-    }
-    result_.derivation.accelerations.push_back(std::move(equations));
-    result_.derivation.accelerations.push_back(std::move(solved));
-}
-
-void Deriver::write_quasi_velocities() {
-    DerivationSection definitions{"quasi-velocities", {}}, velocities{"velocities in these", {}},
-        energy{"energy of accelerations in these", {"S = " + written(form_, quasi_->energy)}},
-        equations{"equations of Gibbs and Appell", {}}, solved{"accelerations", {}};
-    for (const Coordinate& c : mechanism_.coordinates)
-        velocities.equations.push_back(c.name + "' = " + written(form_, quasi_->velocities.at(c.velocity)));
-    for (std::size_t k = 0; k < quasi_->equations.size(); ++k) {
-        const QuasiVelocity& u = mechanism_.quasi_velocities[k];
-        definitions.equations.push_back(u.name + " = " + written(form_, u.form.value));
-        equations.equations.push_back(written(form_, without_content(quasi_->equations[k])) + " = 0");
-        solved.equations.push_back(u.name + "' = " + written(form_, quasi_->accelerations[k]));
-    }
-    for (DerivationSection* section : {&definitions, &velocities, &energy, &equations, &solved})
-        result_.derivation.accelerations.push_back(std::move(*section));
 }
 
 } // namespace

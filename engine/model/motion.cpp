@@ -5,8 +5,6 @@
 #include "model/positivity.hpp"
 #include "model/substitution.hpp"
 
-#include <utility>
-
 namespace resonform {
 
 using GiNaC::ex;
@@ -97,30 +95,6 @@ bool Motion::positive_where_expanded(const ex& e) const {
     } catch (const std::exception&) { // a pole
         return false;
     }
-}
-
-std::vector<ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const Place& place) {
-    const std::size_t n = rows.size();
-    for (std::size_t column = 0; column < n; ++column) {
-        std::size_t pivot = column;
-        while (pivot < n && form.vanishes(rows[pivot][column]) != Zero::no) ++pivot;
-        if (pivot == n)
-            refuse({"the accelerations can be solved for",
-                    "the determinant of their coefficients is not seen to differ from zero",
-                    "simplify the mechanism", place});
-        std::swap(rows[column], rows[pivot]);
-        const ex divisor = rows[column][column];
-        for (ex& entry : rows[column]) entry = form.simplified(entry / divisor);
-        for (std::size_t other = 0; other < n; ++other) {
-            const ex factor = rows[other][column];
-            if (other == column || factor.is_zero()) continue;
-            for (std::size_t k = column; k <= n; ++k)
-                rows[other][k] = form.simplified(rows[other][k] - factor * rows[column][k]);
-        }
-    }
-    std::vector<ex> solution;
-    for (const ExactRow& row : rows) solution.push_back(row[n]);
-    return solution;
 }
 
 } // namespace resonform

@@ -42,10 +42,4 @@ private:
     GiNaC::exmap laws_; // xi' -> eps*v
 };
 
-using ExactRow = std::vector<GiNaC::ex>;
-
-// The solution of rows a_1 x_1 + ... + a_n x_n = b, each written as { a_1, ..., a_n, b }.
-// Errors (refused): a determinant that is not seen to differ from zero.
-std::vector<GiNaC::ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const Place& place);
-
 } // namespace resonform

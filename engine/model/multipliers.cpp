@@ -2,21 +2,19 @@
 #include "model/multipliers.hpp"
 
 #include "model/canonical.hpp"
-
-#include <algorithm>
+#include "model/substitution.hpp"
 
 namespace resonform {
 
 namespace {
 
 using GiNaC::ex;
-using GiNaC::matrix;
 
 class SecondRoute {
 public:
-    SecondRoute(const Mechanism& mechanism, ExactForm& form, const GiNaC::exmap& velocities,
-                const GiNaC::exmap& accelerations)
-        : mechanism_(mechanism), form_(form), velocities_(velocities), accelerations_(accelerations) {}
+    SecondRoute(const Mechanism& mechanism, ExactForm& form, const SolvedConstraints& constraints,
+                const AppellEquations& appell)
+        : mechanism_(mechanism), form_(form), constraints_(constraints), appell_(appell) {}
 
     void check() {
         for (const Constraint& c : mechanism_.constraints) {
@@ -24,13 +22,15 @@ public:
             require_zero(on_motion(rate(c.condition.value)), "a constraint, differentiated",
                          c.condition.source);
         }
-        const ex lagrangian =
-            mechanism_.lagrangian ? mechanism_.lagrangian->value : kinetic() - mechanism_.potential.value;
-        std::vector<ex> forces;
-        for (std::size_t k = 0; k < mechanism_.coordinates.size(); ++k)
-            forces.push_back(on_motion(inertia(lagrangian, k) - force(k)));
-        for (const ex& unbalanced : without_reactions(forces))
-            require_zero(unbalanced, "an equation with multipliers", mechanism_.source);
+        require_rank();
+        const std::vector<ex> forces = unbalanced();
+        for (std::size_t i = 0; i < constraints_.independent.size(); ++i) {
+            require_zero(along(forces, i) - appell_.equations[i], "an equation with multipliers",
+                         mechanism_.source);
+            if (!appell_.accelerations.empty())
+                require_zero(solved(appell_.equations[i]), "an equation, solved for the accelerations",
+                             mechanism_.source);
+        }
     }
 
 private:
@@ -77,60 +77,51 @@ private:
             if (f.coordinate == k) sum += f.value;
         return sum;
     }
-    ex on_motion(const ex& e) const {
-        return e.subs(accelerations_, GiNaC::subs_options::no_pattern)
-            .subs(velocities_, GiNaC::subs_options::no_pattern);
+    ex on_motion(const ex& e) const { return put(put(e, appell_.differentiated), constraints_.velocities); }
+    ex solved(const ex& equation) const {
+        GiNaC::exmap all;
+        for (std::size_t i = 0; i < appell_.accelerations.size(); ++i)
+            all[independent(i).acceleration] = appell_.accelerations[i];
+        return put(equation, all);
+    }
+    const Coordinate& independent(std::size_t i) const {
+        return mechanism_.coordinates[constraints_.independent[i]];
     }
 
-    // What multipliers, found from as many rows as there are constraints, leave of the others.
-    std::vector<ex> without_reactions(const std::vector<ex>& forces) const {
-        const std::size_t m = mechanism_.constraints.size(), n = forces.size();
-        if (m == 0) return forces;
-        std::vector<std::vector<ex>> directions(n, std::vector<ex>(m));
-        for (std::size_t k = 0; k < n; ++k)
-            for (std::size_t s = 0; s < m; ++s)
-                directions[k][s] = on_motion(
-                    mechanism_.constraints[s].condition.value.diff(mechanism_.coordinates[k].velocity));
-        std::vector<bool> chosen(n, false); // the last ones that give a determinant that is not zero
-        std::fill(chosen.end() - static_cast<std::ptrdiff_t>(m), chosen.end(), true);
-        do {
-            matrix square(static_cast<unsigned>(m), static_cast<unsigned>(m));
-            std::vector<ex> right;
-            for (std::size_t k = 0; k < n; ++k) {
-                if (!chosen[k]) continue;
-                for (unsigned s = 0; s < m; ++s)
-                    square(static_cast<unsigned>(right.size()), s) = directions[k][s];
-                right.push_back(forces[k]);
-            }
-            const ex determinant = square.determinant();
-            if (form_.vanishes(determinant) != Zero::no) continue;
-            return remainders(forces, directions, multipliers(square, right, determinant));
-        } while (std::next_permutation(chosen.begin(), chosen.end()));
+    // What the multipliers must balance, of every coordinate.
+    std::vector<ex> unbalanced() const {
+        const ex lagrangian =
+            mechanism_.lagrangian ? mechanism_.lagrangian->value : kinetic() - mechanism_.potential.value;
+        std::vector<ex> forces;
+        for (std::size_t k = 0; k < mechanism_.coordinates.size(); ++k)
+            forces.push_back(on_motion(inertia(lagrangian, k) - force(k)));
+        return forces;
+    }
+
+    // Along the direction of x_i' that the constraints allow: there the multipliers do no work. That they
+    // allow it is seen where they hold for all x_i'.
+    ex along(const std::vector<ex>& forces, std::size_t i) const {
+        ex sum = forces[constraints_.independent[i]];
+        for (const std::size_t d : constraints_.dependent)
+            sum +=
+                constraints_.velocities.at(mechanism_.coordinates[d].velocity).diff(independent(i).velocity) *
+                forces[d];
+        return sum;
+    }
+
+    // There are no more directions than these.
+    void require_rank() const {
+        const auto m = static_cast<unsigned>(mechanism_.constraints.size());
+        if (m == 0) return;
+        GiNaC::matrix square(m, m);
+        for (unsigned s = 0; s < m; ++s)
+            for (unsigned d = 0; d < m; ++d)
+                square(s, d) = on_motion(mechanism_.constraints[s].condition.value.diff(
+                    mechanism_.coordinates[constraints_.dependent[d]].velocity));
+        if (form_.vanishes(square.determinant()) == Zero::no) return;
         refuse({"the constraints are independent of each other",
                 "no determinant of theirs is seen to differ from zero", "write them in a plainer form",
                 place_of(mechanism_.constraints.front().condition.source)});
-    }
-
-    // Cramer's rule.
-    static std::vector<ex> multipliers(const matrix& square, const std::vector<ex>& right,
-                                       const ex& determinant) {
-        std::vector<ex> result;
-        for (unsigned s = 0; s < square.cols(); ++s) {
-            matrix replaced = square;
-            for (unsigned row = 0; row < square.rows(); ++row) replaced(row, s) = right[row];
-            result.push_back(replaced.determinant() / determinant);
-        }
-        return result;
-    }
-
-    static std::vector<ex> remainders(const std::vector<ex>& forces,
-                                      const std::vector<std::vector<ex>>& directions,
-                                      const std::vector<ex>& multipliers) {
-        std::vector<ex> result = forces;
-        for (std::size_t k = 0; k < forces.size(); ++k)
-            for (std::size_t s = 0; s < multipliers.size(); ++s)
-                result[k] -= multipliers[s] * directions[k][s];
-        return result;
     }
 
     void require_zero(const ex& e, const std::string& what, const SourceText& source) const {
@@ -145,15 +136,15 @@ private:
 
     const Mechanism& mechanism_;
     ExactForm& form_;
-    const GiNaC::exmap& velocities_;
-    const GiNaC::exmap& accelerations_;
+    const SolvedConstraints& constraints_;
+    const AppellEquations& appell_;
 };
 
 } // namespace
 
-void check_by_multipliers(const Mechanism& mechanism, ExactForm& form, const GiNaC::exmap& velocities,
-                          const GiNaC::exmap& accelerations) {
-    SecondRoute(mechanism, form, velocities, accelerations).check();
+void check_by_multipliers(const Mechanism& mechanism, ExactForm& form, const SolvedConstraints& constraints,
+                          const AppellEquations& appell) {
+    SecondRoute(mechanism, form, constraints, appell).check();
 }
 
 } // namespace resonform

@@ -4,15 +4,16 @@
 // It shares nothing with the first but the expressions of the file.
 #pragma once
 
-#include "model/exact_form.hpp"
-#include "model/mechanism.hpp"
+#include "model/gibbs_appell.hpp"
 
 namespace resonform {
 
-// Do these velocities of dependent coordinates and accelerations of all satisfy the constraints, the
-// constraints differentiated, and for some multipliers the equations, identically?
+// Do the velocities and accelerations of dependent coordinates satisfy the constraints and these
+// differentiated, whatever the independent ones are? Are the equations of the first route those with
+// multipliers along every direction that the constraints allow, identically, and are they satisfied by the
+// accelerations that they were solved for (if they were)?
 // Errors (refused): no, or it cannot be told.
-void check_by_multipliers(const Mechanism& mechanism, ExactForm& form, const GiNaC::exmap& velocities,
-                          const GiNaC::exmap& accelerations);
+void check_by_multipliers(const Mechanism& mechanism, ExactForm& form, const SolvedConstraints& constraints,
+                          const AppellEquations& appell);
 
 } // namespace resonform

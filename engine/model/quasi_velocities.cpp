@@ -2,6 +2,7 @@
 #include "model/quasi_velocities.hpp"
 
 #include "model/canonical.hpp"
+#include "model/exact_solution.hpp"
 #include "model/substitution.hpp"
 
 namespace resonform {
@@ -39,6 +40,7 @@ private:
     void find_equations();
     void solve_for_accelerations();
     void check_by_coordinates() const;
+    void require_zero(std::size_t k, const ex& difference) const;
     [[nodiscard]] ex in_quasi_velocities(const ex& e) const {
         return form_.simplified(put(put(e, constraints_.velocities), result_.velocities));
     }
@@ -136,24 +138,38 @@ void Transition::solve_for_accelerations() {
         row.push_back(-put(equation, none));
         rows.push_back(std::move(row));
     }
-    result_.accelerations = solve_exactly(std::move(rows), form_, place());
+    result_.accelerations = solve_if_short(std::move(rows), form_, place());
 }
 
-// The derivative of the definition, with the accelerations of the coordinates.
+// Along dx_i'/du_k the equations in coordinates are those in quasi-velocities, and u' that were solved for
+// satisfy them.
 void Transition::check_by_coordinates() const {
     GiNaC::exmap accelerations;
-    for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
-        accelerations[independent(i).acceleration] = appell_.accelerations[i];
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-        const ex derived = in_quasi_velocities(put(motion_.derivative(forms_[k]), accelerations));
-        const Zero zero = form_.vanishes(derived - result_.accelerations[k]);
-        if (zero == Zero::yes) continue;
-        refuse({"the equations in quasi-velocities and those in coordinates agree",
-                all_[k].name + (zero == Zero::no ? "' differs" : "' is not seen to be the same"),
-                zero == Zero::no ? "report this: one of the two routes is wrong"
-                                 : "write the mechanism in a plainer form",
-                place_of(all_[k].form.source)});
+    for (const std::size_t i : constraints_.independent) {
+        const Coordinate& c = motion_.mechanism().coordinates[i];
+        accelerations[c.acceleration] = motion_.derivative(result_.velocities.at(c.velocity));
     }
+    GiNaC::exmap solved;
+    for (std::size_t k = 0; k < result_.accelerations.size(); ++k)
+        solved[all_[k].acceleration] = result_.accelerations[k];
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+        ex other = 0;
+        for (std::size_t i = 0; i < constraints_.independent.size(); ++i)
+            other += put(appell_.equations[i], accelerations) *
+                     result_.velocities.at(independent(i).velocity).diff(all_[k].velocity);
+        require_zero(k, put(put(other, constraints_.velocities), result_.velocities) - result_.equations[k]);
+        if (!solved.empty()) require_zero(k, put(result_.equations[k], solved));
+    }
+}
+
+void Transition::require_zero(std::size_t k, const ex& difference) const {
+    const Zero zero = form_.vanishes(difference);
+    if (zero == Zero::yes) return;
+    refuse({"the equations in quasi-velocities and those in coordinates agree",
+            all_[k].name + (zero == Zero::no ? "' differs" : "' is not seen to be the same"),
+            zero == Zero::no ? "report this: one of the two routes is wrong"
+                             : "write the mechanism in a plainer form",
+            place_of(all_[k].form.source)});
 }
 
 } // namespace

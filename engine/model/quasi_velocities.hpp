@@ -13,11 +13,11 @@ struct QuasiEquations {
     GiNaC::exmap velocities;              // of independent coordinates, then of dependent ones, by u
     GiNaC::ex energy;                     // S of u'
     std::vector<GiNaC::ex> equations;     // dS/du' - its force
-    std::vector<GiNaC::ex> accelerations; // u', solved
+    std::vector<GiNaC::ex> accelerations; // u', solved; none where they would be too long
 };
 
 // Errors: bad_input: too few or too many, not linear in the velocities, dependent on each other or on the
-// constraints; refused: what cannot be told, or u' that is not that of the accelerations of the coordinates.
+// constraints; refused: what cannot be told, or equations that are not those of the coordinates.
 // Precondition: the mechanism has quasi-velocities.
 QuasiEquations quasi_equations(const Motion& motion, const SolvedConstraints& constraints,
                                const AppellEquations& appell);

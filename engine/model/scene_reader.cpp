@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/scene_reader.hpp"
 
+#include "model/heading.hpp"
 #include "model/names.hpp"
 #include "model/start_domain.hpp"
 #include "model/start_reader.hpp"
@@ -29,10 +30,7 @@ SceneReader::SceneReader(TomlNode root, const std::filesystem::path& file,
 }
 
 Scene SceneReader::read() {
-    check_keys(root_, {"system", "title", "order", "time_scale", "truncation", "outputs", "oscillating",
-                       "fix", "start", "verify"});
-    const TomlNode* title = root_.find("title");
-    scene_.title = title == nullptr ? scene_.name : string_of(*title);
+    scene_.title = heading_of_scene(root_, scene_.file).title;
     if (const TomlNode* oscillating = root_.find("oscillating"))
         scene_.oscillating = boolean_of(*oscillating);
     read_orders();
@@ -99,6 +97,9 @@ void SceneReader::read_outputs() {
         for (const Variable& v : scene_.system->variables) {
             if (v.role == Role::fast || v.role == Role::drift) scene_.outputs.push_back(v.name);
         }
+        if (!scene_.outputs.empty()) return;
+        for (const Variable& v : scene_.system->variables)
+            if (v.role == Role::slow) scene_.outputs.push_back(v.name);
         return;
     }
     if (outputs->type != TomlNode::Type::array || outputs->items.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/settings.hpp"
 
+#include "model/canonical.hpp"
 #include "model/constant_sign.hpp"
 #include "model/zero_test.hpp"
 
@@ -23,7 +24,7 @@ using GiNaC::ex;
 
 ex read_value(const Setting& setting, const std::string& option) {
     SourceText source;
-    source.key = option;
+    source.key = option + " " + excerpt(setting.parameter + "=" + setting.value);
     return read_expression(setting.value, Scope(), source);
 }
 
@@ -66,6 +67,16 @@ void put_into_domain(System& system, const GiNaC::exmap& values, const std::stri
     system.positive = std::move(rest);
 }
 
+// Errors (bad_input): a pole at the values.
+void put_regularly(ex& e, const GiNaC::exmap& values, const Place& place, const std::string& option) {
+    try {
+        e = e.subs(values, GiNaC::subs_options::no_pattern);
+    } catch (const std::exception&) { // GiNaC::pole_error, division by zero
+        bad_input({"the values of " + option + " make no denominator zero, and no logarithm one of zero",
+                   in_quotes(spell(e)), "set other values", place});
+    }
+}
+
 } // namespace
 
 Setting read_setting(const std::string& text, const std::string& option) {
@@ -92,13 +103,11 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
             complain("a parameter is set once", in_quotes(setting.parameter), "leave out one of them",
                      option);
     }
-    for (Equation& equation : system.equations)
-        equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
-    if (system.hamiltonian)
-        system.hamiltonian->energy = system.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
-    for (GivenMode& mode : system.modes)
-        for_each_part(mode, [&](ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); });
     put_into_domain(system, values, option);
+    const auto put_into = [&](ex& e, const Place& place) { put_regularly(e, values, place, option); };
+    for (Equation& equation : system.equations) put_into(equation.residual, place_of(equation.source));
+    if (system.hamiltonian) put_into(system.hamiltonian->energy, place_of(system.hamiltonian->source));
+    for (GivenMode& mode : system.modes) for_each_part(mode, [&](ex& e) { put_into(e, mode.place); });
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
     system.settings.insert(system.settings.end(), settings.begin(), settings.end());
     system.parameters.erase(std::remove_if(system.parameters.begin(), system.parameters.end(), is_set),

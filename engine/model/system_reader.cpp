@@ -3,7 +3,7 @@
 
 #include "model/dimension.hpp"
 #include "model/eps_powers.hpp"
-#include "model/mechanism_reader.hpp"
+#include "model/heading.hpp"
 #include "model/names.hpp"
 #include "model/toml_values.hpp"
 
@@ -40,11 +40,6 @@ bool nonzero_of(const TomlNode& table, bool positive) {
     return positive || nonzero;
 }
 
-std::string text(const TomlNode& table, const std::string& key) {
-    const TomlNode* node = table.find(key);
-    return node == nullptr ? "" : string_of(*node);
-}
-
 Role role_of(const TomlEntry& entry) {
     const TomlNode* node = entry.value.find("role");
     if (node == nullptr) {
@@ -79,13 +74,8 @@ SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file) : r
 }
 
 System SystemReader::read() {
-    std::vector<std::string> tables = {"system",      "parameters",  "variables", "functions",
-                                       "hamiltonian", "equations",   "domain",    "relations",
-                                       "modes",       "normal_form", "notation"};
-    tables.insert(tables.end(), mechanism_tables().begin(), mechanism_tables().end());
-    check_keys(root_, tables);
-    require_coordinates();
     read_header();
+    require_coordinates();
     read_parameters();
     read_variables();
     read_functions();
@@ -110,18 +100,10 @@ System SystemReader::read() {
 }
 
 void SystemReader::read_header() {
-    const TomlNode& header = table("system", "begin the file with [system] and name = \"...\"");
-    check_keys(header, {"name", "title", "source"});
-    const TomlNode* name = header.find("name");
-    if (name == nullptr) {
-        bad_input({"a system has a name", "[system]", "write name = \"...\" under [system]",
-                   place_of(header.source)});
-    }
-    system_.name = string_of(*name);
-    if (!is_identifier(system_.name)) bad_value(*name, identifier_rule("a system's name"), identifier_mend());
-    system_.title = text(header, "title");
-    if (system_.title.empty()) system_.title = system_.name;
-    system_.source = text(header, "source");
+    const Heading heading = heading_of_system(root_, system_.file);
+    system_.name = heading.name;
+    system_.title = heading.title;
+    system_.source = heading.source;
 }
 
 void SystemReader::read_parameters() {

@@ -207,7 +207,7 @@ TomlNode read_toml(std::string_view text, const std::filesystem::path& file) {
     } catch (const toml::parse_error& failure) {
         const toml::source_position at = failure.source().begin;
         bad_input({"the file is TOML", excerpt(lines.line(at)),
-                   "the TOML parser says: " + std::string(failure.description()).substr(0, 300),
+                   "the TOML parser says: " + printable(failure.description().substr(0, 300)),
                    place_of(lines.source(at, ""))});
     }
 }

@@ -11,6 +11,8 @@ namespace resonform {
 // no: the expression differs from zero at a point with rational coordinates in (0, 2), proved by ball
 // arithmetic; yes: it is zero by expanding or (if it is small) normalising; unknown: neither.
 Zero vanishes(const GiNaC::ex& e);
+// The answer is no; false: yes or unknown.
+bool differs_from_zero(const GiNaC::ex& e);
 
 // A real number known to lie within `radius` of `middle`; radius infinite: nothing is known.
 struct Ball {

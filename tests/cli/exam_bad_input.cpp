@@ -65,7 +65,7 @@ TEST(BadInput, OptionsAndTheirPlaces) {
                     {option, "must be followed by its value"});
     for (const char* terms : {"0.5", "0", "-1", "1.5", "nan", "many"})
         EXPECT_SAYS(complaint(std::string("resonform derive henon_heiles --term-limit ") + terms),
-                    {"--term-limit must be a whole number >= 1, or none", terms});
+                    {"--term-limit: must be a whole number >= 1, or none", terms});
     EXPECT_EQ(complaint("resonform --order 3 derive henon_heiles"),
               "resonform: an option follows its command, derive\n"
               "  found: --order\n"
@@ -80,7 +80,7 @@ TEST(BadInput, Orders) {
     EXPECT_SAYS(complaint("resonform certify almost_holonomic_pendulum --order 0"),
                 {"--order", "from 1 to 99"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --stage solution --truncation 2"),
-                {"order <= truncation", "2", "--truncation 3"});
+                {"--truncation: must not be below the order, 3", "2", "--truncation 3"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --truncation 4"), {"--stage solution"});
 }
 

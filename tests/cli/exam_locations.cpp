@@ -84,6 +84,18 @@ TEST(Locations, ListGoesOnPastABrokenScene) {
     EXPECT_NE(list.err.find("systems/torn/system.toml"), std::string::npos) << list.err;
 }
 
+// By its heading: nothing is derived, so that nothing can take long.
+TEST(Locations, ListDerivesNoEquations) {
+    const Scratch scratch;
+    write(scratch.path() / "systems/odd/system.toml",
+          "[system]\nname = \"odd\"\ntitle = \"cannot be derived\"\n[variables]\nx = { role = \"fast\" }\n"
+          "[coordinates]\nx = {}\n[constraints]\nc = \"x' = 0\"\n");
+    const Outcome list = run("resonform list", scratch.path());
+    EXPECT_EQ(list.code, 0) << list.err;
+    EXPECT_NE(list.out.find("cannot be derived"), std::string::npos) << list.out;
+    EXPECT_EQ(run("resonform derive odd", scratch.path()).code, 2);
+}
+
 TEST(Locations, AnEmptyOrUnreadableFolderIsSaid) {
     const Scratch scratch;
     fs::create_directory(scratch.path() / "systems");

@@ -57,6 +57,21 @@ TEST(ExpandErrors, FiniteFastVariablesAreLinearAtRest) {
     EXPECT_TRUE(test::has(test::refusal(finite, Kind::refused), "the rest for x' is -x^3"));
 }
 
+TEST(ExpandErrors, FunctionsOfFiniteFastVariables) {
+    const auto rate = [](const std::string& f) {
+        return "[system]\nname = \"s\"\n[parameters]\nk = { positive = true }\n[variables]\n"
+               "u = { role = \"fast\", weight = 0 }\nx = { role = \"fast\" }\n[equations]\nu = \"u' = eps*(" +
+               f + ")\"\nx = \"x'' + x = 0\"\n";
+    };
+    for (const std::string f :
+         {"exp(u)", "sin(1 + u)", "sqrt(2 + u)", "1/(2 + u)", "tanh(k + u)", "log(k + u)"}) {
+        const std::string m = test::refusal(rate(f), Kind::refused);
+        EXPECT_TRUE(test::has(m, "are expanded in small variables, not in finite ones")) << m;
+        EXPECT_TRUE(test::has(m, ":9:6: equations.u")) << m;
+    }
+    EXPECT_NO_THROW(test::field_from(rate("u*sin(k + eps*u + u*x)")));
+}
+
 TEST(ExpandErrors, AnglesOccurInHarmonicsOnly) {
     for (const std::string rate :
          {"eps*phi", "eps*sin(phi/2)", "eps*exp(phi)", "eps*sin(phi^2)", "eps*sin(tau*phi)"}) {

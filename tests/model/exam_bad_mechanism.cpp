@@ -165,11 +165,11 @@ const BadInput bad_mechanisms[] = {
      "  found: (eps^2*m*psi^4 + 2*eps^2*m*xi*psi^3 + eps^2*m*xi^2*psi^2 + m...\n"
      "  mend:  choose other coordinates, or another origin by [change]"},
     {"NotInvertible", "psi + xi", "psi^2 + xi",
-     "2 system.toml:22:6: change.x: a change of variables is invertible\n"
+     "2 system.toml:22:6: change.x: a change of variables is invertible where the equations are expanded\n"
      "    x = \"psi^2 + xi\"\n"
      "         ^\n"
-     "  found: the determinant of its derivatives is zero\n"
-     "  mend:  correct it"},
+     "  found: the determinant of its derivatives is zero at the origin of the new variables\n"
+     "  mend:  correct it, or choose another origin"},
     {"NoChange", "[change]\nx = \"psi + xi\"\n", "",
      "2 system.toml:7:1: variables.psi: each variable of a mechanism is a coordinate, prescribed, an "
      "integral, a quasi-velocity, or new in [change], which has one new variable for each coordinate that it "
@@ -277,6 +277,19 @@ const BadInput bad_mechanisms[] = {
      "  found: its derivative holds (1)*x'\n"
      "  mend:  correct it"},
 };
+
+TEST(BadMechanism, WithConstraintsWhoseRankFallsAtTheOrigin) {
+    EXPECT_EQ(system_message("[system]\nname = \"m\"\n[variables]\nx = { role = \"fast\" }\ny = { role = "
+                             "\"fast\" }\n[coordinates]\nx = {}\ny = {}\nz = {}\n[particles]\np = { mass = "
+                             "\"1\", position = [\"x\", \"y\", \"z\"] }\n[energy]\npotential = \"x^2 + "
+                             "y^2\"\n[constraints]\nc = \"x*z' = eps*y*y'\"\n"),
+              "3 system.toml:15:6: constraints.c: the rank of the constraints does not fall at the origin, "
+              "where the equations are expanded\n"
+              "    c = \"x*z' = eps*y*y'\"\n"
+              "         ^\n"
+              "  found: z' = eps*y*y'/x\n"
+              "  mend:  choose another origin by [change], or another constraint");
+}
 
 INSTANTIATE_TEST_SUITE_P(All, BadMechanisms, testing::ValuesIn(bad_mechanisms), name_of);
 

@@ -278,6 +278,12 @@ const BadInput bad_scenes[] = {
      "  mend:  did you mean 'fail'? Known are: pass, fail, undecided"},
 };
 
+TEST(SceneWithoutOutputs, HasSlowVariablesWhereNothingElseMoves) {
+    const auto file = source_dir() / "systems/rotating_pendulum/scenes/s.toml";
+    const Scene scene = read_scene_text("[start]\nJ = 1\nphi = 0\n", file, source_dir() / "systems");
+    EXPECT_EQ(scene.outputs, std::vector<std::string>{"J"});
+}
+
 INSTANTIATE_TEST_SUITE_P(All, BadScene, testing::ValuesIn(bad_scenes), name_of);
 
 } // namespace

@@ -370,5 +370,16 @@ TEST(BadSystems, DeclarationsDoNotContradictEachOther) {
         << small;
 }
 
+TEST(BadSystems, AreNamedWithoutCharactersThatTurnOrControl) {
+    EXPECT_EQ(printable("a\xE2\x80\xAE"
+                        "b\xC2\x9B"
+                        "c\x1B\xD8\x9C\xC3\xA9\xE2\x80\x93"),
+              "a???b??c???\xC3\xA9\xE2\x80\x93");
+    const std::string message =
+        system_message(edited(pendulum_system(), "[notation]", "[notation\xE2\x81\xA6]"));
+    EXPECT_NE(message, "");
+    EXPECT_EQ(message.find("\xE2\x81\xA6"), std::string::npos) << message;
+}
+
 } // namespace
 } // namespace resonform

@@ -47,7 +47,24 @@ TEST(Settings, AreExact) {
     EXPECT_TRUE(at_zero(b, of_b).is_equal(GiNaC::numeric(1, 10)));
 }
 
+TEST(Settings, MakeNoDenominatorZero) {
+    const std::string file = edited(pendulum_system(), "psi = \"(xi^2", "psi = \"psi''/(1 - v) + (xi^2");
+    EXPECT_NO_THROW(set({"v=2"}, file));
+    try {
+        set({"v=1"}, file);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Kind::bad_input);
+        EXPECT_NE(
+            std::string(error.what()).find("equations.psi: the values of --set make no denominator zero"),
+            std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Settings, ThatAreWrongAreNamed) {
+    EXPECT_NE(complaint({"g=1/(1-1)"}).find("--set g=1/(1-1): a denominator is not zero"), std::string::npos)
+        << complaint({"g=1/(1-1)"});
     EXPECT_NE(complaint({"g"}).find("--set: a setting is NAME=VALUE"), std::string::npos) << complaint({"g"});
     EXPECT_NE(complaint({"=1"}).find("NAME=VALUE"), std::string::npos);
     EXPECT_NE(complaint({"g="}).find("NAME=VALUE"), std::string::npos);

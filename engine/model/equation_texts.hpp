@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Equations of motion, linear in accelerations, as texts of a file.
+#pragma once
+
+#include "model/exact_solution.hpp"
+#include "model/mechanism.hpp"
+
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+class EquationTexts {
+public:
+    // The referents outlive the texts.
+    EquationTexts(const System& system, ExactForm& form, Place place)
+        : system_(system), form_(form), place_(std::move(place)) {}
+
+    // Residuals as they are where each holds its own acceleration only, else solved; those whose solution is
+    // longer than a text may be are solved by whoever reads them. What a change of variables would make too
+    // long when it is multiplied out stands as the change leaves it.
+    std::vector<std::string> of(const std::vector<GiNaC::ex>& residuals,
+                                const std::vector<Coordinate>& unknowns);
+    // Divided by a number and by what is declared not zero, multiplied by a denominator that moves.
+    [[nodiscard]] GiNaC::ex without_content(const GiNaC::ex& residual);
+
+private:
+    std::vector<std::string> of_exact(std::vector<GiNaC::ex> residuals,
+                                      const std::vector<Coordinate>& unknowns);
+    std::vector<std::string> solved(const std::vector<ExactRow>& rows,
+                                    const std::vector<Coordinate>& unknowns);
+    // The coefficients of accelerations, and minus the rest.
+    std::vector<ExactRow> rows_of(const std::vector<GiNaC::ex>& residuals,
+                                  const std::vector<Coordinate>& unknowns);
+
+    const System& system_;
+    ExactForm& form_;
+    Place place_;
+};
+
+} // namespace resonform

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the files of a user call themselves, read without anything that they describe.
+#pragma once
+
+#include "model/toml_tree.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+struct Heading {
+    std::string name, title;
+    std::string source; // of a system: where its equations come from
+};
+
+// The keys at the top of the two kinds of file.
+const std::vector<std::string>& keys_of_systems();
+const std::vector<std::string>& keys_of_scenes();
+
+// The table [system]. Errors (bad_input): what is wrong with it, or an unknown table of the file.
+Heading heading_of_system(const TomlNode& root, const std::filesystem::path& file);
+Heading read_heading_of_system(const std::filesystem::path& file);
+// The same of a scene, whose name is that of its file.
+Heading heading_of_scene(const TomlNode& root, const std::filesystem::path& file);
+Heading read_heading_of_scene(const std::filesystem::path& file);
+
+} // namespace resonform
