@@ -17,8 +17,8 @@ struct FractionProduct {
 };
 
 // sum_k c_k a_k b_k of operands with different monomials each: different monomials in an order of no meaning,
-// no zero, not reduced. No relation is applied. With the packing of the monomials large sums are collected in two threads, where the machine has
-// them.
+// no zero, not reduced. No relation is applied. With the packing of the monomials large sums are collected in
+// two threads, where the machine has them.
 Fractions sum_of_products(const std::vector<FractionProduct>& products, const Packing* packing = nullptr);
 
 // The sum of its terms, among which monomials may be equal: in the same way.

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <future>
-#include <thread>
 #include <utility>
 
 namespace resonform {
@@ -43,71 +41,6 @@ private:
     std::vector<std::vector<Lanes>>& unused_;
     std::vector<Lanes> room_;
 };
-
-PointReadings::PointReadings(const CertificatePlan& plan, const NormalForm& normal_form,
-                             const NearIdentityMap& map, const std::vector<Point>& points, int through) {
-    const Ring& ring = *normal_form.field->ring;
-    std::size_t terms = 0, slots = 0;
-    for (const CertificatePlan::Reading& reading : plan.readings)
-        for (const auto& of : reading.sides) slots += 1 + of.slopes.size();
-    const std::size_t weights = static_cast<std::size_t>(through) + 1;
-    parts_.reserve(plan.readings.size() * weights);
-    coefficients_.reserve(slots * weights);
-    for (const CertificatePlan::Reading& reading : plan.readings) {
-        const Series& from = series_of(reading.series, plan.program, normal_form, map);
-        for (int weight = 0; weight <= std::min(through, from.through()); ++weight) {
-            if (from.part(weight).empty()) continue;
-            parts_.push_back({&reading, &from.part(weight).fractions()});
-            terms += parts_.back().numbers->size();
-            for (const auto& of : reading.sides) {
-                if (of.value >= 0) coefficients_.push_back({of.value, weight, {}});
-                for (const auto& [by, slot] : of.slopes)
-                    coefficients_.push_back({slot, weight - ring.generator(by).weight, {}});
-            }
-        }
-    }
-    // Two threads take a share of the points each. They meet no number of CLN.
-    constexpr std::size_t enough = std::size_t{1} << 15; // half a millisecond
-    if (points.size() < 2 || terms * points.size() < enough || std::thread::hardware_concurrency() < 2) {
-        read(ring, points, 0);
-        return;
-    }
-    const std::span<const Point> all(points);
-    const std::size_t half = points.size() / 2;
-    std::future<void> other = std::async(std::launch::async, [&] { read(ring, all.subspan(half), half); });
-    read(ring, all.first(half), 0);
-    other.get();
-}
-
-// The first of them is number `first` of all.
-void PointReadings::read(const Ring& ring, std::span<const Point> points, std::size_t first) {
-    PointReader reader(ring, points);
-    std::vector<PointReader::Wanted> wanted;
-    const CertificatePlan::Reading* reading = nullptr;
-    auto to = coefficients_.begin();
-    const auto keep = [&](const auto& value) {
-        for (std::size_t n = 0; n < points.size(); ++n) to->value[first + n] = value(n);
-        ++to;
-    };
-    for (const Part& part : parts_) {
-        if (part.reading != reading) {
-            reading = part.reading;
-            wanted.clear();
-            for (const auto& of : reading->sides) {
-                std::vector<GeneratorId> slopes;
-                for (const auto& slope : of.slopes) slopes.push_back(slope.first);
-                wanted.emplace_back(of.side, slopes);
-            }
-        }
-        reader.read(*part.numbers, wanted);
-        for (std::size_t side = 0; side < wanted.size(); ++side) {
-            const PointReader::Wanted& w = wanted[side];
-            if (reading->sides[side].value >= 0) keep([&](std::size_t n) { return w.value(n); });
-            for (std::size_t k = 0; k < reading->sides[side].slopes.size(); ++k)
-                keep([&](std::size_t n) { return w.slope(k, n); });
-        }
-    }
-}
 
 PointRun::PointRun(const CertificatePlan& plan, const Ring& ring, const PointReadings& readings,
                    const std::vector<Point>& points, int through)
