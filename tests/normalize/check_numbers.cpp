@@ -244,6 +244,15 @@ TEST(Numbers, SmallLiesAndMisplacedTermsAreFound) {
     EXPECT_FALSE(holds(n));
 }
 
+// The sizes of terms by which residuals are judged leave the range of doubles on both sides.
+TEST(Numbers, OfExtremeSizesAreCertified) {
+    const InNumbers far = normalized(fast({{"x", "x'' + 1e-160*x + 2e-80*x*y = 0"},
+                                           {"y", "y'' + (2e-80 + 1e80*eps)^2*y + 1e-80*x^2 = 0"}}),
+                                     3, 10);
+    const Certificate certificate = certify_numbers(far.n, far.field);
+    EXPECT_TRUE(certificate.holds) << certificate.complaint;
+}
+
 TEST(Numbers, WantNumbers) {
     const auto kind_of = [](const std::string& toml) {
         try {
