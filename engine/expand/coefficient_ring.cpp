@@ -327,6 +327,13 @@ Term CoefficientRing::factor(const ex& e, const RingBuilder& builder, const Plac
     };
     if (const Base* root = find_base(base); root != nullptr && root->id >= 0)
         return power_of(root->id, exponent * root->index);
+    // The library holds 1/(a - b) as -1/(b - a), as it happens.
+    if (is_a<GiNaC::add>(base) && cln::denominator(exponent) == 1)
+        if (const Base* root = find_base((-base).expand()); root != nullptr && root->id >= 0) {
+            Term turned = power_of(root->id, exponent * root->index);
+            if (cln::oddp(cln::numerator(exponent))) turned.coefficient = -turned.coefficient;
+            return turned;
+        }
     for (const auto& [symbol, id] : symbols_)
         if (base.is_equal(symbol)) return power_of(id, exponent);
     refuse({"the expression under a root or in a function is a polynomial in parameters, slow variables and "
