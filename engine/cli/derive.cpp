@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace resonform {
@@ -58,10 +59,12 @@ std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalizatio
 bool is_page(Format format) { return format == Format::text || format == Format::latex; }
 
 // What an expanded page leaves out is the motion of the drift variables by their rates of weight 1: no later
-// weight is derived for it, and nothing at all where nothing drifts.
+// weight is derived for it, unless fast variables have one, and nothing at all where nothing drifts.
 std::optional<Solution> known_drift(const Expanded& expanded, Format format, Watch& watch) {
     if (!is_page(format) || expanded.field->drift.empty()) return std::nullopt;
-    const int weight = expanded.field->system().eps_root;
+    const System& system = expanded.field->system();
+    int weight = system.eps_root;
+    for (const Variable& v : system.variables) weight = std::max(weight, v.weight);
     try {
         return solution_if_any(normalize_certified(expanded, weight, watch), weight);
     } catch (const Error& error) {

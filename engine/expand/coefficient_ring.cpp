@@ -286,7 +286,7 @@ void CoefficientRing::add_roots_and_functions(RingBuilder& builder) {
         const bool root =
             base < bases_.size() && (atom == order.size() || bases_[base].level <= levels_[order[atom]]);
         if (root) {
-            add_root(bases_[base], static_cast<int>(base) + 1, builder);
+            add_root(bases_[base], builder);
             ++base;
         } else {
             const std::size_t k = order[atom++];
@@ -296,12 +296,19 @@ void CoefficientRing::add_roots_and_functions(RingBuilder& builder) {
     }
 }
 
-void CoefficientRing::add_root(Base& base, int number, RingBuilder& builder) {
+// sqrt(2) is 2^(1/2), the inverse of b - a needs (b - a): no name of a user is like these.
+std::string CoefficientRing::name_of(const Base& base) {
+    const bool sum = is_a<GiNaC::add>(base.expression);
+    const std::string text = spell(base.expression), inside = sum ? "(" + text + ")" : text;
+    return base.index == 1 ? inside : fmt::format("{}^(1/{})", inside, base.index);
+}
+
+void CoefficientRing::add_root(Base& base, RingBuilder& builder) {
     const bool positive = functions_->domain().positive(base.expression);
     if (base.index == 1 && positive) base.index = 2; // only inverted: its root will do as well
     Generator g;
     g.kind = GeneratorKind::root;
-    g.name = fmt::format("root {}", number); // no name of a user has a space
+    g.name = name_of(base);
     g.invertible = true;
     g.positive = positive;
     g.index = base.index;
@@ -349,6 +356,13 @@ Term CoefficientRing::factor(const ex& e, const RingBuilder& builder, const Plac
     };
     if (const Base* root = find_base(base); root != nullptr && root->id >= 0)
         return power_of(root->id, exponent * root->index);
+    // The library holds 1/(a - b) as -1/(b - a), as it happens.
+    if (is_a<GiNaC::add>(base) && cln::denominator(exponent) == 1)
+        if (const Base* root = find_base((-base).expand()); root != nullptr && root->id >= 0) {
+            Term turned = power_of(root->id, exponent * root->index);
+            if (cln::oddp(cln::numerator(exponent))) turned.coefficient = -turned.coefficient;
+            return turned;
+        }
     for (const auto& [symbol, id] : symbols_)
         if (base.is_equal(symbol)) return power_of(id, exponent);
     refuse({"the expression under a root or in a function is a polynomial in parameters, slow variables and "

@@ -116,7 +116,8 @@ private:
     [[nodiscard]] int level_of(const GiNaC::ex& base) const;
     void add_symbols(RingBuilder& builder);
     void add_roots_and_functions(RingBuilder& builder);
-    void add_root(Base& base, int number, RingBuilder& builder);
+    [[nodiscard]] static std::string name_of(const Base& base);
+    void add_root(Base& base, RingBuilder& builder);
     void add_function(const FunctionAtom& atom, std::vector<GeneratorId>& ids, RingBuilder& builder);
 
     std::shared_ptr<const System> system_;

@@ -108,8 +108,7 @@ private:
         if (is_named(e)) {
             const NamedCall call = named_call(e);
             if (learner_ != nullptr)
-                for (int k = 0; k <= std::max(learner_->derivatives_, call.derivative); ++k)
-                    named(call.name, k, u);
+                for (int k = 0; k <= call.derivative + learner_->derivatives_; ++k) named(call.name, k, u);
             return named(call.name, call.derivative, u);
         }
         const std::string name = ex_to<GiNaC::function>(e).get_name();

@@ -37,7 +37,7 @@ struct FunctionAtom {
 
 class FunctionAtoms {
 public:
-    // derivatives: how many of each function that is known by its name only are needed.
+    // derivatives: how many of each function that is known by its name only are needed beyond those written.
     FunctionAtoms(std::shared_ptr<const System> system, int derivatives);
 
     // Learns the atoms of e, an expression of weight 0. The common parts of arguments are known when all

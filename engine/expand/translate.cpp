@@ -115,7 +115,7 @@ Node Translator::named(const NamedCall& call, const ex& u0, Node rest, const Pla
     std::vector<std::pair<Rational, Node>> addends;
     Node power = program_.constant(coefficients_.ring()->one());
     Rational factorial = 1;
-    for (int k = 0; call.derivative + k <= coefficients_.derivatives(); ++k) {
+    for (int k = 0; k <= coefficients_.derivatives(); ++k) {
         if (k > 0) {
             power = program_.product(power, rest);
             factorial = factorial * k;

@@ -93,12 +93,14 @@ FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run,
             at_origin(run, n, plan.angle), point.values};
 }
 
-int points_needed(double bound) {
+int points_needed(double bound, const System& system) {
     if (!(bound < 0.1))
-        refuse({"one random point of the certificate leaves an error probability below 0.1",
-                fmt::format("{:.2g}", bound),
-                "ask for a lower order",
-                {}});
+        refuse(
+            {"one random point of the certificate leaves an error probability below 0.1",
+             fmt::format("{:.2g}", bound),
+             "ask for a lower order, or write fewer functions, powers and quotients inside of one another: "
+             "each multiplies the degree that the bound follows from",
+             whole_file(system.file)});
     return std::max(fewest_points, static_cast<int>(std::ceil(std::log(wanted_error) / std::log(bound))));
 }
 
@@ -111,7 +113,7 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
     const GradedField& field = *shape.field;
     const int through = shape.through + (shape.hamiltonian ? weight_of_modes(field) : 0);
     const double bound = point_error_bound(plan, shape, source.map(), surveys) + source.error();
-    const int points = points_needed(bound);
+    const int points = points_needed(bound, field.system());
     // The bound itself follows the shape in which the expression library keeps an equation, which may
     // differ from run to run: what is said is what there are points for.
     certificate.error_probability = wanted_error;

@@ -9,15 +9,6 @@ namespace resonform {
 
 namespace {
 
-double size_of(const ComplexBall& c) {
-    mag_t bound;
-    mag_init(bound);
-    acb_get_mag(bound, c.get());
-    const double size = mag_get_d(bound);
-    mag_clear(bound);
-    return size;
-}
-
 // A random number of 60 bits with a real part between 1/2 and 3/4 and an imaginary part below 1/4.
 ComplexBall random_value(std::mt19937_64& random, bool real) {
     constexpr int bits = 60;
@@ -143,7 +134,7 @@ const ComplexBall& BallRun::value_of(GeneratorId id, Side side) const {
 
 BallRun::Value BallRun::constant(const ComplexBall& c) const {
     Value result(static_cast<std::size_t>(through_) + 1);
-    result[0] = {c, size_of(c)};
+    result[0] = {c, Magnitude(c)};
     return result;
 }
 
@@ -156,24 +147,23 @@ BallRun::Value BallRun::generator(GeneratorId id, int power) const {
     const int weight = ring_.generator(id).weight * power;
     if (weight < 0 || weight > through_) return result;
     const ComplexBall value = power_of(value_of(id, Side::itself), power, bits_);
-    result[static_cast<std::size_t>(weight)] = {value, size_of(value)};
+    result[static_cast<std::size_t>(weight)] = {value, Magnitude(value)};
     return result;
 }
 
 BallRun::Value BallRun::add(const Value& a, const Value& b) const {
-    Value result(a.size());
-    for (std::size_t n = 0; n < a.size(); ++n)
-        result[n] = {plus(a[n].value, b[n].value, bits_), a[n].size + b[n].size};
+    Value result = a;
+    for (std::size_t n = 0; n < a.size(); ++n) result[n].add(b[n], bits_);
     return result;
 }
 
 BallRun::Value BallRun::multiply(const Value& a, const Value& b) const {
     Value result(a.size());
     for (std::size_t j = 0; j < a.size(); ++j) {
-        if (a[j].size == 0) continue;
+        if (a[j].size.is_zero()) continue;
         for (std::size_t n = j; n < a.size(); ++n) {
             acb_addmul(result[n].value.get(), a[j].value.get(), b[n - j].value.get(), bits_);
-            result[n].size += a[j].size * b[n - j].size;
+            result[n].size.add_product(a[j].size, b[n - j].size);
         }
     }
     return result;
@@ -223,7 +213,7 @@ BallRun::Value BallRun::value(const Series& s, Side side) const {
         Coefficient& sum = result[static_cast<std::size_t>(n)];
         for (const Term& t : s.part(n).terms()) {
             const ComplexBall value = term(t, side, -1);
-            sum = {plus(sum.value, value, bits_), sum.size + size_of(value)};
+            sum.add({value, Magnitude(value)}, bits_);
         }
     }
     return result;
@@ -237,7 +227,7 @@ BallRun::Value BallRun::slope(const Series& s, Side side, GeneratorId by) const 
             const int exponent = ring_.exponent(t.monomial, by);
             if (exponent == 0) continue;
             const ComplexBall value = times(term(t, side, by), ComplexBall(exponent), bits_);
-            sum = {plus(sum.value, value, bits_), sum.size + size_of(value)};
+            sum.add({value, Magnitude(value)}, bits_);
         }
     }
     return result;

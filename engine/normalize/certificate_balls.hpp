@@ -4,7 +4,7 @@
 // told what is left over from rounding and what is not.
 #pragma once
 
-#include "algebra/complex_ball.hpp"
+#include "algebra/magnitude.hpp"
 #include "normalize/certificate_plan.hpp"
 
 #include <random>
@@ -24,7 +24,12 @@ class BallRun {
 public:
     struct Coefficient {
         ComplexBall value;
-        double size = 0;
+        Magnitude size;
+
+        void add(const Coefficient& other, std::int64_t bits) {
+            acb_add(value.get(), value.get(), other.value.get(), bits);
+            size.add(other.size);
+        }
     };
     using Value = std::vector<Coefficient>; // of t^0 ... t^through
 

@@ -6,10 +6,10 @@
 
 namespace resonform {
 
-void refuse_certificate(const std::string& rule, const Equation& equation) {
+void refuse_certificate(const std::string& rule, const Equation& equation, const std::string& part) {
     const SourceText& source = equation.source;
     refuse({"the certificate substitutes into the equation as written: " + rule,
-            equation.text,
+            part + equation.text,
             "write the equation with what the expansion supports",
             {source.file, source.line, source.column, source.key, source.source_line}});
 }

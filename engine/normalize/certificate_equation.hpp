@@ -12,8 +12,9 @@
 
 namespace resonform {
 
-// Refuses with the equation as written, so that the message does not depend on GiNaC's order of terms.
-[[noreturn]] void refuse_certificate(const std::string& rule, const Equation& equation);
+// Refuses with the equation as written, and before it what is meant: "log(s) in ".
+[[noreturn]] void refuse_certificate(const std::string& rule, const Equation& equation,
+                                     const std::string& part = {});
 
 Rational rational_of(const GiNaC::ex& number, const Equation& equation);       // refuses what is not rational
 Elementary elementary_of(const GiNaC::ex& function, const Equation& equation); // refuses unknown functions

@@ -34,12 +34,12 @@ std::optional<int> multiple(const ex& b, const ex& a) {
     return cln::cl_I_to_int(cln::numerator(*factor));
 }
 
-[[noreturn]] void refuse_function(const Equation& equation) {
-    refuse_certificate("every function of slow variables and parameters is one of the ring's generators",
-                       equation);
-}
-
 } // namespace
+
+void CertificateRoots::refuse_function(const ex& function, const Equation& equation) const {
+    refuse_part("every function of slow variables and parameters is one of the ring's generators", function,
+                equation);
+}
 
 bool CertificateRoots::knows(const std::string& named, int derivative) const {
     return std::any_of(functions_.begin(), functions_.end(), [&](const FunctionAtom& f) {
@@ -76,7 +76,7 @@ ex CertificateRoots::function_with_symbols(const ex& e, const Equation& equation
             if (f.of.function == Function::named && f.of.symbol == call.name &&
                 f.of.derivative == call.derivative && (f.argument - u).normal().is_zero())
                 return f.symbol;
-        refuse_function(equation);
+        refuse_function(e, equation);
     }
     const auto half_sum = [&](int sign) {
         const ex up = exponential(u, equation);
@@ -122,7 +122,7 @@ ex CertificateRoots::arc_tangent(const ex& u, const Equation& equation) const {
         const ex sign = without_whole_powers(u / f.argument);
         if (sign.is_equal(1) || sign.is_equal(-1)) return sign * f.symbol;
     }
-    refuse_function(equation);
+    refuse_function(GiNaC::atan(u), equation);
 }
 
 ex CertificateRoots::exponential(const ex& u, const Equation& equation) {
@@ -137,7 +137,7 @@ ex CertificateRoots::exponential(const ex& u, const Equation& equation) {
                         return cln::denominator(*q) == 1 ? ex(GiNaC::pow(f.argument, GiNaC::numeric(*q)))
                                                          : radical_with_symbols(f.argument, *q, equation);
             }
-            refuse_function(equation);
+            refuse_function(GiNaC::exp(term), equation);
         };
         product *= factor();
     }
@@ -166,42 +166,64 @@ ex CertificateRoots::circular(const ex& u, bool cosine, const Equation& equation
             turned *= GiNaC::pow(f.symbol + direction, std::abs(*n));
             back *= GiNaC::pow(f.symbol - direction, std::abs(*n));
         }
-        if (!found) refuse_function(equation);
+        if (!found) refuse_function(GiNaC::sin(term), equation);
     }
     const ex sum = cosine ? turned + back : (turned - back) / GiNaC::I;
     return (sum.expand() / 2).expand();
 }
 
-// u is a product of powers of the arguments of logarithms, of exponentials and of numbers.
+// u is a product of powers of the arguments of logarithms, of exponentials, of roots and of numbers.
 ex CertificateRoots::logarithm(const ex& u, const Equation& equation) const {
+    auto [above, below] = rationalised(without_whole_powers(u));
+    above = above.expand();
+    const ex sum = logarithm_of_factors(above) - logarithm_of_factors(below);
+    if (!above.is_equal(below)) refuse_function(GiNaC::log(u), equation);
+    return sum;
+}
+
+// The logarithm of the factors that are known, which are taken out of `rest`.
+ex CertificateRoots::logarithm_of_factors(ex& rest) const {
     ex sum = 0;
-    const ex fraction = u.normal().numer_denom();
-    for (const int side : {0, 1}) {
-        ex rest = fraction.op(static_cast<std::size_t>(side)).expand();
-        const int sign = side == 0 ? 1 : -1;
-        for (const FunctionAtom& f : functions_) {
-            if (f.of.function == Function::exponential) {
-                const int power = rest.ldegree(f.symbol);
-                rest = (rest / GiNaC::pow(f.symbol, power)).expand();
-                sum += sign * power * f.argument;
-            }
-            ex quotient;
-            if (f.of.function != Function::logarithm || is_a<GiNaC::numeric>(f.argument)) continue;
-            while (!is_a<GiNaC::numeric>(rest) && GiNaC::divide(rest, f.argument, quotient)) {
-                rest = quotient.expand();
-                sum += sign * f.symbol;
-            }
-        }
-        for (const FunctionAtom& f : functions_) {
-            if (f.of.function != Function::logarithm || !is_a<GiNaC::numeric>(f.argument)) continue;
-            while (is_a<GiNaC::numeric>(rest) && GiNaC::irem(GiNaC::ex_to<GiNaC::numeric>(rest),
-                                                             GiNaC::ex_to<GiNaC::numeric>(f.argument)) == 0) {
-                rest /= f.argument;
-                sum += sign * f.symbol;
-            }
-        }
-        if (!rest.is_equal(1)) refuse_function(equation);
+    const auto take_powers = [&](const ex& symbol, const ex& logarithm) {
+        const int power = rest.ldegree(symbol);
+        if (power == 0) return;
+        rest = (rest / GiNaC::pow(symbol, power)).expand();
+        sum += power * logarithm;
+    };
+    for (const Root& root : roots_) {
+        if (!root.positive || !rest.has(root.symbol)) continue;
+        ex radicand = root.radicand;
+        const ex logarithm = logarithm_of_factors(radicand);
+        if (radicand.is_equal(1)) take_powers(root.symbol, logarithm / root.index);
     }
+    for (const FunctionAtom& f : functions_) {
+        if (f.of.function == Function::exponential) take_powers(f.symbol, f.argument);
+        ex quotient;
+        if (f.of.function != Function::logarithm || is_a<GiNaC::numeric>(f.argument)) continue;
+        while (!is_a<GiNaC::numeric>(rest) && GiNaC::divide(rest, f.argument, quotient)) {
+            rest = quotient.expand();
+            sum += f.symbol;
+        }
+    }
+    return is_a<GiNaC::numeric>(rest) ? ex(sum + logarithm_of_number(rest)) : sum;
+}
+
+// Of a rational number, by the numbers of which the ring has logarithms.
+ex CertificateRoots::logarithm_of_number(ex& rest) const {
+    ex sum = 0, above = rest.numer(), below = rest.denom();
+    for (const FunctionAtom& f : functions_) {
+        if (f.of.function != Function::logarithm || !is_a<GiNaC::numeric>(f.argument)) continue;
+        const auto take = [&](ex& part, int sign) {
+            while (!part.is_zero() && GiNaC::irem(GiNaC::ex_to<GiNaC::numeric>(part),
+                                                  GiNaC::ex_to<GiNaC::numeric>(f.argument)) == 0) {
+                part /= f.argument;
+                sum += sign * f.symbol;
+            }
+        };
+        take(above, 1);
+        take(below, -1);
+    }
+    rest = above / below;
     return sum;
 }
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 
 namespace resonform {
@@ -19,11 +18,10 @@ constexpr int points = 4, samples = 2;
 // Is it smaller than 10^-(digits + spare_digits/2) times the sum of the magnitudes of its terms? What is not
 // a number is not small.
 bool is_small(const BallRun::Coefficient& c, int digits, std::int64_t bits) {
-    RealBall magnitude, bound = RealBall(power_of_ten(-(digits + spare_digits / 2)), bits), size;
+    RealBall magnitude, bound = RealBall(power_of_ten(-(digits + spare_digits / 2)), bits);
     acb_abs(magnitude.get(), c.value.get(), bits);
-    arb_set_d(size.get(), c.size);
-    arb_mul(bound.get(), bound.get(), size.get(), bits);
-    return std::isfinite(c.size) && arb_le(magnitude.get(), bound.get()) != 0;
+    arb_mul(bound.get(), bound.get(), c.size.number().get(), bits);
+    return c.size.is_finite() && arb_le(magnitude.get(), bound.get()) != 0;
 }
 
 // What is not small at a point, of the lowest weight; "" if all is.

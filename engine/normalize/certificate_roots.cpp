@@ -5,6 +5,8 @@
 #include "model/named_function.hpp"
 #include "normalize/certificate_equation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace resonform {
@@ -62,6 +64,8 @@ CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
         const GiNaC::symbol symbol(g.name);
         if (g.kind == GeneratorKind::root) {
             roots_.push_back({id, g.index, g.positive, expression_of(g.radicand, symbols), symbol});
+            meanings_[symbol] =
+                GiNaC::pow(roots_.back().radicand.subs(meanings_), GiNaC::numeric(1, g.index));
         } else {
             functions_.push_back({id, g.of, g.positive, expression_of(g.of.argument, symbols), symbol});
             meanings_[symbol] = meaning_of(g.of, functions_.back().argument.subs(meanings_));
@@ -74,6 +78,12 @@ CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
     origin_[system.eps] = 0;
     for (const Variable& v : system.variables)
         for (std::size_t k = v.role == Role::fast ? 0 : 1; k < v.jet.size(); ++k) origin_[v.jet[k]] = 0;
+}
+
+// What stands in the equation, or a part of it in the symbols of generators.
+void CertificateRoots::refuse_part(const std::string& rule, const ex& part, const Equation& equation) const {
+    const std::string name = spell(part.subs(meanings_, GiNaC::subs_options::no_pattern));
+    refuse_certificate(rule, equation, fmt::format("{} in ", name));
 }
 
 bool CertificateRoots::positive(const ex& e) const {
@@ -96,7 +106,7 @@ ex CertificateRoots::at_origin(const ex& e, const Equation& equation) {
         const ex value = lowered(with_symbols(at_zero, equation).normal());
         return origins_.emplace(e, value).first->second;
     } catch (const GiNaC::pole_error&) {
-        refuse_certificate("no denominator vanishes at the origin", equation);
+        refuse_part("no denominator vanishes at the origin", e, equation);
     }
 }
 
@@ -127,12 +137,12 @@ ex CertificateRoots::expression_of(const Polynomial& p, const std::vector<ex>& s
 const Radical& CertificateRoots::resolve(const ex& base, const Rational& exponent, const Equation& equation) {
     for (const Known& k : known_)
         if (k.exponent == exponent && k.base.is_equal(base)) return k.radical;
-    Product product;
+    Product product{GiNaC::pow(base, GiNaC::numeric(exponent)), {}, {}, {}};
     product.roots.resize(roots_.size());
     try {
         split(base.subs(origin_, GiNaC::subs_options::no_pattern), exponent, equation, product);
     } catch (const GiNaC::pole_error&) {
-        refuse_certificate("no denominator vanishes at the origin", equation);
+        refuse_part("no denominator vanishes at the origin", product.whole, equation);
     }
     known_.push_back({base, exponent, collect(product, equation)});
     return known_.back().radical;
@@ -141,9 +151,7 @@ const Radical& CertificateRoots::resolve(const ex& base, const Rational& exponen
 void CertificateRoots::split(const ex& e, const Rational& exponent, const Equation& equation,
                              Product& product) {
     if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
-    if (is_a<GiNaC::power>(e))
-        return split(e.op(0), exponent * rational_of(e.op(1), equation), equation, product);
-    if (is_a<GiNaC::mul>(e)) {
+    if (is_a<GiNaC::mul>(e) || is_a<GiNaC::power>(e)) {
         for (const auto& [base, power] : positive_factors(e, equation))
             split(base, exponent * power, equation, product);
         return;
@@ -169,13 +177,13 @@ std::pair<ex, ex> CertificateRoots::rationalised(const ex& e) const {
     return {above, below};
 }
 
-// The factors of a product with their exponents, what is negative turned: the library holds
-// (b - tau)^3*b as -(tau - b)^3*b or so, as it happens.
+// The factors of a product or a power with their exponents, what is negative turned: the library holds
+// (b - tau)^3*b as -(tau - b)^3*b or so, as it happens, and (1 - a)^2 as (-1 + a)^2.
 std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex& product,
                                                                         const Equation& equation) const {
     std::vector<std::pair<ex, Rational>> factors;
     Rational number = 1;
-    for (const ex& factor : operands(product)) {
+    for (const ex& factor : is_a<GiNaC::mul>(product) ? operands(product) : std::vector<ex>{product}) {
         if (is_a<GiNaC::numeric>(factor)) {
             number = number * rational_of(factor, equation);
             continue;
@@ -228,27 +236,30 @@ void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Eq
 
 void CertificateRoots::split_rest(const ex& e, const Rational& exponent, const Equation& equation,
                                   Product& product) const {
-    if (is_a<GiNaC::mul>(e)) {
+    if (is_a<GiNaC::mul>(e) || is_a<GiNaC::power>(e)) {
         for (const auto& [base, power] : positive_factors(e, equation))
             split_rest(base, exponent * power, equation, product);
         return;
     }
     if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
-    if (is_a<GiNaC::power>(e))
-        return split_rest(e.op(0), exponent * rational_of(e.op(1), equation), equation, product);
+    for (std::size_t k = 0; k < roots_.size(); ++k)
+        if (roots_[k].positive && e.is_equal(roots_[k].symbol)) {
+            product.roots[k] = product.roots[k] + exponent / roots_[k].index;
+            return;
+        }
     const bool has_root =
         std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return e.has(r.symbol); });
     if (has_root || !positive(e))
-        refuse_certificate("the base of a fractional power is a product of factors proved positive",
-                           equation);
+        refuse_part("the base of a fractional power is a product of factors proved positive", product.whole,
+                    equation);
     product.rest.emplace_back(e, exponent);
 }
 
 void CertificateRoots::split_number(const Rational& value, const Rational& exponent, const Equation& equation,
                                     Product& product) const {
     if (!cln::plusp(value))
-        refuse_certificate("the base of a fractional power is a product of factors proved positive",
-                           equation);
+        refuse_part("the base of a fractional power is a product of factors proved positive", product.whole,
+                    equation);
     Integer numerator = cln::numerator(value), denominator = cln::denominator(value);
     for (std::size_t k = 0; k < roots_.size(); ++k) {
         if (!is_a<GiNaC::numeric>(roots_[k].radicand)) continue;
@@ -268,18 +279,21 @@ Radical CertificateRoots::collect(const Product& product, const Equation& equati
     for (std::size_t k = 0; k < roots_.size(); ++k) {
         const Rational power = roots_[k].index * product.roots[k];
         if (!is_whole(power))
-            refuse_certificate("every fractional power in an equation is one of the ring's roots", equation);
+            refuse_part("every fractional power in an equation is one of the ring's roots", product.whole,
+                        equation);
         if (!cln::zerop(power)) radical.roots.emplace_back(roots_[k].id, to_int(power));
     }
     for (const auto& [value, exponent] : product.numbers) {
         Rational root;
         if (!exact_root(value, cln::cl_I_to_int(cln::denominator(exponent)), root))
-            refuse_certificate("every root of a number in an equation is one of the ring's roots", equation);
+            refuse_part("every root of a number in an equation is one of the ring's roots", product.whole,
+                        equation);
         radical.number = radical.number * cln::expt(root, cln::numerator(exponent));
     }
     for (const auto& [factor, exponent] : product.rest) {
         if (!is_whole(exponent))
-            refuse_certificate("every fractional power in an equation is one of the ring's roots", equation);
+            refuse_part("every fractional power in an equation is one of the ring's roots", product.whole,
+                        equation);
         radical.rest *= GiNaC::pow(factor, to_int(exponent));
     }
     return radical;
@@ -300,8 +314,7 @@ ex CertificateRoots::with_symbols(const ex& e, const Equation& equation) {
     }
     if (is_a<GiNaC::function>(e)) return function_with_symbols(e, equation);
     if (!is_a<GiNaC::power>(e))
-        refuse_certificate("weight 0 is built from numbers, names, powers and elementary functions",
-                           equation);
+        refuse_part("weight 0 is built from numbers, names, powers and elementary functions", e, equation);
     const Rational exponent = rational_of(e.op(1), equation);
     if (is_whole(exponent)) return GiNaC::pow(with_symbols(e.op(0), equation), e.op(1));
     return radical_with_symbols(e.op(0), exponent, equation);

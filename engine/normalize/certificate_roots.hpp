@@ -63,6 +63,7 @@ private:
     };
     // A product of positive factors, each to a rational power.
     struct Product {
+        GiNaC::ex whole;             // as it was asked for
         std::vector<Rational> roots; // exponent of each radicand
         std::vector<std::pair<Rational, Rational>> numbers;
         std::vector<std::pair<GiNaC::ex, Rational>> rest;
@@ -70,6 +71,8 @@ private:
 
     [[nodiscard]] GiNaC::ex expression_of(const Polynomial& p, const std::vector<GiNaC::ex>& symbols) const;
     [[nodiscard]] bool positive(const GiNaC::ex& e) const;
+    [[noreturn]] void refuse_part(const std::string& rule, const GiNaC::ex& part,
+                                  const Equation& equation) const;
     void split(const GiNaC::ex& e, const Rational& exponent, const Equation& equation, Product& product);
     [[nodiscard]] std::vector<std::pair<GiNaC::ex, Rational>>
     positive_factors(const GiNaC::ex& product, const Equation& equation) const;
@@ -92,6 +95,9 @@ private:
     [[nodiscard]] GiNaC::ex arc_tangent(const GiNaC::ex& u, const Equation& equation) const;
     [[nodiscard]] GiNaC::ex without_whole_powers(const GiNaC::ex& e) const;
     [[nodiscard]] GiNaC::ex logarithm(const GiNaC::ex& u, const Equation& equation) const;
+    [[nodiscard]] GiNaC::ex logarithm_of_factors(GiNaC::ex& rest) const;
+    [[nodiscard]] GiNaC::ex logarithm_of_number(GiNaC::ex& rest) const;
+    [[noreturn]] void refuse_function(const GiNaC::ex& function, const Equation& equation) const;
     [[nodiscard]] GiNaC::ex lowered(const GiNaC::ex& e) const;
     [[nodiscard]] const FunctionAtom& atom(GeneratorId id) const;
 
@@ -99,9 +105,9 @@ private:
     GiNaC::symbol pi_{"pi"};
     std::vector<Root> roots_; // largest degree first, so that a product is tried before its factors
     std::vector<FunctionAtom> functions_;
-    GiNaC::exmap meanings_;                                     // symbols of functions -> the functions
-    GiNaC::exmap origin_;                                       // symbols of positive weight -> 0
-    std::deque<Known> known_;                                   // references into it are handed out
+    GiNaC::exmap meanings_;   // symbols of roots and functions -> what they stand for
+    GiNaC::exmap origin_;     // symbols of positive weight -> 0
+    std::deque<Known> known_; // references into it are handed out
     std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> origins_; // looked up only
 };
 

@@ -7,6 +7,7 @@
 #include <cln/dfloat.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -50,6 +51,14 @@ std::optional<GraphPart> reciprocal(const GraphDomain& domain, const Ring&, cons
     const GraphPart numerator = domain.constant(c.numerator);
     const GraphPart inverse = domain.arithmetic().constant(domain.reciprocal(c.norm));
     return domain.dot({{1, &numerator, &inverse}});
+}
+
+// Of the variable, if no other mode has it.
+std::string name_of_mode(const GradedField& field, std::size_t m) {
+    const std::size_t variable = field.modes[m].variable;
+    const auto modes = std::count_if(field.modes.begin(), field.modes.end(),
+                                     [&](const Mode& mode) { return mode.variable == variable; });
+    return modes > 1 ? field.modes[m].name : field.system().variables[variable].name;
 }
 
 } // namespace
@@ -178,9 +187,9 @@ template <class Domain> std::string DivisorTable<Domain>::spell(const Asked& ask
     };
     const Multiples& multiples = asked.multiples;
     for (std::size_t m = 0; m < field_.modes.size(); ++m) {
-        const std::string& variable = field_.system().variables[field_.modes[m].variable].name;
-        add(growth, multiples[2 * m], "growth_" + variable);
-        add(frequency, multiples[2 * m + 1], "omega_" + variable);
+        const std::string name = name_of_mode(field_, m);
+        add(growth, multiples[2 * m], "growth_" + name);
+        add(frequency, multiples[2 * m + 1], "omega_" + name);
     }
     for (std::size_t a = 0; a < field_.angles.size(); ++a)
         add(frequency, multiples[2 * field_.modes.size() + a], "omega_" + field_.angles[a].name);

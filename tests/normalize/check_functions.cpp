@@ -20,6 +20,7 @@ TEST_P(EveryEquation, IsCertifiedThroughWeightFive) {
         test::field_from(std::string("[system]\nname = \"s\"\n[parameters]\ng = { positive = true }\n"
                                      "a = { nonzero = true }\n[variables]\nx = { role = \"fast\" }\n"
                                      "tau = { role = \"slow\" }\ny = { role = \"drift\" }\n"
+                                     "[functions]\nf = { of = [\"tau\"], positive = true }\n"
                                      "[domain]\npositive = [\"1 + tau\"]\n[equations]\nx = \"") +
                          GetParam() + "\"\ntau = \"tau' = eps*a\"\ny = \"y' = x^2 + eps*x'\"\n");
     const Normalization n = normalize_poincare(field, 5);
@@ -44,5 +45,20 @@ INSTANTIATE_TEST_SUITE_P(
                       "x'' + 2*g/(1 + tau^2)*sin(x) = 0", "x'' + g^(2/3)*x + x^2/a = 0",
                       "x'' + sqrt(g + sqrt(1 + tau^2))*x + x^2 = 0", "x'' + 3*x + tau*x^3/(1 + tau) = 0",
                       "x'' + (1 + tau)*(4 + tau^2)*x + x^3 = 0"));
+
+// log(sqrt(u)) is log(u)/2, in products, in exponents and beside other roots.
+INSTANTIATE_TEST_SUITE_P(LogarithmsOfRoots, EveryEquation,
+                         ::testing::Values("x'' + x = x^2*log(sqrt(g))", "x'' + x = eps*x*log(sqrt(1 + tau))",
+                                           "x'' + x = x^2*log(2*g*sqrt(1 + tau)/(1 + tau^2)^3)",
+                                           "x'' + x = x^2*sqrt(2)^a",
+                                           "x'' + (1 + log(1 + tau)^2 + log(sqrt(1 + tau))^2)*x = x^2",
+                                           "x'' + x = x^2*sqrt(exp(log(g)/2))",
+                                           "x'' + x = eps*x*exp(log(3/2 + tanh(tau))/2)",
+                                           "x'' + x = x^2*log(1 + sqrt(2)/2)"));
+
+// Derivatives that the equations hold are differentiated as often as the functions themselves.
+INSTANTIATE_TEST_SUITE_P(DerivativesOfNamedFunctions, EveryEquation,
+                         ::testing::Values("x'' + f(tau)^2*x = eps*x*f'''(tau)",
+                                           "x'' + (3 + f'(tau)^2)*x = 0"));
 
 } // namespace resonform

@@ -292,6 +292,33 @@ TEST(Numbers, SmallLiesAndMisplacedTermsAreFound) {
     EXPECT_FALSE(holds(n));
 }
 
+// Two real modes of one variable have names of their own.
+TEST(Numbers, ModesOfOneVariableAreToldApartInMessages) {
+    const std::string block = "[system]\nname = \"n\"\n[variables]\n"
+                              "x0 = { role = \"fast\" }\nx1 = { role = \"fast\" }\nx2 = { role = \"fast\" }\n"
+                              "x3 = { role = \"fast\" }\n[equations]\nx0 = \"x0' = 3*x1 - 2*x3 + x3*x2/3\"\n"
+                              "x1 = \"x1' = 3*x0 - 2*x1 - 3*x3 + 5/3*x1*x2*eps\"\n"
+                              "x2 = \"x2' = -2*x1 - 2*x2 + 2*x3 + 4/3*x3*x0\"\n"
+                              "x3 = \"x3' = 3*x0 - 3*x1 + 5/3*x3^2\"\n";
+    try {
+        normalized(block, 3, 60);
+        FAIL() << "a divisor that is zero was divided by";
+    } catch (const Error& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("growth_z"), std::string::npos) << text;
+        EXPECT_EQ(text.find("growth_x0"), std::string::npos) << text;
+    }
+}
+
+// The sizes of terms by which residuals are judged leave the range of doubles on both sides.
+TEST(Numbers, OfExtremeSizesAreCertified) {
+    const InNumbers far = normalized(fast({{"x", "x'' + 1e-160*x + 2e-80*x*y = 0"},
+                                           {"y", "y'' + (2e-80 + 1e80*eps)^2*y + 1e-80*x^2 = 0"}}),
+                                     3, 10);
+    const Certificate certificate = certify_numbers(far.n, far.field);
+    EXPECT_TRUE(certificate.holds) << certificate.complaint;
+}
+
 TEST(Numbers, WantNumbers) {
     const auto kind_of = [](const std::string& toml) {
         try {

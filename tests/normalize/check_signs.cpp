@@ -53,5 +53,34 @@ INSTANTIATE_TEST_SUITE_P(
                       File{"b - 2", "x'' + (sqrt(b^2 + 1) - b + tau^2)*x + sqrt(b)*x^3 = 0", "b = {}\n"},
                       File{"3 - tau", "x'' + (3*sin(tau) + 4*cos(tau) + 6)*x + x^2 = 0", ""}));
 
+constexpr const char* a_and_b = "a = {}\nb = {}\n";
+constexpr const char* roots_of_a_and_b = "a = { positive = true }\nb = { positive = true }\n";
+
+// Even powers: (1 - tau)^2 or (-1 + tau)^2, as it happens.
+INSTANTIATE_TEST_SUITE_P(
+    Squares, Signs,
+    ::testing::Values(File{"a - b", "x'' + (a - b)^2*x = x^2", a_and_b},
+                      File{"1 - tau", "x'' + (1 - tau)^2*x = x^2", ""},
+                      File{"a - b", "x'' + x = x^2 + eps*x*sqrt((a-b)^2)", a_and_b},
+                      File{"a - b", "x'' + (a-b)^4*x = x^2", a_and_b},
+                      File{"sqrt(a) - sqrt(b)", "x'' + (sqrt(a)-sqrt(b))^2*x = x^2", roots_of_a_and_b},
+                      File{"a - b", "x'' + x = x^2 + eps*x*atan(1/(a-b))", a_and_b},
+                      File{"b - a", "x'' + ((b-a)^2)^(3/2)*x = x^2", a_and_b},
+                      File{"b - a", "x'' + x = x^2/sqrt((b-a)^2)", a_and_b},
+                      File{"a - b", "x'' + x = x^2*(a-b)^(2/3)*((a-b)^2)^(1/3)", a_and_b},
+                      File{"2 - exp(tau)", "x'' + (2-cos(tau))^2*x = x^2", ""},
+                      File{"2 - exp(tau)", "x'' + (3-2*sin(tau))^2*x = x^2", ""},
+                      File{"2 - exp(tau)", "x'' + (2-sin(tau)^2)^2*x = x^2", ""},
+                      File{"2 - exp(tau)", "x'' + (2-atan(tau))^2*x = x^2", ""},
+                      File{"2 - exp(tau)", "x'' + (2-exp(tau))^2*x = x^2", ""},
+                      File{"2 - tau^2", "x'' + (2-tau^2)^2*x = x^2", ""},
+                      File{"1 - tau", "x'' + 1/(1-tau)^2*x = x^2", ""}));
+
+// Two quotients of one sign or of two.
+INSTANTIATE_TEST_SUITE_P(Quotients, Signs,
+                         ::testing::Values(File{"a - b\", \"b - c + a",
+                                                "x'' + x = x^2 + eps*x*atan((a-b)/(b-c+a))",
+                                                "a = {}\nb = {}\nc = {}\n"}));
+
 } // namespace
 } // namespace resonform

@@ -136,6 +136,21 @@ TEST(Certificate, RefusesEquationsThatAreDegenerateAtTheOrigin) {
     }
 }
 
+TEST(Certificate, OfFunctionsInsideOfFunctionsNamesTheNesting) {
+    std::string nested = "x";
+    for (int k = 0; k < 10; ++k) nested = "exp(sin(" + nested + ")) - 1";
+    const Normalization n =
+        normalize(test::field_from(test::oscillator_file("x'' + x = (" + nested + ")^2")), 3);
+    try {
+        test::certificate_of(n);
+        FAIL() << "few points tell little of a polynomial of so high a degree";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_NE(e.diagnostic().mend.find("inside of one another"), std::string::npos);
+        EXPECT_FALSE(e.diagnostic().place.file.empty());
+    }
+}
+
 TEST(Certificate, StyleHamiltonianNeedsAnEnergy) {
     Normalization n = duffing_by_hand();
     n.normal_form.style = Style::hamiltonian;
