@@ -2,6 +2,7 @@
 #include "emit/lower.hpp"
 
 #include "algebra/error.hpp"
+#include "emit/divisor_fractions.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -44,14 +45,15 @@ Lowering::Exponents Lowering::root_powers(const Exponents& exponents) const {
 
 Graph::Node Lowering::polynomial(const Polynomial& p) {
     std::map<Exponents, Terms> groups; // by powers of roots
-    for (const auto& [outer, numerator] : ring_->expanded_form(p))
-        for (const Term& t : numerator.terms()) {
-            Terms term;
-            fold(outer + t.monomial, t.coefficient, term);
-            const auto& [exponents, coefficient] = *term.begin();
-            Rational& sum = groups[root_powers(exponents)].try_emplace(exponents, 0).first->second;
-            sum = sum + coefficient;
-        }
+    for (const auto& [over, above] : divisor_fractions(*ring_, p))
+        for (const auto& [outer, numerator] : ring_->expanded_form(above))
+            for (const Term& t : numerator.terms()) {
+                Terms term;
+                fold(over + outer + t.monomial, t.coefficient, term);
+                const auto& [exponents, coefficient] = *term.begin();
+                Rational& sum = groups[root_powers(exponents)].try_emplace(exponents, 0).first->second;
+                sum = sum + coefficient;
+            }
     std::vector<Graph::Node> sum;
     sum.reserve(groups.size());
     for (auto& [powers, terms] : groups) sum.push_back(horner(std::move(terms), true));
