@@ -3,6 +3,7 @@
 
 #include "algebra/error.hpp"
 #include "cli/output.hpp"
+#include "model/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -140,9 +141,10 @@ void require_name_of_folder(const System& system) {
     Place place;
     place.file = system.file.string();
     place.key = "system.name";
-    bad_input({fmt::format("a system in systems/ must have the name of its folder, '{}'", folder),
-               system.name,
-               fmt::format("write name = \"{}\", or rename the folder to {}", folder, system.name), place});
+    const std::string rename = "rename the folder to " + system.name;
+    bad_input(
+        {fmt::format("a system in systems/ must have the name of its folder, '{}'", folder), system.name,
+         is_identifier(folder) ? fmt::format("write name = \"{}\", or {}", folder, rename) : rename, place});
 }
 
 fs::path find_scene(const std::string& argument, const Home& home) {

@@ -5,6 +5,7 @@
 #include "model/zero_test.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -46,6 +47,29 @@ void check_value(const Setting& setting, const Parameter& parameter, const ex& v
              "set a value of this kind, or change the file", option);
 }
 
+// What a relation gives is set by what it is given by.
+void refuse_related(const System& system, const std::string& parameter, const std::string& option) {
+    for (const ParameterRelation& relation : system.relations)
+        if (relation.parameter == parameter)
+            complain("a parameter that [relations] gives has no value of its own",
+                     parameter + " = " + relation.text,
+                     "set the parameters on the right side, or take the relation from line " +
+                         std::to_string(relation.source.line) + " of the file",
+                     option);
+}
+
+ex put_into(const ex& e, const GiNaC::exmap& values, const std::vector<Setting>& settings,
+            const SourceText& source) {
+    try {
+        return e.subs(values, GiNaC::subs_options::no_pattern);
+    } catch (const std::exception&) { // GiNaC::pole_error, division by zero
+        std::string set;
+        for (const Setting& s : settings) set += (set.empty() ? "" : " ") + s.parameter + "=" + s.value;
+        bad_input({"a denominator is not zero, nor a logarithm of zero taken", "zero for " + set,
+                   "set other values", place_of(source)});
+    }
+}
+
 // A declared expression that has become a number must be positive.
 void put_into_domain(System& system, const GiNaC::exmap& values, const std::string& option) {
     std::vector<Declaration> rest;
@@ -80,6 +104,7 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     for (const Setting& setting : settings) {
         const Parameter* parameter = system.declared_parameter(setting.parameter);
         if (parameter == nullptr) {
+            refuse_related(system, setting.parameter, option);
             std::vector<std::string> known;
             for (const auto* list : {&system.parameters, &system.cancelled})
                 for (const Parameter& p : *list) known.push_back(p.name);
@@ -92,12 +117,17 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
             complain("a parameter is set once", in_quotes(setting.parameter), "leave out one of them",
                      option);
     }
-    for (Equation& equation : system.equations)
-        equation.residual = equation.residual.subs(values, GiNaC::subs_options::no_pattern);
-    if (system.hamiltonian)
-        system.hamiltonian->energy = system.hamiltonian->energy.subs(values, GiNaC::subs_options::no_pattern);
-    for (GivenMode& mode : system.modes)
-        for_each_part(mode, [&](ex& e) { e = e.subs(values, GiNaC::subs_options::no_pattern); });
+    const auto put = [&](ex& e, const SourceText& source) { e = put_into(e, values, settings, source); };
+    for (Equation& equation : system.equations) put(equation.residual, equation.source);
+    if (system.hamiltonian) put(system.hamiltonian->energy, system.hamiltonian->source);
+    for (GivenMode& mode : system.modes) {
+        put(mode.eigenvalue.re, mode.eigenvalue.source);
+        put(mode.eigenvalue.im, mode.eigenvalue.source);
+        for (GivenMode::Entry& entry : mode.column) {
+            put(entry.value.re, entry.value.source);
+            put(entry.value.im, entry.value.source);
+        }
+    }
     put_into_domain(system, values, option);
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
     system.settings.insert(system.settings.end(), settings.begin(), settings.end());
