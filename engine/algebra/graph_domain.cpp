@@ -9,13 +9,18 @@ namespace resonform {
 
 namespace {
 
-[[noreturn]] void refuse_algebraic(const Generator& g) {
-    refuse({"coefficients in a graph are rational functions of independent symbols",
-            g.kind == GeneratorKind::root && g.radicand.terms().size() > 1 ? "a root whose radicand is a sum"
-                                                                           : g.name,
-            "leave out --coefficients graph, make it a parameter of its own, or, with a value for every "
-            "parameter, take numbers: --digits 30",
-            {}});
+[[noreturn]] void refuse_algebraic(const Ring& ring, const Generator& g) {
+    bool slow = false; // numbers do not depend on it
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        slow = slow || ring.generator(id).kind == GeneratorKind::slow;
+    refuse(
+        {"coefficients in a graph are rational functions of independent symbols",
+         g.kind == GeneratorKind::root && g.radicand.terms().size() > 1 ? "a root whose radicand is a sum"
+                                                                        : g.name,
+         slow ? "leave out --coefficients graph"
+              : "leave out --coefficients graph, make it a parameter of its own, or, with a value for every "
+                "parameter, take numbers: --digits 30",
+         {}});
 }
 
 } // namespace
@@ -80,7 +85,7 @@ LeafId GraphDomain::leaf(GeneratorId id) const {
     const auto known = state_->leaves.find(id);
     if (known != state_->leaves.end()) return known->second;
     const Generator& g = ring()->generator(id);
-    if (ring()->is_algebraic(id)) refuse_algebraic(g);
+    if (ring()->is_algebraic(id)) refuse_algebraic(*ring(), g);
     const LeafId leaf = graph().add_leaf(g.name);
     state_->leaves.emplace(id, leaf);
     state_->generators.push_back(id);

@@ -4,6 +4,7 @@
 #include "algebra/products.hpp"
 #include "algebra/ring.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -87,7 +88,11 @@ GeneratorId RingBuilder::add(Generator g) {
         refuse({.rule = "a system has at most 32 of these together: i, eps, parameters, slow variables, two "
                         "modes for each oscillator, roots that occur; constants and integrals of a solution",
                 .value = g.name + " would be one more",
-                .mend = "write numbers in the place of some parameters",
+                .mend =
+                    std::any_of(generators_.begin(), generators_.end(),
+                                [](const Generator& known) { return known.kind == GeneratorKind::parameter; })
+                        ? "write numbers in the place of some parameters"
+                        : "use fewer variables and roots",
                 .place = {}});
     }
     if (g.kind == GeneratorKind::root) {

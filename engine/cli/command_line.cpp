@@ -52,16 +52,33 @@ std::string see_help(const CLI::App& app) {
     bad_input({rule, word, near.empty() ? see_help(app) : fmt::format("did you mean {}?", near), {}});
 }
 
+// An option of several words takes all that follow, up to the next option: --set g=1 SYSTEM.
+void refuse_swallowed(const CLI::App& app, const CLI::Option& missing) {
+    const CLI::App& chosen = chosen_in(app);
+    if (!missing.get_positional()) return;
+    for (const CLI::Option* option : chosen.get_options())
+        if (option->get_expected_max() > 1 && option->count() > 0)
+            bad_input(
+                {fmt::format("{} takes all words that follow it, and {} needs {}: {}", option->get_name(),
+                             chosen.get_name(), missing.get_name(), missing.get_description()),
+                 fmt::format("{} {}", option->get_name(), fmt::join(option->results(), " ")),
+                 fmt::format("write {} {} {} ...", full_name(app, chosen), missing.get_name(),
+                             option->get_name()),
+                 {}});
+}
+
 [[noreturn]] void missing_argument(const CLI::App& app) {
     const CLI::App& chosen = chosen_in(app);
     if (!app.remaining(true).empty()) unexpected_word(app);
     for (const CLI::Option* option : chosen.get_options())
-        if (option->get_required() && option->count() == 0)
+        if (option->get_required() && option->count() == 0) {
+            refuse_swallowed(app, *option);
             bad_input({fmt::format("{} needs {}: {}", chosen.get_name(), option->get_name(),
                                    option->get_description()),
                        "",
                        see_help(app),
                        {}});
+        }
     bad_input({"a command must be given", "", see_help(app), {}});
 }
 

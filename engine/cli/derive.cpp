@@ -23,6 +23,8 @@ struct DeriveRequest {
     DerivationLimits limits;
 };
 
+constexpr const char* printing = "what is printed";
+
 // Through which weight the printed solution uses normal form and map: as asked, else what accuracy
 // through the order on t = 1/eps needs.
 int truncation_of(const GradedField& field, int order, const std::string& asked) {
@@ -45,11 +47,11 @@ int truncation_of(const GradedField& field, int order, const std::string& asked)
 
 // With a solution at hand, text and LaTeX show the system without its known drift, as (19) and (20) do.
 // A normal form that cannot be solved in closed form is no less a normal form.
-std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalization>& normalization,
-                                        int order) {
+std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalization>& normalization, int order,
+                                        Watch& watch) {
     if (!solves_by_quadratures(*normalization->normal_form.field)) return std::nullopt;
     try {
-        return solve(normalization, {order, normalization->normal_form.through});
+        return solve_under(watch, normalization, {order, normalization->normal_form.through});
     } catch (const Error& error) {
         if (error.kind() != Kind::refused) throw;
         return std::nullopt;
@@ -66,7 +68,7 @@ std::optional<Solution> known_drift(const Expanded& expanded, Format format, Wat
     int weight = system.eps_root;
     for (const Variable& v : system.variables) weight = std::max(weight, v.weight);
     try {
-        return solution_if_any(normalize_certified(expanded, weight, watch), weight);
+        return solution_if_any(normalize_certified(expanded, weight, watch), weight, watch);
     } catch (const Error& error) {
         if (error.kind() != Kind::refused) throw;
         return std::nullopt;
@@ -75,13 +77,11 @@ std::optional<Solution> known_drift(const Expanded& expanded, Format format, Wat
 
 // Coefficients of a normal form are written from a graph as JSON only: a page of text would need all of them
 // in one ring.
+bool goes_with_graph(Stage stage, Format format) {
+    return stage == Stage::divisors || (stage == Stage::normal_form && format == Format::json);
+}
+
 bool in_graph(const GradedField& field, int order, Stage stage, Format format, const std::string& asked) {
-    const bool possible = stage == Stage::divisors || (stage == Stage::normal_form && format == Format::json);
-    if (asked == "graph" && !possible)
-        bad_argument(
-            "--coefficients",
-            "coefficients in a graph go with --stage normal_form --format json, or with --stage divisors",
-            asked, "give --format json, or leave the option out");
     if (const Style style = field.system().style; asked == "graph" && style != Style::poincare)
         refuse({"coefficients in a graph go with style poincare",
                 to_string(style),
@@ -91,11 +91,13 @@ bool in_graph(const GradedField& field, int order, Stage stage, Format format, c
         bad_argument("--coefficients", "with --digits coefficients are numbers", asked,
                      "leave out one of the two options");
     if (field.system().digits > 0) return false;
-    return asked == "graph" || (asked == "auto" && possible && suits_graph(field, order));
+    return asked == "graph" ||
+           (asked == "auto" && goes_with_graph(stage, format) && suits_graph(field, order));
 }
 
 std::string from_graph(const Expanded& expanded, int order, Stage stage, Format format, Watch& watch) {
     const GraphNormalization n = normalize_in_graph_certified(expanded, order, watch);
+    watch.go_on_with(printing);
     return stage == Stage::divisors ? print_divisors(*expanded.field, n.result.divisors, order, format)
                                     : print_normal_form(n, order);
 }
@@ -108,7 +110,9 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
         require_whole_weights(*expanded.first_order->system);
         if (stage == Stage::transgression) require_former_constants(*expanded.first_order->system);
         const int through = truncation_of(*expanded.field, order, truncation);
-        const Solution solution = solve(normalize_certified(expanded, through, watch), {order, through});
+        const Solution solution =
+            solve_under(watch, normalize_certified(expanded, through, watch), {order, through});
+        watch.go_on_with(printing);
         return stage == Stage::solution ? print_solution(solution, format)
                                         : print_transgression(solution, format);
     }
@@ -121,17 +125,42 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
         return from_graph(expanded, weight, stage, format, watch);
     if (stage == Stage::manifold) require_slaved_modes(*expanded.field);
     const auto normalization = normalize_certified(expanded, weight, watch);
+    watch.go_on_with(printing);
     if (stage == Stage::divisors)
         return print_divisors(*normalization->normal_form.field, normalization->divisors, weight, format);
     if (stage == Stage::manifold) return print_manifold(*normalization, weight, format);
-    const auto solution = is_page(format) ? solution_if_any(normalization, weight) : std::nullopt;
+    const auto solution = is_page(format) ? solution_if_any(normalization, weight, watch) : std::nullopt;
+    watch.go_on_with(printing);
     return print_normal_form(*normalization, weight, format, solution ? &*solution : nullptr);
 }
 
 bool of_mechanism(Stage stage) { return stage == Stage::constraints || stage == Stage::accelerations; }
 
+bool before_normal_form(Stage stage) {
+    return of_mechanism(stage) || stage == Stage::equations || stage == Stage::expand;
+}
+
+// What has no effect on a stage is not taken in silence.
+void require_effect(Stage stage, Format format, const std::string& coefficients, const std::string& style) {
+    if (coefficients == "graph" && !goes_with_graph(stage, format))
+        bad_argument(
+            "--coefficients",
+            "coefficients in a graph go with --stage normal_form --format json, or with --stage divisors",
+            coefficients,
+            stage == Stage::normal_form ? "give --format json, or leave the option out"
+                                        : "leave the option out");
+    if (!before_normal_form(stage)) return;
+    const auto refuse_option = [&](const std::string& option, const std::string& value) {
+        bad_argument(option,
+                     fmt::format("goes with a normal form, and --stage {} comes before it", to_string(stage)),
+                     value, "leave the option out");
+    };
+    if (coefficients == "ring") refuse_option("--coefficients", coefficients);
+    if (!style.empty()) refuse_option("--style", style);
+}
+
 void require_printable_in_numbers(Stage stage, Format format) {
-    if (of_mechanism(stage) || stage == Stage::equations || stage == Stage::expand || of_solution(stage))
+    if (before_normal_form(stage) || of_solution(stage))
         bad_argument("--digits", "goes with --stage normal_form, divisors or manifold", to_string(stage),
                      "leave it out: this stage is exact");
     if (format == Format::sympy || format == Format::maxima)
@@ -149,9 +178,10 @@ int run_derive(const DeriveRequest& request) {
     require_printable(stage, format);
     const std::string coefficients =
         read_choice("--coefficients", request.coefficients, {"auto", "ring", "graph"});
+    const std::optional<Style> style = read_style(request.style);
+    require_effect(stage, format, coefficients, request.style);
     const auto file = find_system(request.system, find_home());
-    const SystemChanges changes{read_settings(request.settings), read_style(request.style),
-                                read_digits(request.digits)};
+    const SystemChanges changes{read_settings(request.settings), style, read_digits(request.digits)};
     if (changes.digits > 0) require_printable_in_numbers(stage, format);
     put("{}", watched(request.limits, [&](Watch& watch) {
             if (of_mechanism(stage)) return print_derivation(changed_system(file, changes), stage, format);

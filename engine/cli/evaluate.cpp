@@ -92,7 +92,7 @@ int run_evaluate(const std::string& scene, const std::string& eps_text, const st
     const Home home = find_home();
     const auto program = watched(limits, [&](Watch& watch) {
         const SceneLine line = solve_scene(scene, home, watch);
-        auto built = std::make_shared<const Program>(build_program(line.solution, line.scene));
+        auto built = std::make_shared<const Program>(program_of(line, watch));
         require_values(*built, line.scene);
         return built;
     });

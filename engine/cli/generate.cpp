@@ -42,7 +42,7 @@ Generated generate(const GenerateRequest& request) {
     const Home home = find_home();
     return watched(request.limits, [&](Watch& watch) {
         SceneLine line = solve_scene(request.scene, home, watch);
-        Program program = build_program(line.solution, line.scene);
+        Program program = program_of(line, watch);
         std::string header = emit_cpp(program, {request.inline_runtime});
         return Generated{std::move(line), std::move(program), std::move(header)};
     });

@@ -3,6 +3,7 @@
 
 #include "algebra/error.hpp"
 #include "cli/output.hpp"
+#include "model/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -140,8 +141,10 @@ void require_name_of_folder(const std::string& name, const fs::path& file) {
     Place place;
     place.file = file.string();
     place.key = "system.name";
+    const std::string rename = "rename the folder to " + name;
     bad_input({fmt::format("a system in systems/ must have the name of its folder, '{}'", folder), name,
-               fmt::format("write name = \"{}\", or rename the folder to {}", folder, name), place});
+               is_identifier(folder) ? fmt::format("write name = \"{}\", or {}", folder, rename) : rename,
+               place});
 }
 
 fs::path find_scene(const std::string& argument, const Home& home) {

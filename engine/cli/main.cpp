@@ -8,14 +8,30 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <new>
+#include <string>
+#include <utility>
 
 namespace resonform {
 
 namespace {
 
+// What must be given comes before what may be: --set takes all words behind it.
+class Help : public CLI::Formatter {
+public:
+    std::string make_usage(const CLI::App* app, std::string name) const override {
+        std::string text = CLI::Formatter::make_usage(app, std::move(name));
+        const std::string options = " [OPTIONS]";
+        const std::size_t at = text.find(options), end = text.find('\n');
+        if (app->get_parent() == nullptr || at == std::string::npos || at > end) return text;
+        return text.erase(at, options.size()).insert(end - options.size(), options);
+    }
+};
+
 void add_commands(CLI::App& app, Action& action) {
     app.require_subcommand(0, 1);
+    app.formatter(std::make_shared<Help>());
     app.set_version_flag("--version", "resonform " RESONFORM_VERSION);
     app.set_help_flag("-h,--help", "print this help and exit");
     for (const auto& add : {add_derive, add_generate, add_verify, add_certify, add_compare, add_stability,

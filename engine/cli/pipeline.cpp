@@ -70,7 +70,7 @@ auto derived_and_checked(const Expanded& expanded, int through, Watch& watch, De
     watch.enter(fmt::format("weight {} reached, the certificate under way", last));
     at_place(file, [&] { check(*result); });
     laps.done("certificate");
-    watch.enter(fmt::format("weight {} reached and certified", last));
+    watch.certified(last);
     return result;
 }
 
@@ -116,6 +116,15 @@ GraphNormalization normalize_in_graph_certified(const Expanded& expanded, int th
     return *normalization;
 }
 
+Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normalization,
+                     const SolveOptions& options) {
+    watch.go_on_with("the solution");
+    Laps laps;
+    Solution solution = solve(std::move(normalization), options);
+    laps.done("solution");
+    return solution;
+}
+
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch) {
     SceneLine line;
     line.scene = read_scene(find_scene(argument, home), home.systems());
@@ -124,11 +133,19 @@ SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watc
     line.expanded = expand_shared(line.scene.system, watch);
     at_place(whole_file(line.scene.file), [&] {
         line.count = count_truncation(*line.expanded.field, line.scene);
-        line.solution = solve(normalize_certified(line.expanded, line.count.truncation, watch),
-                              {line.scene.order, line.count.truncation});
+        const auto normalization = normalize_certified(line.expanded, line.count.truncation, watch);
+        line.solution = solve_under(watch, normalization, {line.scene.order, line.count.truncation});
         check_time_scale(line.solution, line.scene);
     });
     return line;
+}
+
+Program program_of(const SceneLine& line, Watch& watch) {
+    watch.go_on_with("the evaluator, from the start values on,");
+    Laps laps;
+    Program program = build_program(line.solution, line.scene);
+    laps.done("evaluator");
+    return program;
 }
 
 SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits) {

@@ -48,6 +48,10 @@ std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& 
 GraphNormalization normalize_in_graph_certified(const Expanded& expanded, int through, Watch& watch);
 std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through, Watch& watch);
 
+// What follows a certified normal form, its steps made known to the watch as those before are.
+Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normalization,
+                     const SolveOptions& options);
+
 struct SceneLine {
     Scene scene;
     Expanded expanded;
@@ -66,5 +70,6 @@ template <class Options> Options with_progress(const CacheFolder& cache) {
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch);
 // The same with a watch of its own, that ends with the derivation.
 SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits);
+Program program_of(const SceneLine& line, Watch& watch);
 
 } // namespace resonform

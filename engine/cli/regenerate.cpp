@@ -59,7 +59,7 @@ std::string compare(const fs::path& file, const std::string& header) {
 std::string regenerate_scene(const fs::path& scene, const fs::path& file, const RegenerateRequest& request) {
     const std::string header = watched(request.limits, [&](Watch& watch) {
         const SceneLine line = solve_scene(scene.string(), request.home, watch);
-        return emit_cpp(build_program(line.solution, line.scene));
+        return emit_cpp(program_of(line, watch));
     });
     std::string state = compare(file, header);
     if (!request.check && state != "up to date") {

@@ -62,6 +62,13 @@ void Watch::enter(const std::string& step) {
     step_ = step;
 }
 
+void Watch::certified(const std::string& weight) {
+    certified_ = fmt::format("weight {} reached and certified", weight);
+    enter(certified_);
+}
+
+void Watch::go_on_with(const std::string& step) { enter(fmt::format("{}, {} under way", certified_, step)); }
+
 void Watch::reached(const Rational& weight, const Rational& next, std::size_t terms) {
     const std::string step = fmt::format("weight {} reached with {} terms", to_string(weight), terms);
     if (static_cast<double>(terms) > limits_.terms)

@@ -34,6 +34,10 @@ public:
 
     // What is under way, for the message: "the expansion".
     void enter(const std::string& step);
+    // The same behind a certified normal form: "the solution".
+    void go_on_with(const std::string& step);
+    // A normal form has its certificate. `weight` as the user counts it.
+    void certified(const std::string& weight);
     // A weight is complete, and `next` is the one under way. Errors (refused): more terms than the limit.
     void reached(const Rational& weight, const Rational& next, std::size_t terms);
     // Errors (refused): the limits were passed since the clock was last looked at.
@@ -48,6 +52,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::string step_ = "reading the file";
+    std::string certified_; // what is done when go_on_with() is called
     bool over_ = false;
     std::thread thread_; // last: it uses the others
 };

@@ -102,9 +102,13 @@ Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& d
              record.divisor.empty() ? zero_side() : side(display(ring, record.divisor))});
     }
     Section resonances{"resonance surfaces", {}};
-    for (const Surface& surface : surfaces(field, divisors, order))
+    for (const Surface& surface : surfaces(field, divisors, order)) {
+        std::vector<Formula> equations;
         for (const Polynomial& vanishing : surface.vanishing)
-            resonances.formulas.push_back({side(display_without_sign(ring, vanishing)), zero_side()});
+            equations.push_back({side(display_without_sign(ring, vanishing)), zero_side()});
+        equations.front().together.assign(equations.begin() + 1, equations.end());
+        resonances.formulas.push_back(equations.front());
+    }
     if (resonances.formulas.empty())
         page.remarks.emplace_back("no divisor that was divided by can vanish");
     else

@@ -58,6 +58,7 @@ std::vector<Section> hamiltonian_sections(const NormalForm& normal_form, int ord
         value.terms.front().tail.push_back(symbol_factor(action.name));
         where.formulas.push_back({side(std::move(product)), side(std::move(value))});
     }
+    if (where.formulas.empty()) return {std::move(section)};
     return {std::move(section), std::move(where)};
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/lower.hpp"
 
+#include "algebra/error.hpp"
 #include "emit/display.hpp"
+#include "emit/divisor_fractions.hpp"
 #include "emit/spelling.hpp"
 
 #include <algorithm>
@@ -54,14 +56,15 @@ Lowering::Exponents Lowering::root_powers(const Exponents& exponents) const {
 
 Graph::Node Lowering::polynomial(const Polynomial& p) {
     std::map<Exponents, Terms> groups; // by powers of roots
-    for (const auto& [outer, numerator] : ring_->expanded_form(p))
-        for (const Term& t : numerator.terms()) {
-            Terms term;
-            fold(outer + t.monomial, t.coefficient, term);
-            const auto& [exponents, coefficient] = *term.begin();
-            Rational& sum = groups[root_powers(exponents)].try_emplace(exponents, 0).first->second;
-            sum = sum + coefficient;
-        }
+    for (const auto& [over, above] : divisor_fractions(*ring_, p))
+        for (const auto& [outer, numerator] : ring_->expanded_form(above))
+            for (const Term& t : numerator.terms()) {
+                Terms term;
+                fold(over + outer + t.monomial, t.coefficient, term);
+                const auto& [exponents, coefficient] = *term.begin();
+                Rational& sum = groups[root_powers(exponents)].try_emplace(exponents, 0).first->second;
+                sum = sum + coefficient;
+            }
     std::vector<Graph::Node> sum;
     sum.reserve(groups.size());
     for (auto& [powers, terms] : groups) sum.push_back(horner(std::move(terms), true));

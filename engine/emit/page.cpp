@@ -62,7 +62,9 @@ std::string text_formula(const Formula& formula, std::size_t indent) {
     const std::size_t line_start = left.rfind('\n');
     const std::size_t column =
         line_start == std::string::npos ? indent + left.size() : left.size() - line_start - 1;
-    return std::string(indent, ' ') + left + " = " + text_side(formula.right, column + 3) + "\n";
+    std::string text = std::string(indent, ' ') + left + " = " + text_side(formula.right, column + 3);
+    for (const Formula& other : formula.together) text += " and " + text_formula(other, 0);
+    return text;
 }
 
 // Groups cut into lines of at most latex_terms terms; everything on one line if it is short.
@@ -101,7 +103,11 @@ std::string join_lines(const std::vector<std::string>& lines) {
 std::string latex_formula(const Formula& formula) {
     const std::vector<std::string> left = latex_lines(formula.left);
     if (left.size() > 1) return "  &" + join_lines(left) + " = " + join_lines(latex_lines(formula.right));
-    return "  " + left.front() + " &= " + join_lines(latex_lines(formula.right));
+    std::string text = "  " + left.front() + " &= " + join_lines(latex_lines(formula.right));
+    for (const Formula& other : formula.together)
+        text += " \\quad\\text{and}\\quad " + join_lines(latex_lines(other.left)) + " = " +
+                join_lines(latex_lines(other.right));
+    return text;
 }
 
 } // namespace
@@ -121,7 +127,7 @@ std::string page_text(const Page& page) {
         text += "\n";
         if (!section.heading.empty()) text += section.heading + ":\n";
         for (const Formula& formula : section.formulas)
-            text += text_formula(formula, section.heading.empty() ? 0 : 2);
+            text += text_formula(formula, section.heading.empty() ? 0 : 2) + "\n";
     }
     if (!page.remarks.empty()) text += "\n";
     for (const std::string& remark : page.remarks) text += remark + "\n";

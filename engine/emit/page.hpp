@@ -17,7 +17,8 @@ struct Side {
 };
 
 struct Formula {
-    Side left, right; // left = right
+    Side left, right;                   // left = right
+    std::vector<Formula> together = {}; // short ones that hold with it, on the same line
 };
 
 struct Section {

@@ -25,8 +25,10 @@ std::vector<Action> actions_of(const NormalForm& normal_form) {
     const Ring& ring = *field.ring;
     std::vector<Action> actions;
     for (const HamiltonianForm::Bracket& b : normal_form.hamiltonian->brackets) {
+        const GeneratorId conjugate = ring.generator(b.left).conjugate;
         Polynomial product = b.value;
-        if (ring.generator(b.left).conjugate == b.right) {
+        if (conjugate >= 0 && conjugate != b.right) continue; // left right is not real
+        if (conjugate == b.right) {
             product = -ring.multiply(ring.imaginary(), b.value);
             if (seen_negative(ring, product)) product = -product;
         }

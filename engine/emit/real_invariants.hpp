@@ -4,6 +4,7 @@
 //
 //   K = z1 z2/2 + 3/32 z1^2 z2^2   ->   K = I1 + 3/8 I1^2,   z1 z2 = 2 I1
 //   K = c z1^2 z4 + conj           ->   2 Re c Re(z1^2 z4) - 2 Im c Im(z1^2 z4)
+//   K = c z1 z4 + conj             ->   likewise: eigenvalues lambda, -lambda of z1, z4, and their conjugates
 #pragma once
 
 #include "normalize/normal_form.hpp"
@@ -15,7 +16,8 @@ namespace resonform {
 
 // left right = product * name. Of a pair z, zbar with {z, zbar} = i b, b > 0, it is I >= 0 with z zbar = b I,
 // its angle conjugate to it; with b < 0, z zbar = -b I, and I stands in H_2 with a minus sign. Where the sign
-// is not known, as if b > 0. Of two modes with {left, right} = b, left right = b I.
+// is not known, as if b > 0. Of two real modes with {left, right} = b, left right = b I. Of complex ones that
+// are not conjugate left right is complex: they have no action.
 struct Action {
     std::string name; // "I1"
     GeneratorId left, right;

@@ -3,9 +3,10 @@
 #include "algebra/division.hpp"
 #include "algebra/fractions.hpp"
 #include "algebra/number_field.hpp"
-#include "expand/graded_field.hpp"
+#include "expand/coefficient_holders.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -74,6 +75,17 @@ std::vector<Polynomial> factors_to_invert(const Ring& ring, const Polynomial& p)
     return factors;
 }
 
+std::string instead_of_more_divisors(const GradedField& field) {
+    const bool parameters = !field.system().parameters.empty();
+    std::vector<std::string> ways{"ask for a lower order"};
+    if (parameters) ways.emplace_back("give parameters numeric values with --set NAME=VALUE");
+    if (fits_graph(field)) ways.emplace_back("take --format json with --coefficients graph");
+    if (!hindrance_to_numbers(field.system()))
+        ways.emplace_back(std::string(parameters ? "with a value for every parameter " : "") +
+                          "take numbers: --digits 30");
+    return fmt::format("{}", fmt::join(ways, ", or "));
+}
+
 } // namespace
 
 GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors) {
@@ -93,12 +105,7 @@ GradedField with_divisors(const GradedField& field, const std::vector<Polynomial
         refuse({fmt::format("i, eps, parameters, variables, roots and small divisors are at most {} together",
                             Packing::most_fields),
                 fmt::format("{} small divisors", all.values.size()),
-                std::string("ask for a lower order, ") +
-                    (field.system().parameters.empty()
-                         ? ""
-                         : "give parameters numeric values with --set NAME=VALUE, or for "
-                           "--format json with --coefficients graph, ") +
-                    "or, with a value for every parameter, take numbers: --digits 30",
+                instead_of_more_divisors(field),
                 {}});
     return expand(field.first_order, all);
 }

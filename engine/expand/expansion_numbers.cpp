@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What expand() does where modes are numbers that the ring does not hold.
+#include "expand/coefficient_holders.hpp"
 #include "expand/expansion.hpp"
 #include "expand/number_index.hpp"
 #include "expand/numeric_modes.hpp"
@@ -27,13 +28,7 @@ void Expansion::check_numbers() const {
         bad_input({"with --digits every parameter has a number", name,
                    fmt::format("give --set {}=NUMBER, or leave out --digits", name), file});
     }
-    if (!system_.functions.empty())
-        refuse({"with --digits every function has values", system_.functions.front().name,
-                "leave out --digits", file});
-    for (const Variable& v : system_.variables)
-        if (v.role == Role::slow)
-            refuse({"with --digits coefficients are numbers, and do not depend on slow variables", v.name,
-                    "leave out --digits, or freeze the variable: make it a parameter and set it", v.place});
+    if (const auto hindrance = hindrance_to_numbers(system_)) refuse(*hindrance);
 }
 
 // u_s = sum column z + conj

@@ -2,6 +2,7 @@
 #include "expand/large_blocks.hpp"
 
 #include "expand/closed_roots.hpp"
+#include "expand/coefficient_holders.hpp"
 #include "expand/eigen_field.hpp"
 #include "model/canonical.hpp"
 #include "model/zero_test.hpp"
@@ -123,12 +124,16 @@ bool LargeBlock::has_closed_roots(const Factor& factor) {
 }
 
 void LargeBlock::refuse_factor(const Factor& factor) const {
-    refuse({"eigenvalues in closed form are roots of factors of degree 1 or 2 in lambda or in lambda^2",
-            fmt::format("{} of the characteristic polynomial of {}", spell(polynomial(factor, lambda_)),
-                        name_.variables),
-            "with a value for every parameter take numbers: --digits 30; or give the modes in [modes] with "
-            "their frequencies as parameters, or write the coupling with a factor eps",
-            name_.place});
+    refuse(
+        {"eigenvalues in closed form are roots of factors of degree 1 or 2 in lambda or in lambda^2",
+         fmt::format("{} of the characteristic polynomial of {}", spell(polynomial(factor, lambda_)),
+                     name_.variables),
+         std::string(hindrance_to_numbers(system_)
+                         ? ""
+                         : "with a value for every parameter take numbers: --digits 30; or ") +
+             "give the modes in [modes] with their frequencies as parameters, or write the coupling with a "
+             "factor eps",
+         name_.place});
 }
 
 void LargeBlock::refuse_unknown() const {

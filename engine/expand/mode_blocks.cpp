@@ -32,7 +32,8 @@ Sign sign_of(const ex& e, const std::string& what, const System& system, const B
     const std::string value = fmt::format("{} = {} for {}", what, spell(e), name.variables);
     if (vanishes(e) == Zero::yes) {
         if (system.style == Style::inner_product) return Sign::zero;
-        refuse_nilpotent(value, name);
+        refuse_nilpotent(
+            name.oscillator ? value : "two equal eigenvalues with one eigenvector: " + name.variables, name);
     }
     refuse({name.oscillator
                 ? "the square of a frequency is proved to be positive (an oscillator), or negative"
@@ -54,7 +55,7 @@ ex discriminant_of(const Matrix& a) {
 Eigenvalues eigenvalues_of(const Matrix& a, const System& system, const BlockName& name) {
     const ex middle = ((a[0][0] + a[1][1]) / 2).normal();
     const ex square = (-discriminant_of(a)).normal();
-    const std::string what = name.oscillator ? "omega^2" : "the negative discriminant";
+    const std::string what = name.oscillator ? "omega^2" : "(Im lambda)^2";
     const Sign sign = sign_of(square, what, system, name);
     if (sign == Sign::zero) return {middle, 0, sign};
     return {middle, GiNaC::sqrt(sign == Sign::negative ? (-square).normal() : square), sign};

@@ -6,6 +6,7 @@
 #include "model/zero_test.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -45,6 +46,17 @@ void check_value(const Setting& setting, const Parameter& parameter, const ex& v
     if (sign == ConstantSign::unknown && vanishes(value) == Zero::unknown) refuse_undecided(found, option);
     complain("the file declares " + parameter.name + (parameter.positive ? " positive" : " nonzero"), found,
              "set a value of this kind, or change the file", option);
+}
+
+// What a relation gives is set by what it is given by.
+void refuse_related(const System& system, const std::string& parameter, const std::string& option) {
+    for (const ParameterRelation& relation : system.relations)
+        if (relation.parameter == parameter)
+            complain("a parameter that [relations] gives has no value of its own",
+                     parameter + " = " + relation.text,
+                     "set the parameters on the right side, or take the relation from line " +
+                         std::to_string(relation.source.line) + " of the file",
+                     option);
 }
 
 // A declared expression that has become a number must be positive.
@@ -91,6 +103,7 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     for (const Setting& setting : settings) {
         const Parameter* parameter = system.declared_parameter(setting.parameter);
         if (parameter == nullptr) {
+            refuse_related(system, setting.parameter, option);
             std::vector<std::string> known;
             for (const auto* list : {&system.parameters, &system.cancelled})
                 for (const Parameter& p : *list) known.push_back(p.name);

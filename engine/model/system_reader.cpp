@@ -267,7 +267,8 @@ void SystemReader::check_order(const Variable& variable, int highest) const {
                    "write a system of lower order", variable.place});
     }
     if (variable.role != Role::fast && highest > 1) {
-        bad_input({"a " + std::string(to_string(variable.role)) + " variable has an equation of first order",
+        bad_input({std::string(variable.role == Role::angle ? "an " : "a ") + to_string(variable.role) +
+                       " variable has an equation of first order",
                    found, "make it fast, or declare its derivative as a variable", variable.place});
     }
 }

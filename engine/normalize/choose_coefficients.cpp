@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "expand/coefficient_holders.hpp"
 #include "normalize/poincare.hpp"
 
 #include <algorithm>
@@ -21,10 +22,7 @@ bool is_number(const Polynomial& p) { return p.size() == 1 && p.terms().front().
 } // namespace
 
 bool suits_graph(const GradedField& field, int through) {
-    if (field.system().style != Style::poincare) return false;
-    const Ring& ring = *field.ring;
-    for (GeneratorId id = 1; id < ring.size(); ++id)
-        if (ring.is_algebraic(id)) return false;
+    if (!fits_graph(field)) return false;
     std::vector<Polynomial> frequencies; // no two proportional
     const auto add = [&](const Polynomial& frequency) {
         if (frequency.empty() || is_number(frequency)) return;

@@ -198,9 +198,6 @@ Normalization rounded_normalization(NormalizationOf<Part> n, const GivenNumbers&
 
 Normalization normalize_in_numbers(const std::shared_ptr<const GradedField>& field, int through,
                                    const NormalizeOptions& options) {
-    if (const Style style = field->system().style; style != Style::poincare)
-        refuse(
-            {"coefficients in numbers go with style poincare", to_string(style), "leave out --digits", {}});
     const std::int64_t first_bits = bits_of(field->system().digits + spare_digits) + 64;
     for (std::int64_t bits = first_bits; bits <= most_bits * first_bits; bits *= 2) {
         const std::optional<GivenNumbers> given = given_numbers(*field, bits);

@@ -78,7 +78,11 @@ bool is_nonzero(const GradedField& field, const Polynomial& value, const Coordin
     if (zero != Zero::unknown) return zero == Zero::no;
     refuse({"a bracket of two modes is proved to be zero or to be non-zero",
             fmt::format("{{{}, {}}}", field.ring->generator(a.id).name, field.ring->generator(b.id).name),
-            "give parameters numeric values with --set NAME=VALUE", place_of_energy(field)});
+            std::string(field.system().parameters.empty()
+                            ? ""
+                            : "give parameters numeric values with --set NAME=VALUE, or ") +
+                "take style = \"poincare\"",
+            place_of_energy(field)});
 }
 
 } // namespace

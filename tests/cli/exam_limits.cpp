@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <string>
 
 namespace resonform::test {
 
@@ -148,6 +149,35 @@ TEST(Limits, TheMessageNamesTheStepOrTheWeight) {
     EXPECT_EQ(memory.code, 3);
     EXPECT_NE(memory.err.find("--memory-limit: a derivation takes at most 1 MB"), std::string::npos)
         << memory.err;
+}
+
+// Actions that drive two frequencies: the inverse map divides by ten combinations of them. Written over one
+// denominator, its coefficients would take minutes and more than a gigabyte.
+TEST(Limits, TheEvaluatorOfASlowFlowIsAStepOfItsOwn) {
+    const Scratch scratch;
+    write(scratch.path() / "systems/actions/system.toml",
+          "[system]\nname = \"actions\"\n[variables]\nJ = { role = \"slow\", positive = true }\n"
+          "K = { role = \"slow\" }\nf = { role = \"angle\" }\ng = { role = \"angle\" }\n[equations]\n"
+          "J = \"J' = eps*cos(f)*(1+K) + eps*sin(f-g)\"\nK = \"K' = eps*J*cos(g) + eps*sin(f)^2*J\"\n"
+          "f = \"f' = J^2 + eps*sin(g)\"\ng = \"g' = 3 + K + eps*cos(f)*J\"\n");
+    write(scratch.path() / "systems/actions/scenes/s.toml",
+          "order = 1\noutputs = [\"J\"]\n[start]\nJ = 1\nK = \"1/5\"\nf = \"1/3\"\ng = 1\n");
+    const auto evaluated = [&](double limit) {
+        return run("resonform evaluate systems/actions/scenes/s.toml --eps 0.01 --t 20 --memory-limit 1000 "
+                   "--time-limit " +
+                       std::to_string(limit),
+                   scratch.path());
+    };
+    const Outcome done = evaluated(60);
+    ASSERT_EQ(done.code, 0) << done.err;
+    EXPECT_NEAR(std::stod(done.out.substr(done.out.find("\n20,") + 4)), 1.0028991538, 1e-3) << done.out;
+    const std::string step =
+        "found: weight 3 reached and certified, the evaluator, from the start values on, "
+        "under way\n";
+    std::string said;
+    for (double limit = 0.1; limit < 60 && said.find(step) == std::string::npos; limit *= 1.4)
+        said = evaluated(limit).err;
+    EXPECT_NE(said.find(step), std::string::npos) << said;
 }
 
 // However quick it is: the memory is looked at when all is derived.

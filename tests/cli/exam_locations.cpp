@@ -44,6 +44,13 @@ TEST(Locations, ASystemHasTheNameOfItsFolder) {
     EXPECT_FALSE(fs::exists(scratch.path() / "generated/swing_copy"));
 }
 
+TEST(Locations, AFolderWhoseNameNoSystemCanHaveIsRenamed) {
+    const Scratch scratch;
+    write_system(scratch.path(), "my swing");
+    const Outcome list = run("resonform list", scratch.path());
+    EXPECT_NE(list.err.find("\n  mend:  rename the folder to swing\n"), std::string::npos) << list.err;
+}
+
 TEST(Locations, RegenerateGoesOnPastWhatIsBrokenAndEndsWithTheWorst) {
     const Scratch scratch;
     write_system(scratch.path(), "swing");

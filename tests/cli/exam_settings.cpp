@@ -3,6 +3,7 @@
 // ring holds as a power of a root.
 #include "support/command.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -78,6 +79,66 @@ TEST_F(Settings, StyleOfTheCommandLineStandsInPlaceOfThatOfTheFile) {
         EXPECT_EQ(refused.code, 2) << command;
         EXPECT_NE(refused.err.find("take style = \"poincare\""), std::string::npos) << refused.err;
     }
+}
+
+TEST_F(Settings, OptionsWithoutAnEffectAreBadInput) {
+    for (const char* stage :
+         {"equations", "expand", "manifold", "solution", "transgression", "normal_form"}) {
+        const Outcome graph = said(std::string("derive two --coefficients graph --stage ") + stage);
+        EXPECT_EQ(graph.code, 2) << stage;
+        EXPECT_NE(graph.err.find("--coefficients: coefficients in a graph go with"), std::string::npos)
+            << graph.err;
+    }
+    for (const char* stage : {"equations", "expand"})
+        for (const char* option : {"--style hamiltonian", "--coefficients ring"}) {
+            const Outcome outcome = said(fmt::format("derive two --stage {} {}", stage, option));
+            EXPECT_EQ(outcome.code, 2) << outcome.out;
+            EXPECT_NE(outcome.err.find(fmt::format("goes with a normal form, and --stage {}", stage)),
+                      std::string::npos)
+                << outcome.err;
+        }
+    EXPECT_EQ(said("derive two --stage divisors --coefficients graph").code, 0);
+}
+
+TEST_F(Settings, OfAParameterThatARelationGives) {
+    write(scratch_.path() / "systems/given/system.toml",
+          "[system]\nname = \"given\"\n[parameters]\na = {}\nb = { positive = true }\n[relations]\n"
+          "a = \"2*b\"\n[variables]\nx = { role = \"fast\" }\n[equations]\nx = \"x'' + b^2*x = a*x^2\"\n");
+    EXPECT_EQ(
+        said("derive given --set a=2").err,
+        "resonform: --set: a parameter that [relations] gives has no value of its own\n"
+        "  found: a = 2*b\n"
+        "  mend:  set the parameters on the right side, or take the relation from line 7 of the file\n");
+}
+
+TEST_F(Settings, ThatDivideByZeroAreBadInputWhereTheyDo) {
+    const std::string head = "[system]\nname = \"pole\"\n[parameters]\nw = { positive = true }\n[variables]\n"
+                             "x = { role = \"fast\" }\n[equations]\nx = ";
+    write(scratch_.path() / "systems/pole/system.toml", head + "\"x'' + w^2*x = x^2/(w - 3)\"\n");
+    EXPECT_EQ(
+        said("derive pole --set w=3").err,
+        "resonform: systems/pole/system.toml:8:6: equations.x: a denominator is not zero, nor a logarithm "
+        "of zero taken\n    x = \"x'' + w^2*x = x^2/(w - 3)\"\n         ^\n"
+        "  found: zero for w=3\n  mend:  set other values\n");
+    write(scratch_.path() / "systems/pole/system.toml",
+          head + "\"x'' + w^2*x = x^2\"\n[modes]\n"
+                 "z1 = { eigenvalue = \"I*w\", u = { x = \"1/2\", \"x'\" = \"I*w/(w - 3)\" } }\n");
+    const Outcome mode = said("derive pole --set w=3");
+    EXPECT_EQ(mode.code, 2);
+    EXPECT_NE(mode.err.find("modes.z1.u.x': a denominator is not zero"), std::string::npos) << mode.err;
+}
+
+TEST_F(Settings, TakeAllWordsBehindThem) {
+    const Outcome outcome = said("derive --set p=1 q=2 two --order 2");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("--set takes all words that follow it, and derive needs SYSTEM"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(
+        outcome.err.find("  found: --set p=1 q=2 two\n  mend:  write resonform derive SYSTEM --set ...\n"),
+        std::string::npos)
+        << outcome.err;
+    EXPECT_NE(printed("derive --help").find("Usage: resonform derive SYSTEM [OPTIONS]\n"), std::string::npos);
 }
 
 TEST_F(Settings, SmallDivisorsOfSymbolsAreNamed) {

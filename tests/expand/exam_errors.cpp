@@ -28,6 +28,14 @@ TEST(ExpandErrors, LinearPartsThatAreNotSemisimple) {
     }
 }
 
+TEST(ExpandErrors, ADoubleEigenvalueIsNamedByItsVariables) {
+    const std::string m = test::refusal("[system]\nname = \"s\"\n[variables]\ny = { role = \"fast\" }\n"
+                                        "h = { role = \"fast\" }\n[equations]\ny = \"y' = -y - h\"\n"
+                                        "h = \"h' = 4*y - 5*h + y^2\"\n",
+                                        Kind::refused);
+    EXPECT_TRUE(test::has(m, "found: two equal eigenvalues with one eigenvector: y, h\n"));
+}
+
 TEST(ExpandErrors, BlocksThatAreTooLarge) {
     const std::string m =
         test::refusal("[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\" }\ny = { role = "
