@@ -141,7 +141,8 @@ ProvedSign SignProver::sign(const ex& e, int comparisons) const {
     ProvedSign s = by_structure(e, comparisons);
     if (s != ProvedSign::positive) s = std::max(s, by_one_atom(e));
     if (s == ProvedSign::unknown) s = by_declaration(e, comparisons);
-    return s == ProvedSign::unknown ? by_pairs(e, comparisons) : s;
+    if (s == ProvedSign::unknown) s = by_pairs(e, comparisons);
+    return s == ProvedSign::unknown ? by_discriminant(e, comparisons) : s;
 }
 
 } // namespace resonform

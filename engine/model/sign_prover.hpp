@@ -44,6 +44,7 @@ private:
     ProvedSign by_one_atom(const GiNaC::ex& e) const;
     ProvedSign by_bounds(const GiNaC::ex& e, int comparisons) const;
     ProvedSign by_pairs(const GiNaC::ex& e, int comparisons) const;
+    ProvedSign by_discriminant(const GiNaC::ex& e, int comparisons) const;
     ProvedSign by_declaration(const GiNaC::ex& e, int comparisons) const;
     ProvedSign by_division(const GiNaC::ex& e, const GiNaC::ex& declared, int comparisons) const;
 

@@ -48,6 +48,8 @@ TEST_F(Positivity, Proves) {
                              "sqrt(p^2 + r) - p",
                              "sqrt(5) - sqrt(3)",
                              "13 + 12*q - 4*q^2",
+                             "tau^2 - 2*tau*k - 2*tau + 2 + 2*k + k^2",
+                             "(1 + k^2)*tau^2 + 2*k*tau + 1",
                              "log(2)",
                              "sin(1)",
                              "sin(pi/5)",
@@ -99,7 +101,9 @@ TEST_F(Positivity, Proves) {
 }
 
 TEST_F(Positivity, DoesNotClaim) {
-    for (const char* text : {"0",
+    for (const char* text : {"tau^2 - 2*tau*k - 2*tau + 1 + 2*k + k^2",
+                             "(1 + k^2)*tau^2 + 2*k*tau + 99/100",
+                             "0",
                              "-1",
                              "k",
                              "c",
