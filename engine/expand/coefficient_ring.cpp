@@ -182,7 +182,8 @@ int CoefficientRing::level_of(const ex& base) const {
     int level = 0;
     for (GiNaC::const_preorder_iterator it = base.preorder_begin(); it != base.preorder_end(); ++it) {
         if (is_a<GiNaC::power>(*it) && !it->op(1).info(GiNaC::info_flags::nonnegint))
-            if (const Base* inner = find_base(it->op(0))) level = std::max(level, inner->level + 1);
+            for (const ex& held : {it->op(0), (-it->op(0)).expand()}) // of either sign, as below
+                if (const Base* inner = find_base(held)) level = std::max(level, inner->level + 1);
         for (std::size_t k = 0; k < levels_.size(); ++k)
             if (it->is_equal(functions_->atoms()[k].symbol)) level = std::max(level, levels_[k] + 1);
     }

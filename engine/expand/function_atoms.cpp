@@ -314,7 +314,7 @@ private:
 
     ex arc_tangent(const ex& u) {
         if (u.is_zero()) return 0;
-        const bool turned = !is_a<GiNaC::add>(u) && cln::minusp(multiples(u).front().factor);
+        const bool turned = !is_a<GiNaC::add>(u) && spell(u).front() == '-';
         const ex chosen = is_a<GiNaC::add>(u) ? canonical_sign(u) : turned ? ex(-u) : u;
         const ex value = atom(Function::arc_tangent, GiNaC::atan(domain().meaning(chosen)), chosen);
         return chosen.is_equal(u) ? value : -value;

@@ -25,23 +25,18 @@ std::string spell_sum(const ex& e) {
     return text;
 }
 
-bool is_negative(const ex& term) {
-    if (is_a<GiNaC::mul>(term)) return is_negative(term.op(term.nops() - 1)); // a number stands last
-    return is_a<GiNaC::numeric>(term) && ex_to<GiNaC::numeric>(term).is_negative();
-}
-
-// The first term, numbers last, is negative.
+// The first term, numbers last, is negative. Signs are those of the spelling: of a/(b - c) the library may
+// hold -a/(c - b).
 bool begins_negative(const ex& sum) {
-    const auto rank = [](const ex& term) {
-        return std::make_pair(is_a<GiNaC::numeric>(term), spell(is_negative(term) ? ex(-term) : term));
-    };
     std::pair<bool, std::string> lowest{true, {}};
     bool negative = false;
     for (std::size_t k = 0; k < sum.nops(); ++k) {
-        auto here = rank(sum.op(k));
+        const std::string text = spell(sum.op(k));
+        const bool minus = text.front() == '-';
+        std::pair<bool, std::string> here{is_a<GiNaC::numeric>(sum.op(k)), text.substr(minus ? 1 : 0)};
         if (k > 0 && lowest < here) continue;
         lowest = std::move(here);
-        negative = is_negative(sum.op(k));
+        negative = minus;
     }
     return negative;
 }
