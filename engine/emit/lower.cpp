@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/lower.hpp"
 
-#include "algebra/error.hpp"
 #include "emit/display.hpp"
 #include "emit/divisor_fractions.hpp"
 #include "emit/spelling.hpp"

@@ -120,13 +120,13 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     const auto put_into = [&](ex& e, const Place& place) { put_regularly(e, values, place, option); };
     for (Equation& equation : system.equations) put_into(equation.residual, place_of(equation.source));
     if (system.hamiltonian) put_into(system.hamiltonian->energy, place_of(system.hamiltonian->source));
+    const auto put_into_number = [&](GivenNumber& number) {
+        put_into(number.re, place_of(number.source));
+        put_into(number.im, place_of(number.source));
+    };
     for (GivenMode& mode : system.modes) {
-        put_into(mode.eigenvalue.re, place_of(mode.eigenvalue.source));
-        put_into(mode.eigenvalue.im, place_of(mode.eigenvalue.source));
-        for (GivenMode::Entry& entry : mode.column) {
-            put_into(entry.value.re, place_of(entry.value.source));
-            put_into(entry.value.im, place_of(entry.value.source));
-        }
+        put_into_number(mode.eigenvalue);
+        for (GivenMode::Entry& entry : mode.column) put_into_number(entry.value);
     }
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
     system.settings.insert(system.settings.end(), settings.begin(), settings.end());
