@@ -225,7 +225,7 @@ TEST(Numbers, WhatCannotBeToldFromZeroIsRefusedOrKeptNear) {
 
 // The force is even in x and w, so that the mode x - w has none: the balls of its coefficients hold zero.
 TEST(Numbers, WhatIsZeroForItsStructureHasNoRecord) {
-    const std::string chain = fast(
+    const std::string system = fast(
         {{"x", "x'' = -2*x + y + (x+w)^2"}, {"y", "y'' = x - 2*y + w"}, {"w", "w'' = y - 2*w + (x+w)^2"}});
     const auto records = [](const Normalization& n) {
         std::set<std::pair<std::string, std::vector<int>>> all;
@@ -237,8 +237,8 @@ TEST(Numbers, WhatIsZeroForItsStructureHasNoRecord) {
         }
         return all;
     };
-    const auto exact = records(normalize_poincare(field_of(chain, 0), 3));
-    EXPECT_EQ(records(normalized(chain, 3, 20).n), exact);
+    const auto exact = records(normalize_poincare(field_of(system, 0), 3));
+    EXPECT_EQ(records(normalized(system, 3, 20).n), exact);
     EXPECT_EQ(exact.count({"z3 removed", {2, 0, 0, 0, 0, 0, 0}}), 0U);
 }
 
