@@ -32,7 +32,12 @@ std::vector<Polynomial> Vanishing::factors(const Polynomial& p) {
 
 DisplaySum display_without_sign(const Ring& ring, const Polynomial& p) {
     DisplaySum sum = display(ring, p);
-    return spell(sum, text_spelling()).front() == '-' ? display(ring, -p) : sum;
+    const auto begins_with_minus = [&] { return spell(sum, text_spelling()).front() == '-'; };
+    if (begins_with_minus() && cln::minusp(sum.terms.front().coefficient)) sum = -sum;
+    if (!begins_with_minus() || sum.terms.size() != 1 || !is_bare_sum(sum.terms.front())) return sum;
+    DisplaySum& inside = sum.terms.front().factors.front().arguments.front(); // of -c + 1, held as (-c + 1)
+    inside = -inside;
+    return sum;
 }
 
 } // namespace resonform

@@ -44,5 +44,16 @@ TEST(ResonanceSurfaces, OfTwoEquationsAreOneLineEach) {
     EXPECT_NE(printed_surfaces(Format::latex).find(" d &= 0 \\quad\\text{and}\\quad "), std::string::npos);
 }
 
+// The ring has learned 1 - c; the equation begins with c.
+TEST(ResonanceSurfaces, BeginWithoutAMinus) {
+    const Normalization n = normalize_poincare(
+        test::field_from(
+            "[system]\nname = \"test\"\n[variables]\nf = { role = \"angle\" }\n"
+            "c = { role = \"slow\" }\n[equations]\nf = \"f' = c - 1\"\nc = \"c' = eps*cos(f)\"\n"),
+        1);
+    const std::string text = print_divisors(*n.normal_form.field, n.divisors, 1, Format::text);
+    EXPECT_NE(text.find("resonance surfaces:\n  c - 1 = 0\n"), std::string::npos) << text;
+}
+
 } // namespace
 } // namespace resonform
