@@ -142,7 +142,7 @@ ProvedSign SignProver::sign(const ex& e, int comparisons) const {
     if (s != ProvedSign::positive) s = std::max(s, by_one_atom(e));
     if (s == ProvedSign::unknown) s = by_declaration(e, comparisons);
     if (s == ProvedSign::unknown) s = by_pairs(e, comparisons);
-    return s == ProvedSign::unknown ? by_discriminant(e, comparisons) : s;
+    return s == ProvedSign::positive ? s : std::max(s, by_discriminant(e, comparisons));
 }
 
 } // namespace resonform

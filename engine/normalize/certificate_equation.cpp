@@ -207,16 +207,17 @@ private:
         Slot total = program_.number(0), power = program_.number(1);
         Rational factorial = 1;
         const GiNaC::ex& u = call.argument;
-        for (int k = 0; roots_.knows(call.name, call.derivative + k); ++k) {
+        for (int k = 0;; ++k) {
+            const GiNaC::ex slope_at_u = named_function(call.name, call.derivative + k, u);
+            if (!roots_.knows(slope_at_u, equation_)) return total;
             if (k > 0) {
                 power = program_.multiply(power, rest);
                 factorial = factorial * k;
             }
-            const Slot slope = value_at_origin(named_function(call.name, call.derivative + k, u));
+            const Slot slope = value_at_origin(slope_at_u);
             total = program_.add(
                 total, program_.multiply(program_.number(1 / factorial), program_.multiply(slope, power)));
         }
-        return total;
     }
 
     // Of a function at weight 0; a slow variable there is the new one.

@@ -41,10 +41,19 @@ void CertificateRoots::refuse_function(const ex& function, const Equation& equat
                 equation);
 }
 
-bool CertificateRoots::knows(const std::string& named, int derivative) const {
-    return std::any_of(functions_.begin(), functions_.end(), [&](const FunctionAtom& f) {
-        return f.of.function == Function::named && f.of.symbol == named && f.of.derivative == derivative;
+// nullptr: the ring does not hold it.
+const CertificateRoots::FunctionAtom* CertificateRoots::find_named(const ex& e, const Equation& equation) {
+    const NamedCall call = named_call(e);
+    const ex u = lowered(with_symbols(e.op(0), equation).normal());
+    const auto found = std::find_if(functions_.begin(), functions_.end(), [&](const FunctionAtom& f) {
+        return f.of.function == Function::named && f.of.symbol == call.name &&
+               f.of.derivative == call.derivative && (f.argument - u).normal().is_zero();
     });
+    return found == functions_.end() ? nullptr : &*found;
+}
+
+bool CertificateRoots::knows(const ex& named, const Equation& equation) {
+    return find_named(named.subs(origin_, GiNaC::subs_options::no_pattern), equation) != nullptr;
 }
 
 const CertificateRoots::FunctionAtom& CertificateRoots::atom(GeneratorId id) const {
@@ -69,15 +78,11 @@ ex CertificateRoots::lowered(const ex& e) const {
 }
 
 ex CertificateRoots::function_with_symbols(const ex& e, const Equation& equation) {
-    const ex u = lowered(with_symbols(e.op(0), equation).normal());
     if (is_named(e)) {
-        const NamedCall call = named_call(e);
-        for (const FunctionAtom& f : functions_)
-            if (f.of.function == Function::named && f.of.symbol == call.name &&
-                f.of.derivative == call.derivative && (f.argument - u).normal().is_zero())
-                return f.symbol;
+        if (const FunctionAtom* f = find_named(e, equation)) return f->symbol;
         refuse_function(e, equation);
     }
+    const ex u = lowered(with_symbols(e.op(0), equation).normal());
     const auto half_sum = [&](int sign) {
         const ex up = exponential(u, equation);
         return ex((up + sign / up) / 2);

@@ -39,7 +39,7 @@ public:
     // The generator that a symbol in this expression stands for, or the number pi.
     [[nodiscard]] std::optional<GeneratorId> generator_of(const GiNaC::ex& symbol) const;
     // Has the ring this derivative of a function that is known by its name only?
-    [[nodiscard]] bool knows(const std::string& named, int derivative) const;
+    [[nodiscard]] bool knows(const GiNaC::ex& named, const Equation& equation);
 
 private:
     struct Root {
@@ -99,6 +99,7 @@ private:
     [[nodiscard]] GiNaC::ex logarithm_of_number(GiNaC::ex& rest) const;
     [[noreturn]] void refuse_function(const GiNaC::ex& function, const Equation& equation) const;
     [[nodiscard]] GiNaC::ex lowered(const GiNaC::ex& e) const;
+    [[nodiscard]] const FunctionAtom* find_named(const GiNaC::ex& e, const Equation& equation);
     [[nodiscard]] const FunctionAtom& atom(GeneratorId id) const;
 
     const GradedField* field_;
