@@ -7,27 +7,27 @@ namespace resonform {
 
 namespace {
 
-Coefficients without_leading_zeros(Coefficients p) {
+UnivariatePolynomial without_leading_zeros(UnivariatePolynomial p) {
     while (!p.empty() && cln::zerop(p.back())) p.pop_back();
     return p;
 }
 
 int sign_of(const Rational& r) { return cln::plusp(r) ? 1 : cln::minusp(r) ? -1 : 0; }
 
-int sign_at_point(const Coefficients& p, const Rational& x) {
+int sign_at_point(const UnivariatePolynomial& p, const Rational& x) {
     Rational value = 0;
     for (auto c = p.rbegin(); c != p.rend(); ++c) value = value * x + *c;
     return sign_of(value);
 }
 
-Coefficients slope_of(const Coefficients& p) {
-    Coefficients slope;
+UnivariatePolynomial slope_of(const UnivariatePolynomial& p) {
+    UnivariatePolynomial slope;
     for (std::size_t k = 1; k < p.size(); ++k) slope.push_back(static_cast<unsigned long>(k) * p[k]);
     return slope;
 }
 
 // Times a positive number, so that the coefficients are coprime integers.
-Coefficients whole_multiple(Coefficients p) {
+UnivariatePolynomial whole_multiple(UnivariatePolynomial p) {
     Integer numerators = 0, denominators = 1;
     for (const Rational& c : p) {
         numerators = cln::gcd(numerators, cln::numerator(c));
@@ -39,10 +39,10 @@ Coefficients whole_multiple(Coefficients p) {
 }
 
 struct DividedPolynomial {
-    Coefficients quotient, rest;
+    UnivariatePolynomial quotient, rest;
 };
 
-DividedPolynomial long_division(Coefficients p, const Coefficients& by) {
+DividedPolynomial long_division(UnivariatePolynomial p, const UnivariatePolynomial& by) {
     DividedPolynomial result;
     if (p.size() >= by.size()) result.quotient.resize(p.size() - by.size() + 1);
     while (p.size() >= by.size()) {
@@ -57,18 +57,18 @@ DividedPolynomial long_division(Coefficients p, const Coefficients& by) {
     return result;
 }
 
-Coefficients convolution(const Coefficients& a, const Coefficients& b) {
-    Coefficients product(a.size() + b.size() - 1, 0);
+UnivariatePolynomial convolution(const UnivariatePolynomial& a, const UnivariatePolynomial& b) {
+    UnivariatePolynomial product(a.size() + b.size() - 1, 0);
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t k = 0; k < b.size(); ++k) product[i + k] = product[i + k] + a[i] * b[k];
     return product;
 }
 
 // p, p', and the negatives of what is left in turn; the last one is the common divisor of p and p'.
-std::vector<Coefficients> sturm_chain(const Coefficients& p) {
-    std::vector<Coefficients> chain{whole_multiple(p), whole_multiple(slope_of(p))};
+std::vector<UnivariatePolynomial> sturm_chain(const UnivariatePolynomial& p) {
+    std::vector<UnivariatePolynomial> chain{whole_multiple(p), whole_multiple(slope_of(p))};
     while (!chain.back().empty()) {
-        Coefficients rest = whole_multiple(long_division(chain[chain.size() - 2], chain.back()).rest);
+        UnivariatePolynomial rest = whole_multiple(long_division(chain[chain.size() - 2], chain.back()).rest);
         for (Rational& c : rest) c = -c;
         chain.push_back(std::move(rest));
     }
@@ -77,14 +77,14 @@ std::vector<Coefficients> sturm_chain(const Coefficients& p) {
 }
 
 // With each root once. p is no constant.
-Coefficients squarefree(const Coefficients& p) {
+UnivariatePolynomial squarefree(const UnivariatePolynomial& p) {
     return whole_multiple(long_division(p, sturm_chain(p).back()).quotient);
 }
 
 // Points that are no roots, with one real root between neighbours, none outside.
 class RootSeparation {
 public:
-    explicit RootSeparation(const Coefficients& p) : p_(p), chain_(sturm_chain(p)) {
+    explicit RootSeparation(const UnivariatePolynomial& p) : p_(p), chain_(sturm_chain(p)) {
         const Rational bound = bound_of_roots();
         points_.push_back(-bound);
         separate(-bound, bound, changes_at(-bound) - changes_at(bound));
@@ -101,7 +101,7 @@ private:
 
     [[nodiscard]] int changes_at(const Rational& x) const {
         int changes = 0, last = 0;
-        for (const Coefficients& p : chain_) {
+        for (const UnivariatePolynomial& p : chain_) {
             const int sign = sign_at_point(p, x);
             if (sign != 0 && sign == -last) ++changes;
             if (sign != 0) last = sign;
@@ -119,14 +119,14 @@ private:
         separate(between, high, roots - below);
     }
 
-    const Coefficients& p_;
-    std::vector<Coefficients> chain_;
+    const UnivariatePolynomial& p_;
+    std::vector<UnivariatePolynomial> chain_;
     std::vector<Rational> points_;
 };
 
 // One of the polynomials, with what its signs at roots are told by.
 struct SignedPolynomial {
-    Coefficients polynomial, simple; // simple: with each root once
+    UnivariatePolynomial polynomial, simple; // simple: with each root once
 
     // At the only root of any of them between two points.
     [[nodiscard]] int sign_between(const Rational& low, const Rational& high) const {
@@ -135,19 +135,19 @@ struct SignedPolynomial {
     }
 };
 
-SignedPolynomial with_signs(Coefficients p) {
+SignedPolynomial with_signs(UnivariatePolynomial p) {
     p = without_leading_zeros(std::move(p));
-    Coefficients simple = p.size() > 1 ? squarefree(p) : p;
+    UnivariatePolynomial simple = p.size() > 1 ? squarefree(p) : p;
     return {std::move(p), std::move(simple)};
 }
 
 } // namespace
 
-SignSet signs_where(const Coefficients& p, const std::vector<SignCondition>& conditions) {
+SignSet signs_where(const UnivariatePolynomial& p, const std::vector<SignCondition>& conditions) {
     const SignedPolynomial asked = with_signs(p);
     std::vector<SignedPolynomial> given;
     for (const SignCondition& c : conditions) given.push_back(with_signs(c.polynomial));
-    Coefficients all{0, 1}; // has a root for sure
+    UnivariatePolynomial all{0, 1}; // has a root for sure
     if (asked.simple.size() > 1) all = convolution(all, asked.simple);
     for (const SignedPolynomial& c : given)
         if (c.simple.size() > 1) all = convolution(all, c.simple);

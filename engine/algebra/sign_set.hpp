@@ -10,7 +10,7 @@
 
 namespace resonform {
 
-using Coefficients = std::vector<Rational>; // of 1, x, x^2, ...
+using UnivariatePolynomial = std::vector<Rational>; // of 1, x, x^2, ...
 
 struct SignSet {
     bool negative = false, zero = false, positive = false;
@@ -20,12 +20,12 @@ struct SignSet {
 };
 
 struct SignCondition { // p > 0, or p >= 0
-    Coefficients polynomial;
+    UnivariatePolynomial polynomial;
     bool strict = true;
 };
 
 // Of p at the real x at which all conditions hold; empty: at none do they.
 // Cost: that of separating the real roots of the product of all polynomials.
-SignSet signs_where(const Coefficients& p, const std::vector<SignCondition>& conditions);
+SignSet signs_where(const UnivariatePolynomial& p, const std::vector<SignCondition>& conditions);
 
 } // namespace resonform

@@ -10,7 +10,7 @@
 namespace resonform {
 namespace {
 
-std::string signs(const Coefficients& p, const std::vector<SignCondition>& conditions = {}) {
+std::string signs(const UnivariatePolynomial& p, const std::vector<SignCondition>& conditions = {}) {
     const SignSet set = signs_where(p, conditions);
     return std::string(set.negative ? "-" : "") + (set.zero ? "0" : "") + (set.positive ? "+" : "");
 }
@@ -36,9 +36,9 @@ TEST(SignSet, OfRandomProducts) {
     std::mt19937 random(7);
     const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
     const auto product = [&](const std::vector<int>& roots) { // of halves
-        Coefficients p{1};
+        UnivariatePolynomial p{1};
         for (const int root : roots) {
-            Coefficients longer(p.size() + 1, 0);
+            UnivariatePolynomial longer(p.size() + 1, 0);
             for (std::size_t k = 0; k < p.size(); ++k) {
                 longer[k + 1] = longer[k + 1] + p[k];
                 longer[k] = longer[k] - Rational(root) / 2 * p[k];
