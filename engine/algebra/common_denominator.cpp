@@ -40,7 +40,7 @@ bool is_zero(const FractionProduct& p) {
     return p.left->size() == 0 || p.right->size() == 0 || cln::zerop(p.factor);
 }
 
-// Small enough for products of three to be seen to overflow.
+// Below 2^61: products of two are formed in two words and looked at.
 std::optional<std::int64_t> in_word(const Integer& n) {
     return cln::integer_length(n) < 62 ? std::optional<std::int64_t>(cln::cl_I_to_long(n)) : std::nullopt;
 }

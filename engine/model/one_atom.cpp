@@ -38,7 +38,7 @@ public:
     [[nodiscard]] const ex& kind() const { return met_.front(); }
 
     // Of the same sign as e wherever e has a value.
-    [[nodiscard]] std::optional<Coefficients> polynomial(const ex& e) const {
+    [[nodiscard]] std::optional<UnivariatePolynomial> polynomial(const ex& e) const {
         const Atom own = of(e).value_or(Atom{});
         for (const ex& met : own.met_)
             if (by_t_.find(met) == by_t_.end()) return std::nullopt;
@@ -46,7 +46,7 @@ public:
         const ex fraction = e.subs(by_t_, GiNaC::subs_options::no_pattern).normal().numer_denom();
         const ex p = (fraction.op(0) * fraction.op(1)).expand();
         if (!p.is_polynomial(t_) || p.degree(t_) > highest_power) return std::nullopt;
-        Coefficients result;
+        UnivariatePolynomial result;
         for (int k = 0; k <= p.degree(t_); ++k) {
             const ex c = p.coeff(t_, k);
             if (!c.info(GiNaC::info_flags::rational)) return std::nullopt;
