@@ -181,7 +181,7 @@ ex CertificateRoots::circular(const ex& u, bool cosine, const Equation& equation
 ex CertificateRoots::logarithm(const ex& u, const Equation& equation) const {
     auto [above, below] = rationalised(without_whole_powers(u));
     above = above.expand();
-    const ex sum = logarithm_of_factors(above) - logarithm_of_factors(below);
+    ex sum = logarithm_of_factors(above) - logarithm_of_factors(below);
     if (!above.is_equal(below)) refuse_function(GiNaC::log(u), equation);
     return sum;
 }
