@@ -155,14 +155,14 @@ ProvedSign SignProver::by_pairs(const ex& e, int comparisons) const {
 // a x^2 + b x + c with a > 0 has the sign of 4 a c - b^2, where that is not negative: 1 + (s - 1 - k)^2 when
 // it is multiplied out.
 ProvedSign SignProver::by_discriminant(const ex& e, int comparisons) const {
-    if (comparisons == 0 || !GiNaC::is_a<GiNaC::add>(e) || !is_comparable(e)) return ProvedSign::unknown;
+    if (comparisons < 2 || !GiNaC::is_a<GiNaC::add>(e) || !is_comparable(e)) return ProvedSign::unknown;
     const ex sum = e.expand();
     if (sum.nops() > largest_compared) return ProvedSign::unknown;
     const auto of_quadratic = [&](const ex& x) {
         if (!sum.is_polynomial(x) || sum.degree(x) != 2) return ProvedSign::unknown;
         const ex a = sum.coeff(x, 2), b = sum.coeff(x, 1), c = sum.coeff(x, 0);
-        if (sign(a, comparisons - 1) != ProvedSign::positive || !real(b)) return ProvedSign::unknown;
-        return sign((4 * a * c - b * b).expand(), comparisons - 1);
+        if (sign(a, comparisons - 2) != ProvedSign::positive || !real(b)) return ProvedSign::unknown;
+        return sign((4 * a * c - b * b).expand(), comparisons - 2);
     };
     for (const Parameter& p : system_.parameters)
         if (const ProvedSign s = of_quadratic(p.symbol); s != ProvedSign::unknown) return s;

@@ -83,7 +83,7 @@ private:
 TEST(ProvedSigns, HoldAtRandomPoints) {
     RandomExpressions random;
     int proved = 0;
-    for (int trial = 0; trial < 90; ++trial) {
+    for (int trial = 0; trial < 60; ++trial) {
         const std::string text = trial % 2 == 0 ? random.difference() : random.sum(trial % 3);
         const GiNaC::ex e = random.read(text);
         const bool positive = provably_positive(e, random.system());
@@ -103,7 +103,7 @@ TEST(ProvedSigns, HoldAtRandomPoints) {
             }
         }
     }
-    EXPECT_GT(proved, 15);
+    EXPECT_GT(proved, 10);
 }
 
 } // namespace
