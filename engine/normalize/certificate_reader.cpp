@@ -19,8 +19,7 @@ ExponentReader::ExponentReader(const Ring& ring, const std::vector<GeneratorId>&
 }
 
 int ExponentReader::read(const Monomial& m) {
-    int from = started_ ? words_ : 0; // all words count as new the first time
-    started_ = true;
+    int from = words_;
     for (int word = words_; word-- > 0;) {
         const auto w = static_cast<std::size_t>(word);
         if (m.word[w] == last_.word[w]) continue;
@@ -28,7 +27,7 @@ int ExponentReader::read(const Monomial& m) {
         decode(m, word);
     }
     last_ = m;
-    return from;
+    return std::exchange(started_, true) ? from : 0; // all words count as new the first time
 }
 
 void ExponentReader::decode(const Monomial& m, int word) {

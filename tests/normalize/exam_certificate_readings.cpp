@@ -47,6 +47,39 @@ TEST(PointReadings, PointsReadTogetherOrAloneAgree) {
     EXPECT_GT(nonzero, 100U);
 }
 
+// Whatever word of a monomial its first generator stands in.
+TEST(PointReader, ReadsEachGeneratorAsTheFirst) {
+    const auto field = test::pendulum();
+    const Ring& ring = *field->ring;
+    const Point point = PointSampler(ring, 4).next();
+    const Montgomery montgomery(point.field);
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Polynomial generator = Polynomial::from_terms({{ring.monomial(id), 1}});
+        PointReader reader(ring, {&point, 1});
+        const std::vector<Residue> terms = reader.terms(generator.fractions());
+        ASSERT_EQ(terms.size(), 1U);
+        EXPECT_EQ(montgomery.leave(terms[0]), point.values[static_cast<std::size_t>(id)])
+            << ring.generator(id).name;
+    }
+}
+
+// Series that agree in their first words are told apart all the same.
+TEST(Survey, OfOneSeriesAfterAnother) {
+    const auto field = test::pendulum();
+    const Ring& ring = *field->ring;
+    Surveyor surveys(ring);
+    const auto z1 = static_cast<std::size_t>(*ring.find("z1"));
+    std::vector<Series> all; // each is known by its place
+    for (const char* parameter : {"r", "v", "xi"})
+        all.push_back(Series({Polynomial{}, Polynomial{}, monomial(ring, {{"z1", 2}, {parameter, 1}})}));
+    for (const Series& series : all) {
+        const Survey survey = Surveyor(ring)(series), again = surveys(series);
+        EXPECT_EQ(again.exponents[z1].highest, 2);
+        EXPECT_EQ(again.size.degree, survey.size.degree);
+        EXPECT_TRUE(again.homogeneous);
+    }
+}
+
 // 3/4 z1^2/r - 5/6 z1 z2 xi, then 7 eps z1^3
 TEST(Survey, TellsExponentsWeightsAndSize) {
     const auto field = test::pendulum();
