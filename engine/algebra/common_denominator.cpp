@@ -112,9 +112,9 @@ void CommonDenominator::fill(const std::vector<FractionProduct>& products) {
             whole_.push_back(whole_product(*p.left, *p.right, *word));
             continue;
         }
-        const bool swap = p.right->size() < p.left->size();
-        scaled_.push_back(times(swap ? *p.right : *p.left, factor));
-        whole_.push_back(whole_product(scaled_.back(), swap ? *p.left : *p.right, 1));
+        const WholeProduct plain = whole_product(*p.left, *p.right, 1);
+        scaled_.push_back(times(*plain.left, factor));
+        whole_.push_back(whole_product(scaled_.back(), *plain.right, 1));
     }
 }
 

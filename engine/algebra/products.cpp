@@ -234,9 +234,10 @@ Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t wi
     return std::move(sums).numerators(std::move(table).monomials());
 }
 
-// The bits of the sums; factors are 1 unless they fit words.
-Fractions sum_over(const std::vector<WholeProduct>& products, std::size_t bits, const Share& share) {
-    if (!fits_words(products, bits)) return sum_in_limbs(products, (bits + 63) / 64, share);
+// The bits of the sums, and fits_words; factors are 1 unless it holds.
+Fractions sum_over(const std::vector<WholeProduct>& products, std::size_t bits, bool in_words,
+                   const Share& share) {
+    if (!in_words) return sum_in_limbs(products, (bits + 63) / 64, share);
     return bits <= 64 ? sum_in_words<std::int64_t>(products, share) : sum_in_words<Wide>(products, share);
 }
 
@@ -273,10 +274,10 @@ int dividing_field(const Packing& packing, const std::vector<WholeProduct>& prod
 // Two threads collect disjoint shares of the monomials, so that nothing has to be merged. They meet the
 // numbers of GMP only: those of CLN count their references without locks.
 Fractions sum_in_two_threads(const Packing& packing, const std::vector<WholeProduct>& products,
-                             std::size_t bits) {
+                             std::size_t bits, bool in_words) {
     const int field = dividing_field(packing, products);
     const auto collect = [&](unsigned parity) {
-        return sum_over(products, bits, Share(packing, field, parity));
+        return sum_over(products, bits, in_words, Share(packing, field, parity));
     };
     std::future<Fractions> other = std::async(std::launch::async, collect, 1U);
     Fractions result = collect(0);
@@ -297,8 +298,8 @@ Fractions sum_of_products(const std::vector<FractionProduct>& products, const Pa
     if (!in_words) common.multiply_factors();
     Fractions result = in_words && is_multiple_of_term(whole) ? shifted(whole.front(), bits)
                        : packing != nullptr && is_worth_two_threads(whole)
-                           ? sum_in_two_threads(*packing, whole, bits)
-                           : sum_over(whole, bits, Share());
+                           ? sum_in_two_threads(*packing, whole, bits, in_words)
+                           : sum_over(whole, bits, in_words, Share());
     result.denominator = common.denominator();
     return result;
 }
@@ -306,7 +307,8 @@ Fractions sum_of_products(const std::vector<FractionProduct>& products, const Pa
 Fractions collected(const Fractions& f) {
     const Fractions one = constant_fraction(1);
     const std::size_t bits = f.bits() + static_cast<std::size_t>(std::bit_width(f.size())) + 1;
-    Fractions result = sum_over({whole_product(one, f, 1)}, bits, Share());
+    const std::vector<WholeProduct> whole{whole_product(one, f, 1)};
+    Fractions result = sum_over(whole, bits, fits_words(whole, bits), Share());
     result.denominator = f.denominator;
     return result;
 }
