@@ -9,10 +9,14 @@ find_package(fmt REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(SUNDIALS REQUIRED)
 find_package(Boost REQUIRED)
 find_library(RESONFORM_FLINT flint REQUIRED) # neither has a pkg-config file in Debian 12
 find_library(RESONFORM_ARB flint-arb REQUIRED)
+# SUNDIALS' own package asks for OpenMP and MPI, which none of these parts uses and clang lacks on a bare machine.
+foreach(part cvode nvecserial sunmatrixdense sunlinsoldense)
+    find_library(RESONFORM_SUNDIALS_${part} sundials_${part} REQUIRED)
+    list(APPEND RESONFORM_SUNDIALS ${RESONFORM_SUNDIALS_${part}})
+endforeach()
 find_library(RESONFORM_QD qd REQUIRED) # its pkg-config file of Debian 12 is broken: -I.../$fortran
 
 # libquadmath belongs to GCC: clang has neither its header's folder nor its library on its paths.

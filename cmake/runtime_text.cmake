@@ -3,7 +3,7 @@
 # these texts and one that includes the headers go together in one program, in any order.
 function(add_runtime_text target)
     set(literals "")
-    foreach(header status float128 math twice panels table flow interval layer phase)
+    foreach(header status float128 math scaled twice panels table flow interval layer phase)
         set(file ${CMAKE_SOURCE_DIR}/engine/runtime/${header}.hpp)
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
         file(READ ${file} text)

@@ -31,18 +31,13 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-std::string shortened(std::string_view text, std::size_t longest) {
-    if (text.size() <= longest) return printable(text);
-    return printable(text.substr(0, whole(text, longest))) + " ...";
-}
-
 std::string location(const Place& place) {
-    std::string out = shortened(place.file, longest_field);
+    std::string out = shown(place.file);
     if (place.line > 0) {
         out += (out.empty() ? "line " : ":") + std::to_string(place.line);
         if (place.column > 0) out += ":" + std::to_string(place.column);
     }
-    if (!place.key.empty()) out += (out.empty() ? "" : ": ") + shortened(place.key, longest_field);
+    if (!place.key.empty()) out += (out.empty() ? "" : ": ") + shown(place.key);
     return out;
 }
 
@@ -66,13 +61,43 @@ std::string marked_line(const Place& place) {
 
 } // namespace
 
+std::string shown(std::string_view text) {
+    if (text.size() <= longest_field) return printable(text);
+    return printable(text.substr(0, whole(text, longest_field))) + " ...";
+}
+
+const char* to_string(Reason reason, Kind kind) {
+    switch (reason) {
+    case Reason::by_kind: break;
+    case Reason::command_line: return "command_line";
+    case Reason::file: return "file";
+    case Reason::syntax: return "syntax";
+    case Reason::name: return "name";
+    case Reason::undecided: return "undecided";
+    case Reason::eigenvalues: return "eigenvalues";
+    case Reason::size: return "size";
+    case Reason::time: return "time";
+    case Reason::memory: return "memory";
+    case Reason::terms: return "terms";
+    case Reason::integration: return "integration";
+    case Reason::compiler: return "compiler";
+    case Reason::fault: return "fault";
+    }
+    switch (kind) {
+    case Kind::check_failed: return "certificate";
+    case Kind::bad_input: return "value";
+    case Kind::refused: break;
+    }
+    return "unsupported";
+}
+
 std::string to_string(const Diagnostic& diagnostic) {
     std::string out = location(diagnostic.place);
     if (!out.empty()) out += ": ";
-    out += shortened(diagnostic.rule, longest_field);
+    out += shown(diagnostic.rule);
     if (!diagnostic.place.source_line.empty()) out += marked_line(diagnostic.place);
-    if (!diagnostic.value.empty()) out += "\n  found: " + shortened(diagnostic.value, longest_field);
-    if (!diagnostic.mend.empty()) out += "\n  mend:  " + shortened(diagnostic.mend, longest_field);
+    if (!diagnostic.value.empty()) out += "\n  found: " + shown(diagnostic.value);
+    if (!diagnostic.mend.empty()) out += "\n  mend:  " + shown(diagnostic.mend);
     if (out.size() > longest_message) out = out.substr(0, whole(out, longest_message - 4)) + " ...";
     return out;
 }

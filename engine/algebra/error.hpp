@@ -5,14 +5,35 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace resonform {
 
 // Exit codes of the command (docs/file_formats.md): the kind of an error decides the code.
 enum class Kind {
-    bad_input = 2, // the user's file, expression or command line breaks a rule
-    refused = 3,   // the input is meaningful but the answer cannot be given honestly
+    check_failed = 1, // the second route contradicts the first: nothing derived from it may be used
+    bad_input = 2,    // the user's file, expression or command line breaks a rule
+    refused = 3,      // the input is meaningful but the answer cannot be given honestly
+};
+
+// Why, in one word for programs: the closed list of docs/file_formats.md (resonform.error/1). The place of
+// an error says the rest, so most are by_kind: `value` of bad input, `unsupported` of a refusal.
+enum class Reason {
+    by_kind,
+    command_line, // words or values of the command line
+    file,         // something cannot be found, read or written
+    syntax,       // neither TOML nor an expression
+    name,         // an unknown key or symbol
+    undecided,    // neither zero nor nonzero, or of no sign, as far as can be proved
+    eigenvalues,  // they have no closed form
+    size,         // more symbols, larger exponents, ... than a representation holds
+    time,         // --time-limit
+    memory,       // --memory-limit
+    terms,        // --term-limit
+    integration,  // the direct integration does not get to the end, or has no start
+    compiler,     // of emitted code: absent, ended, or dissatisfied
+    fault,        // of the engine
 };
 
 // Where the offending text stands. Empty members are unknown and are not printed.
@@ -30,10 +51,16 @@ struct Diagnostic {
     std::string value;
     std::string mend;
     Place place;
+    Reason reason = Reason::by_kind;
 };
 
 // Renders a diagnostic as one message of at most 2 kB.
 std::string to_string(const Diagnostic& diagnostic);
+
+// User text as it is shown: of moderate length, without control characters.
+std::string shown(std::string_view text);
+
+const char* to_string(Reason reason, Kind kind);
 
 class Error : public std::runtime_error {
 public:
@@ -49,7 +76,15 @@ private:
 };
 
 [[noreturn]] inline void bad_input(Diagnostic d) { throw Error(Kind::bad_input, std::move(d)); }
+[[noreturn]] inline void bad_input(Reason reason, Diagnostic d) {
+    d.reason = reason;
+    bad_input(std::move(d));
+}
 [[noreturn]] inline void refuse(Diagnostic d) { throw Error(Kind::refused, std::move(d)); }
+[[noreturn]] inline void refuse(Reason reason, Diagnostic d) {
+    d.reason = reason;
+    refuse(std::move(d));
+}
 
 // Runs `work`. A complaint of it that knows no place gets this one.
 template <class Work> decltype(auto) at_place(const Place& place, const Work& work) {

@@ -39,7 +39,8 @@ Polynomial written_out(const Ring& ring, const Polynomial& p, GeneratorId root) 
     int n = 0;
     for (auto& group : by_power) {
         for (; n < group.first; ++n) power = product(ring, power, g.radicand);
-        total = total + product(ring, power, Polynomial::from_terms(std::move(group.second)));
+        const Polynomial part = Polynomial::from_terms(std::move(group.second));
+        total = total + (n == 0 ? part : product(ring, power, part));
     }
     return total;
 }
@@ -49,13 +50,19 @@ std::vector<Factored> split(const Ring& ring, const std::vector<Factored>& parts
     const int k = ring.generator(root).index;
     std::vector<Factored> result;
     for (const Factored& part : parts) {
+        const std::vector<Term>& terms = part.numerator.terms();
+        if (std::all_of(terms.begin(), terms.end(),
+                        [&](const Term& t) { return ring.exponent(t.monomial, root) == 0; })) {
+            result.push_back(part);
+            continue;
+        }
         std::map<int, std::vector<Term>> classes;
-        for (const Term& t : part.numerator.terms()) {
+        for (const Term& t : terms) {
             const int e = ring.exponent(t.monomial, root);
             classes[((e % k) + k) % k].push_back(t);
         }
-        for (auto& terms : classes) {
-            const Polynomial p = Polynomial::from_terms(std::move(terms.second));
+        for (auto& group : classes) {
+            const Polynomial p = Polynomial::from_terms(std::move(group.second));
             const Monomial lowest = ring.monomial(root, ring.lowest_exponent(p, root));
             result.push_back({part.factor + lowest, written_out(ring, divided(p, lowest), root)});
         }

@@ -32,6 +32,7 @@ public:
     // Errors (refused): a coefficient that is no rational function of independent symbols.
     [[nodiscard]] Part constant(const Polynomial& p) const;
     [[nodiscard]] Part one() const { return arithmetic_.constant(graph().number(1)); }
+    [[nodiscard]] bool is_zero(const Part& p) const { return p.empty(); }
     [[nodiscard]] Part reduce(Part p) const { return p; }
     [[nodiscard]] Part dot(const std::vector<ProductOf<Part>>& products) const {
         return arithmetic_.dot(products);

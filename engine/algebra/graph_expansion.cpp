@@ -152,7 +152,8 @@ ExpandedCoefficient expand(const CoefficientGraph& graph, Coefficient c, const E
     const CoefficientShape shape = shape_of(graph, replay, random());
     const double size = NewtonGrid::size_of(groups_of(shape)) * static_cast<double>(shape.parts.size());
     if (size > static_cast<double>(limits.points))
-        refuse({fmt::format("a coefficient is written out from its values at up to {} points", limits.points),
+        refuse(Reason::size,
+               {fmt::format("a coefficient is written out from its values at up to {} points", limits.points),
                 fmt::format("{:.0f} points", size),
                 "ask for a lower order, or give parameters numeric values with --set NAME=VALUE",
                 {}});

@@ -15,7 +15,8 @@ OuterKeysOf<Word>::OuterKeysOf(int pairs, int reals, int phases, int largest)
       first_phase_(2 * pairs + reals), phases_(phases) {
     const int held = phases > 0 ? bits_ - 2 : bits_ - 1;
     if (held < 1 || largest >= 1 << held)
-        refuse({fmt::format("the monomials of a series fit into one word of {} bits", 8 * sizeof(Word)),
+        refuse(Reason::size,
+               {fmt::format("the monomials of a series fit into one word of {} bits", 8 * sizeof(Word)),
                 fmt::format("{} variables with exponents up to {}", fields(), largest),
                 "ask for a lower order, or give frequencies numeric values with --set NAME=VALUE",
                 {}});
@@ -47,7 +48,8 @@ template <class Word> Word OuterKeysOf<Word>::require_safe(Word key, int exponen
 }
 
 template <class Word> void OuterKeysOf<Word>::overflow() const {
-    refuse({fmt::format("the monomials of a series fit into one word of {} bits", 8 * sizeof(Word)),
+    refuse(Reason::size,
+           {fmt::format("the monomials of a series fit into one word of {} bits", 8 * sizeof(Word)),
             fmt::format("an exponent beyond {} bits for each of {} variables", bits_, fields()),
             "ask for a lower order, or give frequencies numeric values with --set NAME=VALUE",
             {}});

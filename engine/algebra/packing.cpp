@@ -54,6 +54,7 @@ Monomial Packing::scaled(const Monomial& m, long factor) const {
 
 void Packing::overflow() const {
     refuse(
+        Reason::size,
         {.rule = "an exponent of a monomial is at most " + std::to_string(largest()) +
                  " in this ring of up to " + std::to_string(fields()) + " generators",
          .value = "a product exceeds it",

@@ -85,7 +85,8 @@ RingBuilder::RingBuilder() {
 GeneratorId RingBuilder::add(Generator g) {
     if (g.name.empty() || id(g.name) >= 0) refuse_generator("the name of a generator is its own", g.name);
     if (generators_.size() >= static_cast<std::size_t>(Packing::most_fields)) {
-        refuse({.rule = "a system has at most 32 of these together: i, eps, parameters, slow variables, two "
+        refuse(Reason::size,
+               {.rule = "a system has at most 32 of these together: i, eps, parameters, slow variables, two "
                         "modes for each oscillator, roots that occur; constants and integrals of a solution",
                 .value = g.name + " would be one more",
                 .mend =

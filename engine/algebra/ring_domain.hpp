@@ -22,6 +22,7 @@ public:
     // A polynomial of the ring as an element of the domain.
     [[nodiscard]] Part constant(const Polynomial& p) const { return p; }
     [[nodiscard]] Part one() const { return ring_->one(); }
+    [[nodiscard]] bool is_zero(const Part& p) const { return ring_->vanishes(p); }
     [[nodiscard]] Part reduce(Part p) const { return ring_->reduce(std::move(p)); }
     [[nodiscard]] Part dot(const std::vector<Product>& products) const { return ring_->dot(products); }
     [[nodiscard]] Part combination(const std::vector<std::pair<Rational, const Part*>>& addends) const {

@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace resonform {
 namespace {
 
-// coefficient * monomial, the monomial invertible.
+// number * monomial, the monomial invertible. The number is rational or a sum over numeric roots.
 struct Unit {
-    Rational coefficient;
+    Polynomial number, inverse_number;
     Monomial monomial;
 };
 
@@ -23,13 +24,42 @@ bool is_invertible(const Ring& ring, const Monomial& m) {
     return true;
 }
 
+// 1/p for a sum over numeric roots, or a single one.
+std::optional<Polynomial> inverse_of_number(const Ring& ring, const Polynomial& p) {
+    if (p.size() > 1) return inverse_in_number_field(ring, p);
+    const Term& t = p.terms().front();
+    return ring.reduce(Polynomial(ring.packing().scaled(t.monomial, -1), cln::recip(t.coefficient)));
+}
+
+// p/q where it is such a number times a monomial: (1 + a + sqrt(2)*a)/(sqrt(2) - 1 + a) = 1 + sqrt(2).
+std::optional<Polynomial> numeric_quotient(const Ring& ring, const Polynomial& p, const Polynomial& q) {
+    std::vector<GeneratorId> outer; // all but numbers
+    for (GeneratorId id = 0; id < ring.size(); ++id)
+        if (id != Ring::imaginary_unit && !is_numeric_root(ring, id)) outer.push_back(id);
+    if (static_cast<int>(outer.size()) + 1 == ring.size()) return std::nullopt;
+    const auto above = ring.collect(p, outer), below = ring.collect(q, outer);
+    if (below.size() < 2 || above.size() != below.size()) return std::nullopt; // a number times a monomial
+    const auto leading = [&](const auto& terms) {
+        return *std::max_element(terms.begin(), terms.end(), [&](const auto& left, const auto& right) {
+            return ring.exponents(left.first) < ring.exponents(right.first);
+        });
+    };
+    const auto first = leading(above), by = leading(below);
+    const std::optional<Polynomial> inverse = inverse_of_number(ring, by.second);
+    if (!inverse) return std::nullopt;
+    const Polynomial quotient =
+        ring.multiply(ring.multiply(first.second, *inverse), Polynomial(first.first - by.first, Rational(1)));
+    return ring.multiply(quotient, q) == p ? std::optional(quotient) : std::nullopt;
+}
+
 // Divides p by a radicand of several terms; the root whose radicand it was, or -1.
 GeneratorId divide_by_radicand(const Ring& ring, Polynomial& p) {
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         if (ring.generator(id).kind != GeneratorKind::root) continue;
         const Polynomial radicand = ring.reduce(ring.generator(id).radicand);
         if (radicand.size() < 2) continue;
-        const std::optional<Polynomial> quotient = divide_exactly(ring, p, radicand);
+        std::optional<Polynomial> quotient = divide_exactly(ring, p, radicand);
+        if (!quotient) quotient = numeric_quotient(ring, p, radicand);
         // By a sum of numbers every other one can be divided, again and again.
         if (quotient && (quotient->size() == 1 || !is_numeric_root(ring, id))) {
             p = *quotient;
@@ -44,13 +74,17 @@ std::optional<Unit> as_product(const Ring& ring, Polynomial p) {
     Monomial roots;
     while (p.size() > 1) {
         const GeneratorId id = divide_by_radicand(ring, p);
-        if (id < 0) return std::nullopt;
+        if (id < 0) break;
         roots = roots + ring.monomial(id, ring.generator(id).index);
         ring.packing().require_safe(roots);
     }
+    if (p.size() > 1) {
+        const std::optional<Polynomial> inverse = inverse_in_number_field(ring, p);
+        return inverse ? std::optional(Unit{p, *inverse, roots}) : std::nullopt;
+    }
     const Term& t = p.terms().front();
     if (!is_invertible(ring, t.monomial)) return std::nullopt;
-    return Unit{t.coefficient, t.monomial + roots};
+    return Unit{Polynomial(t.coefficient), Polynomial(cln::recip(t.coefficient)), t.monomial + roots};
 }
 
 // A product of generators that brings p to whole powers of all roots, so that their relations apply:
@@ -119,8 +153,8 @@ std::optional<Polynomial> number_root(const Ring& ring, const Rational& value, i
 
 std::optional<Polynomial> Ring::inverse(const Polynomial& p) const {
     const std::optional<Unit> unit = as_unit(*this, p);
-    if (!unit) return inverse_in_number_field(*this, reduce(p));
-    return reduce(Polynomial(packing_.scaled(unit->monomial, -1), cln::recip(unit->coefficient)));
+    if (!unit) return std::nullopt;
+    return multiply(unit->inverse_number, Polynomial(packing_.scaled(unit->monomial, -1), Rational(1)));
 }
 
 std::optional<Polynomial> Ring::rational_power(const Polynomial& p, const Rational& exponent) const {
@@ -131,9 +165,11 @@ std::optional<Polynomial> Ring::rational_power(const Polynomial& p, const Ration
     const std::optional<Unit> unit = as_unit(*this, p);
     if (!unit) return std::nullopt;
     if (k == 1) return power(*inverse(p), -n);
-    if (!cln::plusp(unit->coefficient)) return std::nullopt;
+    if (unit->number.size() > 1) return std::nullopt;
+    const Term& coefficient = unit->number.terms().front();
+    if (!cln::plusp(coefficient.coefficient)) return std::nullopt;
     const std::optional<Monomial> monomial = monomial_power(*this, unit->monomial, exponent);
-    const std::optional<Polynomial> number = number_root(*this, unit->coefficient, k, 0);
+    const std::optional<Polynomial> number = number_root(*this, coefficient.coefficient, k, 0);
     if (!monomial || !number) return std::nullopt;
     return multiply(Polynomial(*monomial, Rational(1)), power(*number, n));
 }

@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/series_program.hpp"
 
+#include "algebra/fractions.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
 
 namespace resonform {
+
+namespace {
+
+// Equal instructions have equal ones.
+std::size_t hash_of(const SeriesProgram::Instruction& instruction) {
+    std::size_t hash = static_cast<std::size_t>(instruction.op);
+    const auto mix = [&](std::size_t value) { hash = (hash ^ value) * 0x9e3779b97f4a7c15U + (hash >> 29); };
+    const auto mix_number = [&](const Rational& value) { mix(cln::equal_hashcode(value)); };
+    mix(instruction.index);
+    mix(static_cast<std::size_t>(instruction.left));
+    mix(static_cast<std::size_t>(instruction.right));
+    mix_number(instruction.exponent);
+    for (const auto& [factor, node] : instruction.addends) {
+        mix_number(factor);
+        mix(static_cast<std::size_t>(node));
+    }
+    for (const Polynomial& part : instruction.parts) {
+        const Fractions& fractions = part.fractions();
+        for (const Monomial& monomial : fractions.monomials)
+            for (const std::uint64_t word : monomial.word) mix(word);
+        for (const mp_limb_t limb : fractions.magnitudes) mix(limb);
+        for (const std::uint8_t sign : fractions.negative) mix(sign);
+        mix(fractions.denominator.get_ui());
+    }
+    return hash;
+}
+
+} // namespace
 
 SeriesProgram::SeriesProgram(RingPtr ring) : ring_(std::move(ring)) {}
 
@@ -16,9 +46,13 @@ SeriesProgram::Node SeriesProgram::append(Instruction instruction) {
 }
 
 SeriesProgram::Node SeriesProgram::intern(Instruction instruction) {
-    const auto found = std::find(instructions_.begin(), instructions_.end(), instruction);
-    if (found != instructions_.end()) return static_cast<Node>(found - instructions_.begin());
-    return append(std::move(instruction));
+    const std::size_t hash = hash_of(instruction);
+    const auto [first, last] = shared_.equal_range(hash);
+    for (auto known = first; known != last; ++known)
+        if (instructions_[static_cast<std::size_t>(known->second)] == instruction) return known->second;
+    const Node node = append(std::move(instruction));
+    shared_.emplace(hash, node);
+    return node;
 }
 
 SeriesProgram::Node SeriesProgram::input(std::string name) {
@@ -108,12 +142,13 @@ SeriesProgram::Node SeriesProgram::antiderivative(Node u, Node slope) {
     return intern(std::move(a));
 }
 
-SeriesProgram::Node SeriesProgram::power(Node u, const Rational& exponent) {
+SeriesProgram::Node SeriesProgram::power(Node u, const Rational& exponent, const Place& place) {
     if (cln::denominator(exponent) != 1 || cln::minusp(exponent)) {
         Instruction p;
         p.op = Op::power;
         p.left = u;
         p.exponent = exponent;
+        p.place = place;
         return intern(std::move(p));
     }
     const Integer n = cln::numerator(exponent);

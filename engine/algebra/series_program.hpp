@@ -7,12 +7,14 @@
 //   run:      set_input(psi, 1, (z1+z2)/2); advance(1); part(f,1) = i G/sigma (z1+z2)/2; ...
 #pragma once
 
+#include "algebra/error.hpp"
 #include "algebra/ring_domain.hpp"
 #include "algebra/series.hpp"
 
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,8 +45,13 @@ public:
         std::vector<std::pair<Rational, Node>> addends; // sum
         Node left = -1, right = -1;                     // product; left: operand of functions
         Rational exponent;                              // power
+        Place place;                                    // power: of its errors, no part of its meaning
 
-        friend bool operator==(const Instruction&, const Instruction&) = default;
+        friend bool operator==(const Instruction& a, const Instruction& b) {
+            return a.op == b.op && a.name == b.name && a.parts == b.parts && a.index == b.index &&
+                   a.addends == b.addends && a.left == b.left && a.right == b.right &&
+                   a.exponent == b.exponent;
+        }
     };
 
     // Nodes are shared: the same operation on the same operands is the same node. Inputs are not.
@@ -66,8 +73,8 @@ public:
     // slope = 1/(1 + u^2) this is atan(u). Stored as left = u, right = slope.
     Node antiderivative(Node u, Node slope);
     // u^exponent; weight-0 part of u must be a unit whose power lies in the ring (checked in a Run).
-    // A non-negative integer exponent is expanded into products.
-    Node power(Node u, const Rational& exponent);
+    // A non-negative integer exponent is expanded into products. `place`: where it was written.
+    Node power(Node u, const Rational& exponent, const Place& place = {});
 
 private:
     Node intern(Instruction instruction);
@@ -75,6 +82,7 @@ private:
 
     RingPtr ring_;
     std::vector<Instruction> instructions_;
+    std::unordered_multimap<std::size_t, Node> shared_;                 // by hash, of what intern() appended
     std::vector<std::pair<Node, std::pair<Node, Node>>> trigonometric_; // u -> (sine, cosine)
 };
 

@@ -42,10 +42,6 @@ template <class Domain> typename Domain::Part number(const Domain&, std::size_t)
 
 NumberPart number(const NumberDomain& domain, std::size_t index) { return domain.number(index); }
 
-template <class Domain> bool is_zero(const Domain&, const typename Domain::Part& p) { return p.empty(); }
-
-bool is_zero(const NumberDomain& domain, const NumberPart& p) { return domain.is_zero(p); }
-
 template <class Domain> bool is_one(const Domain& domain, const typename Domain::Part& p) {
     return p == domain.one();
 }
@@ -58,6 +54,14 @@ void require_start(bool holds, const std::string& rule) {
             .value = "another finite value",
             .mend = "expand about the equilibrium, or declare the argument small",
             .place = {}});
+}
+
+[[noreturn]] void refuse_start(const SeriesProgram::Instruction& power) {
+    refuse({.rule = "the ring of coefficients holds the leading part of a root or a denominator as a product "
+                    "of parameters, roots and numbers",
+            .value = "a power " + to_string(power.exponent) + " of another sum",
+            .mend = "write a parameter for the sum, or take numbers: --digits 30",
+            .place = power.place});
 }
 
 // By node: the operands that no later one has.
@@ -194,13 +198,13 @@ template <class Domain> auto BasicSeriesRun<Domain>::first_part(Node node) -> Pa
     switch (in.op) {
     case Op::sine:
     case Op::antiderivative:
-        require_start(in.op != Op::sine || is_zero(domain_, u()), "a sine is expanded about zero");
+        require_start(in.op != Op::sine || domain_.is_zero(u()), "a sine is expanded about zero");
         return {};
     case Op::cosine:
-        require_start(is_zero(domain_, u()), "a cosine is expanded about zero");
+        require_start(domain_.is_zero(u()), "a cosine is expanded about zero");
         return domain_.one();
     case Op::exponential:
-        require_start(is_zero(domain_, u()), "an exponential is expanded about exp(0)");
+        require_start(domain_.is_zero(u()), "an exponential is expanded about exp(0)");
         return domain_.one();
     case Op::logarithm:
         require_start(is_one(domain_, u()), "a logarithm is expanded about log(1)");
@@ -208,9 +212,7 @@ template <class Domain> auto BasicSeriesRun<Domain>::first_part(Node node) -> Pa
     case Op::power: {
         const std::optional<Part> reciprocal = domain_.inverse(u());
         const std::optional<Part> power = domain_.rational_power(u(), in.exponent);
-        require_start(
-            reciprocal && power,
-            "a negative or broken power is expanded about a unit whose power the coefficients hold");
+        if (!reciprocal || !power) refuse_start(in);
         reciprocals_[at(node)] = *reciprocal;
         return *power;
     }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -26,6 +27,17 @@ std::optional<double> read_double(std::string_view text) {
     return value;
 }
 
+// "a,b" -> "a", "b"; "" -> "".
+std::vector<std::string> split_at_commas(const std::string& text) {
+    std::vector<std::string> items;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        items.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return items;
+}
+
 int read_integer(const std::string& option, const std::string& text, int lowest, int highest, int example) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -41,7 +53,7 @@ void bad_argument(const std::string& option, const std::string& rule, const std:
                   const std::string& mend) {
     Place place;
     place.key = option;
-    bad_input({rule, printable(value), mend, place});
+    bad_input(Reason::command_line, {rule, printable(value), mend, place});
 }
 
 int read_order(const std::string& option, const std::string& text) {
@@ -52,14 +64,32 @@ int read_digits(const std::string& text) {
     return text.empty() ? 0 : read_integer("--digits", text, fewest_digits, most_digits, 30);
 }
 
-double read_eps(const std::string& text) {
-    const auto eps = read_double(text);
-    if (!eps || !std::isfinite(*eps) || *eps <= 0)
-        bad_argument("--eps", "must be a finite decimal number > 0", text, "give for example --eps 0.01");
-    if (*eps < smallest_eps || *eps > largest_eps)
+Rational read_eps(const std::string& text) {
+    const std::string mend = "give for example --eps 0.01 or --eps 1/100";
+    const auto no_number = [&] {
+        bad_argument("--eps", "must be a decimal number or a fraction > 0", text, mend);
+    };
+    Rational eps;
+    try {
+        eps = parse_rational(text);
+    } catch (const Error&) {
+        no_number();
+    }
+    if (eps <= 0) no_number();
+    if (to_double(eps) < smallest_eps || to_double(eps) > largest_eps)
         bad_argument("--eps", std::string(eps_rule) + ", where the expansion in eps has a meaning", text,
-                     "give for example --eps 0.01");
-    return *eps;
+                     mend);
+    return eps;
+}
+
+std::vector<Rational> read_eps_list(const std::string& text) {
+    std::vector<Rational> list;
+    for (const std::string& item : split_at_commas(text)) {
+        list.push_back(read_eps(item));
+        if (std::find(list.begin(), list.end() - 1, list.back()) != list.end() - 1)
+            bad_argument("--eps", "each eps must be given once", text, "leave out the second " + item);
+    }
+    return list;
 }
 
 double read_limit(const std::string& option, const std::string& text) {
@@ -82,15 +112,12 @@ double read_count_limit(const std::string& option, const std::string& text) {
 
 std::vector<double> read_times(const std::string& text) {
     std::vector<double> times;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string item = text.substr(begin, end - begin);
+    for (const std::string& item : split_at_commas(text)) {
         const auto t = read_double(item);
         if (!t)
             bad_argument("--t", "times must be decimal numbers separated by commas",
                          item.empty() ? text : item, "give for example --t 0,0.5,10");
         times.push_back(*t);
-        begin = end + 1;
     }
     return times;
 }

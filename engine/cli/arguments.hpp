@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algebra/error.hpp"
+#include "algebra/number.hpp"
 #include "model/settings.hpp"
 #include "model/style.hpp"
 
@@ -16,10 +17,23 @@ namespace resonform {
 [[noreturn]] void bad_argument(const std::string& option, const std::string& rule, const std::string& value,
                                const std::string& mend);
 
+// What `read` gives; the option is the place of its complaint, if that names none.
+template <class Read> auto of_argument(const std::string& option, const Read& read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        const Diagnostic& d = error.diagnostic();
+        if (error.kind() != Kind::bad_input || !d.place.key.empty()) throw;
+        bad_argument(option, d.rule, d.value, d.mend);
+    }
+}
+
 // 1 ... 99.
 int read_order(const std::string& option, const std::string& text);
-// A finite decimal number within smallest_eps ... largest_eps.
-double read_eps(const std::string& text);
+// A decimal number or a fraction, exactly, within smallest_eps ... largest_eps: "0.01", "1/100".
+Rational read_eps(const std::string& text);
+// "0.01,1/100": several of these, all different.
+std::vector<Rational> read_eps_list(const std::string& text);
 // A decimal number > 0, or "none", which is infinite.
 double read_limit(const std::string& option, const std::string& text);
 // A whole number >= 1, or "none".

@@ -52,9 +52,10 @@ void print_text(const System& system, const Certificate& certificate) {
 
 std::shared_ptr<const Normalization> checked(const std::string& argument, int order,
                                              const SystemChanges& changes, const DerivationLimits& limits) {
-    const auto file = find_system(argument, find_home());
+    const Home home = find_home();
+    const auto file = find_system(argument, home);
     return watched(limits, [&](Watch& watch) {
-        const Expanded expanded = expand_system(file, changes, watch);
+        const Expanded expanded = expand_system(file, changes, home, watch);
         return normalize_with_certificate(expanded, order * expanded.first_order->system->eps_root, watch);
     });
 }
@@ -73,7 +74,9 @@ int run_certify(const std::string& argument, const std::string& order, const Sys
 } // namespace
 
 void add_certify(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("certify", "prove the normal form by a second route");
+    CLI::App* command = app.add_subcommand(
+        "certify",
+        "check the normal form by a second route, with the probability that a wrong one would pass");
     const Text system = add_required(*command, "SYSTEM", "", system_help);
     const Text order = add_required(*command, "--order", order_values, "weight of normal form and map");
     const FormatOption format(*command, {"text", "json"});

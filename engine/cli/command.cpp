@@ -27,9 +27,9 @@ Text add_required(CLI::App& command, const std::string& name, const std::string&
 Text add_output(CLI::App& command, const std::string& name, const std::string& values,
                 const std::string& help) {
     auto path = std::make_shared<std::string>();
-    const auto keep = [path, name](const std::string& given) {
+    const auto keep = [path, option = name.substr(name.find("--"))](const std::string& given) {
         if (given.empty())
-            bad_argument(name, "the path must not be empty", "", "give a path, or leave it out");
+            bad_argument(option, "the path must not be empty", "", "give a path, or leave it out");
         *path = given;
     };
     command.add_option_function<std::string>(name, keep, help)->type_name(values);

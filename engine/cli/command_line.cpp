@@ -2,6 +2,7 @@
 #include "cli/command_line.hpp"
 
 #include "algebra/error.hpp"
+#include "cli/arguments.hpp"
 #include "model/nearest.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,11 @@
 namespace resonform {
 
 namespace {
+
+// As complaints name it: "--order" of an option with several names, "SCENE" of an argument without dashes.
+std::string one_name(const CLI::Option& option) {
+    return option.get_lnames().empty() ? option.get_name() : "--" + option.get_lnames().front();
+}
 
 // The subcommand that was chosen, else the app itself.
 const CLI::App& chosen_in(const CLI::App& app) {
@@ -44,12 +50,13 @@ std::string see_help(const CLI::App& app) {
         rule = fmt::format("{} takes no such argument", chosen.get_name());
     }
     if (&chosen != &app && std::find(known.begin(), known.end(), word) != known.end())
-        bad_input({fmt::format("an option follows its command, {}", chosen.get_name()),
-                   word,
-                   fmt::format("write {} ... {}", full_name(app, chosen), word),
-                   {}});
+        bad_input(Reason::command_line, {fmt::format("an option follows its command, {}", chosen.get_name()),
+                                         word,
+                                         fmt::format("write {} ... {}", full_name(app, chosen), word),
+                                         {}});
     const std::string near = nearest(word, known);
-    bad_input({rule, word, near.empty() ? see_help(app) : fmt::format("did you mean {}?", near), {}});
+    bad_input(Reason::command_line,
+              {rule, word, near.empty() ? see_help(app) : fmt::format("did you mean {}?", near), {}});
 }
 
 // An option of several words takes all that follow, up to the next option: --set g=1 SYSTEM.
@@ -58,13 +65,13 @@ void refuse_swallowed(const CLI::App& app, const CLI::Option& missing) {
     if (!missing.get_positional()) return;
     for (const CLI::Option* option : chosen.get_options())
         if (option->get_expected_max() > 1 && option->count() > 0)
-            bad_input(
-                {fmt::format("{} takes all words that follow it, and {} needs {}: {}", option->get_name(),
-                             chosen.get_name(), missing.get_name(), missing.get_description()),
-                 fmt::format("{} {}", option->get_name(), fmt::join(option->results(), " ")),
-                 fmt::format("write {} {} {} ...", full_name(app, chosen), missing.get_name(),
-                             option->get_name()),
-                 {}});
+            bad_argument(one_name(*option),
+                         fmt::format("{} takes all words that follow it, and {} needs {}: {}",
+                                     option->get_name(), chosen.get_name(), missing.get_name(),
+                                     missing.get_description()),
+                         fmt::format("{} {}", option->get_name(), fmt::join(option->results(), " ")),
+                         fmt::format("write {} {} {} ...", full_name(app, chosen), missing.get_name(),
+                                     option->get_name()));
 }
 
 [[noreturn]] void missing_argument(const CLI::App& app) {
@@ -73,27 +80,21 @@ void refuse_swallowed(const CLI::App& app, const CLI::Option& missing) {
     for (const CLI::Option* option : chosen.get_options())
         if (option->get_required() && option->count() == 0) {
             refuse_swallowed(app, *option);
-            bad_input({fmt::format("{} needs {}: {}", chosen.get_name(), option->get_name(),
-                                   option->get_description()),
-                       "",
-                       see_help(app),
-                       {}});
+            bad_argument(one_name(*option),
+                         fmt::format("{} needs it, {}", chosen.get_name(), option->get_description()), "",
+                         see_help(app));
         }
-    bad_input({"a command must be given", "", see_help(app), {}});
+    bad_input(Reason::command_line, {"a command must be given", "", see_help(app), {}});
 }
 
 [[noreturn]] void wrong_count(const CLI::App& app, const std::string& explanation) {
     for (const CLI::Option* option : chosen_in(app).get_options())
         if (option->count() > 1)
-            bad_input({fmt::format("{} must be given at most once", option->get_name()),
-                       fmt::format("{}", fmt::join(option->results(), ", ")),
-                       "leave out all but one",
-                       {}});
+            bad_argument(one_name(*option), "must be given at most once",
+                         fmt::format("{}", fmt::join(option->results(), ", ")), "leave out all but one");
     // "--order: 1 required INT missing"
-    bad_input({fmt::format("{} must be followed by its value", explanation.substr(0, explanation.find(':'))),
-               "",
-               see_help(app),
-               {}});
+    bad_argument(explanation.substr(0, explanation.find(':')), "must be followed by its value", "",
+                 see_help(app));
 }
 
 // Without this an option with an empty value would be one that was not given.
@@ -102,10 +103,8 @@ void refuse_empty_values(const CLI::App& app) {
         if (option->get_positional() || option->get_required()) continue; // whose readers complain
         for (const std::string& value : option->results())
             if (value.empty() && option->get_default_str().empty())
-                bad_input({fmt::format("{} must be followed by its value", option->get_name()),
-                           "''",
-                           "give one, or leave the option out",
-                           {}});
+                bad_argument(one_name(*option), "must be followed by its value", "''",
+                             "give one, or leave the option out");
     }
 }
 
@@ -127,10 +126,10 @@ std::string read_command_line(CLI::App& app, int argc, char** argv) {
     } catch (const CLI::ArgumentMismatch& mismatch) {
         wrong_count(app, mismatch.what());
     } catch (const CLI::ParseError&) {
-        bad_input({"the arguments must be those of the help",
-                   fmt::format("{}", fmt::join(argv + 1, argv + argc, " ")),
-                   see_help(app),
-                   {}});
+        bad_input(Reason::command_line, {"the arguments must be those of the help",
+                                         fmt::format("{}", fmt::join(argv + 1, argv + argc, " ")),
+                                         see_help(app),
+                                         {}});
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform compare SCENE: error against run time, beside direct integrators.
+#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
@@ -12,12 +13,15 @@ namespace resonform {
 
 namespace {
 
-int run_compare(const std::string& scene, const DerivationLimits& limits, const std::string& format) {
+int run_compare(const std::string& scene, const std::string& eps, const DerivationLimits& limits,
+                const std::string& format) {
+    const std::vector<Rational> asked = eps.empty() ? std::vector<Rational>() : read_eps_list(eps);
     const Home home = find_home();
     const SceneLine line = solve_scene(scene, home, limits);
     const CacheFolder cache(home);
-    const Comparison comparison =
-        compare(line.expanded.first_order, line.scene, line.solution, with_progress<CompareOptions>(cache));
+    auto options = with_progress<CompareOptions>(cache);
+    if (!asked.empty()) options.eps = asked;
+    const Comparison comparison = compare(line.expanded.first_order, line.scene, line.solution, options);
     put("{}", format == "json" ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
     return done;
 }
@@ -27,10 +31,14 @@ int run_compare(const std::string& scene, const DerivationLimits& limits, const 
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("compare", "error against run time, beside direct integrators");
     const Text scene = add_required(*command, "SCENE", "", scene_help);
+    const Text eps =
+        add_text(*command, "--eps", "E1,E2,...", "values of eps, such as 0.01,1/1000; default: 0.001");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, scene, format, limits] {
-        action = [scene, format, limits] { return run_compare(*scene, limits.value(), format.value()); };
+    command->callback([&action, scene, eps, format, limits] {
+        action = [scene, eps, format, limits] {
+            return run_compare(*scene, *eps, limits.value(), format.value());
+        };
     });
 }
 

@@ -170,24 +170,27 @@ void require_printable_in_numbers(Stage stage, Format format) {
 
 int run_derive(const DeriveRequest& request) {
     const int order = read_order("--order", request.order);
-    const Stage stage = parse_stage(request.stage);
+    const Stage stage = of_argument("--stage", [&] { return parse_stage(request.stage); });
     if (!request.truncation.empty() && !of_solution(stage))
         bad_argument("--truncation", "goes with --stage solution or transgression", request.truncation,
                      "leave it out: normal form and map reach --order");
-    const Format format = parse_format(request.format);
-    require_printable(stage, format);
+    const Format format = of_argument("--format", [&] { return parse_format(request.format); });
+    of_argument("--format", [&] { require_printable(stage, format); });
     const std::string coefficients =
         read_choice("--coefficients", request.coefficients, {"auto", "ring", "graph"});
     const std::optional<Style> style = read_style(request.style);
     require_effect(stage, format, coefficients, request.style);
-    const auto file = find_system(request.system, find_home());
+    const Home home = find_home();
+    const auto file = find_system(request.system, home);
     const SystemChanges changes{read_settings(request.settings), style, read_digits(request.digits)};
     if (changes.digits > 0) require_printable_in_numbers(stage, format);
     put("{}", watched(request.limits, [&](Watch& watch) {
-            if (of_mechanism(stage)) return print_derivation(changed_system(file, changes), stage, format);
-            return stage == Stage::equations ? print_equations(changed_system(file, changes), format)
-                                             : document(expand_system(file, changes, watch), order, stage,
-                                                        request.truncation, format, coefficients, watch);
+            if (of_mechanism(stage))
+                return print_derivation(changed_system(file, changes, home), stage, format);
+            return stage == Stage::equations
+                       ? print_equations(changed_system(file, changes, home), format)
+                       : document(expand_system(file, changes, home, watch), order, stage, request.truncation,
+                                  format, coefficients, watch);
         }));
     return done;
 }

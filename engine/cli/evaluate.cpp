@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace resonform {
 
@@ -25,6 +26,7 @@ struct Values {
     std::vector<double> t;
     std::vector<std::vector<double>> points; // [point][output]
     std::vector<Status> status;
+    std::vector<std::string> why; // "" where nothing is behind the status
 };
 
 void require_values(const Program& program, const Scene& scene) {
@@ -43,10 +45,11 @@ Values evaluate_program(const std::shared_ptr<const Program>& program, double ep
     // A time such as 1/eps may round to just beyond the interval that the scene asks for.
     const double end = program->interval_slow_time * (1 + 4 * std::numeric_limits<double>::epsilon());
     const Interpreter<double> evaluator(program, eps, {}, {}, end);
-    Values values{eps, std::move(t), {}, {}};
+    Values values{eps, std::move(t), {}, {}, {}};
     for (const double time : values.t) {
         std::vector<double> outputs(program->outputs.size());
         values.status.push_back(evaluator.call(time, outputs));
+        values.why.emplace_back(evaluator.why(values.status.back()));
         values.points.push_back(std::move(outputs));
     }
     return values;
@@ -55,7 +58,7 @@ Values evaluate_program(const std::shared_ptr<const Program>& program, double ep
 bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
 
 void print_json(const Program& program, const Values& values) {
-    Json outputs = Json::object(), status = Json::array();
+    Json outputs = Json::object(), status = Json::array(), why = Json::array();
     for (std::size_t k = 0; k < program.outputs.size(); ++k) {
         Json column = Json::array();
         for (std::size_t i = 0; i < values.t.size(); ++i)
@@ -63,13 +66,15 @@ void print_json(const Program& program, const Values& values) {
         outputs[program.outputs[k].name] = std::move(column);
     }
     for (const Status s : values.status) status.push_back(to_string(s));
+    for (const std::string& w : values.why) why.push_back(w.empty() ? Json(nullptr) : Json(w));
     const Json document{{"schema", "resonform.values/1"},
                         {"system", program.system},
                         {"scene", program.scene},
                         {"eps", values.eps},
                         {"t", values.t},
                         {"outputs", outputs},
-                        {"status", status}};
+                        {"status", status},
+                        {"why", why}};
     put("{}\n", document.dump(2));
 }
 
@@ -83,11 +88,16 @@ void print_csv(const Program& program, const Values& values) {
             put(",{}", has_numbers(values.status[i]) ? fmt::format("{:.17g}", value) : "");
         put(",{}\n", to_string(values.status[i]));
     }
+    std::set<std::string> causes;
+    for (std::size_t i = 0; i < values.t.size(); ++i)
+        if (!values.why[i].empty())
+            causes.insert(fmt::format("resonform: {}: {}", to_string(values.status[i]), values.why[i]));
+    for (const std::string& cause : causes) say(cause);
 }
 
 int run_evaluate(const std::string& scene, const std::string& eps_text, const std::string& times,
                  const DerivationLimits& limits, const std::string& format) {
-    const double eps = read_eps(eps_text);
+    const double eps = to_double(read_eps(eps_text));
     std::vector<double> t = read_times(times);
     const Home home = find_home();
     const auto program = watched(limits, [&](Watch& watch) {
@@ -109,7 +119,8 @@ int run_evaluate(const std::string& scene, const std::string& eps_text, const st
 void add_evaluate(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("evaluate", "the outputs of a scene at given times");
     const Text scene = add_required(*command, "SCENE", "", scene_help);
-    const Text eps = add_required(*command, "--eps", "NUMBER", "the small parameter, 1e-12 ... 0.5");
+    const Text eps = add_required(*command, "--eps", "NUMBER",
+                                  "the small parameter, 1e-12 ... 0.5, such as 0.01 or 1/100");
     const Text times = add_required(*command, "--t", "T1,T2,...", "times, separated by commas");
     const FormatOption format(*command, {"csv", "json"});
     const LimitOptions limits(*command);

@@ -14,6 +14,7 @@ public:
     [[nodiscard]] DerivationLimits value() const;
 
 private:
+    const CLI::App* command_; // which has --format
     Text seconds_, megabytes_, terms_;
 };
 

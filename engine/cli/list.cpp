@@ -2,6 +2,7 @@
 // resonform list: the systems of systems/ and their scenes, by their headings: no equations are derived.
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/complaint.hpp"
 #include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "model/heading.hpp"
@@ -24,7 +25,7 @@ struct Listing {
 
     // One broken file hides none of the others.
     void complain(const Error& error) {
-        say(fmt::format("resonform: {}", error.what()));
+        say_error(error);
         code = std::max(code, static_cast<int>(error.kind()));
     }
 };

@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 #include "cli/output.hpp"
 #include "model/names.hpp"
+#include "verify/child.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -25,20 +25,22 @@ namespace {
 [[noreturn]] void cannot_write(const fs::path& file, const std::string& reason) {
     Place place;
     place.file = file.string();
-    bad_input({"the output must be a file in a folder that exists and can be written", reason,
-               "make the folder, or give another path", place});
+    bad_input(Reason::file, {"the output must be a file in a folder that exists and can be written", reason,
+                             "make the folder, or give another path", place});
 }
 
 [[noreturn]] void cannot_write_into(const fs::path& folder, const std::string& reason) {
     Place place;
     place.file = folder.string();
-    bad_input({"the folder must be one that can be made and written", reason, "give another path", place});
+    bad_input(Reason::file,
+              {"the folder must be one that can be made and written", reason, "give another path", place});
 }
 
 [[noreturn]] void cannot_read(const fs::path& folder, const std::string& reason) {
     Place place;
     place.file = folder.string();
-    bad_input({"the folder must be readable", reason, "check the folder and its permissions", place});
+    bad_input(Reason::file,
+              {"the folder must be readable", reason, "check the folder and its permissions", place});
 }
 
 // A folder that is not there has no entries.
@@ -51,23 +53,6 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     std::sort(entries.begin(), entries.end());
     return entries;
 }
-
-// Holds back the signals that would end the program between two steps that belong together.
-class Uninterrupted {
-public:
-    Uninterrupted() {
-        sigset_t held;
-        sigemptyset(&held);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
-        pthread_sigmask(SIG_BLOCK, &held, &before_);
-    }
-    ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    Uninterrupted(const Uninterrupted&) = delete;
-    Uninterrupted& operator=(const Uninterrupted&) = delete;
-
-private:
-    sigset_t before_{};
-};
 
 std::vector<SystemFiles> systems_of(const Home& home) {
     std::vector<SystemFiles> systems;
@@ -128,8 +113,8 @@ std::vector<SystemFiles> list_systems(const Home& home) {
     if (systems.empty()) {
         Place place;
         place.file = home.systems().string();
-        bad_input({"there must be a system: a folder with system.toml", "none",
-                   "add one, or go to a folder whose systems/ has one", place});
+        bad_input(Reason::file, {"there must be a system: a folder with system.toml", "none",
+                                 "add one, or go to a folder whose systems/ has one", place});
     }
     say_if_of_source_tree(home, systems.front().system);
     return systems;
@@ -147,15 +132,26 @@ void require_name_of_folder(const std::string& name, const fs::path& file) {
                place});
 }
 
+void check_name_of_folder(const std::string& name, const fs::path& file, const Home& home) {
+    if (file.filename() != "system.toml") return; // a file by itself, in any folder
+    const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+    std::error_code ignored;
+    if (fs::equivalent(folder.parent_path(), home.systems(), ignored))
+        return require_name_of_folder(name, file);
+    if (folder.filename() == name) return;
+    say(fmt::format("resonform: {} calls the system '{}', though its folder is '{}'", file.string(), name,
+                    folder.filename().string()));
+}
+
 fs::path find_scene(const std::string& argument, const Home& home) {
     std::error_code ignored;
     if (fs::is_regular_file(argument, ignored)) return argument;
     const auto like = scenes_like(argument, home);
-    bad_input({"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
-               excerpt(argument),
-               (like.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(like, " or "))) +
-                   "All scenes: resonform list",
-               {}});
+    bad_input(Reason::file, {"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
+                             excerpt(argument),
+                             (like.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(like, " or "))) +
+                                 "All scenes: resonform list",
+                             {}});
 }
 
 std::string read_file(const fs::path& file) {
@@ -194,8 +190,8 @@ void require_other_file(const fs::path& output, const std::vector<fs::path>& wer
         if (fs::equivalent(output, file, ignored)) {
             Place place;
             place.file = output.string();
-            bad_input(
-                {"the output must not be a file that was read", file.string(), "give another path", place});
+            bad_input(Reason::file, {"the output must not be a file that was read", file.string(),
+                                     "give another path", place});
         }
 }
 
@@ -239,7 +235,7 @@ CacheFolder::CacheFolder(const Home& home) : path_(home.cache()) {
             Diagnostic d = error.diagnostic();
             d.rule = "the cache must be a folder that can be written";
             d.mend = "set RESONFORM_CACHE to another folder, or unset it";
-            bad_input(d);
+            bad_input(std::move(d));
         }
         return;
     }

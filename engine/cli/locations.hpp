@@ -40,6 +40,8 @@ std::vector<SystemFiles> list_systems(const Home& home);
 // A system in systems/ has the name of its folder: generated/ is laid out by names, and two of one name
 // would overwrite each other. Errors (bad_input): it has not.
 void require_name_of_folder(const std::string& name, const std::filesystem::path& file);
+// The same of a system.toml anywhere: outside of systems/ another name is only said, on standard error.
+void check_name_of_folder(const std::string& name, const std::filesystem::path& file, const Home& home);
 
 // SCENE of the command line, a path. Errors (bad_input): no file; scenes of a similar name are suggested.
 std::filesystem::path find_scene(const std::string& argument, const Home& home);

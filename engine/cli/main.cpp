@@ -3,13 +3,11 @@
 // message on stderr and an exit code (0 done, 1 a check failed, 2 bad input, 3 refused).
 #include "cli/command.hpp"
 #include "cli/command_line.hpp"
+#include "cli/complaint.hpp"
 #include "cli/output.hpp"
-#include "cli/pipeline.hpp"
 
-#include <fmt/format.h>
-
+#include <exception>
 #include <memory>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -44,20 +42,16 @@ void add_commands(CLI::App& app, Action& action) {
 
 int run(int argc, char** argv) {
     CLI::App app("From a text file of a dynamical system to its normal form, its solution, and C++ "
-                 "evaluators of proved accuracy.",
+                 "evaluators whose accuracy is measured.",
                  "resonform");
     Action action;
     add_commands(app, action);
     const std::string help = read_command_line(app, argc, argv);
     print_result(help);
-    if (help.empty() && !action) bad_input({"a command must be given", "", "see resonform --help", {}});
+    if (help.empty() && !action)
+        bad_input(Reason::command_line, {"a command must be given", "", "see resonform --help", {}});
     const int code = action ? action() : done;
     finish_results();
-    return code;
-}
-
-int complain(const std::string& message, int code) {
-    say("resonform: " + message);
     return code;
 }
 
@@ -70,16 +64,9 @@ int main(int argc, char** argv) {
     try {
         hold_streams();
         return run(argc, argv);
-    } catch (const Error& error) {
-        return complain(error.what(), static_cast<int>(error.kind()));
-    } catch (const CertificateFailed& failure) {
-        return complain(failure.what(), check_failed);
-    } catch (const std::bad_alloc&) {
-        return complain("the memory is exhausted; ask for a lower order", refused_code);
-    } catch (const std::exception& unforeseen) {
-        return complain(
-            fmt::format("refused, by a fault of the engine that its authors would like to know: {}",
-                        unforeseen.what()),
-            refused_code);
+    } catch (...) {
+        const Error error = error_of(std::current_exception());
+        tell_error(error, asks_for_json(argc, argv));
+        return static_cast<int>(error.kind());
     }
 }

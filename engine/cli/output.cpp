@@ -17,8 +17,8 @@ namespace {
 [[noreturn]] void results_lost(int error) {
     Place place;
     place.key = "standard output";
-    bad_input({"the results must be writable", std::strerror(error), "free space, or redirect them elsewhere",
-               place});
+    bad_input(Reason::file, {"the results must be writable", std::strerror(error),
+                             "free space, or redirect them elsewhere", place});
 }
 
 } // namespace

@@ -42,15 +42,17 @@ Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
 
 } // namespace
 
-System changed_system(const std::filesystem::path& file, const SystemChanges& changes) {
+System changed_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home) {
     System system = with_settings(read_system(file), changes.settings, "--set");
+    check_name_of_folder(system.name, file, home);
     if (changes.style) system.style = *changes.style;
     system.digits = changes.digits;
     return system;
 }
 
-Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch) {
-    return expand_shared(std::make_shared<const System>(changed_system(file, changes)), watch);
+Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home,
+                       Watch& watch) {
+    return expand_shared(std::make_shared<const System>(changed_system(file, changes, home)), watch);
 }
 
 namespace {
@@ -76,8 +78,8 @@ auto derived_and_checked(const Expanded& expanded, int through, Watch& watch, De
 
 void require(const Certificate& certificate) {
     if (!certificate.holds)
-        throw CertificateFailed(
-            fmt::format("the certificate of the normal form does not hold: {}", certificate.complaint));
+        throw Error(Kind::check_failed,
+                    {"the certificate of the normal form does not hold", certificate.complaint, "", {}});
 }
 
 } // namespace
@@ -125,19 +127,36 @@ Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normaliz
     return solution;
 }
 
-SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch) {
+Solution solve_system(std::shared_ptr<const System> system, int order, int truncation, Watch& watch) {
+    const Expanded expanded = expand_shared(std::move(system), watch);
+    return solve_under(watch, normalize_certified(expanded, truncation, watch), {order, truncation});
+}
+
+Scene read_scene_of(const std::string& argument, const Home& home) {
+    Scene scene = read_scene(find_scene(argument, home), home.systems());
+    if (scene.file.parent_path().parent_path() != scene.system->file.parent_path())
+        say_if_of_source_tree(home, scene.system->file);
+    check_name_of_folder(scene.system->name, scene.system->file, home);
+    return scene;
+}
+
+SceneLine solve_scene(Scene scene, Watch& watch) {
     SceneLine line;
-    line.scene = read_scene(find_scene(argument, home), home.systems());
-    if (line.scene.file.parent_path().parent_path() != line.scene.system->file.parent_path())
-        say_if_of_source_tree(home, line.scene.system->file);
+    line.scene = std::move(scene);
     line.expanded = expand_shared(line.scene.system, watch);
     at_place(whole_file(line.scene.file), [&] {
         line.count = count_truncation(*line.expanded.field, line.scene);
         const auto normalization = normalize_certified(line.expanded, line.count.truncation, watch);
-        line.solution = solve_under(watch, normalization, {line.scene.order, line.count.truncation});
+        line.solution =
+            solve_under(watch, normalization,
+                        {line.scene.order, line.count.truncation, line.scene.time_scale.value_or(1)});
         check_time_scale(line.solution, line.scene);
     });
     return line;
+}
+
+SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch) {
+    return solve_scene(read_scene_of(argument, home), watch);
 }
 
 Program program_of(const SceneLine& line, Watch& watch) {

@@ -16,16 +16,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace resonform {
-
-// The second route contradicts the first: nothing derived from it may be used. Exit code 1.
-class CertificateFailed : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
 
 struct Expanded {
     std::shared_ptr<const FirstOrderSystem> first_order;
@@ -37,8 +30,10 @@ struct SystemChanges {
     std::optional<Style> style;    // --style
     int digits = 0;                // --digits
 };
-System changed_system(const std::filesystem::path& file, const SystemChanges& changes);
-Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, Watch& watch);
+// SYSTEM of the command line, found by find_system.
+System changed_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home);
+Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home,
+                       Watch& watch);
 
 // Normal form and map through a weight with their certificate, which may fail to hold: `certify`
 // shows it, everybody else calls normalize_certified. What takes half a second or more is told on stderr.
@@ -66,7 +61,13 @@ template <class Options> Options with_progress(const CacheFolder& cache) {
     return options;
 }
 
-// SCENE of the command line; errors: those of find_scene, and of every room on the way.
+// The solution of a system through an order, with normal form and map through a weight.
+Solution solve_system(std::shared_ptr<const System> system, int order, int truncation, Watch& watch);
+
+// SCENE of the command line; errors: those of find_scene and read_scene.
+Scene read_scene_of(const std::string& argument, const Home& home);
+// Errors: those of every room on the way.
+SceneLine solve_scene(Scene scene, Watch& watch);
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch);
 // The same with a watch of its own, that ends with the derivation.
 SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform regenerate [--check]: generated/<system>/<scene>.hpp of every scene, byte for byte.
 #include "cli/command.hpp"
+#include "cli/complaint.hpp"
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/cpp.hpp"
+#include "model/diagnostic.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,11 +42,8 @@ struct Regeneration {
             work();
             return true;
         } catch (const Error& error) {
-            say(fmt::format("resonform: {}", error.what()));
+            say_error(error);
             code = std::max(code, static_cast<int>(error.kind()));
-        } catch (const CertificateFailed& failure) {
-            say(fmt::format("resonform: {}", failure.what()));
-            code = std::max<int>(code, check_failed);
         }
         return false;
     }
@@ -112,10 +111,13 @@ void print(const Regeneration& result, const std::string& format) {
 int run_regenerate(const RegenerateRequest& request, const std::string& format) {
     const Home& home = request.home;
     if (!request.check && home.of_source_tree)
-        bad_input({"regenerate must be run in a folder with systems/",
-                   fs::current_path().string(),
-                   "go to that folder; --check alone may be run anywhere",
-                   {}});
+        bad_input(Reason::command_line, {"regenerate must be run in a folder with systems/",
+                                         fs::current_path().string(),
+                                         "go to that folder; --check alone may be run anywhere",
+                                         {}});
+    if (fs::exists(home.generated()) && !fs::is_directory(home.generated()))
+        bad_input(Reason::file, {"generated must be a folder: headers are written there", "something else",
+                                 "move it away", whole_file(home.generated())});
     Regeneration result;
     for (const SystemFiles& files : list_systems(home)) regenerate_system(files, request, result);
     for (Entry& orphan : orphans(home, result.entries)) result.entries.push_back(std::move(orphan));
@@ -124,7 +126,10 @@ int run_regenerate(const RegenerateRequest& request, const std::string& format) 
     });
     if (stale) result.code = std::max<int>(result.code, check_failed);
     print(result, format);
-    if (stale) say("resonform: run `resonform regenerate`, and delete headers without a scene");
+    if (stale && request.check)
+        say("resonform: run `resonform regenerate`, and delete headers without a scene");
+    else if (stale)
+        say("resonform: delete the headers without a scene");
     return result.code;
 }
 

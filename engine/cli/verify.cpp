@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform verify SCENE [--report DIR]: the eps-ladder of every output, and a report to look at.
+#include "cli/apart.hpp"
+#include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/complaint.hpp"
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "verify/json.hpp"
+#include "verify/plot.hpp"
 #include "verify/report.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <functional>
 
 namespace resonform {
 
@@ -33,32 +41,120 @@ void require_place_for_report(const std::filesystem::path& folder) {
     require_writable_folder(folder / "figures");
 }
 
-int run_verify(const std::string& scene, const std::string& folder, const DerivationLimits& limits,
-               const std::string& format) {
+std::string packed(const Guarantees& guarantees) {
+    nlohmann::json all;
+    for (const auto& [name, g] : guarantees) all[name] = {g.order.value_or(-1), g.refuted, g.reason};
+    return all.dump();
+}
+
+Guarantees unpacked(const std::string& text) {
+    Guarantees guarantees;
+    const nlohmann::json all = nlohmann::json::parse(text);
+    for (const auto& [name, g] : all.items())
+        guarantees[name] = {g[0] < 0 ? std::nullopt : std::optional<int>(g[0]), g[1], g[2]};
+    return guarantees;
+}
+
+// What meets the limits ends its own process: what the ladder finds is not lost with it.
+Guarantees guarantees_apart(const Scene& scene, const Solution& solution, const Claims& claims,
+                            DerivationLimits limits) {
+    limits.json = false; // the document is that of the verdicts
+    const auto derive = [&](const std::shared_ptr<const System>& system, int order, int truncation) {
+        try {
+            return watched(limits,
+                           [&](Watch& watch) { return solve_system(system, order, truncation, watch); });
+        } catch (const Error& error) {
+            if (error.kind() != Kind::check_failed) throw;
+            refuse({error.diagnostic().rule, error.diagnostic().value, "", {}});
+        }
+    };
+    const auto nothing = [](const auto&, int, int) -> Solution {
+        refuse({"it is derived within --time-limit, --memory-limit and --term-limit", "", "", {}});
+    };
+    const Apart done = done_apart([&] { return packed(guarantees(scene, solution, claims, derive)); });
+    return done.ended ? unpacked(done.text) : guarantees(scene, solution, claims, nothing);
+}
+
+// A report is replaced by a newer one of the same scene, and by nothing else.
+void require_same_subject(const std::filesystem::path& folder, const Scene& scene) {
+    const std::string own = scene.system->name + "/" + scene.name;
+    for (const char* name : {"report.md", "report.html"}) { // names are spelled in full in the first
+        std::error_code ignored;
+        if (!std::filesystem::exists(folder / name, ignored)) continue;
+        const std::string found = report::subject_of(read_file(folder / name));
+        if (found == own) return;
+        bad_argument("--report", "the folder must not hold the report of another scene",
+                     (folder / name).string() + (found.empty() ? "" : " of " + found),
+                     "give another folder, or delete that report");
+    }
+}
+
+struct VerifyRequest {
+    std::string scene;
+    std::filesystem::path report; // empty: none
+    DerivationLimits limits;
+    std::string format;
+};
+
+SceneLine solve_for(const VerifyRequest& request, const Home& home) {
+    return watched(request.limits, [&](Watch& watch) {
+        Scene scene = read_scene_of(request.scene, home);
+        if (!request.report.empty()) require_same_subject(request.report, scene);
+        return solve_scene(std::move(scene), watch);
+    });
+}
+
+bool figures_can_be_drawn() {
+    if (can_plot()) return true;
+    say("resonform: gnuplot cannot be run, so the report will have no figures (Debian: gnuplot-nox)");
+    return false;
+}
+
+// What fails behind the verdicts is said on standard error alone: the document of the command has gone out.
+int run_behind_results(const std::function<void()>& work) {
+    try {
+        work();
+        return done;
+    } catch (...) {
+        const Error error = error_of(std::current_exception());
+        say_error(error);
+        return static_cast<int>(error.kind());
+    }
+}
+
+int run_verify(const VerifyRequest& request) {
     const Home home = find_home();
-    if (!folder.empty()) require_place_for_report(folder);
-    const SceneLine line = solve_scene(scene, home, limits);
+    const bool reported = !request.report.empty();
+    if (reported) require_place_for_report(request.report);
+    const bool drawn = reported && figures_can_be_drawn();
+    const SceneLine line = solve_for(request, home);
     const CacheFolder cache(home);
     const auto& system = line.expanded.first_order;
-    const auto options = with_progress<VerifyOptions>(cache);
+    auto options = with_progress<VerifyOptions>(cache);
+    options.guarantee = [&](const Scene& s, const Solution& solution, const Claims& claims) {
+        return guarantees_apart(s, solution, claims, request.limits);
+    };
     const Verification verification = verify(system, line.scene, line.solution, options);
-    put("{}", format == "json" ? to_json(verification).dump(2) + "\n" : to_text(verification));
+    put("{}", request.format == "json" ? to_json(verification).dump(2) + "\n" : to_text(verification));
     finish_results(); // the verdicts are there while the report is still being made
-    if (!folder.empty())
-        write_report(folder,
-                     report::make_report(
-                         {system, &line.scene, &line.solution, verification,
-                          compare(system, line.scene, line.solution, with_progress<CompareOptions>(cache)),
-                          stability(line.scene, line.solution, with_progress<StabilityOptions>(cache))},
-                         options));
-    return verification.as_expected() ? done : check_failed;
+    const int verdict = verification.as_expected() ? done : check_failed;
+    if (!reported) return verdict;
+    return std::max(verdict, run_behind_results([&] {
+                        write_report(request.report,
+                                     report::make_report({system, &line.scene, &line.solution, verification,
+                                                          compare(system, line.scene, line.solution,
+                                                                  with_progress<CompareOptions>(cache)),
+                                                          stability(line.scene, line.solution,
+                                                                    with_progress<StabilityOptions>(cache))},
+                                                         options, drawn));
+                    }));
 }
 
 } // namespace
 
 void add_verify(CLI::App& app, Action& action) {
     CLI::App* command =
-        app.add_subcommand("verify", "the order of accuracy of a scene, against direct integration");
+        app.add_subcommand("verify", "the order of accuracy of a scene, measured against direct integration");
     const Text scene = add_required(*command, "SCENE", "", scene_help);
     const Text folder =
         add_output(*command, "--report", "DIR",
@@ -67,7 +163,7 @@ void add_verify(CLI::App& app, Action& action) {
     const LimitOptions limits(*command);
     command->callback([&action, scene, folder, format, limits] {
         action = [scene, folder, format, limits] {
-            return run_verify(*scene, *folder, limits.value(), format.value());
+            return run_verify({*scene, *folder, limits.value(), format.value()});
         };
     });
 }

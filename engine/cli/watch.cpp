@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/watch.hpp"
 
-#include "algebra/error.hpp"
-#include "cli/output.hpp"
+#include "cli/complaint.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -26,12 +25,13 @@ double resident_megabytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
-Diagnostic exceeded(const std::string& option, const std::string& limit, const std::string& where,
-                    const std::string& larger) {
+Diagnostic exceeded(Reason reason, const std::string& option, const std::string& limit,
+                    const std::string& where, const std::string& larger) {
     Place place;
     place.key = option;
     return {limit, where,
-            fmt::format("simplify the system, ask for a lower order, or give {} {}", option, larger), place};
+            fmt::format("simplify the system, ask for a lower order, or give {} {}", option, larger), place,
+            reason};
 }
 
 // Signals are for the first thread, which may hold them back while it writes a file.
@@ -72,7 +72,7 @@ void Watch::go_on_with(const std::string& step) { enter(fmt::format("{}, {} unde
 void Watch::reached(const Rational& weight, const Rational& next, std::size_t terms) {
     const std::string step = fmt::format("weight {} reached with {} terms", to_string(weight), terms);
     if (static_cast<double>(terms) > limits_.terms)
-        refuse(exceeded("--term-limit",
+        refuse(exceeded(Reason::terms, "--term-limit",
                         fmt::format("normal form and map have at most {:.0f} terms", limits_.terms), step,
                         fmt::format("{:.0f}", 10 * limits_.terms)));
     enter(step + fmt::format(", weight {} under way", to_string(next)));
@@ -81,10 +81,11 @@ void Watch::reached(const Rational& weight, const Rational& next, std::size_t te
 std::optional<Diagnostic> Watch::excess() {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin_;
     if (time.count() > limits_.seconds)
-        return exceeded("--time-limit", fmt::format("a derivation takes at most {:g} s", limits_.seconds),
-                        step_, fmt::format("{:g}", 10 * limits_.seconds));
+        return exceeded(Reason::time, "--time-limit",
+                        fmt::format("a derivation takes at most {:g} s", limits_.seconds), step_,
+                        fmt::format("{:g}", 10 * limits_.seconds));
     if (const double used = resident_megabytes(); used > limits_.megabytes)
-        return exceeded("--memory-limit",
+        return exceeded(Reason::memory, "--memory-limit",
                         fmt::format("a derivation takes at most {:g} MB", limits_.megabytes),
                         fmt::format("{:.0f} MB, {}", used, step_), fmt::format("{:.0f}", 2 * used));
     return std::nullopt;
@@ -102,7 +103,7 @@ void Watch::run() {
     while (!changed_.wait_for(lock, tick, [this] { return over_; })) {
         const std::optional<Diagnostic> found = excess();
         if (!found) continue;
-        say("resonform: " + to_string(*found));
+        tell_error(Error(Kind::refused, *found), limits_.json);
         std::_Exit(static_cast<int>(Kind::refused));
     }
 }

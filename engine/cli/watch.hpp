@@ -22,6 +22,7 @@ struct DerivationLimits {
     double seconds = 0;   // of one derivation; infinite: none
     double megabytes = 0; // resident memory of the program; infinite: none
     double terms = 0;     // of normal form and map together; infinite: none
+    bool json = false;    // --format json: what ends the program is told in this form, too
 };
 
 class Watch {

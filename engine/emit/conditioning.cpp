@@ -35,26 +35,38 @@ bool varies(const Lowering& lowering, const Ring& ring, const Monomial& m) {
     return false;
 }
 
+struct RootSplit {
+    Polynomial a, r; // a + r
+};
+
+// R: the part that is an odd power of the square root of one radicand, A: the rest. All ways.
+template <class Wanted>
+std::vector<RootSplit> root_splits(const Ring& ring, const Polynomial& sum, const Wanted& wanted) {
+    std::vector<RootSplit> splits;
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const Generator& g = ring.generator(id);
+        if (g.kind != GeneratorKind::root || g.index % 2 != 0 || !wanted(id)) continue;
+        std::vector<Term> odd, even;
+        for (const Term& t : sum.terms())
+            (ring.exponent(t.monomial, id) == g.index / 2 ? odd : even).push_back(t);
+        if (odd.empty() || even.empty()) continue;
+        splits.push_back({Polynomial::from_terms(std::move(even)), Polynomial::from_terms(std::move(odd))});
+    }
+    return splits;
+}
+
 // argument = A + R, D = R^2 - A^2.
 struct AreaForm {
     Polynomial a, d;
 };
 
-// R: the part of the argument that is an odd power of the square root of a radicand, A: the rest.
 std::optional<AreaForm> area_form(const Ring& ring, const Lowering& lowering, const Polynomial& argument) {
-    for (GeneratorId id = 0; id < ring.size(); ++id) {
-        const Generator& g = ring.generator(id);
-        if (g.kind != GeneratorKind::root || g.index % 2 != 0 || !lowering.varying(id)) continue;
-        std::vector<Term> odd, even;
-        for (const Term& t : argument.terms())
-            (ring.exponent(t.monomial, id) == g.index / 2 ? odd : even).push_back(t);
-        if (odd.empty() || even.empty()) continue;
-        const Polynomial r = Polynomial::from_terms(std::move(odd)),
-                         a = Polynomial::from_terms(std::move(even));
-        const Polynomial d = ring.multiply(r, r) - ring.multiply(a, a);
+    const auto any = [](GeneratorId) { return true; }; // constants of the start are no less cancelled
+    for (const RootSplit& split : root_splits(ring, argument, any)) {
+        const Polynomial d = ring.multiply(split.r, split.r) - ring.multiply(split.a, split.a);
         const bool constant = std::none_of(d.terms().begin(), d.terms().end(),
                                            [&](const Term& t) { return varies(lowering, ring, t.monomial); });
-        if (constant && !d.empty()) return AreaForm{a, d};
+        if (constant && !d.empty()) return AreaForm{split.a, d};
     }
     return std::nullopt;
 }
@@ -92,6 +104,21 @@ Graph::Node lower_logarithm(Graph& graph, const Ring& ring, Lowering& lowering, 
         }
     }
     return graph.function(Graph::Op::log, {lowering.polynomial(argument)});
+}
+
+Graph::Node lower_divisor(Graph& graph, const Ring& ring, Lowering& lowering, const Polynomial& divisor,
+                          const std::set<Graph::Node>& positive) {
+    const auto known = [&](const Polynomial& p) {
+        return sign_of(graph, lowering.radicand(p), positive) != Sign::unknown;
+    };
+    for (const RootSplit& split : root_splits(ring, divisor, [](GeneratorId) { return true; })) {
+        const Polynomial &a = split.a, &r = split.r;
+        if (!(known(a) && known(-r)) && !(known(-a) && known(r))) continue;
+        const Polynomial over = ring.multiply(a, a) - ring.multiply(r, r);
+        if (!over.empty())
+            return graph.multiply({lowering.polynomial(over), graph.power(lowering.radicand(a - r), -1)});
+    }
+    return lowering.radicand(divisor);
 }
 
 } // namespace resonform

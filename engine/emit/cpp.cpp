@@ -4,6 +4,7 @@
 #include "emit/cpp_c_interface.hpp"
 #include "emit/cpp_class.hpp"
 #include "emit/cpp_names.hpp"
+#include "emit/cpp_plan.hpp"
 #include "emit/runtime_text.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +51,7 @@ std::string runtime(const Program& program, bool inlined) {
         text += "#include \"runtime/interval.hpp\"\n";
         if (!program.layers.empty()) text += "#include \"runtime/layer.hpp\"\n";
         if (!program.phases.empty()) text += "#include \"runtime/phase.hpp\"\n";
+        if (CppPlan(program).uses_scaled()) text += "#include \"runtime/scaled.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
         return text + "\n";
     }

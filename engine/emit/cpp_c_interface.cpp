@@ -59,6 +59,9 @@ const char* const names_text = R"(
 void* rf_new_{0}(const {1}* eps, const {1}* parameters, const {1}* start, const {1}* slow_time_end) {{
     return library_new<{1}>(eps, parameters, start, slow_time_end);
 }}
+const char* rf_why_{0}(const void* scene, int status) {{
+    return static_cast<const {2}<{1}>*>(scene)->why(static_cast<resonform::Status>(status));
+}}
 void rf_delete_{0}(void* scene) {{ delete static_cast<{2}<{1}>*>(scene); }}
 int rf_call_{0}(const void* scene, const {1}* t, {1}* outputs) {{ return library_call(scene, t, outputs); }}
 void rf_batch_{0}(const void* scene, const {1}* t, long n, {1}* const* outputs, unsigned char* status) {{

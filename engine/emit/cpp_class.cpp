@@ -2,6 +2,7 @@
 #include "emit/cpp_class.hpp"
 
 #include "emit/cpp_interface.hpp"
+#include "emit/cpp_names.hpp"
 #include "emit/cpp_plan.hpp"
 #include "emit/cpp_stages.hpp"
 
@@ -9,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 namespace resonform {
 
@@ -29,6 +31,9 @@ private:
     std::string prepare() const;
     std::string flow_starts() const;
     std::string layers() const;
+    std::string arguments() const;
+    std::string constants(const std::string& target) const;
+    std::string conditions() const;
     std::string construct() const;
     std::string data_members() const;
 
@@ -37,7 +42,8 @@ private:
 };
 
 std::string CppFrame::aliases() const {
-    std::string text = "    using Interval = resonform::Interval<Real>;\n";
+    std::string text =
+        "    using Cause = resonform::Cause;\n    using Interval = resonform::Interval<Real>;\n";
     if (!program_.phases.empty()) text += "    using Wide = typename resonform::Phase<Real>::Wide;\n";
     return text + "\n";
 }
@@ -80,7 +86,7 @@ std::string CppFrame::look_up() const {
 std::string CppFrame::prepare() const {
     std::string text = "    // What the call needs beside the constants.\n"
                        "    Status prepare(const Real& t, Arguments& a) const noexcept {\n"
-                       "        if (status_ != Status::ok) return status_;\n";
+                       "        if (cause_.status != Status::ok) return cause_.status;\n";
     if (plan_.levels.empty() && program_.phases.empty())
         return text + "        return interval_.locate(t, a.T);\n    }\n\n";
     text += "        if (const Status located = interval_.locate(t, a.T); located != Status::ok) return "
@@ -98,12 +104,19 @@ std::string CppFrame::prepare() const {
 
 // Builds a table as far as it goes; what goes nowhere is the answer of the construction.
 std::string built_or_return(const std::string& call) {
-    return fmt::format(R"(        if (const Status built = interval_.shorten(
+    return fmt::format(R"(        if (const Cause failed = interval_.shorten(
                 {}, reach);
-            built != Status::ok)
-            return built;
+            failed.status != Status::ok)
+            return failed;
 )",
                        call);
+}
+std::string built_or_return(const std::string& call, const std::string& what) {
+    return built_or_return(fmt::format("{{{}, {}}}", call, cpp_literal(what)));
+}
+
+std::string bad_unless(const std::string& condition, const std::string& status, const std::string& what) {
+    return fmt::format("        if (!{}) return {{Status::{}, {}}};\n", condition, status, cpp_literal(what));
 }
 
 std::string CppFrame::flow_starts() const {
@@ -114,44 +127,89 @@ std::string CppFrame::flow_starts() const {
 
 std::string CppFrame::layers() const {
     if (plan_.layers.empty()) return "";
+    std::vector<std::string> names;
+    for (const CppCondition& margin : plan_.layers) names.push_back(cpp_literal(margin.quantity));
     return built_or_return(
-        fmt::format("resonform::clear_of_layers([this](const Real& T) {{ return layers(c_, T{}); }}, reach)",
-                    plan_.layers_use_flow ? ", look_up_1(T)" : ""));
+        fmt::format("resonform::clear_of_layers([this](const Real& T) {{ return layers(c_, T{}); }},\n"
+                    "                                           std::array{{{}}}, reach)",
+                    plan_.layers_use_flow ? ", look_up_1(T)" : "", fmt::join(names, ", ")));
+}
+
+std::string CppFrame::arguments() const {
+    std::string text = "        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) "
+                       "return bad;\n";
+    std::map<Graph::Node, std::string> all{{program_.eps, "eps"}};
+    const auto finite = [&](const std::string& from, const std::vector<ProgramInput>& inputs,
+                            const std::vector<std::string>& names) {
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            all[inputs[k].symbol] = from + names[k];
+            text += bad_unless(fmt::format("finite({}{})", from, names[k]), "bad_argument", names[k]);
+        }
+    };
+    finite("parameters.", program_.parameters, plan_.parameters);
+    finite("start.", program_.start, plan_.start);
+    if (!plan_.range.native) return text;
+    for (const Graph::Node symbol : plan_.range.limited) {
+        const std::string& argument = all.at(symbol);
+        text += bad_unless(fmt::format("within({}, 0x1p{})", argument, plan_.range.bound), "overflow",
+                           argument.substr(argument.find('.') + 1));
+    }
+    return text;
+}
+
+// The emitted call that computes the constants; the code before it has checked the arguments.
+std::string CppFrame::constants(const std::string& target) const {
+    const std::string call = fmt::format("constants(eps, parameters, start, {})", target);
+    if (plan_.range.native) return "        compute_" + call + ";\n";
+    return "        if (const Cause lost = keep_" + call +
+           "; lost.status != Status::ok)\n            return lost;\n";
+}
+
+// Where constants are kept by way of numbers of any range, this looks at their conditions as well.
+std::string CppFrame::conditions() const {
+    if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
+    const bool apart = plan_.conditions_apart;
+    std::string text;
+    if (apart)
+        text +=
+            "        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);\n";
+    for (std::size_t k = 0; k < plan_.constant_conditions.size(); ++k) {
+        const CppCondition& condition = plan_.constant_conditions[k];
+        text += bad_unless(apart ? fmt::format("(holds[{}] > resonform::Scaled<Real>(0))", k)
+                                 : fmt::format("(c_.{} > Real(0))", plan_.members.at(condition.value)),
+                           "outside_domain", condition.quantity);
+    }
+    return text;
 }
 
 std::string CppFrame::construct() const {
     std::string text =
-        "    Status construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
-        "                     const Real& end) {\n"
-        "        if (!Interval::accepts(eps, end)) return Status::bad_argument;\n";
-    for (const std::string& name : plan_.parameters)
-        text += fmt::format("        if (!finite(parameters.{})) return Status::bad_argument;\n", name);
-    for (const std::string& name : plan_.start)
-        text += fmt::format("        if (!finite(start.{})) return Status::bad_argument;\n", name);
-    text +=
-        "        interval_ = Interval(eps, end);\n        compute_constants(eps, parameters, start, c_);\n";
-    for (const StraightLine::Value condition : plan_.constant_conditions)
-        text += fmt::format("        if (!(c_.{} > Real(0))) return Status::outside_domain;\n",
-                            plan_.members.at(condition));
+        "    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
+        "                     const Real& end) {\n" +
+        arguments() + "        interval_ = Interval(eps, end);\n" + constants("c_");
+    text += conditions();
     if (!plan_.levels.empty() || !program_.phases.empty() || !plan_.layers.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
     if (program_.flow.empty()) text += layers();
     for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
         if (plan_.levels[level].flow) {
-            text += built_or_return(fmt::format(
-                "tables_{}_.build([this](const Real& T, const std::array<Real, {}>& flow) {{ return "
-                "flow_rates(c_, T, flow); }},\n                              {{{}}}, reach)",
-                level, program_.flow.size(), flow_starts()));
+            text += built_or_return(
+                fmt::format(
+                    "tables_{}_.build([this](const Real& T, const std::array<Real, {}>& flow) {{ return "
+                    "flow_rates(c_, T, flow); }},\n                              {{{}}}, reach)",
+                    level, program_.flow.size(), flow_starts()),
+                plan_.levels[level].name);
             text += layers();
             continue;
         }
         const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);
-        text += built_or_return(fmt::format(
-            "tables_{0}_.build([this](const Real& T) {{ return integrands_{0}(c_, T{1}); }}, reach)", level,
-            tables));
+        text += built_or_return(
+            fmt::format(
+                "tables_{0}_.build([this](const Real& T) {{ return integrands_{0}(c_, T{1}); }}, reach)",
+                level, tables),
+            plan_.levels[level].name);
     }
-    if (!program_.phases.empty())
-        text += "        Constants<Wide> wide;\n        compute_constants(eps, parameters, start, wide);\n";
+    if (!program_.phases.empty()) text += "        Constants<Wide> wide;\n" + constants("wide");
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);
@@ -163,9 +221,10 @@ std::string CppFrame::construct() const {
             name, rate);
         text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, reach{2})", name,
                                             plan_.members.at(plan_.phase_starts[k]),
-                                            plan_.phase_uses_tables[k] ? ", true" : ""));
+                                            plan_.phase_uses_tables[k] ? ", true" : ""),
+                                name);
     }
-    return text + "        return Status::ok;\n    }\n\n";
+    return text + "        return {};\n    }\n\n";
 }
 
 std::string CppFrame::data_members() const {
@@ -179,7 +238,7 @@ std::string CppFrame::data_members() const {
     }
     for (const std::string& name : plan_.phase_names)
         text += fmt::format("    resonform::Phase<Real> {}_;\n", name);
-    return "    Constants<Real> c_;\n    Interval interval_;\n" + text + "    Status status_ = Status::ok;\n";
+    return "    Constants<Real> c_;\n    Interval interval_;\n" + text + "    Cause cause_;\n";
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp_function.hpp"
 
+#include "algebra/binary_parts.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,15 +18,13 @@ using Value = StraightLine::Value;
 constexpr std::size_t longest_function = 300; // operations
 constexpr std::size_t longest_piece = 120;    // statements
 constexpr std::size_t longest_inline = 64;    // characters
-const Integer chunk = Integer(1) << 48;       // exact in every real type
 
-// A non-negative integer in terms of literals up to 2^48.
+// |n| <= 2^48: exact in every real type.
+bool is_short(const Integer& n) { return cln::abs(n) <= (Integer(1) << 48); }
+
+// A short integer that is not negative.
 std::string integer_text(const std::string& type, const Integer& n) {
-    if (n <= chunk)
-        return fmt::format("{}({}{})", type, to_string(Rational(n)), n < (Integer(1) << 31) ? "" : "LL");
-    const cln::cl_I_div_t parts = cln::floor2(n, chunk);
-    return fmt::format("({} * {} + {})", integer_text(type, parts.quotient), integer_text(type, chunk),
-                       integer_text(type, parts.remainder));
+    return fmt::format("{}({}{})", type, to_string(Rational(n)), n < (Integer(1) << 31) ? "" : "LL");
 }
 
 std::string function_name(Graph::Op op) {
@@ -110,10 +110,16 @@ std::string CppFunction::operand(Value v, Level least) const {
 }
 
 CppFunction::Text CppFunction::number(const Rational& value) const {
+    const Integer numerator = cln::numerator(value), denominator = cln::denominator(value);
+    if (!is_short(numerator) || !is_short(denominator)) {
+        const BinaryParts binary = binary_parts(value);
+        const std::string exponent = binary.exponent == 0 ? "" : fmt::format(", {}", binary.exponent);
+        return {fmt::format("resonform::math::number<{}>({{{}}}{})", type_, fmt::join(binary.parts, ", "),
+                            exponent),
+                Level::atom};
+    }
     const bool negative = value < 0;
-    const Integer numerator = cln::abs(cln::numerator(value)), denominator = cln::denominator(value);
-    std::string text = integer_text(type_, numerator);
-    if (negative) text = "-" + text;
+    const std::string text = (negative ? "-" : "") + integer_text(type_, cln::abs(numerator));
     if (denominator == 1) return {text, negative ? Level::product : Level::atom};
     return {fmt::format("{} / {}", text, integer_text(type_, denominator)), Level::product};
 }
@@ -165,6 +171,7 @@ CppFunction::Text CppFunction::expression(Value v) const {
     case StraightLine::Op::add: return sum_of(i);
     case StraightLine::Op::multiply: return product_of(i);
     case StraightLine::Op::reciprocal:
+        if (i.varying) return {fmt::format("per({})", texts_.at(i.operands.front()).text), Level::atom};
         return {fmt::format("{}(1) / {}", type_, operand(i.operands.front(), Level::atom)), Level::product};
     default: return function_of(i);
     }

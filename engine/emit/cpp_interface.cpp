@@ -2,6 +2,7 @@
 #include "emit/cpp_interface.hpp"
 
 #include "emit/cpp_function.hpp"
+#include "emit/cpp_names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +20,7 @@ public:
     std::string print() {
         return parameters() + start() + results("Values", plan_.outputs, "The outputs at one time.") +
                results("State", plan_.state, "All states at one time, with the map at its full weight.") +
-               constructors() + default_start() + default_slow_time_end() + calls();
+               constructors() + why() + default_start() + default_slow_time_end() + calls();
     }
 
 private:
@@ -27,13 +28,16 @@ private:
     std::string start() const;
     static std::string results(const std::string& name, const std::vector<CppResult>& list,
                                const std::string& comment);
-    static std::string constructors();
+    std::string constructors() const;
+    std::string why() const;
     std::string default_start();
     std::string default_slow_time_end();
     std::string calls() const;
     static std::string call(const std::string& head, const std::string& type, const std::string& function,
                             const std::vector<CppResult>& list);
     std::string batch() const;
+    [[nodiscard]] std::string default_type() const;
+    [[nodiscard]] std::string default_text(const CppFunction& function, Value v) const;
     void know_inputs(CppFunction& function);
 
     const Program& program_;
@@ -71,7 +75,7 @@ std::string CppInterface::results(const std::string& name, const std::vector<Cpp
     return text + "    };\n\n";
 }
 
-std::string CppInterface::constructors() {
+std::string CppInterface::constructors() const {
     return R"(    explicit Evaluator(const Real& eps) : Evaluator(eps, Parameters{}) {}
     Evaluator(const Real& eps, const Parameters& parameters)
         : Evaluator(eps, parameters, default_start(eps, parameters)) {}
@@ -79,23 +83,53 @@ std::string CppInterface::constructors() {
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
 
 )";
 }
 
+std::string CppInterface::why() const {
+    std::string phases;
+    for (const std::string& name : plan_.phase_names)
+        phases += fmt::format("!{}_.precise() ? {} : ", name, cpp_literal(name));
+    if (!phases.empty())
+        phases = fmt::format("        if (status == Status::low_precision) return {}\"\";\n", phases);
+    return fmt::format(
+        R"(    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {{
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+{}        return interval_.why(status, {}, {});
+    }}
+
+)",
+        phases, cpp_literal(plan_.conditions_text()), cpp_literal(plan_.results_text()));
+}
+
+std::string CppInterface::default_type() const {
+    return plan_.native_defaults ? "Real" : "resonform::Scaled<Real>";
+}
+
+std::string CppInterface::default_text(const CppFunction& function, Value v) const {
+    return plan_.native_defaults ? function.text(v)
+                                 : fmt::format("{}({}).value()", default_type(), function.text(v));
+}
+
 void CppInterface::know_inputs(CppFunction& function) {
-    function.know(plan_.code.lower(program_.eps), "eps");
+    const auto know = [&](Graph::Node symbol, const std::string& name) {
+        function.know(plan_.code.lower(symbol),
+                      plan_.native_defaults ? name : fmt::format("{}({})", default_type(), name));
+    };
+    know(program_.eps, "eps");
     for (std::size_t k = 0; k < program_.parameters.size(); ++k)
-        function.know(plan_.code.lower(program_.parameters[k].symbol), "parameters." + plan_.parameters[k]);
+        know(program_.parameters[k].symbol, "parameters." + plan_.parameters[k]);
 }
 
 // The values of the scene.
 std::string CppInterface::default_start() {
-    CppFunction function(plan_.code, "Real", "q");
+    CppFunction function(plan_.code, default_type(), "q");
     know_inputs(function);
     std::vector<Value> roots;
     CppFunction::Frame frame{"static",         "Start",
@@ -104,13 +138,13 @@ std::string CppInterface::default_start() {
     for (const ProgramInput& input : program_.start) roots.push_back(plan_.code.lower(input.default_value));
     function.compute(roots, true);
     for (std::size_t k = 0; k < roots.size(); ++k)
-        frame.last.push_back(fmt::format("start.{} = {};", plan_.start[k], function.text(roots[k])));
+        frame.last.push_back(fmt::format("start.{} = {};", plan_.start[k], default_text(function, roots[k])));
     frame.last.emplace_back("return start;");
     return function.print(frame) + "\n";
 }
 
 std::string CppInterface::default_slow_time_end() {
-    CppFunction function(plan_.code, "Real", "q");
+    CppFunction function(plan_.code, default_type(), "q");
     know_inputs(function);
     const Value v = plan_.code.lower(program_.slow_time_end);
     function.compute({v}, true);
@@ -119,7 +153,7 @@ std::string CppInterface::default_slow_time_end() {
                            "default_slow_time_end",
                            {{"const Real&", "eps"}, {"const Parameters&", "parameters"}},
                            {},
-                           {fmt::format("return {};", function.text(v))}}) +
+                           {fmt::format("return {};", default_text(function, v))}}) +
            "\n";
 }
 

@@ -32,7 +32,7 @@ const char* const words[] = {
     "Interval", "Evaluator", "c", "w", "t", "T", "a", "i", "parameters", "start", "given_eps", "tables",
     "flow", "values", "status", "count", "prepared", "none", "generated", "resonform", "std", "math", "sqrt",
     "sin", "cos", "log", "exp", "asinh", "atan2", "hypot", "pow", "floor", "root", "power", "finite",
-    "not_a_number", "magnitude", "epsilon", "digits", "pi",
+    "not_a_number", "magnitude", "epsilon", "digits", "pi", "number", "per", "within", "scaled", "Cause",
     // macros of compilers and of the C library
     "linux", "unix", "i386", "sun", "mips", "sparc", "hpux", "arm", "near", "far", "min", "max", "small",
     "major", "minor", "assert", "errno", "stdin", "stdout", "stderr", "alloca", "offsetof", "setjmp",
@@ -81,6 +81,12 @@ std::string CppNames::numbered(const std::string& prefix) {
     do name = fmt::format("{}_{}", prefix, ++last_);
     while (!taken_.insert(name).second);
     return name;
+}
+
+std::string cpp_literal(const std::string& text) {
+    std::string literal = "\"";
+    for (const char c : text) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    return literal + "\"";
 }
 
 std::string cpp_namespace(const std::string& system, const std::string& scene) {

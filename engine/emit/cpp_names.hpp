@@ -25,4 +25,7 @@ private:
 // resonform::generated::<system>::<scene>, where any name of a file is a legal name of a namespace.
 std::string cpp_namespace(const std::string& system, const std::string& scene);
 
+// A C++ string literal of ASCII text.
+std::string cpp_literal(const std::string& text);
+
 } // namespace resonform

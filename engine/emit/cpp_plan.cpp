@@ -15,7 +15,17 @@ CppPlan::CppPlan(const Program& p) : program(&p), code(p) {
     name_inputs();
     assign_levels();
     lower_results();
-    find_members();
+    find_members(false);
+    find_ranges();
+    const bool native = range.native;
+    find_members(true);
+    find_ranges();
+    conditions_apart = native && !range.native;
+    if (conditions_apart) {
+        find_members(false);
+        find_ranges();
+    }
+    name_kept();
 }
 
 void CppPlan::name_inputs() {
@@ -32,7 +42,7 @@ void CppPlan::name_inputs() {
 
 void CppPlan::assign_levels() {
     if (!program->flow.empty()) {
-        levels.push_back({true, {}});
+        levels.push_back({true, "slow flow", {}});
         for (std::size_t k = 0; k < program->flow.size(); ++k) levels.back().members.push_back(k);
     }
     const std::size_t first = levels.size();
@@ -43,7 +53,9 @@ void CppPlan::assign_levels() {
             if (used[static_cast<std::size_t>(program->tables[j].value)])
                 level[k] = std::max(level[k], level[j] + 1);
         if (levels.size() <= level[k]) levels.resize(level[k] + 1);
-        levels[level[k]].members.push_back(k);
+        CppLevel& own = levels[level[k]];
+        own.members.push_back(k);
+        own.name += (own.name.empty() ? "" : " or ") + program->tables[k].name;
     }
 }
 
@@ -60,6 +72,13 @@ std::size_t CppPlan::columns_before(std::size_t level) const {
     std::size_t count = 0;
     for (std::size_t k = 0; k < level; ++k) count += levels[k].members.size();
     return count;
+}
+
+std::string CppPlan::conditions_text() const {
+    std::string text;
+    for (const CppCondition& condition : varying_conditions)
+        text += (text.empty() ? "" : " or ") + condition.quantity;
+    return text;
 }
 
 void CppPlan::lower_results() {
@@ -90,40 +109,97 @@ void CppPlan::lower_results() {
     }
     outputs = results(program->outputs);
     state = results(program->state);
-    for (const Graph::Node condition : program->positive) {
-        const Value v = code.lower(condition);
-        (code.at(v).varying ? varying_conditions : constant_conditions).push_back(v);
+    for (const ProgramCondition& condition : program->positive) {
+        const Value v = code.lower(condition.value);
+        (code.at(v).varying ? varying_conditions : constant_conditions).push_back({v, condition.quantity});
     }
-    const std::vector<bool> behind_layers = reachable(program->graph, program->layers);
-    for (const Graph::Node margin : program->layers) layers.push_back(code.lower(margin));
+    std::vector<Graph::Node> margins;
+    for (const ProgramCondition& margin : program->layers) {
+        layers.push_back({code.lower(margin.value), margin.quantity});
+        margins.push_back(margin.value);
+    }
+    const std::vector<bool> behind_layers = reachable(program->graph, margins);
     for (const ProgramFlow& variable : program->flow)
         layers_use_flow = layers_use_flow || behind_layers[static_cast<std::size_t>(variable.value)];
 }
 
-// Constants that varying values use, and results that are constant; small integers are written in place.
-void CppPlan::find_members() {
-    std::vector<Value> roots = integrands;
-    for (const std::vector<Value>* more : {&flow_starts, &flow_rates, &phase_starts, &phase_rates,
-                                           &constant_conditions, &varying_conditions, &layers})
-        roots.insert(roots.end(), more->begin(), more->end());
+// All that is computed, but for constant conditions.
+std::vector<Value> CppPlan::roots() const {
+    std::vector<Value> all = integrands;
+    for (const std::vector<Value>* more : {&flow_starts, &flow_rates, &phase_starts, &phase_rates})
+        all.insert(all.end(), more->begin(), more->end());
+    for (const std::vector<CppCondition>* conditions : {&varying_conditions, &layers})
+        for (const CppCondition& condition : *conditions) all.push_back(condition.value);
     for (const std::vector<CppResult>* results : {&outputs, &state})
-        for (const CppResult& result : *results) roots.push_back(result.value);
+        for (const CppResult& result : *results) all.push_back(result.value);
+    return all;
+}
+
+// Constants that varying values use, and results that are constant; small integers are written in place.
+void CppPlan::find_members(bool conditions) {
+    std::vector<Value> all = roots();
+    if (conditions)
+        for (const CppCondition& condition : constant_conditions) all.push_back(condition.value);
 
     std::map<Graph::Node, std::string> inputs{{program->eps, "eps"}};
     for (const std::vector<ProgramInput>* list : {&program->parameters, &program->start})
         for (const ProgramInput& input : *list) inputs[input.symbol] = input.name;
 
-    std::set<Value> kept(phase_starts.begin(), phase_starts.end()); // whatever they are
-    kept.insert(flow_starts.begin(), flow_starts.end());
-    kept.insert(constant_conditions.begin(), constant_conditions.end());
+    std::set<Value> in_any_case(phase_starts.begin(), phase_starts.end()); // whatever they are
+    in_any_case.insert(flow_starts.begin(), flow_starts.end());
+    for (const CppCondition& condition : constant_conditions) in_any_case.insert(condition.value);
     CppNames names;
-    for (const Value v : code.behind(roots, false)) {
+    members.clear();
+    for (const Value v : code.behind(all, false)) {
         const StraightLine::Instruction& i = code.at(v);
         const bool literal = i.op == StraightLine::Op::number && cln::denominator(i.number) == 1 &&
-                             cln::abs(i.number) < (Integer(1) << 31) && kept.count(v) == 0;
+                             cln::abs(i.number) < (Integer(1) << 31) && in_any_case.count(v) == 0;
         if (i.varying || literal) continue;
         const std::string wish = i.op == StraightLine::Op::symbol ? inputs.at(i.symbol) : i.label;
         members[v] = wish.empty() ? names.numbered("c") : names.unique(wish);
+    }
+}
+
+void CppPlan::find_ranges() {
+    std::vector<Value> constants, defaults{code.lower(program->slow_time_end)};
+    for (const auto& member : members) constants.push_back(member.first);
+    range = constant_range(code, constants);
+    for (const ProgramInput& input : program->start) defaults.push_back(code.lower(input.default_value));
+    constexpr int one_factor = 500; // more than half of all exponents: no product of two arguments
+    native_defaults = constant_range(code, defaults).bound > one_factor;
+}
+
+// Of each value, what uses it and has a name that a reader knows.
+std::vector<std::string> CppPlan::users() const {
+    std::vector<std::string> user(code.size());
+    const auto name = [&](Value v, const std::string& text) { user[static_cast<std::size_t>(v)] = text; };
+    for (const std::vector<CppCondition>* conditions : {&layers, &varying_conditions})
+        for (const CppCondition& condition : *conditions) name(condition.value, condition.quantity);
+    for (std::size_t k = 0; k < phase_rates.size(); ++k) name(phase_rates[k], phase_names[k]);
+    for (std::size_t k = 0; k < integrands.size(); ++k) name(integrands[k], program->tables[k].name);
+    for (std::size_t k = 0; k < flow_rates.size(); ++k)
+        for (const Value v : {flow_rates[k], flow_starts[k]}) name(v, program->flow[k].name);
+    for (const std::vector<CppResult>* results : {&state, &outputs})
+        for (const CppResult& result : *results) name(result.value, result.name);
+    for (std::size_t v = code.size(); v > 0; --v) {
+        const StraightLine::Instruction& i = code.at(static_cast<Value>(v - 1));
+        if (!i.varying) continue;
+        if (!i.label.empty()) user[v - 1] = i.label;
+        for (const Value operand : i.operands)
+            if (user[static_cast<std::size_t>(operand)].empty()) name(operand, user[v - 1]);
+    }
+    return user;
+}
+
+void CppPlan::name_kept() {
+    const std::vector<std::string> user = users();
+    for (const Value v : code.behind(roots(), false)) {
+        const auto member = members.find(v);
+        if (member == members.end()) continue;
+        const std::string& in = user[static_cast<std::size_t>(v)];
+        const bool known = !code.at(v).label.empty() || code.at(v).op == StraightLine::Op::symbol;
+        kept.emplace_back(v, known || in.empty() || in == member->second ? member->second
+                                                                         : member->second + " in " + in);
     }
 }
 

@@ -3,6 +3,7 @@
 // called at which time, and under which names.
 #pragma once
 
+#include "emit/constant_range.hpp"
 #include "emit/straight_line.hpp"
 
 #include <map>
@@ -15,12 +16,18 @@ namespace resonform {
 // integrands need no later ones.
 struct CppLevel {
     bool flow = false;
+    std::string name;                 // for a reader: "Q_x or Q_y"
     std::vector<std::size_t> members; // indices into program.tables, or program.flow: ascending
 };
 
 struct CppResult {
     std::string name; // the member of Values or State
     StraightLine::Value value;
+};
+
+struct CppCondition { // > 0
+    StraightLine::Value value;
+    std::string quantity;
 };
 
 struct CppPlan {
@@ -36,24 +43,39 @@ struct CppPlan {
     std::vector<std::string> phase_names;
     std::vector<bool> phase_uses_tables; // or the flow
     std::vector<CppResult> outputs, state;
-    std::vector<StraightLine::Value> constant_conditions, varying_conditions;
-    std::vector<StraightLine::Value> layers; // of program.layers
+    std::vector<CppCondition> constant_conditions, varying_conditions;
+    std::vector<CppCondition> layers; // of program.layers
     bool layers_use_flow = false;
     // Constants that outlive the construction, and the names of their members.
     std::map<StraightLine::Value, std::string> members;
+    ConstantRange range;  // of the members
+    bool native_defaults; // of start values and slow time, whatever the arguments are
+    // The constant conditions are no members: these are native, and they would not be.
+    bool conditions_apart = false;
+    [[nodiscard]] bool uses_scaled() const { return !range.native || !native_defaults || conditions_apart; }
+    // Of the members, those that must have a place in the real type, with what an evaluator says where one
+    // has none: "C_delta", "c_12 in psi_3". The others are conditions, of which the sign is enough.
+    std::vector<std::pair<StraightLine::Value, std::string>> kept;
     // All values that are looked up: of the flow, and of the tables, level by level.
     struct Column {
         std::string name;
         Graph::Node value;
     };
     [[nodiscard]] std::vector<Column> columns() const;
+    // What must be positive at every time; the output that may overflow then, "" if there are several.
+    [[nodiscard]] std::string conditions_text() const;
+    [[nodiscard]] std::string results_text() const { return outputs.size() == 1 ? outputs[0].name : ""; }
     [[nodiscard]] std::size_t columns_before(std::size_t level) const;
 
 private:
     void name_inputs();
     void assign_levels();
     void lower_results();
-    void find_members();
+    void find_members(bool conditions);
+    void find_ranges();
+    void name_kept();
+    [[nodiscard]] std::vector<StraightLine::Value> roots() const;
+    [[nodiscard]] std::vector<std::string> users() const;
 };
 
 } // namespace resonform

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace resonform {
 
 namespace {
@@ -17,12 +19,15 @@ public:
     explicit CppStages(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() {
-        return constants() + flow_rates() + layers() + integrands() + phase_rates() + arguments() +
-               evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state);
+        return constants() + kept_constants() + start_conditions() + flow_rates() + layers() + integrands() +
+               phase_rates() + arguments() + evaluation("outputs", "Values", plan_.outputs) +
+               evaluation("states", "State", plan_.state);
     }
 
 private:
     std::string constants();
+    std::string kept_constants() const;
+    std::string start_conditions();
     std::string flow_rates();
     std::string layers();
     std::string integrands();
@@ -31,6 +36,7 @@ private:
     std::string arguments() const;
     std::string evaluation(const std::string& name, const std::string& type,
                            const std::vector<CppResult>& list);
+    void know_arguments(CppFunction& function);
     void know_members(CppFunction& function) const;
     void know_tables(CppFunction& function, const std::string& array);
 
@@ -42,9 +48,7 @@ void CppStages::know_members(CppFunction& function) const {
     for (const auto& [value, name] : plan_.members) function.know(value, "c." + name);
 }
 
-std::string CppStages::constants() {
-    std::string text = "    // What is computed once.\n    template <class Number> struct Constants {\n";
-    CppFunction function(plan_.code, "Number", "k");
+void CppStages::know_arguments(CppFunction& function) {
     function.define(plan_.code.lower(program_.eps), "eps", "Number(given_eps)");
     for (std::size_t k = 0; k < program_.parameters.size(); ++k)
         function.define(plan_.code.lower(program_.parameters[k].symbol), program_.parameters[k].name,
@@ -52,6 +56,12 @@ std::string CppStages::constants() {
     for (std::size_t k = 0; k < program_.start.size(); ++k)
         function.define(plan_.code.lower(program_.start[k].symbol), program_.start[k].name,
                         "Number(start." + plan_.start[k] + ")");
+}
+
+std::string CppStages::constants() {
+    std::string text = "    // What is computed once.\n    template <class Number> struct Constants {\n";
+    CppFunction function(plan_.code, "Number", "k");
+    know_arguments(function);
     std::vector<Value> roots;
     for (const auto& [value, name] : plan_.members) {
         text += fmt::format("        Number {}{{}};\n", name);
@@ -69,6 +79,58 @@ std::string CppStages::constants() {
                             {"Constants<Number>&", "c"}},
                            {},
                            {}}) +
+           "\n";
+}
+
+// Where powers of arguments may leave the range of Number: all constants in Scaled, and then as Numbers.
+std::string CppStages::kept_constants() const {
+    if (plan_.range.native) return "";
+    constexpr std::size_t longest = 200; // statements of a function
+    const std::string structs = "const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c";
+    std::string text, calls;
+    for (std::size_t k = 0; k < plan_.kept.size(); k += longest) {
+        const std::string name = fmt::format("keep_{}", k / longest + 1);
+        text += fmt::format("    template <class Number> static void {}({}, resonform::Keeper& keep) {{\n",
+                            name, structs);
+        for (std::size_t j = k; j < std::min(k + longest, plan_.kept.size()); ++j) {
+            const auto& [value, reader] = plan_.kept[j];
+            text += fmt::format("        keep(scaled.{0}, c.{0}, {1});\n", plan_.members.at(value),
+                                cpp_literal(reader));
+        }
+        text += "    }\n\n";
+        calls += fmt::format("        {}(scaled, c, keep);\n", name);
+    }
+    text += "    // The same in numbers of any range first; what has no place in Number is the answer.\n"
+            "    template <class Number> static Cause keep_constants(\n            const Real& eps, const "
+            "Parameters& parameters, const Start& start, Constants<Number>& c) {\n"
+            "        Constants<resonform::Scaled<Number>> scaled;\n"
+            "        compute_constants(eps, parameters, start, scaled);\n";
+    for (const CppCondition& condition : plan_.constant_conditions)
+        text += fmt::format("        if (!(scaled.{} > resonform::Scaled<Number>(0))) return "
+                            "{{Status::outside_domain, {}}};\n",
+                            plan_.members.at(condition.value), cpp_literal(condition.quantity));
+    return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n";
+}
+
+// Products of many arguments, of which the sign is enough.
+std::string CppStages::start_conditions() {
+    if (!plan_.conditions_apart) return "";
+    CppFunction function(plan_.code, "Number", "k");
+    know_arguments(function);
+    std::vector<Value> conditions;
+    for (const CppCondition& condition : plan_.constant_conditions) conditions.push_back(condition.value);
+    function.compute(conditions, true);
+    std::vector<std::string> texts;
+    for (const Value condition : conditions) texts.push_back("Number(" + function.text(condition) + ")");
+    return "    // All > 0, or the solution does not start where its map is close to the identity.\n" +
+           function.print({"template <class Number> static",
+                           fmt::format("std::array<Number, {}>", texts.size()),
+                           "start_conditions",
+                           {{"const Real&", "given_eps"},
+                            {"const Parameters&", "parameters"},
+                            {"const Start&", "start"}},
+                           {},
+                           {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}) +
            "\n";
 }
 
@@ -109,9 +171,11 @@ std::string CppStages::layers() {
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
     know_tables(function, "flow");
-    function.compute(plan_.layers, false);
+    std::vector<Value> margins;
+    for (const CppCondition& margin : plan_.layers) margins.push_back(margin.value);
+    function.compute(margins, false);
     std::vector<std::string> texts;
-    for (const Value margin : plan_.layers) texts.push_back("Number(" + function.text(margin) + ")");
+    for (const Value margin : margins) texts.push_back("Number(" + function.text(margin) + ")");
     CppFunction::Frame frame{"template <class Number> static",
                              fmt::format("std::array<Number, {}>", texts.size()),
                              "layers",
@@ -203,7 +267,8 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
         function.know(plan_.code.lower(program_.phases[k].cosine), "a.cos_" + plan_.phase_names[k]);
         function.know(plan_.code.lower(program_.phases[k].sine), "a.sin_" + plan_.phase_names[k]);
     }
-    std::vector<Value> roots = plan_.varying_conditions;
+    std::vector<Value> roots;
+    for (const CppCondition& condition : plan_.varying_conditions) roots.push_back(condition.value);
     for (const CppResult& result : list) roots.push_back(result.value);
     function.compute(roots, false);
 
@@ -211,9 +276,9 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
         "static", "Status",
         name,     {{"const Constants<Real>&", "c"}, {"const Arguments&", "a"}, {type + "&", "values"}},
         {},       {}};
-    for (const Value condition : plan_.varying_conditions)
-        frame.last.push_back(
-            fmt::format("if (!({} > Real(0))) return Status::outside_domain;", function.text(condition)));
+    for (const CppCondition& condition : plan_.varying_conditions)
+        frame.last.push_back(fmt::format("if (!({} > Real(0))) return Status::outside_domain;",
+                                         function.text(condition.value)));
     std::vector<std::string> finite;
     for (const CppResult& result : list) {
         frame.last.push_back(fmt::format("values.{} = {};", result.name, function.text(result.value)));

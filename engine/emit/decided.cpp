@@ -17,7 +17,8 @@ void require_decided(const NormalForm& form) {
     constexpr std::size_t longest = 1500; // of a message of 2 kB
     const std::string shown =
         coefficient.size() > longest ? coefficient.substr(0, longest) + "..." : coefficient;
-    refuse({"each coefficient of a normal form is proved to be zero or to be different from zero",
+    refuse(Reason::undecided,
+           {"each coefficient of a normal form is proved to be zero or to be different from zero",
             fmt::format("{} of {} in {}", shown, text(Polynomial(undecided->monomial, Rational(1))),
                         undecided->rate),
             "write the equation without the expressions that may cancel, or give parameters values with "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display.hpp"
 
+#include "algebra/cancellation.hpp"
 #include "emit/display_order.hpp"
 
 #include <algorithm>
@@ -166,6 +167,30 @@ struct Element {
     DisplayTerm term;
 };
 
+DisplayFactor sum_factor(DisplaySum sum, const Rational& exponent) {
+    DisplayFactor factor;
+    factor.kind = DisplayFactor::Kind::sum;
+    factor.arguments = {std::move(sum)};
+    factor.exponent = exponent;
+    return factor;
+}
+
+// Below the fraction bar: the same one again as a power.
+void divide_by(DisplayTerm& term, DisplaySum divisor) {
+    if (cln::minusp(divisor.terms.front().coefficient)) {
+        divisor = -std::move(divisor);
+        term.coefficient = -term.coefficient;
+    }
+    DisplayFactor factor = sum_factor(std::move(divisor), -1);
+    const auto same = std::find_if(term.factors.begin(), term.factors.end(), [&](const DisplayFactor& f) {
+        return f.exponent < 0 && same_base(f, factor);
+    });
+    if (same == term.factors.end())
+        term.factors.push_back(std::move(factor));
+    else
+        same->exponent = same->exponent - 1;
+}
+
 // outer * numerator, the numerator's terms either all real or all imaginary.
 Element element(const Ring& ring, const Exponents& outer, std::vector<PlainTerm> numerator,
                 const Substitutes& substitutes) {
@@ -175,17 +200,22 @@ Element element(const Ring& ring, const Exponents& outer, std::vector<PlainTerm>
     result.order = content.exponents;
     result.term = monomial_term(ring, content.exponents, content.coefficient, substitutes);
     if (numerator.size() == 1) return result;
-    DisplayFactor sum;
-    sum.kind = DisplayFactor::Kind::sum;
-    sum.arguments.emplace_back();
+    DisplaySum sum;
     for (const PlainTerm& term : numerator)
-        sum.arguments.front().terms.push_back(
-            monomial_term(ring, term.exponents, term.coefficient, substitutes));
+        sum.terms.push_back(monomial_term(ring, term.exponents, term.coefficient, substitutes));
     auto& factors = result.term.factors;
     const auto place = std::find_if(factors.begin(), factors.end(), [](const DisplayFactor& factor) {
         return factor.kind != DisplayFactor::Kind::symbol && factor.kind != DisplayFactor::Kind::number;
     });
-    factors.insert(place, std::move(sum));
+    factors.insert(place, sum_factor(std::move(sum), 1));
+    return result;
+}
+
+// The same of a part that is real or imaginary.
+Element element(const Ring& ring, const Monomial& outer, Polynomial part, const Substitutes& substitutes) {
+    const Fraction f = cancelled(ring, outer, std::move(part));
+    Element result = element(ring, ring.exponents(f.factor), ordered_terms(ring, f.numerator), substitutes);
+    for (const Polynomial& divisor : f.divisors) divide_by(result.term, display_radicand(ring, divisor));
     return result;
 }
 
@@ -194,17 +224,18 @@ Element element(const Ring& ring, const Exponents& outer, std::vector<PlainTerm>
 DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& substitutes) {
     std::vector<Element> elements;
     for (const auto& [outer, numerator] : ring.expanded_form(p)) {
-        std::vector<PlainTerm> parts[2]; // real, imaginary
-        for (PlainTerm& term : ordered_terms(ring, numerator))
-            parts[term.exponents[Ring::imaginary_unit] != 0 ? 1 : 0].push_back(std::move(term));
+        std::vector<Term> parts[2]; // real, imaginary
+        for (const Term& t : numerator.terms())
+            parts[ring.exponent(t.monomial, Ring::imaginary_unit) != 0 ? 1 : 0].push_back(t);
         for (auto& part : parts) {
-            if (ring.digits() > 0) { // rounded numbers have no common factors
-                for (const PlainTerm& term : part)
-                    elements.push_back(element(ring, ring.exponents(outer), {term}, substitutes));
-                part.clear();
+            const Polynomial sum = Polynomial::from_terms(std::move(part));
+            if (sum.empty()) continue;
+            if (ring.digits() == 0) {
+                elements.push_back(element(ring, outer, sum, substitutes));
+                continue;
             }
-            if (!part.empty())
-                elements.push_back(element(ring, ring.exponents(outer), std::move(part), substitutes));
+            for (PlainTerm& term : ordered_terms(ring, sum)) // rounded numbers have no common factors
+                elements.push_back(element(ring, ring.exponents(outer), {std::move(term)}, substitutes));
         }
     }
     std::sort(elements.begin(), elements.end(), [](const Element& a, const Element& b) {

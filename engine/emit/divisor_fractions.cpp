@@ -63,8 +63,7 @@ std::optional<std::pair<Monomial, Polynomial>> over_lowest_power(const Ring& rin
     return std::pair(ring.monomial(divisor, power), std::move(numerator));
 }
 
-std::optional<std::pair<Monomial, Polynomial>> fraction(const Ring& ring, const Polynomial& p,
-                                                        const Ids& divisors) {
+std::optional<Fraction> fraction(const Ring& ring, const Polynomial& p, const Ids& divisors) {
     const std::size_t most = 2 * p.size() + 8;
     std::pair<Monomial, Polynomial> result{{}, p};
     for (const GeneratorId divisor : divisors) {
@@ -73,7 +72,7 @@ std::optional<std::pair<Monomial, Polynomial>> fraction(const Ring& ring, const 
         result = {result.first + next->first, std::move(next->second)};
         if (result.second.empty()) break;
     }
-    return result;
+    return cancelled(ring, result.first, std::move(result.second));
 }
 
 void add(TermsOver& sum, const Monomial& over, const Polynomial& numerator, const Monomial& times) {
@@ -90,19 +89,36 @@ void add_term_by_term(const Ring& ring, const Polynomial& p, const Ids& divisors
 
 } // namespace
 
-std::map<Monomial, Polynomial> divisor_fractions(const Ring& ring, const Polynomial& p) {
+std::vector<Fraction> divisor_fractions(const Ring& ring, const Polynomial& p) {
     const Ids divisors = divisors_in(ring, p);
-    if (divisors.empty()) return {{Monomial{}, p}};
+    if (divisors.empty()) return {{{}, p, {}}};
     TermsOver sum;
+    std::vector<Fraction> result;
     for (const auto& [outer, coefficient] : ring.collect(p, outside_of_radicands(ring))) {
-        if (const auto one = fraction(ring, coefficient, divisors))
-            add(sum, one->first, one->second, outer);
-        else
+        auto one = fraction(ring, coefficient, divisors);
+        if (!one) {
             add_term_by_term(ring, coefficient, divisors, outer, sum);
+        } else if (one->divisors.empty()) {
+            add(sum, one->factor, one->numerator, outer);
+        } else {
+            one->factor = one->factor + outer;
+            result.push_back(std::move(*one));
+        }
     }
-    std::map<Monomial, Polynomial> result;
-    for (auto& [over, terms] : sum) result.emplace(over, Polynomial::from_terms(std::move(terms)));
+    for (auto& [over, terms] : sum) result.push_back({over, Polynomial::from_terms(std::move(terms)), {}});
     return result;
+}
+
+std::vector<Fraction> reduced_fractions(const Ring& ring, const Polynomial& p) {
+    std::vector<Fraction> reduced;
+    for (const Fraction& part : divisor_fractions(ring, p))
+        for (const auto& [outer, above] : ring.expanded_form(part.numerator)) {
+            Fraction f = cancelled(ring, outer, above);
+            f.factor = f.factor + part.factor;
+            f.divisors.insert(f.divisors.end(), part.divisors.begin(), part.divisors.end());
+            reduced.push_back(std::move(f));
+        }
+    return reduced;
 }
 
 } // namespace resonform

@@ -4,16 +4,20 @@
 //   u*(1/D1 + 1/D2) + v/D3   ->   (D1 D2)^-1 * u*(D1 + D2) + D3^-1 * v,   D1, D2 written out
 //
 // Only what has to do with divisors is put over a common denominator, and only where the numerator does not
-// become much longer by it: with many divisors it would grow like the product of their lengths.
+// become much longer by it: with many divisors it would grow like the product of their lengths. Common
+// factors of numerator and denominator are cancelled.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/cancellation.hpp"
 
-#include <map>
+#include <vector>
 
 namespace resonform {
 
-// Powers of divisors -> numerator.
-std::map<Monomial, Polynomial> divisor_fractions(const Ring& ring, const Polynomial& p);
+// Their factors are powers of divisors.
+std::vector<Fraction> divisor_fractions(const Ring& ring, const Polynomial& p);
+
+// The same, roots and monomials factored out, and all common factors cancelled: what is lowered.
+std::vector<Fraction> reduced_fractions(const Ring& ring, const Polynomial& p);
 
 } // namespace resonform

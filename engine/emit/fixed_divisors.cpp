@@ -3,6 +3,7 @@
 
 #include "emit/normal_form_parts.hpp"
 #include "emit/spelling.hpp"
+#include "model/constant_sign.hpp"
 #include "model/zero_test.hpp"
 
 #include <fmt/format.h>
@@ -13,11 +14,14 @@ namespace resonform {
 
 namespace {
 
-bool is_zero_when_fixed(const GiNaC::ex& e, const Scene& scene) {
+Zero zero_when_fixed(const GiNaC::ex& e, const Scene& scene) {
     try {
-        return vanishes(scene.fixed(e).expand()) == Zero::yes;
+        const GiNaC::ex value = scene.fixed(e).expand();
+        if (is_constant(value) && sign_of_constant(value) != ConstantSign::unknown) return Zero::no;
+        const Zero zero = vanishes(value);
+        return zero == Zero::unknown && !is_constant(value) ? Zero::no : zero; // parameters are left
     } catch (const GiNaC::pole_error&) { // what stands below it is a divisor, too
-        return false;
+        return Zero::no;
     }
 }
 
@@ -30,16 +34,17 @@ std::string fixed_in(const GiNaC::ex& e, const Scene& scene) {
 }
 
 [[noreturn]] void refuse_fixed(const Ring& ring, const DivisorRecord& record, const std::string& names,
-                               const Scene& scene) {
+                               const Scene& scene, bool certain) {
     const auto text = [&](const Polynomial& p) {
         return spell(display(ring, p, phases(ring)), text_spelling());
     };
     Place place = whole_file(scene.file);
     place.key = "fix";
     refuse(
+        certain ? Reason::by_kind : Reason::undecided,
         {"no divisor that was divided by is zero with the values under [fix]",
-         fmt::format("D({}) of {} = {} = 0", text(Polynomial(record.monomial, 1)), record.variable,
-                     text(record.divisor)),
+         fmt::format("D({}) of {} = {}{}", text(Polynomial(record.monomial, 1)), record.variable,
+                     text(record.divisor), certain ? " = 0" : ", which may be zero"),
          fmt::format("change {} under [fix], or declare the resonance in [relations] of the system", names),
          place});
 }
@@ -59,8 +64,10 @@ void require_divisors(const Normalization& normalization, const Scene& scene) {
         const GiNaC::ex re = field.coefficients->expression(record.divisor + conjugate);
         const GiNaC::ex im =
             field.coefficients->expression(ring.multiply(-ring.imaginary(), record.divisor - conjugate));
-        if (is_zero_when_fixed(re, scene) && is_zero_when_fixed(im, scene))
-            refuse_fixed(ring, record, fixed_in(re + im, scene), scene);
+        const Zero real = zero_when_fixed(re, scene), imaginary = zero_when_fixed(im, scene);
+        if (real == Zero::no || imaginary == Zero::no) continue;
+        refuse_fixed(ring, record, fixed_in(re + im, scene), scene,
+                     real == Zero::yes && imaginary == Zero::yes);
     }
 }
 

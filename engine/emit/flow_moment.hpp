@@ -5,6 +5,8 @@
 #include "emit/moment.hpp"
 #include "solve/real_form.hpp"
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -19,6 +21,19 @@ struct FlowValues {
     std::vector<Graph::Node> slow, drift;
 };
 
+// p/eps^power before it has a place: real and imaginary part multiplied out, or, where these would be long,
+// coefficients times powers of the units.
+struct FlowSum {
+    struct Harmonic {
+        std::vector<int> turns, moduli; // powers of the units, modes first; of |mode|^2
+        std::vector<Fraction> re, im;
+    };
+    bool real = false; // the imaginary part is not asked for
+    std::vector<Fraction> re, im;
+    std::vector<Harmonic> harmonics; // if it is not multiplied out
+};
+FlowSum flow_sum(const RealForm& real_form, const Polynomial& p, int power, bool real);
+
 class FlowMoment {
 public:
     using Unit = FlowUnit;
@@ -26,7 +41,21 @@ public:
     FlowMoment(Program& program, const RealForm& real, const Surroundings& surroundings,
                const FlowValues& values, bool named);
 
+    // u + i v; powers of the units are formed once.
+    Unit value(const FlowSum& sum);
+    Unit value(const Polynomial& p, int power, bool real) { return value(flow_sum(real_, p, power, real)); }
+
     Lowering lowering;
+
+private:
+    Unit sum_of_harmonics(const FlowSum& sum);
+    Unit times(const Unit& a, const Unit& b);
+    Unit turned(std::size_t unit, int turns);
+
+    Graph& graph_;
+    const RealForm& real_;
+    std::vector<Unit> units_; // of modes, then of angles
+    std::map<std::pair<std::size_t, int>, Unit> powers_;
 };
 
 // p/eps^power, every term of which has that power at least.

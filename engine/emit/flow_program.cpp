@@ -8,6 +8,7 @@
 #include "emit/identifier.hpp"
 #include "emit/layers.hpp"
 #include "emit/prune.hpp"
+#include "emit/quantity.hpp"
 #include "emit/scene_program.hpp"
 
 #include <fmt/format.h>
@@ -121,9 +122,9 @@ void FlowProgram::define_slow(std::size_t k) {
     program_.names.push_back({slow.driven ? variable.name + "_mean" : variable.name, value});
     // What must not vanish keeps the sign that it starts with.
     if (variable.nonzero && !variable.positive)
-        program_.positive.push_back(graph.multiply({start_.slow[k], value}));
+        program_.positive.push_back({graph.multiply({start_.slow[k], value}), variable.name});
     if (!variable.positive) return;
-    program_.positive.push_back(value);
+    program_.positive.push_back({value, variable.name});
     surroundings_.positive.insert({start_.slow[k], value});
 }
 
@@ -134,7 +135,8 @@ void FlowProgram::keep_signs() {
         const Generator& g = real_.ring()->generator(id);
         if (g.kind == GeneratorKind::root && g.index == 1 && !g.positive && frame_->lowering.varying(id))
             program_.positive.push_back(
-                program_.graph.multiply({at_start.lowering.node(id), frame_->lowering.node(id)}));
+                {program_.graph.multiply({at_start.lowering.node(id), frame_->lowering.node(id)}),
+                 quantity(*real_.ring(), g.radicand)});
     }
 }
 

@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 #include "emit/identifier.hpp"
 #include "emit/scene_program.hpp"
+#include "emit/start_map.hpp"
 #include "normalize/inverse_map.hpp"
 
 #include <algorithm>
@@ -33,15 +34,19 @@ public:
 
     FlowValues find() {
         read_slow_and_angles();
-        if (from_physical_values()) {
+        const bool physical = from_physical_values();
+        if (physical)
+            read_modes();
+        else
+            for (const Mode& mode : field_.modes) given_.modes.push_back(polar(mode));
+        if (physical && starts_by_inverse_map(solution_)) {
             put_inverse_map();
         } else {
-            for (const Mode& mode : field_.modes) given_.modes.push_back(polar(mode));
             new_ = given_;
-            if (moves_slow_or_angles())
-                for (int step = 0; step <= solution_.truncation; ++step) substitute();
+            if (physical || moves_slow_or_angles())
+                for (int step = 0; step <= solution_.truncation; ++step) substitute(physical);
         }
-        require_reproduced();
+        require_near_identity(program_, solution_, real_, surroundings_, {given_, new_, turns_, !physical});
         for (std::size_t k = 0; k < field_.drift.size(); ++k) new_.drift.push_back(drift(k));
         name_units();
         return std::move(new_);
@@ -55,17 +60,20 @@ private:
     [[nodiscard]] const std::string& name(std::size_t variable) const {
         return solution_.system().variables[variable].name;
     }
+    [[nodiscard]] int weight(std::size_t mode) const {
+        return field_.ring->generator(field_.modes[mode].z).weight;
+    }
 
     void read_slow_and_angles();
     [[nodiscard]] bool from_physical_values() const;
+    void read_modes();
     void put_inverse_map();
     FlowUnit old_mode(std::size_t k, const std::vector<Graph::Node>& states, const Lowering& lowering);
     FlowUnit polar(const Mode& mode);
     [[nodiscard]] bool moves_slow_or_angles() const;
-    void substitute();
+    void substitute(bool modes);
     FlowUnit unit(Graph::Node angle);
     FlowUnit turned(const FlowUnit& unit, Graph::Node by);
-    void require_reproduced();
     Graph::Node drift(std::size_t k);
     void name_units();
 
@@ -78,7 +86,8 @@ private:
     const GradedField& field_;
     const NearIdentityMap& map_;
     FlowValues given_, new_; // old and new variables at t = 0 (of modes given by constants, the new ones)
-    std::vector<Graph::Node> turns_; // of the angles from the old to the new
+    std::vector<Graph::Node> turns_;        // of the angles from the old to the new
+    std::map<const Series*, FlowSum> sums_; // of the map, which is lowered at each substitution
 };
 
 void FlowStart::read_slow_and_angles() {
@@ -151,30 +160,30 @@ FlowUnit FlowStart::old_mode(std::size_t k, const std::vector<Graph::Node>& stat
         re.push_back(graph.multiply({lowering.polynomial(entry.re), states[s]}));
         im.push_back(graph.multiply({lowering.polynomial(entry.im), states[s]}));
     }
-    const Graph::Node scale = graph.power(program_.eps, -field_.ring->generator(field_.modes[k].z).weight);
+    const Graph::Node scale = graph.power(program_.eps, -weight(k));
     return {graph.multiply({scale, graph.add(std::move(re))}),
             graph.multiply({scale, graph.add(std::move(im))})};
 }
 
-void FlowStart::put_inverse_map() {
-    Graph& graph = program_.graph;
+void FlowStart::read_modes() {
     std::vector<Graph::Node> states;
     for (const std::size_t s : field_.basis.states)
         states.push_back(physical(field_.first_order->states[s].name));
-    given_.modes.assign(field_.modes.size(), {graph.rational(0), graph.rational(0)});
+    given_.modes.assign(field_.modes.size(), {program_.graph.rational(0), program_.graph.rational(0)});
     const FlowMoment before(program_, real_, surroundings_, given_, false);
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
         given_.modes[k] = old_mode(k, states, before.lowering);
+}
 
+void FlowStart::put_inverse_map() {
+    Graph& graph = program_.graph;
     FlowMoment old(program_, real_, surroundings_, given_, false);
     const NearIdentityMap inverse = invert(solution_.normalization->normal_form, map_);
     const auto shift = [&](const Series& series, int weight) {
-        const RealForm::Value value = real_(series.total(solution_.truncation));
-        return FlowUnit{old.lowering.polynomial(over_eps(real_, value.re, weight)),
-                        old.lowering.polynomial(over_eps(real_, value.im, weight))};
+        return old.value(series.total(solution_.truncation), weight, false);
     };
     for (std::size_t k = 0; k < field_.modes.size(); ++k) {
-        const FlowUnit by = shift(inverse.mode[k], field_.ring->generator(field_.modes[k].z).weight);
+        const FlowUnit by = shift(inverse.mode[k], weight(k));
         new_.modes.push_back({graph.add({given_.modes[k].u, by.u}), graph.add({given_.modes[k].v, by.v})});
     }
     for (std::size_t k = 0; k < field_.angles.size(); ++k) turns_.push_back(shift(inverse.angle[k], 0).u);
@@ -190,61 +199,31 @@ bool FlowStart::moves_slow_or_angles() const {
            std::any_of(map_.angle.begin(), map_.angle.end(), moves);
 }
 
-// zeta <- xi_0 - k(w_0, theta, zeta), theta <- phi_0 - m(w_0, theta, zeta)
-void FlowStart::substitute() {
+// zeta <- xi_0 - k(w, theta, zeta), theta <- phi_0 - m(w, theta, zeta); with `modes` w <- z_0 - h(w, theta,
+// zeta)
+void FlowStart::substitute(bool modes) {
     Graph& graph = program_.graph;
     FlowMoment now(program_, real_, surroundings_, new_, false);
-    const auto shift = [&](const Series& series) {
-        return graph.negate(now.lowering.polynomial(real_(series.total(solution_.truncation)).re));
+    const auto shift = [&](const Series& series, int weight, bool real) {
+        const auto known = sums_.find(&series);
+        if (known != sums_.end()) return now.value(known->second);
+        const FlowSum sum = flow_sum(real_, series.total(solution_.truncation), weight, real);
+        return now.value(sums_.emplace(&series, sum).first->second);
     };
+    const auto less = [&](Graph::Node from, Graph::Node by) { return graph.add({from, graph.negate(by)}); };
     FlowValues next = new_;
     turns_.clear();
+    for (std::size_t k = 0; modes && k < field_.modes.size(); ++k) {
+        const FlowUnit by = shift(map_.mode[k], weight(k), false);
+        next.modes[k] = {less(given_.modes[k].u, by.u), less(given_.modes[k].v, by.v)};
+    }
     for (std::size_t k = 0; k < field_.angles.size(); ++k) {
-        turns_.push_back(shift(map_.angle[k]));
+        turns_.push_back(graph.negate(shift(map_.angle[k], 0, true).u));
         next.angles[k] = turned(given_.angles[k], turns_[k]);
     }
     for (std::size_t k = 0; k < field_.slow.size(); ++k)
-        next.slow[k] = graph.add({given_.slow[k], shift(map_.slow[k])});
+        next.slow[k] = less(given_.slow[k], shift(map_.slow[k], 0, true).u);
     new_ = std::move(next);
-}
-
-// The map takes the new start back to the old one, up to eps^(M + 1): where it misses by more than a half of
-// what it starts from and of what it adds, a divisor is too small for the series, and the answer is a status.
-void FlowStart::require_reproduced() {
-    Graph& graph = program_.graph;
-    FlowMoment now(program_, real_, surroundings_, new_, false);
-    const auto shift = [&](const Series& series, int weight) {
-        const RealForm::Value value = real_(series.total(solution_.truncation));
-        return FlowUnit{now.lowering.polynomial(over_eps(real_, value.re, weight)),
-                        now.lowering.polynomial(over_eps(real_, value.im, weight))};
-    };
-    const Graph::Node little = graph.power(program_.eps, 2 * solution_.truncation);
-    const auto square = [&](const FlowUnit& x) {
-        return graph.add({graph.power(x.u, 2), graph.power(x.v, 2)});
-    };
-    const auto require = [&](const FlowUnit& old, const FlowUnit& found, const FlowUnit& added) {
-        const auto missed = [&](Graph::Node a, Graph::Node b, Graph::Node c) {
-            return graph.add({a, b, graph.negate(c)});
-        };
-        const FlowUnit miss{missed(found.u, added.u, old.u), missed(found.v, added.v, old.v)};
-        program_.positive.push_back(graph.add(
-            {little, square(old), square(added), graph.multiply({graph.rational(-4), square(miss)})}));
-    };
-    const Graph::Node zero = graph.rational(0);
-    if (from_physical_values())
-        for (std::size_t k = 0; k < field_.modes.size(); ++k)
-            if (!map_.mode[k].total(solution_.truncation).empty())
-                require(given_.modes[k], new_.modes[k],
-                        shift(map_.mode[k], field_.ring->generator(field_.modes[k].z).weight));
-    for (std::size_t k = 0; k < field_.slow.size(); ++k)
-        if (!map_.slow[k].total(solution_.truncation).empty())
-            require({given_.slow[k], zero}, {new_.slow[k], zero}, {shift(map_.slow[k], 0).u, zero});
-    for (std::size_t k = 0; k < field_.angles.size(); ++k)
-        if (!map_.angle[k].total(solution_.truncation).empty()) // within half a radian
-            program_.positive.push_back(graph.add(
-                {graph.rational(1),
-                 graph.multiply({graph.rational(-4),
-                                 graph.power(graph.add({turns_[k], shift(map_.angle[k], 0).u}), 2)})}));
 }
 
 // Z_0 = X_0 - l(w_0, zeta_0), or the constant.
@@ -271,6 +250,16 @@ void FlowStart::name_units() {
 }
 
 } // namespace
+
+// The inverse of a map has many times its terms; M + 1 substitutions have M + 1 times as many.
+bool starts_by_inverse_map(const Solution& solution) {
+    constexpr std::size_t most_inverted = 2000;
+    const NearIdentityMap& map = solution.normalization->map;
+    std::size_t terms = 0;
+    for (const auto* list : {&map.mode, &map.angle, &map.slow})
+        for (const Series& series : *list) terms += series.total(solution.truncation).size();
+    return terms <= most_inverted;
+}
 
 FlowValues flow_start(Program& program, const Solution& solution, const Scene& scene, const RealForm& real,
                       const Surroundings& surroundings, const std::map<std::string, Graph::Node>& names) {

@@ -15,6 +15,10 @@
 
 namespace resonform {
 
+// Whether physical start values go through the inverse map; else, where that would be long, through M + 1
+// substitutions in the map. Both are right through weight M, and differ beyond.
+bool starts_by_inverse_map(const Solution& solution);
+
 FlowValues flow_start(Program& program, const Solution& solution, const Scene& scene, const RealForm& real,
                       const Surroundings& surroundings, const std::map<std::string, Graph::Node>& names);
 

@@ -2,8 +2,10 @@
 #include "emit/from_expression.hpp"
 
 #include "algebra/error.hpp"
+#include "model/constant_sign.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -21,8 +23,8 @@ std::string to_text(const GiNaC::ex& e) {
 
 class Translation {
 public:
-    Translation(Graph& graph, const std::map<std::string, Graph::Node>& names)
-        : graph_(graph), names_(names) {}
+    Translation(Graph& graph, const std::map<std::string, Graph::Node>& names, const Place& place)
+        : graph_(graph), names_(names), place_(place) {}
 
     Graph::Node operator()(const GiNaC::ex& e) const {
         if (GiNaC::is_a<GiNaC::numeric>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e));
@@ -88,31 +90,41 @@ private:
             {"sin", Op::sin}, {"cos", Op::cos}, {"exp", Op::exp}, {"log", Op::log}, {"asinh", Op::asinh}};
         if (!GiNaC::is_a<GiNaC::function>(e)) refuse_function(e);
         const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-        const Graph::Node x = (*this)(e.op(0));
-        if (name == "tan")
+        if (name == "tan") {
+            const Graph::Node x = (*this)(e.op(0));
             return graph_.multiply(
                 {graph_.function(Op::sin, {x}), graph_.power(graph_.function(Op::cos, {x}), -1)});
+        }
         const auto found = known.find(name);
-        if (found == known.end()) refuse_function(e);
-        return graph_.function(found->second, {x});
+        if (found == known.end()) return graph_.rational(value_of(e));
+        return graph_.function(found->second, {(*this)(e.op(0))});
     }
 
-    [[noreturn]] static void refuse_function(const GiNaC::ex& e) {
-        refuse({"a value in emitted code uses pi, sin, cos, tan, exp, log, sqrt and rational powers",
-                to_text(e),
-                "write it with these, or as a number",
-                {}});
+    // A function that emitted code does not have, of a number, as in atan(1/3): its value to more digits than
+    // any real type has.
+    [[nodiscard]] Rational value_of(const GiNaC::ex& e) const {
+        constexpr int bits = 400;
+        const std::optional<Interval> value = enclosure(e, {}, bits);
+        if (!value) refuse_function(e);
+        return value->low;
+    }
+
+    [[noreturn]] void refuse_function(const GiNaC::ex& e) const {
+        refuse({"a value in emitted code uses pi, sin, cos, tan, exp, log, sqrt and rational powers, and any "
+                "function of numbers",
+                to_text(e), "write it with these, or as a number", place_});
     }
 
     Graph& graph_;
     const std::map<std::string, Graph::Node>& names_;
+    const Place& place_;
 };
 
 } // namespace
 
-Graph::Node from_expression(Graph& graph, const GiNaC::ex& e,
-                            const std::map<std::string, Graph::Node>& names) {
-    return Translation(graph, names)(e);
+Graph::Node from_expression(Graph& graph, const GiNaC::ex& e, const std::map<std::string, Graph::Node>& names,
+                            const Place& place) {
+    return Translation(graph, names, place)(e);
 }
 
 } // namespace resonform

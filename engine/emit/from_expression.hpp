@@ -3,6 +3,7 @@
 // its terms: operands are taken in the order of their spelling.
 #pragma once
 
+#include "algebra/error.hpp"
 #include "emit/graph.hpp"
 
 #include <ginac/ginac.h>
@@ -13,9 +14,10 @@
 namespace resonform {
 
 // `names` says what stands for each symbol.
-// Errors (refused): a function other than sin, cos, tan, exp, log, sqrt, asinh and rational powers;
+// Errors (refused): a function other than sin, cos, tan, exp, log, sqrt, asinh and rational powers, unless it
+// is one of a number: `place` is where the user wrote it;
 // std::logic_error: a symbol without a node (the readers of files exclude it).
-Graph::Node from_expression(Graph& graph, const GiNaC::ex& e,
-                            const std::map<std::string, Graph::Node>& names);
+Graph::Node from_expression(Graph& graph, const GiNaC::ex& e, const std::map<std::string, Graph::Node>& names,
+                            const Place& place = {});
 
 } // namespace resonform

@@ -3,19 +3,21 @@
 
 #include "algebra/error.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace resonform {
 
 namespace {
 
+// Bytes, not digits: programs of long maps have hundreds of thousands of entries.
 std::string spelling(const Graph::Entry& e) {
-    std::string key = fmt::format("{}|{}|", static_cast<int>(e.op), e.exponent);
+    std::string key;
+    const auto append = [&](int n) { key.append(reinterpret_cast<const char*>(&n), sizeof n); };
+    append(static_cast<int>(e.op));
+    append(e.exponent);
     if (e.op == Graph::Op::rational) key += to_string(e.value);
     if (e.op == Graph::Op::symbol) key += e.name;
-    for (const Graph::Node n : e.operands) key += fmt::format("{},", n);
+    for (const Graph::Node n : e.operands) append(n);
     return key;
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -71,7 +72,7 @@ private:
     Node intern(Entry entry);
 
     std::vector<Entry> entries_;
-    std::map<std::string, Node> index_; // keyed by a canonical spelling of the entry
+    std::unordered_map<std::string, Node> index_; // keyed by a canonical spelling of the entry
 };
 
 } // namespace resonform

@@ -3,6 +3,7 @@
 
 #include "emit/conditioning.hpp"
 #include "emit/prune.hpp"
+#include "emit/quantity.hpp"
 
 #include <algorithm>
 #include <map>
@@ -10,6 +11,8 @@
 namespace resonform {
 
 namespace {
+
+const Rational least_divisor = Rational(1) / 10'000; // of what eps turns by
 
 // Of divisors, whose first term decides: D = factor * primitive, factor > 0 the smallest that occurs.
 std::vector<Polynomial> smallest_of_each(const Normalization& normalization) {
@@ -48,6 +51,29 @@ std::optional<Polynomial> rate_of(const Polynomial& divisor, const NormalForm& n
 
 } // namespace
 
+std::vector<MovingDivisor> moving_divisors(const Normalization& normalization) {
+    std::vector<MovingDivisor> moving;
+    for (const Polynomial& divisor : smallest_of_each(normalization)) {
+        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
+        if (rate && !rate->empty()) moving.push_back({divisor, *rate});
+    }
+    return moving;
+}
+
+std::vector<StandingDivisor> standing_divisors(const Normalization& normalization) {
+    const GradedField& field = *normalization.normal_form.field;
+    const Ring& ring = *field.ring;
+    const Polynomial eps = ring.gen(field.eps, ring.weights_in_one());
+    const Polynomial floor = (least_divisor * least_divisor) * ring.multiply(eps, eps);
+    std::vector<StandingDivisor> standing;
+    for (const Polynomial& divisor : smallest_of_each(normalization)) {
+        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
+        if (rate && rate->empty())
+            standing.push_back({divisor, ring.multiply(divisor, ring.conjugate(divisor)) - floor});
+    }
+    return standing;
+}
+
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                 const std::function<Graph::Node(const Polynomial&)>& lower) {
     Graph& graph = program.graph;
@@ -58,20 +84,27 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
         return std::pair{lower(Rational(1) / 2 * (p + conjugate)),
                          lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
     };
-    for (const Polynomial& divisor : smallest_of_each(normalization)) {
-        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
-        if (!rate || rate->empty()) continue;
-        const auto [re, im] = parts(divisor);
+    for (const MovingDivisor& moving : moving_divisors(normalization)) {
+        const auto [re, im] = parts(moving.divisor);
         const Graph::Node square = graph.add({graph.power(re, 2), graph.power(im, 2)});
-        const auto [re_rate, im_rate] = parts(*rate);
+        const auto [re_rate, im_rate] = parts(moving.rate);
+        const std::string name = quantity(ring, moving.divisor);
         for (const Graph::Node component : {re_rate, im_rate})
             for (const Graph::Node change : {component, graph.negate(component)}) {
                 const Graph::Node margin = graph.add({square, change});
                 const bool varies =
                     depending(graph, varying_symbols(program))[static_cast<std::size_t>(margin)];
                 const bool holds = sign_of(graph, margin, surroundings.positive) == Sign::positive;
-                if (varies && !holds && margin != square) program.layers.push_back(margin);
+                if (varies && !holds && margin != square) program.layers.push_back({margin, name});
             }
+    }
+    const Graph::Node largest =
+        graph.rational(least_divisor * least_divisor / 4); // of what eps <= 1/2 asks for
+    for (const StandingDivisor& standing : standing_divisors(normalization)) {
+        const Graph::Node square = lower(ring.multiply(standing.divisor, ring.conjugate(standing.divisor)));
+        const Graph::Node rest = graph.add({square, graph.negate(largest)});
+        if (sign_of(graph, rest, surroundings.positive) != Sign::positive)
+            program.positive.push_back({lower(standing.margin), quantity(ring, standing.divisor)});
     }
 }
 

@@ -13,10 +13,27 @@
 
 namespace resonform {
 
-// What is > 0 outside of the layers is put into program.layers: D^2 - dD/dt and D^2 + dD/dt for all divisors
-// that move and were divided by, of those that differ by a factor the smallest. `lower`: the node of a real
+// A divisor D that moves, and dD/dt by the leading parts of the slow rates, in the normal form's ring; of
+// divisors that differ by a factor the smallest.
+struct MovingDivisor {
+    Polynomial divisor, rate;
+};
+std::vector<MovingDivisor> moving_divisors(const Normalization& normalization);
+
+// A divisor that stands still is as good as none where it moves no phase within t = 1/eps: then the monomial
+// that was divided by it cancels against its start value, in exact arithmetic only. What must be > 0 is
+// margin = |D|^2 - (10^-4 eps)^2: eight digits of the real type are left to two divisions by D. Of divisors
+// that differ by a factor the smallest.
+struct StandingDivisor {
+    Polynomial divisor, margin;
+};
+std::vector<StandingDivisor> standing_divisors(const Normalization& normalization);
+
+// What is > 0 outside of the layers is put into program.layers: D^2 - dD/dt and D^2 + dD/dt for all
+// of them that were divided by. `lower`: the node of a real
 // polynomial of the normal form's ring at any slow time. A divisor whose rate needs the derivative of a
-// function known by name that nothing else needs is left out.
+// function known by name that nothing else needs is left out. The margins of standing divisors go into
+// program.positive, unless they are numbers that are large enough for every eps <= 1/2.
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                 const std::function<Graph::Node(const Polynomial&)>& lower);
 

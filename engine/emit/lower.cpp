@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/lower.hpp"
 
+#include "emit/conditioning.hpp"
 #include "emit/display.hpp"
 #include "emit/divisor_fractions.hpp"
 #include "emit/spelling.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace resonform {
@@ -29,106 +31,150 @@ void Lowering::define(GeneratorId id, Graph::Node node, bool varying) {
 
 // Adds a term with the generators that are numbers put in.
 void Lowering::fold(const Monomial& m, Rational coefficient, Terms& terms) const {
-    Exponents exponents = ring_->exponents(m);
+    terms.width = nodes_.size();
+    terms.exponents.resize(terms.exponents.size() + terms.width, 0);
+    int* row = terms.row(terms.coefficients.size());
     for (std::size_t id = 0; id < nodes_.size(); ++id) {
-        if (exponents[id] == 0) continue;
+        const int exponent = ring_->exponent(m, static_cast<GeneratorId>(id));
+        if (exponent == 0) continue;
         if (nodes_[id] < 0)
             throw std::logic_error("lowering: no node for " + ring_->generator(static_cast<int>(id)).name);
         const Graph::Entry& entry = graph_->at(nodes_[id]);
-        if (entry.op != Graph::Op::rational) continue;
-        if (entry.value == 0 && exponents[id] < 0)
+        if (entry.op != Graph::Op::rational) {
+            row[id] = exponent;
+            continue;
+        }
+        if (entry.value == 0 && exponent < 0)
             divides_by_zero(*ring_, ring_->generator(static_cast<GeneratorId>(id)));
-        coefficient = coefficient * cln::expt(entry.value, exponents[id]);
-        exponents[id] = 0;
+        coefficient = coefficient * cln::expt(entry.value, exponent);
     }
-    Rational& sum = terms.try_emplace(std::move(exponents), 0).first->second;
-    sum = sum + coefficient;
+    terms.coefficients.push_back(std::move(coefficient));
 }
 
-Lowering::Exponents Lowering::root_powers(const Exponents& exponents) const {
-    Exponents result(exponents.size(), 0);
-    for (std::size_t id = 0; id < exponents.size(); ++id)
-        if (varying_[id] && ring_->generator(static_cast<int>(id)).kind == GeneratorKind::root)
-            result[id] = exponents[id];
-    return result;
+std::vector<std::size_t> Lowering::varying_roots() const {
+    std::vector<std::size_t> roots;
+    for (std::size_t id = 0; id < nodes_.size(); ++id)
+        if (varying_[id] && ring_->generator(static_cast<GeneratorId>(id)).kind == GeneratorKind::root)
+            roots.push_back(id);
+    return roots;
 }
 
-Graph::Node Lowering::polynomial(const Polynomial& p) {
-    std::map<Exponents, Terms> groups; // by powers of roots
-    for (const auto& [over, above] : divisor_fractions(*ring_, p))
-        for (const auto& [outer, numerator] : ring_->expanded_form(above))
-            for (const Term& t : numerator.terms()) {
-                Terms term;
-                fold(over + outer + t.monomial, t.coefficient, term);
-                const auto& [exponents, coefficient] = *term.begin();
-                Rational& sum = groups[root_powers(exponents)].try_emplace(exponents, 0).first->second;
-                sum = sum + coefficient;
-            }
+std::vector<std::size_t> Lowering::collected(Terms& terms, const std::vector<std::size_t>& roots) const {
+    std::vector<std::size_t> rows(terms.coefficients.size()), different;
+    std::iota(rows.begin(), rows.end(), 0);
+    const auto order = [&](std::size_t a, std::size_t b) {
+        const int *left = terms.row(a), *right = terms.row(b);
+        for (const std::size_t root : roots)
+            if (left[root] != right[root]) return left[root] < right[root];
+        return std::lexicographical_compare(left, left + terms.width, right, right + terms.width);
+    };
+    std::sort(rows.begin(), rows.end(), order);
+    for (const std::size_t k : rows) {
+        if (different.empty() || order(different.back(), k)) {
+            different.push_back(k);
+            continue;
+        }
+        Rational& sum = terms.coefficients[different.back()];
+        sum = sum + terms.coefficients[k];
+    }
+    return different;
+}
+
+Graph::Node Lowering::fractions(const std::vector<Fraction>& list) {
+    Terms terms;
     std::vector<Graph::Node> sum;
-    sum.reserve(groups.size());
-    for (auto& [powers, terms] : groups) sum.push_back(horner(std::move(terms), true));
+    for (const Fraction& f : list) {
+        Terms own;
+        Terms& target = f.divisors.empty() ? terms : own;
+        for (const Term& t : f.numerator.terms()) fold(f.factor + t.monomial, t.coefficient, target);
+        if (f.divisors.empty()) continue;
+        std::vector<Graph::Node> factors{lowered(own)};
+        for (const Polynomial& divisor : f.divisors)
+            factors.push_back(graph_->power(this->divisor(divisor), -1));
+        sum.push_back(graph_->multiply(factors));
+    }
+    const Graph::Node rest = lowered(terms);
+    if (sum.empty()) return rest;
+    sum.push_back(rest);
+    return graph_->add(std::move(sum));
+}
+
+Graph::Node Lowering::lowered(Terms& terms) {
+    const std::vector<std::size_t> roots = varying_roots();
+    std::vector<std::size_t> rows = collected(terms, roots);
+    std::vector<Graph::Node> sum;
+    for (auto group = rows.begin(); group != rows.end();) {
+        const auto end = std::find_if(group, rows.end(), [&](std::size_t k) {
+            return std::any_of(roots.begin(), roots.end(), [&](std::size_t root) {
+                return terms.row(k)[root] != terms.row(*group)[root];
+            });
+        });
+        sum.push_back(sum_of(terms, {group, end}));
+        group = end;
+    }
     return graph_->add(std::move(sum));
 }
 
 Graph::Node Lowering::radicand(const Polynomial& p) {
     Terms terms;
     for (const Term& t : p.terms()) fold(t.monomial, t.coefficient, terms);
-    return horner(std::move(terms), true);
+    std::vector<std::size_t> rows = collected(terms, {});
+    return sum_of(terms, rows);
+}
+
+Graph::Node Lowering::divisor(const Polynomial& p) {
+    return lower_divisor(*graph_, *ring_, *this, p, positive_);
+}
+
+Graph::Node Lowering::sum_of(Terms& terms, Rows rows) {
+    const auto zeros =
+        std::remove_if(rows.begin(), rows.end(), [&](std::size_t k) { return terms.coefficients[k] == 0; });
+    if (zeros == rows.begin()) return graph_->rational(0);
+    return horner(terms, {rows.begin(), zeros}, true);
 }
 
 // Takes the greatest common monomial out of the terms; only in varying or only in constant generators.
-Graph::Node Lowering::common_factor(Terms& terms, bool varying) {
-    Exponents least = terms.begin()->first;
-    for (const auto& term : terms)
-        for (std::size_t id = 0; id < least.size(); ++id) least[id] = std::min(least[id], term.first[id]);
+Graph::Node Lowering::common_factor(Terms& terms, Rows rows, bool varying) {
+    const int* const first = terms.row(rows.front());
+    std::vector<int> least(first, first + terms.width);
+    for (const std::size_t k : rows)
+        for (std::size_t id = 0; id < least.size(); ++id) least[id] = std::min(least[id], terms.row(k)[id]);
     std::vector<Graph::Node> factors;
     for (std::size_t id = 0; id < least.size(); ++id) {
         if (varying_[id] != varying) least[id] = 0;
-        if (least[id] != 0) factors.push_back(graph_->power(nodes_[id], least[id]));
+        if (least[id] == 0) continue;
+        factors.push_back(graph_->power(nodes_[id], least[id]));
+        for (const std::size_t k : rows) terms.row(k)[id] -= least[id];
     }
-    Terms rest;
-    for (const auto& term : terms) {
-        Exponents exponents = term.first;
-        for (std::size_t id = 0; id < least.size(); ++id) exponents[id] -= least[id];
-        rest.emplace(std::move(exponents), term.second);
-    }
-    terms = std::move(rest);
     return graph_->multiply(factors);
 }
 
 // The generator of the kind asked for that most terms have in common, the first of equals; -1: none.
-int Lowering::most_frequent(const Terms& terms, bool varying) const {
-    int best = -1;
-    std::ptrdiff_t most = 0;
-    for (std::size_t id = 0; id < nodes_.size(); ++id) {
-        if (varying_[id] != varying) continue;
-        const auto count =
-            std::count_if(terms.begin(), terms.end(), [&](const auto& term) { return term.first[id] != 0; });
-        if (count > most) {
-            best = static_cast<int>(id);
-            most = count;
-        }
-    }
-    return best;
+int Lowering::most_frequent(const Terms& terms, Rows rows, bool varying) const {
+    std::vector<std::ptrdiff_t> counts(terms.width, 0);
+    for (const std::size_t k : rows)
+        for (std::size_t id = 0; id < counts.size(); ++id)
+            if (terms.row(k)[id] != 0) ++counts[id];
+    for (std::size_t id = 0; id < counts.size(); ++id)
+        if (varying_[id] != varying) counts[id] = 0;
+    const auto most = std::max_element(counts.begin(), counts.end());
+    return most == counts.end() || *most == 0 ? -1 : static_cast<int>(most - counts.begin());
 }
 
 // After the common factor all exponents are >= 0. A sum without varying generators goes on with the
-// constant ones; without these it is a number.
-Graph::Node Lowering::horner(Terms terms, bool varying) {
-    for (auto term = terms.begin(); term != terms.end();)
-        term = term->second == 0 ? terms.erase(term) : std::next(term);
-    if (terms.empty()) return graph_->rational(0);
-    const Graph::Node factor = common_factor(terms, varying);
-    const int id = most_frequent(terms, varying);
+// constant ones; without these it is a number. The rows are divided in place, each term belongs to one sum.
+Graph::Node Lowering::horner(Terms& terms, Rows rows, bool varying) {
+    const Graph::Node factor = common_factor(terms, rows, varying);
+    const int id = most_frequent(terms, rows, varying);
     if (id < 0) {
         const Graph::Node rest =
-            varying ? horner(std::move(terms), false) : graph_->rational(terms.begin()->second);
+            varying ? horner(terms, rows, false) : graph_->rational(terms.coefficients[rows.front()]);
         return graph_->multiply({factor, rest});
     }
-    Terms with, without;
-    for (auto& term : terms) (term.first[static_cast<std::size_t>(id)] != 0 ? with : without).insert(term);
-    const Graph::Node first = horner(std::move(with), varying);
-    return graph_->multiply({factor, graph_->add({first, horner(std::move(without), varying)})});
+    const auto without =
+        std::partition(rows.begin(), rows.end(), [&](std::size_t k) { return terms.row(k)[id] != 0; });
+    const Graph::Node with = horner(terms, {rows.begin(), without}, varying);
+    return graph_->multiply({factor, graph_->add({with, horner(terms, {without, rows.end()}, varying)})});
 }
 
 } // namespace resonform

@@ -9,9 +9,13 @@
 
 #include "algebra/error.hpp"
 #include "algebra/ring.hpp"
+#include "emit/divisor_fractions.hpp"
 #include "emit/graph.hpp"
 
-#include <map>
+#include <cstddef>
+#include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -37,24 +41,45 @@ public:
     [[nodiscard]] bool varying(GeneratorId id) const { return varying_[static_cast<std::size_t>(id)]; }
 
     // Precondition: every generator in p is defined. Errors (refused): DivisionByZero.
-    Graph::Node polynomial(const Polynomial& p);
+    Graph::Node polynomial(const Polynomial& p) { return fractions(reduced_fractions(*ring_, p)); }
+    // The same of what does not change from one place to another.
+    Graph::Node fractions(const std::vector<Fraction>& list);
     // The same without looking for common root powers: for radicands, while roots are not yet defined.
     Graph::Node radicand(const Polynomial& p);
+    // What is divided by, in a form that keeps its digits (lower_divisor).
+    Graph::Node divisor(const Polynomial& p);
+    // Nodes known to be positive.
+    void set_positive(std::set<Graph::Node> positive) { positive_ = std::move(positive); }
 
 private:
-    using Exponents = std::vector<int>;
-    using Terms = std::map<Exponents, Rational>;
+    // The terms of a sum: rows of exponents, one for each generator, in one block.
+    struct Terms {
+        std::size_t width = 0;
+        std::vector<int> exponents;
+        std::vector<Rational> coefficients;
+
+        [[nodiscard]] int* row(std::size_t k) { return exponents.data() + k * width; }
+        [[nodiscard]] const int* row(std::size_t k) const { return exponents.data() + k * width; }
+    };
+    using Rows = std::span<std::size_t>; // of the terms
 
     void fold(const Monomial& m, Rational coefficient, Terms& terms) const;
-    Graph::Node horner(Terms terms, bool varying);
-    Graph::Node common_factor(Terms& terms, bool varying);
-    int most_frequent(const Terms& terms, bool varying) const;
-    Exponents root_powers(const Exponents& exponents) const;
+    // The rows of different exponents, each with the sum of its coefficients; those of equal powers of
+    // `roots` side by side.
+    [[nodiscard]] std::vector<std::size_t> collected(Terms& terms,
+                                                     const std::vector<std::size_t>& roots) const;
+    [[nodiscard]] std::vector<std::size_t> varying_roots() const;
+    Graph::Node lowered(Terms& terms);
+    Graph::Node sum_of(Terms& terms, Rows rows);
+    Graph::Node horner(Terms& terms, Rows rows, bool varying);
+    Graph::Node common_factor(Terms& terms, Rows rows, bool varying);
+    [[nodiscard]] int most_frequent(const Terms& terms, Rows rows, bool varying) const;
 
     Graph* graph_;
     RingPtr ring_;
     std::vector<Graph::Node> nodes_;
     std::vector<bool> varying_;
+    std::set<Graph::Node> positive_;
 };
 
 } // namespace resonform

@@ -3,6 +3,7 @@
 
 #include "emit/conditioning.hpp"
 #include "emit/prune.hpp"
+#include "emit/quantity.hpp"
 
 #include <fmt/format.h>
 
@@ -39,16 +40,21 @@ void name_roots(Program& program, Graph::Node n, int& radicands) {
 void define_roots(Lowering& lowering, Program& program, const Surroundings& surroundings, bool named) {
     int radicands = 0;
     const Ring& ring = lowering.ring();
+    lowering.set_positive(surroundings.positive);
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
         if (g.kind != GeneratorKind::root) continue;
-        const Graph::Node radicand = lowering.radicand(g.radicand);
         const bool divisor = g.index == 1 && !g.positive;
+        const Graph::Node radicand = divisor ? lowering.divisor(g.radicand) : lowering.radicand(g.radicand);
         if (!divisor && sign_of(program.graph, radicand, surroundings.positive) != Sign::positive)
-            program.positive.push_back(radicand);
+            program.positive.push_back({radicand, quantity(ring, g.radicand)});
         const Graph::Node root = g.index == 1 ? radicand : program.graph.root(radicand, g.index);
         const bool varies =
-            depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(root)];
+            std::any_of(g.radicand.terms().begin(), g.radicand.terms().end(), [&](const Term& t) {
+                for (GeneratorId other = 0; other < id; ++other)
+                    if (lowering.varying(other) && ring.exponent(t.monomial, other) != 0) return true;
+                return false;
+            });
         lowering.define(id, root, varies);
         if (varies && named) name_roots(program, root, radicands);
     }
@@ -92,7 +98,7 @@ void Moment::define_primitives(Program& program, const Solution& solution, const
             if (const Graph::Entry& e = program.graph.at(node);
                 e.op == Graph::Op::log &&
                 sign_of(program.graph, e.operands.front(), surroundings.positive) != Sign::positive)
-                program.positive.push_back(e.operands.front());
+                program.positive.push_back({e.operands.front(), quantity(*ring_, map(primitive.argument))});
             break;
         }
         define(program, own(primitive.id, solution), node);

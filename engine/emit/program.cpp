@@ -15,6 +15,7 @@
 #include "emit/scene_program.hpp"
 #include "emit/start_constants.hpp"
 #include "emit/straight_line.hpp"
+#include "model/canonical.hpp"
 
 #include <fmt/format.h>
 
@@ -47,6 +48,7 @@ public:
         add_layers(program_, *solution_.normalization, surroundings_, [&](const Polynomial& p) {
             return call.lowering.polynomial((*solution_.from_normal_form)(p));
         });
+        constants.require_map(surroundings_);
         close();
         return std::move(program_);
     }
@@ -93,9 +95,9 @@ void ProgramBuilder::define_slow_variables() {
         program_.names.push_back({variable.name, value});
         // What must not vanish keeps the sign that it starts with.
         if (variable.nonzero && !variable.positive)
-            program_.positive.push_back(graph.multiply({begin, value}));
+            program_.positive.push_back({graph.multiply({begin, value}), variable.name});
         if (!variable.positive) continue;
-        program_.positive.push_back(value);
+        program_.positive.push_back({value, variable.name});
         surroundings_.positive.insert({begin, value});
     }
 }
@@ -157,7 +159,7 @@ std::string fixed_values(const System& system, const Scene& scene) {
         for (const Parameter& parameter : *list)
             if (const auto fixed = scene.fix.find(parameter.name); fixed != scene.fix.end())
                 text += fmt::format("{} {} = {}", text.empty() ? "with" : ",", parameter.name,
-                                    to_string(fixed->second));
+                                    spell(fixed->second));
     return text;
 }
 
@@ -166,8 +168,16 @@ Program built(const Solution& solution, const Scene& scene, const ProgramOptions
                          : ProgramBuilder(solution, scene, options).build();
 }
 
+// A division by zero is seen where rational numbers are put in; that sqrt(2)^2 + w - 3 is zero, only by
+// asking.
+bool all_rational(const Scene& scene) {
+    return std::all_of(scene.fix.begin(), scene.fix.end(),
+                       [](const auto& fixed) { return GiNaC::is_a<GiNaC::numeric>(fixed.second); });
+}
+
 // What is divided by zero is in the first place a divisor of the normal form.
 Program built_with_reason(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
+    if (!all_rational(scene)) require_divisors(*solution.normalization, scene);
     try {
         return built(solution, scene, options);
     } catch (const DivisionByZero&) {

@@ -20,7 +20,8 @@ struct ProgramInput {
     std::string name;    // "g", "xi_0", "C_delta", "theta_0", "psi_0", "psi_dot_0"
     std::string meaning; // "amplitude.psi", "parameter g", "start of xi"
     Graph::Node symbol;
-    Graph::Node default_value; // in eps and parameters (a constant, or 3/10*eps); -1: none, it must be given
+    Graph::Node default_value;  // in eps and parameters (a constant, or 3/10*eps); -1: none, it must be given
+    std::string canonical = {}; // of a start value: its name in [start], "psi'", "amplitude.psi"
 };
 
 // One variable of the slow flow: d value/dT = rate(T, values of the flow), value(0) = start.
@@ -52,6 +53,12 @@ struct ProgramOutput {
     Graph::Node value;
 };
 
+// What must be > 0, and the quantity that says so to a reader: "xi", "r^2 - xi^2", a divisor.
+struct ProgramCondition {
+    Graph::Node value;
+    std::string quantity;
+};
+
 // Operations of one call; a power x^n counts as its multiplications.
 struct OperationCount {
     int add = 0, multiply = 0, divide = 0, root = 0, sincos = 0, other = 0, tables = 0;
@@ -70,11 +77,10 @@ struct Program {
     std::vector<ProgramPhase> phases;                // one per frequency that the outputs see
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
-    std::vector<ProgramOutput> state;  // all states at full weight (for direct integration), at any t
-    std::vector<Graph::Node> positive; // must be > 0 at every call, else status outside_domain
-    std::vector<Graph::Node>
-        layers; // > 0 up to where the evaluator ends (emit/layers.hpp); no tables in them
-    std::vector<ProgramOutput> names; // sub-expressions that a reader knows by name: "psi_2", "rho_8"
+    std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
+    std::vector<ProgramCondition> positive; // > 0 at every call, else status outside_domain
+    std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (emit/layers.hpp); no tables
+    std::vector<ProgramOutput> names;       // sub-expressions that a reader knows by name: "psi_2", "rho_8"
     // The horizon in slow time that the scene asks for, verify.interval * eps: in eps and parameters, and
     // as a number (at the smallest eps of the scene's ladder if it depends on eps).
     Graph::Node slow_time_end = -1;

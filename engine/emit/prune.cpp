@@ -2,6 +2,7 @@
 #include "emit/prune.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace resonform {
 
@@ -10,6 +11,15 @@ namespace {
 template <class T, class Needed> void keep(std::vector<T>& items, const Needed& needed) {
     items.erase(std::remove_if(items.begin(), items.end(), [&](const T& item) { return !needed(item); }),
                 items.end());
+}
+
+// Each of those that are needed once: the start has conditions of the calls, too.
+template <class Needed> void keep_first(std::vector<ProgramCondition>& conditions, const Needed& needed) {
+    std::set<Graph::Node> seen;
+    std::vector<ProgramCondition> kept;
+    for (ProgramCondition& c : conditions)
+        if (needed(c.value) && seen.insert(c.value).second) kept.push_back(std::move(c));
+    conditions = std::move(kept);
 }
 
 // All symbols of a condition are there already: checking it brings nothing new into the program.
@@ -99,8 +109,8 @@ void prune(Program& program) {
     keep(program.names, [&](const ProgramOutput& o) { return is_used(o.value); });
     std::vector<bool> known = used; // eps and the slow time are there in any case
     known[static_cast<std::size_t>(program.eps)] = known[static_cast<std::size_t>(program.slow_time)] = true;
-    for (std::vector<Graph::Node>* conditions : {&program.positive, &program.layers})
-        keep(*conditions, [&](Graph::Node n) { return is_about(program.graph, n, known); });
+    for (std::vector<ProgramCondition>* conditions : {&program.positive, &program.layers})
+        keep_first(*conditions, [&](Graph::Node n) { return is_about(program.graph, n, known); });
 
     // the default of a start value may need a parameter that nothing else does
     std::vector<Graph::Node> defaults;

@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 #include "emit/from_expression.hpp"
 #include "emit/identifier.hpp"
+#include "emit/quantity.hpp"
 
 #include <fmt/format.h>
 
@@ -17,8 +18,9 @@ Graph::Node add_start_input(Program& program, const Scene& scene,
     const Graph::Node symbol = program.graph.symbol("start " + name); // no parameter has a space in its name
     const StartValue* given = scene.start_of(canonical);
     const Graph::Node value =
-        given == nullptr ? program.graph.rational(0) : from_expression(program.graph, given->value, names);
-    program.start.push_back({identifier(name), meaning, symbol, value});
+        given == nullptr ? program.graph.rational(0)
+                         : from_expression(program.graph, given->value, names, place_of(given->source));
+    program.start.push_back({identifier(name), meaning, symbol, value, canonical});
     return symbol;
 }
 
@@ -48,17 +50,19 @@ void SceneProgram::define_parameters() {
     surroundings_.positive.insert(surroundings_.symbols["pi"]);
     for (const Parameter& parameter : solution_.system().parameters) {
         const auto fixed = scene_.fix.find(parameter.name);
-        const Graph::Node value = fixed == scene_.fix.end() ? -1 : program_.graph.rational(fixed->second);
+        const Graph::Node value =
+            fixed == scene_.fix.end()
+                ? -1
+                : from_expression(program_.graph, fixed->second, {},
+                                  {scene_.file.string(), 0, 0, "fix." + parameter.name, ""});
         Graph::Node node = value;
         if (node < 0 || !options_.fold_fixed) {
             node = program_.graph.symbol(parameter.name);
             program_.parameters.push_back(
                 {identifier(parameter.name), "parameter " + parameter.name, node, value});
-            if (parameter.positive) {
-                program_.positive.push_back(node);
-                surroundings_.positive.insert(node);
-            }
+            if (parameter.positive) program_.positive.push_back({node, parameter.name});
         }
+        if (parameter.positive) surroundings_.positive.insert(node);
         surroundings_.symbols[parameter.name] = names_[parameter.name] = node;
     }
 }
@@ -88,7 +92,7 @@ double SceneProgram::number_of(const GiNaC::ex& e) const {
     GiNaC::exmap values;
     for (const Parameter& parameter : solution_.system().parameters)
         if (const auto fixed = scene_.fix.find(parameter.name); fixed != scene_.fix.end())
-            values[parameter.symbol] = GiNaC::numeric(cln::cl_N(fixed->second));
+            values[parameter.symbol] = fixed->second;
     if (!scene_.verify.eps.empty())
         values[solution_.system().eps] = GiNaC::numeric(cln::cl_N(scene_.verify.eps.back()));
     const GiNaC::ex value = e.subs(values).evalf();
@@ -102,14 +106,17 @@ double SceneProgram::number_of(const GiNaC::ex& e) const {
 
 void SceneProgram::close() {
     for (const Declaration& condition : solution_.system().positive) {
-        const Graph::Node node = from_expression(program_.graph, condition.value, names_);
-        const bool known =
-            std::find(program_.positive.begin(), program_.positive.end(), node) != program_.positive.end();
-        if (!known) program_.positive.push_back(node);
+        const Graph::Node node =
+            from_expression(program_.graph, condition.value, names_, place_of(condition.source));
+        const bool known = std::any_of(program_.positive.begin(), program_.positive.end(),
+                                       [&](const ProgramCondition& c) { return c.value == node; });
+        if (!known) program_.positive.push_back({node, short_quantity(condition.text)});
     }
     const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
     program_.interval_slow_time = number_of(slow_time);
-    program_.slow_time_end = from_expression(program_.graph, slow_time, names_);
+    program_.slow_time_end =
+        from_expression(program_.graph, slow_time, names_,
+                        scene_.verify.interval_source ? place_of(*scene_.verify.interval_source) : Place());
 }
 
 } // namespace resonform

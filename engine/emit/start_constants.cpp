@@ -2,6 +2,7 @@
 #include "emit/start_constants.hpp"
 
 #include "emit/scene_program.hpp"
+#include "emit/start_map.hpp"
 
 #include <algorithm>
 
@@ -42,6 +43,12 @@ Graph::Node StartConstants::define(Surroundings& surroundings) {
     return phase_start_;
 }
 
+// At the start quadratures vanish.
+MomentPlan StartConstants::plan() const {
+    return {program_.graph.rational(0), slow_starts_,
+            [this](const Primitive&, Lowering&) { return program_.graph.rational(0); }};
+}
+
 // Start values of the states that the scene gives; those of an oscillator given by its constants are
 // the solution at t = 0.
 void StartConstants::define_physical_values(const InitialValues& values, Moment& start) {
@@ -49,8 +56,9 @@ void StartConstants::define_physical_values(const InitialValues& values, Moment&
     const RingMap map = RingMap::by_name(solution_.ring, values.ring);
     for (std::size_t k = 0; k < solution_.state.size(); ++k) {
         const std::string& name = solution_.state[k].name;
-        if (is_physical(system.state(name).variable))
-            start.lowering.define(values.start[k], input(name + "_0", name + " at t = 0", name), false);
+        if (!is_physical(system.state(name).variable)) continue;
+        physical_[name] = input(name + "_0", name + " at t = 0", name);
+        start.lowering.define(values.start[k], physical_.at(name), false);
     }
     for (std::size_t k = 0; k < solution_.state.size(); ++k) {
         const std::size_t variable = system.state(solution_.state[k].name).variable;
@@ -85,11 +93,7 @@ void StartConstants::derive_oscillator(const InitialValues& values, Moment& star
 }
 
 void StartConstants::define_derived(const InitialValues& values, Surroundings& surroundings) {
-    MomentPlan plan;
-    plan.slow_time = program_.graph.rational(0);
-    plan.slow_variables = slow_starts_;
-    plan.quadrature = [this](const Primitive&, Lowering&) { return program_.graph.rational(0); };
-    Moment start(program_, solution_, values.ring, surroundings, plan);
+    Moment start(program_, solution_, values.ring, surroundings, plan());
     if (!solution_.modes.empty() && phase_start_ >= 0)
         start.harmonics.set_angle(
             *values.ring->find(solution_.ring->generator(solution_.modes.front().phase).name),
@@ -103,6 +107,47 @@ void StartConstants::define_derived(const InitialValues& values, Surroundings& s
         surroundings.symbols[solution_.ring->generator(solution_.drift[k].constant).name] = constant;
         program_.names.push_back({solution_.drift[k].constant_name, constant});
     }
+}
+
+// (psi_0 - i psi'_0/omega)/eps
+FlowUnit StartConstants::old_mode(const RealForm& real, FlowMoment& at) {
+    Graph& graph = program_.graph;
+    const Mode& mode = solution_.normalization->normal_form.field->modes.front();
+    const std::string& name = solution_.system().variables[mode.variable].name;
+    const Graph::Node scale = graph.power(program_.eps, -1),
+                      period = graph.power(at.lowering.polynomial(real(mode.omega).re), -1);
+    return {graph.multiply({scale, physical_.at(name)}),
+            graph.negate(graph.multiply({scale, period, physical_.at(name + "'")}))};
+}
+
+// The new mode is C E F e^{i theta_0}: the series F is 1 but for small terms, and the map at it leads back.
+void StartConstants::require_map(const Surroundings& surroundings) {
+    if (solution_.modes.empty()) return;
+    Graph& graph = program_.graph;
+    const ModeSolution& mode = solution_.modes.front();
+    Moment start(program_, solution_, solution_.ring, surroundings, plan());
+    const auto lowered = [&](const Polynomial& p) { return start.lowering.polynomial(p); };
+    const Graph::Node factor = lowered(mode.factor.total(solution_.truncation));
+    require_close_to_one(program_, factor, solution_.system().variables[mode.variable].name);
+    const Graph::Node modulus =
+        graph.multiply({surroundings.symbols.at(solution_.ring->generator(mode.amplitude).name),
+                        lowered(mode.envelope), factor});
+    StartPair pair;
+    pair.from_constants = !is_physical(mode.variable);
+    pair.now.modes = {{graph.multiply({modulus, graph.function(Graph::Op::cos, {phase_start_})}),
+                       graph.multiply({modulus, graph.function(Graph::Op::sin, {phase_start_})})}};
+    for (const auto& slow : slow_starts_) pair.now.slow.push_back(slow.second);
+    const RealForm real(*solution_.normalization->normal_form.field);
+    FlowMoment at(program_, real, surroundings, pair.now, false);
+    pair.old = pair.now;
+    if (!pair.from_constants) pair.old.modes = {old_mode(real, at)};
+    for (const DriftSolution& drift : solution_.drift) {
+        const bool physical = is_physical(drift.variable);
+        const std::string& name = solution_.system().variables[drift.variable].name;
+        pair.old.drift.push_back(physical ? physical_.at(name) : -1);
+        pair.now.drift.push_back(physical ? lowered(drift.value.total(solution_.truncation)) : -1);
+    }
+    require_near_identity(program_, solution_, real, surroundings, pair);
 }
 
 } // namespace resonform

@@ -3,7 +3,7 @@
 // where the scene gives them, computed from physical start values through the inverse map elsewhere.
 #pragma once
 
-#include "emit/moment.hpp"
+#include "emit/flow_moment.hpp"
 #include "solve/initial_values.hpp"
 
 #include <map>
@@ -25,6 +25,8 @@ public:
     // Where the equation for the amplitude is implicit, C = R/(eps E F(C)), it is solved by M + 1
     // substitutions, each of which gains a power of eps: as accurate as the map through weight M.
     Graph::Node define(Surroundings& surroundings);
+    // After define(): that the solution starts where its map is close to the identity.
+    void require_map(const Surroundings& surroundings);
 
 private:
     Graph::Node input(const std::string& name, const std::string& meaning, const std::string& canonical);
@@ -33,12 +35,15 @@ private:
     void define_derived(const InitialValues& values, Surroundings& surroundings);
     void define_physical_values(const InitialValues& values, Moment& start);
     void derive_oscillator(const InitialValues& values, Moment& start, Surroundings& surroundings);
+    [[nodiscard]] MomentPlan plan() const;
+    FlowUnit old_mode(const RealForm& real, FlowMoment& at);
 
     Program& program_;
     const Solution& solution_;
     const Scene& scene_;
     std::map<GeneratorId, Graph::Node> slow_starts_;
     std::map<std::string, Graph::Node> names_;
+    std::map<std::string, Graph::Node> physical_; // states
     Graph::Node phase_start_ = -1;
 };
 

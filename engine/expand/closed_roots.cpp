@@ -54,7 +54,8 @@ private:
         if (provably_positive(e, system_)) return Sign::positive;
         if (provably_positive((-e).expand(), system_)) return Sign::negative;
         if (vanishes(e) == Zero::yes) return Sign::zero;
-        refuse({"signs that decide whether eigenvalues are real are proved",
+        refuse(Reason::undecided,
+               {"signs that decide whether eigenvalues are real are proved",
                 fmt::format("{} for {}", spell(e), name_.variables), how_to_make_positive(e), name_.place});
     }
 

@@ -19,8 +19,8 @@ using GiNaC::is_a;
 int to_exponent(const Rational& value, const ex& base, const Place& place) {
     constexpr int largest = 16383; // of any ring
     if (cln::abs(cln::numerator(value)) > largest)
-        refuse({fmt::format("exponents are at most {} once roots are taken out", largest), spell(base),
-                "use simpler exponents", place});
+        refuse(Reason::size, {fmt::format("exponents are at most {} once roots are taken out", largest),
+                              spell(base), "use simpler exponents", place});
     return cln::cl_I_to_int(cln::numerator(value));
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include <exception>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -19,26 +18,10 @@ namespace {
 using GiNaC::ex;
 using GiNaC::is_a;
 
-[[noreturn]] void refuse_pole(const ex& e, const Place& place) {
-    bad_input({"nothing is divided by an expression that is zero at the origin", spell(e),
-               "remove the singularity, or expand about another point", place});
-}
-
 // While a ring is built its exponents have the narrowest fields.
 int largest_root_index() { return Packing().largest(); }
 
 int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
-
-bool has_log_of_zero(const ex& e, const GiNaC::exmap& zero) {
-    return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
-        try {
-            return is_a<GiNaC::function>(part) && GiNaC::ex_to<GiNaC::function>(part).get_name() == "log" &&
-                   part.op(0).subs(zero, GiNaC::subs_options::no_pattern).normal().is_zero();
-        } catch (const std::exception&) { // the argument is singular itself
-            return false;
-        }
-    });
-}
 
 } // namespace
 
@@ -54,44 +37,6 @@ ex with_argument(const ex& e, const ex& u) {
 void CoefficientRing::vanish(const ex& symbol) { zero_[symbol] = 0; }
 
 void CoefficientRing::move(const ex& symbol) { moving_.push_back(symbol); }
-
-ex CoefficientRing::at_origin(const ex& e, const Place& place) const {
-    try {
-        return e.subs(zero_, GiNaC::subs_options::no_pattern).normal();
-    } catch (const std::exception&) { // GiNaC::pole_error, and division by zero in normal()
-        if (has_log_of_zero(e, zero_))
-            bad_input({"log has no value at zero, where the fast variables and eps are", spell(e),
-                       "remove the singularity, or expand about another point", place});
-        refuse_pole(e, place);
-    }
-}
-
-bool CoefficientRing::has_weight(const ex& e) const {
-    return std::any_of(zero_.begin(), zero_.end(), [&](const auto& entry) { return e.has(entry.first); }) ||
-           std::any_of(moving_.begin(), moving_.end(), [&](const ex& symbol) { return e.has(symbol); });
-}
-
-bool CoefficientRing::is_finite(const ex& e) const {
-    GiNaC::exmap small{{system_->eps, 0}};
-    std::vector<ex> finite;
-    for (const Variable& v : system_->variables)
-        for (const GiNaC::symbol& symbol : v.jet) {
-            if (v.role != Role::fast) continue;
-            if (v.weight > 0)
-                small[symbol] = 0;
-            else
-                finite.push_back(symbol);
-        }
-    const auto holds_one = [&](const ex& part) {
-        return std::any_of(finite.begin(), finite.end(), [&](const ex& symbol) { return part.has(symbol); });
-    };
-    if (!holds_one(e)) return false;
-    try {
-        return holds_one(e.subs(small, GiNaC::subs_options::no_pattern).normal());
-    } catch (const std::exception&) { // a pole, refused elsewhere
-        return true;
-    }
-}
 
 void CoefficientRing::collect(const ex& e, const Place& place) {
     if (is_a<GiNaC::power>(e)) {
@@ -171,7 +116,8 @@ void CoefficientRing::note(const PowerProduct& product, const Place& place) {
         }
         const Integer index = cln::lcm(known->index, denominator);
         if (index > largest_root_index())
-            refuse({fmt::format("the roots taken of one expression have a common index of at most {}",
+            refuse(Reason::size,
+                   {fmt::format("the roots taken of one expression have a common index of at most {}",
                                 largest_root_index()),
                     spell(factor.base), "use simpler exponents", place});
         known->index = to_int(index);
@@ -351,8 +297,8 @@ Term CoefficientRing::factor(const ex& e, const RingBuilder& builder, const Plac
     const Rational exponent = is_power ? to_rational(e.op(1)) : Rational(1);
     const auto power_of = [&](GeneratorId id, const Rational& power) {
         if (cln::abs(cln::numerator(power)) > largest_root_index())
-            refuse({fmt::format("exponents under a root are at most {}", largest_root_index()), spell(e),
-                    "use smaller exponents", place});
+            refuse(Reason::size, {fmt::format("exponents under a root are at most {}", largest_root_index()),
+                                  spell(e), "use smaller exponents", place});
         return builder.gen(id, to_int(cln::numerator(power))).terms().front();
     };
     if (const Base* root = find_base(base); root != nullptr && root->id >= 0)
@@ -387,6 +333,15 @@ GeneratorId CoefficientRing::slow(std::size_t variable) const {
     for (const auto& [symbol, id] : symbols_)
         if (symbol.is_equal(system_->variables[variable].jet.front())) return id;
     return -1;
+}
+
+Place CoefficientRing::place_of(GeneratorId id) const {
+    for (const Base& base : bases_)
+        if (base.id == id) return base.place;
+    for (const FunctionAtom& atom : functions_->atoms())
+        for (const auto& [symbol, known] : symbols_)
+            if (known == id && symbol.is_equal(atom.symbol)) return atom.place;
+    return {};
 }
 
 } // namespace resonform

@@ -52,8 +52,12 @@ public:
     void vanish(const GiNaC::ex& symbol);
     // Symbols that are a constant of the ring plus something of positive weight, xi = zeta + k.
     void move(const GiNaC::ex& symbol);
-    // Errors (bad_input): a pole at the origin.
+    // Without terms that cancel by the relations of roots and functions. Errors (bad_input): a pole at the
+    // origin.
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Place& place) const;
+    // Is an expression in parameters and slow variables zero? Where cancelling common factors does not
+    // tell, a ring is made for it. Errors (refused): those of collect and convert.
+    [[nodiscard]] Zero vanishes(const GiNaC::ex& e, const Place& place) const;
     // Does a symbol occur in e that vanishes or moves?
     [[nodiscard]] bool has_weight(const GiNaC::ex& e) const;
     // Does it hold a fast variable of weight 0 where eps and small ones are 0? There is no expansion about
@@ -77,6 +81,9 @@ public:
     [[nodiscard]] GeneratorId slow(std::size_t variable) const; // -1 if the variable is not slow
     [[nodiscard]] const std::vector<GeneratorId>& divisors() const { return divisors_; } // those of freeze
 
+    // Where a root or a function of the ring was met first; empty of anything else.
+    [[nodiscard]] Place place_of(GeneratorId id) const;
+
     // Precondition: freeze() was called and e was collected. e in parameters, slow variables, eps.
     [[nodiscard]] Polynomial convert(const GiNaC::ex& e, const Place& place) const;
     [[nodiscard]] Polynomial convert(const Complex& e, const Place& place) const;
@@ -97,6 +104,9 @@ private:
         Place place;
     };
 
+    [[noreturn]] static void refuse_pole(const GiNaC::ex& e, const Place& place);
+    [[nodiscard]] GiNaC::ex simplified(const GiNaC::ex& e, const Place& place) const;
+    [[nodiscard]] CoefficientRing ring_of(const GiNaC::ex& e, const Place& place) const; // for e alone
     void collect_function(const GiNaC::ex& e, const GiNaC::ex& u, const Place& place);
     [[nodiscard]] GiNaC::ex without_angles(const GiNaC::ex& argument) const;
     void learn_functions(int derivatives);

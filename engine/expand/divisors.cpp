@@ -102,7 +102,8 @@ GradedField with_divisors(const GradedField& field, const std::vector<Polynomial
                 {}});
     const std::size_t needed = static_cast<std::size_t>(field.ring->size()) - held + all.values.size();
     if (needed > static_cast<std::size_t>(Packing::most_fields))
-        refuse({fmt::format("i, eps, parameters, variables, roots and small divisors are at most {} together",
+        refuse(Reason::size,
+               {fmt::format("i, eps, parameters, variables, roots and small divisors are at most {} together",
                             Packing::most_fields),
                 fmt::format("{} small divisors", all.values.size()),
                 instead_of_more_divisors(field),

@@ -93,7 +93,8 @@ void Expansion::add_slow() {
             translate_->bind(state.symbol, slow.input);
         } else {
             const Place place = place_of_equation(state.variable);
-            slow.rate = at_place(place, [&] { return coefficients_.convert(state.rate, place); });
+            const Polynomial rate = at_place(place, [&] { return coefficients_.convert(state.rate, place); });
+            slow.rate = RingDomain(field_.ring).without_vanishing(rate, {field_.eps});
         }
         field_.slow.push_back(std::move(slow));
     }

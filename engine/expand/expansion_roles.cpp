@@ -2,6 +2,7 @@
 // What the roles of the variables demand of the equations.
 #include "expand/expansion.hpp"
 #include "model/canonical.hpp"
+#include "model/exact_question.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,14 @@ void Expansion::find_driven() {
 void Expansion::check_slow_rate(const State& state) const {
     const Place place = place_of_equation(state.variable);
     const Variable& variable = variable_of(state);
-    if (!coefficients_.at_origin(state.rate, place).is_zero())
+    const ex rest = coefficients_.at_origin(state.rate, place);
+    if (!rest.is_zero() && vanishes(rest, system_) == Zero::unknown)
+        refuse(Reason::undecided,
+               {fmt::format("the rate of a {} variable is proved to vanish at eps = 0",
+                            to_string(variable.role)),
+                fmt::format("{}' = {} there, which may be zero", variable.name, spell(rest)),
+                "write it as 0 if it is zero, or in a simpler form", place});
+    if (!rest.is_zero())
         bad_input({fmt::format("the rate of a {} variable vanishes with eps{}", to_string(variable.role),
                                variable.role == Role::drift ? " and the fast variables" : ""),
                    fmt::format("{}' = {}", variable.name, spell(state.rate)),

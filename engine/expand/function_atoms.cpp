@@ -59,6 +59,12 @@ std::vector<Multiple> multiples(const ex& argument) {
     return result;
 }
 
+// The largest rational number of which both are multiples.
+Rational common_unit(const Rational& a, const Rational& b) {
+    const Integer p = cln::denominator(a), q = cln::denominator(b);
+    return Rational(cln::gcd(cln::numerator(a) * q, cln::numerator(b) * p)) / Rational(p * q);
+}
+
 struct Angle {
     ex cosine, sine;
 };
@@ -194,22 +200,29 @@ private:
                     derivative);
     }
 
-    // Atoms have arguments part/d; factor*part is that many of them.
+    // Atoms have arguments unit*part, where the unit is the largest of which all factors of this part are
+    // multiples: cos(3*tau) by itself is an atom, and a polynomial in cos(tau) only beside functions of tau.
     std::pair<ex, int> whole_multiple(const std::string& family, const Multiple& m) {
         const std::string key = family + spell(m.part);
-        const auto known = known_.denominators_.find(key);
-        Integer d = known == known_.denominators_.end() ? Integer(1) : known->second;
-        if (cln::denominator(m.factor * d) != 1 && learner_ != nullptr) {
-            d = cln::lcm(d, cln::denominator(m.factor));
-            learner_->denominators_[key] = d;
-            learner_->settled_ = false;
+        const auto known = known_.units_.find(key);
+        // Of numbers, cos(2) = 2*cos(1)^2 - 1: a negative atom would have no root.
+        const Rational first =
+            m.part.is_equal(1) ? Rational(1) / cln::denominator(m.factor) : cln::abs(m.factor);
+        Rational unit = known == known_.units_.end() ? first : known->second;
+        if (learner_ != nullptr) {
+            const Rational common = common_unit(unit, m.factor);
+            learner_->settled_ = learner_->settled_ && common == unit;
+            learner_->units_[key] = unit = common;
         }
-        const Rational count = m.factor * d;
-        if (cln::denominator(count) != 1 || cln::abs(cln::numerator(count)) > largest_multiple)
-            refuse({fmt::format("the arguments of one function are at most {} times a common part",
+        const Rational count = m.factor / unit;
+        if (cln::denominator(count) != 1)
+            refuse_unlearned(domain().meaning(to_ginac(m.factor) * m.part), false);
+        if (cln::abs(cln::numerator(count)) > largest_multiple)
+            refuse(Reason::size,
+                   {fmt::format("the arguments of one function are at most {} times a common part",
                                 largest_multiple),
                     spell(domain().meaning(m.part)), "use simpler arguments", place_});
-        return {m.part / to_ginac(Rational(d)), cln::cl_I_to_int(cln::numerator(count))};
+        return {m.part * to_ginac(unit), cln::cl_I_to_int(cln::numerator(count))};
     }
 
     ex exponential(const ex& u) {
@@ -277,7 +290,8 @@ private:
     // The logarithm of a product of powers of positive bases.
     ex logarithm(const ex& u) {
         if (!domain().positive(u))
-            refuse({"a logarithm is taken only of what is proved to be positive", spell(domain().meaning(u)),
+            refuse(Reason::undecided,
+                   {"a logarithm is taken only of what is proved to be positive", spell(domain().meaning(u)),
                     how_to_make_positive(domain().meaning(u)), place_});
         const PowerProduct root = split_power(u, Rational(1) / 2, domain(), place_);
         ex sum = 2 * logarithm_of_number(root.number);
@@ -325,7 +339,8 @@ private:
         if (u.is_zero()) return 0;
         const ex square = domain().expanded(1 - u * u);
         if (!domain().positive(square))
-            refuse({"an arcsine or arccosine is taken only of what is proved to lie between -1 and 1",
+            refuse(Reason::undecided,
+                   {"an arcsine or arccosine is taken only of what is proved to lie between -1 and 1",
                     spell(domain().meaning(u)), how_to_make_positive(domain().meaning(square)), place_});
         return arc_tangent(argument(u * GiNaC::pow(square, GiNaC::numeric(-1, 2))));
     }

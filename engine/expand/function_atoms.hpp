@@ -3,13 +3,15 @@
 // coefficient ring:
 //
 //   exp(2*tau) + exp(-tau/2)  ->  E^4 + 1/E                 E = exp(tau/2)
-//   sin(tau + 2*alpha)        ->  s (1 - 2 u^2) + 2 c u v   s, c of tau; v, u of alpha
+//   sin(tau + 2*alpha)        ->  s u + c v                 s, c of tau; v, u of 2*alpha
+//   sin(2*alpha) + cos(alpha) ->  2 u v + u                 v, u of alpha
 //   log(4*x^2*y)              ->  2 log(2) + 2 log(x) + log(y)
 //   tanh(tau)                 ->  (E^2 - 1)/(E^2 + 1)       E = exp(tau)
 //   cos(tau + pi/3)           ->  c/2 - 3^(1/2) s/2         pi itself is a symbol
 //
-// The arguments of rationally related exponentials, and of sines and cosines, have one common part, so
-// that atoms are independent of each other where that can be seen; an atom of which it cannot says so.
+// The arguments of rationally related exponentials, and of sines and cosines, have one common part, the
+// largest there is, so that atoms are independent of each other where that can be seen; an atom of which it
+// cannot says so.
 #pragma once
 
 #include "algebra/ring.hpp"
@@ -65,7 +67,7 @@ private:
     bool settled_ = true, has_pi_ = false;
     GiNaC::symbol pi_{"pi"};
     std::vector<FunctionAtom> atoms_;
-    std::map<std::string, Integer> denominators_; // of the multiples of one argument that occur
+    std::map<std::string, Rational> units_; // of the multiples of one argument that occur
     CoefficientDomain domain_;
 };
 

@@ -76,7 +76,8 @@ private:
         if (provably_positive(-omega, system_))
             bad_input({"of a conjugate pair the mode with the positive imaginary part is given",
                        in_quotes(mode.eigenvalue.text), "give the conjugate eigenvalue and column", place});
-        refuse({"the imaginary part of the eigenvalue of a pair is proved to be positive",
+        refuse(Reason::undecided,
+               {"the imaginary part of the eigenvalue of a pair is proved to be positive",
                 fmt::format("{} for {}", spell(omega), mode.name), how_to_make_positive(omega), place});
     }
 
@@ -91,7 +92,7 @@ private:
     }
 
     void check_zero(const ex& residual, const GivenMode& mode, std::size_t s) const {
-        const Zero zero = vanishes_in_ring(residual, mode.place);
+        const Zero zero = coefficients_.vanishes(residual, mode.place);
         if (zero == Zero::yes) return;
         const std::string value = fmt::format("{} for {}, in the rate of {}", spell(residual.normal()),
                                               mode.name, first_order_.states[basis_.states[s]].name);
@@ -100,19 +101,10 @@ private:
                        "correct the eigenvalue or the column, or give the relation between its symbols in "
                        "[relations]",
                        mode.place});
-        refuse({"A u - eigenvalue u is proved to be zero", value,
+        refuse(Reason::undecided,
+               {"A u - eigenvalue u is proved to be zero", value,
                 "give the relation between its symbols in [relations], or write the mode in fewer roots",
                 mode.place});
-    }
-
-    // What is not seen by cancelling common factors may be zero by the relations of roots.
-    [[nodiscard]] Zero vanishes_in_ring(const ex& e, const Place& place) const {
-        const Zero zero = vanishes(e);
-        if (zero != Zero::unknown) return zero;
-        CoefficientRing ring = coefficients_;
-        ring.collect(e, place);
-        ring.freeze();
-        return ring.convert(e, place).empty() ? Zero::yes : Zero::unknown;
     }
 
     // u = sum (2 Re c) a - (2 Im c) b for z = a + i b: the inverse of a real matrix.

@@ -45,7 +45,8 @@ Polynomial GradedField::linear_part(std::size_t k) const {
 
 FieldSeries evaluate_field(const GradedField& field, int through) {
     if (field.coefficients->expands_named() && field.coefficients->derivatives() < through)
-        refuse({"a field is expanded as far as its functions can be differentiated",
+        refuse(Reason::size,
+               {"a field is expanded as far as its functions can be differentiated",
                 fmt::format("weight {}, derivatives through {}", through, field.coefficients->derivatives()),
                 "take the field with more derivatives",
                 {}});

@@ -54,7 +54,8 @@ private:
     [[nodiscard]] bool is_zero(const Complex& value, const std::string& what, std::size_t c) const {
         const Zero zero = vanishes(value);
         if (zero == Zero::unknown)
-            refuse({fmt::format("{} is proved to be zero or not to be", what), spell(value.re + value.im),
+            refuse(Reason::undecided,
+                   {fmt::format("{} is proved to be zero or not to be", what), spell(value.re + value.im),
                     "write it in a plainer form, or give parameters numeric values", mode(c).place});
         return zero == Zero::yes;
     }

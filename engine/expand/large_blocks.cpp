@@ -125,6 +125,7 @@ bool LargeBlock::has_closed_roots(const Factor& factor) {
 
 void LargeBlock::refuse_factor(const Factor& factor) const {
     refuse(
+        Reason::eigenvalues,
         {"eigenvalues in closed form are roots of factors of degree 1 or 2 in lambda or in lambda^2",
          fmt::format("{} of the characteristic polynomial of {}", spell(polynomial(factor, lambda_)),
                      name_.variables),
@@ -137,7 +138,8 @@ void LargeBlock::refuse_factor(const Factor& factor) const {
 }
 
 void LargeBlock::refuse_unknown() const {
-    refuse({"entries of eigenvectors are proved to be zero or nonzero",
+    refuse(Reason::undecided,
+           {"entries of eigenvectors are proved to be zero or nonzero",
             fmt::format("not all of those of {}", name_.variables),
             "write the coefficients with fewer roots, or give the modes in [modes]", name_.place});
 }

@@ -35,7 +35,8 @@ Sign sign_of(const ex& e, const std::string& what, const System& system, const B
         refuse_nilpotent(
             name.oscillator ? value : "two equal eigenvalues with one eigenvector: " + name.variables, name);
     }
-    refuse({name.oscillator
+    refuse(Reason::undecided,
+           {name.oscillator
                 ? "the square of a frequency is proved to be positive (an oscillator), or negative"
                 : "eigenvalues are proved to be real or to be complex",
             value, how_to_make_positive(e), name.place});
@@ -135,7 +136,8 @@ bool has_plain_frequencies(const Matrix& k, const System& system) {
 BlockModes modes_of_coupled_oscillators(const Matrix& k, const System& system, const BlockName& name) {
     const Eigenvalues e = eigenvalues_of(k, system, name);
     if (e.square == Sign::positive)
-        refuse({"coupled oscillators have real squares of their frequencies",
+        refuse(Reason::eigenvalues,
+               {"coupled oscillators have real squares of their frequencies",
                 fmt::format("those of {} are complex", name.variables), "use other variables", name.place});
     const BlockModes normal_coordinates = real_modes(k, e, -1); // the lower frequency first
     BlockModes modes{{}, normal_coordinates.chained};

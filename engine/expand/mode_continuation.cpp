@@ -71,7 +71,8 @@ std::vector<Complex> ModeFinder::solve(const Block& block, const Complex& eigenv
 }
 
 void ModeFinder::refuse_driven(const Block& block) const {
-    refuse({"the linear part of the fast variables is semisimple: nothing is driven at its own eigenvalue",
+    refuse(Reason::undecided,
+           {"the linear part of the fast variables is semisimple: nothing is driven at its own eigenvalue",
             fmt::format("{} is, or that cannot be excluded", state(block.front()).name),
             "write style = \"inner_product\" in [normal_form], give the variable a restoring force, or "
             "write the coupling with a factor eps",

@@ -4,7 +4,7 @@
 #include "expand/large_blocks.hpp"
 #include "expand/mode_finder.hpp"
 #include "expand/numeric_modes.hpp"
-#include "model/zero_test.hpp"
+#include "model/exact_question.hpp"
 
 #include <fmt/format.h>
 
@@ -40,10 +40,11 @@ void ModeFinder::check_equilibrium() const {
         const ex force = coefficients_.at_origin(state(s).rate, place(s));
         if (force.is_zero()) continue;
         const std::string& name = variable(s).name;
-        const Zero zero = vanishes(force);
+        const Zero zero = vanishes(force, system_);
         if (zero == Zero::yes) continue;
         if (zero == Zero::unknown)
-            refuse({"the origin of the fast variables is proved to be an equilibrium at eps = 0",
+            refuse(Reason::undecided,
+                   {"the origin of the fast variables is proved to be an equilibrium at eps = 0",
                     fmt::format("{} = {} there, which may be zero", variable(s).jet.back().get_name(),
                                 spell(force)),
                     "write it as 0 if it is zero, or in a simpler form", place(s)});

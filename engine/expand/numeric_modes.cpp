@@ -99,7 +99,8 @@ void NumericModes::find_shapes(const std::vector<BlockOfStates>& blocks, const P
         for (std::size_t b = 0; b < blocks_.size(); ++b) add_shapes((*modes)[b], blocks[b]);
         if (values(*modes, numbers)) return;
     }
-    refuse({"the eigenvalues of a linear part in numbers are simple, and none is driven at itself",
+    refuse(Reason::size,
+           {"the eigenvalues of a linear part in numbers are simple, and none is driven at itself",
             fmt::format("{} bits do not tell them from each other", most_bits),
             "give the modes in [modes], or write a coupling with a factor eps", place});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/power_product.hpp"
 
+#include "expand/coefficient_ring.hpp"
 #include "model/canonical.hpp"
 #include "model/constant_sign.hpp"
 
@@ -16,6 +17,19 @@ using GiNaC::ex_to;
 using GiNaC::is_a;
 
 bool is_integer(const Rational& r) { return cln::denominator(r) == 1; }
+
+bool is_algebraic_number(const ex& e) {
+    return std::none_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+        return is_a<GiNaC::symbol>(part) || is_a<GiNaC::constant>(part) || is_a<GiNaC::function>(part);
+    });
+}
+
+// As a polynomial in its symbols and in the roots of numbers.
+ex factored_over_roots(const ex& polynomial) {
+    GiNaC::exmap roots;
+    const ex factored = GiNaC::factor(polynomial.to_polynomial(roots));
+    return factored.subs(roots, GiNaC::subs_options::no_pattern);
+}
 
 // The trial division stops here: a larger prime factor stays unsplit, which is still a valid base.
 constexpr int largest_trial_divisor = 10000;
@@ -103,8 +117,7 @@ private:
                 for (const PowerFactor& factor : *factors) split(factor.base, factor.exponent * exponent);
                 return;
             }
-            for (const ex& factor : operands(base))
-                if (!domain_.positive(factor)) not_positive(factor);
+            not_positive_product(base);
         }
         for (const ex& factor : operands(base)) split(factor, exponent);
     }
@@ -156,7 +169,10 @@ private:
         if (!is_a<GiNaC::add>(fraction)) return split(fraction, exponent);
         const ex expanded = domain_.expanded(fraction);
         if (!is_a<GiNaC::add>(expanded)) return split(expanded, exponent);
-        const ex factored = domain_.polynomial(expanded) ? GiNaC::factor(expanded) : expanded;
+        // Numbers taken out of a root would be roots of their own: sqrt(2)*k - k = (sqrt(2) - 1)*k.
+        ex factored = expanded;
+        if (domain_.polynomial(expanded))
+            factored = is_integer(exponent) ? factored_over_roots(expanded) : GiNaC::factor(expanded);
         if (!is_a<GiNaC::add>(factored) && separable(factored, expanded, exponent))
             return split(factored, exponent);
         append_sum(expanded, exponent);
@@ -184,22 +200,20 @@ private:
         return !one_sum && positive_factors(factored).has_value();
     }
 
-    // 1/(a + b*sqrt(d)) = (a - b*sqrt(d))/(a^2 - b^2*d) for rational a, b, d: without it an inverse would be
-    // a base of its own, which depends on the roots.
-    static std::optional<ex> inverse_of_surd(const ex& e) {
-        if (!is_a<GiNaC::add>(e) || e.nops() != 2) return std::nullopt;
-        for (const std::size_t k : {0U, 1U}) {
-            const ex rational = e.op(k), root = e.op(1 - k), square = (root * root).expand();
-            if (!rational.info(GiNaC::info_flags::rational) || !square.info(GiNaC::info_flags::rational))
-                continue;
-            return ((rational - root) / (rational * rational - square)).expand();
-        }
-        return std::nullopt;
+    // Of a number made of roots, 1/(1 + sqrt(2) + sqrt(3)), which would be a base of its own that depends on
+    // these. nullopt: symbols or functions are in it, or the roots depend on one another.
+    [[nodiscard]] std::optional<ex> inverse_of_number(const ex& e) const {
+        if (!is_algebraic_number(e)) return std::nullopt;
+        CoefficientRing numbers(std::make_shared<const System>());
+        numbers.collect(e, place_);
+        numbers.freeze();
+        const auto inverse = numbers.ring()->inverse(numbers.convert(e, place_));
+        return inverse ? std::optional(numbers.expression(*inverse)) : std::nullopt;
     }
 
     void append_sum(const ex& base, const Rational& exponent) {
         if (is_integer(exponent) && cln::minusp(exponent))
-            if (const auto inverse = inverse_of_surd(base)) return split(*inverse, -exponent);
+            if (const auto inverse = inverse_of_number(base)) return split(*inverse, -exponent);
         const ex content = base.integer_content();
         const ex primitive = (base / content).expand();
         if (!content.is_equal(1)) split_number(content, exponent);
@@ -223,7 +237,8 @@ private:
     void append(const ex& base, const Rational& exponent) {
         if (!is_integer(exponent) && !domain_.positive(base)) not_positive(base);
         if (cln::minusp(exponent) && !domain_.nonzero(base))
-            refuse({"nothing is divided by an expression that is not proved to be non-zero", spell(base),
+            refuse(Reason::undecided,
+                   {"nothing is divided by an expression that is not proved to be non-zero", spell(base),
                     is_constant(domain_.meaning(base))
                         ? mend_of_constant
                         : "declare it: nonzero = true or positive = true for a name, or "
@@ -233,9 +248,27 @@ private:
         result.factors.push_back({base, exponent});
     }
 
+    // By the first factor of unknown sign: of -1/2*(a - b)/c with c > 0 it is b - a that is to be declared.
+    [[noreturn]] void not_positive_product(const ex& product) const {
+        ex unknown;
+        bool negative = false;
+        for (const ex& factor : operands(product)) {
+            const bool whole = is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::integer);
+            const ex base = whole ? factor.op(0) : factor;
+            if (domain_.positive(base)) continue;
+            const bool even = whole && factor.op(1).info(GiNaC::info_flags::even);
+            if (domain_.positive((-base).expand()))
+                negative = negative != !even;
+            else if (unknown.is_zero())
+                unknown = base;
+        }
+        if (unknown.is_zero()) not_positive(product);
+        not_positive(negative ? (-unknown).expand() : unknown);
+    }
+
     [[noreturn]] void not_positive(const ex& base) const {
-        refuse({"a root is taken only of what is proved to be positive", spell(base),
-                how_to_make_positive(domain_.meaning(base)), place_});
+        refuse(Reason::undecided, {"a root is taken only of what is proved to be positive", spell(base),
+                                   how_to_make_positive(domain_.meaning(base)), place_});
     }
 
     const CoefficientDomain& domain_;
@@ -262,7 +295,11 @@ std::string how_to_make_positive(const ex& e) {
     const std::string declare = "declare what is positive: ";
     if (is_a<GiNaC::symbol>(e)) return declare + spell(e) + " = { positive = true, ... }";
     if (!is_a<GiNaC::add>(e)) return declare + "every factor by itself, with positive = true for a name";
-    return declare + "positive = true for a name in it, or [domain] positive = [\"" + spell(e) + "\"]";
+    constexpr std::size_t longest = 300;
+    const std::string text = spell(e);
+    if (text.size() > longest)
+        return declare + "positive = true for a name in it, or write it with fewer multiples of one argument";
+    return declare + "positive = true for a name in it, or [domain] positive = [\"" + text + "\"]";
 }
 
 } // namespace resonform

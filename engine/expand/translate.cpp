@@ -52,12 +52,21 @@ Node Translator::product(const ex& e, const Place& place) {
 
 Node Translator::power(const ex& e, const Place& place) {
     const Rational exponent = to_rational(e.op(1));
-    const bool whole = e.op(1).info(GiNaC::info_flags::nonnegint);
-    if (!whole && coefficients_.at_origin(e.op(0), place).is_zero())
+    if (e.op(1).info(GiNaC::info_flags::nonnegint)) return program_.power((*this)(e.op(0), place), exponent);
+    const ex origin = coefficients_.at_origin(e.op(0), place);
+    if (origin.is_zero())
         bad_input({"a root or an inverse is taken only of what does not vanish at the origin", spell(e),
                    "remove the singularity, or expand about another point", place});
-    if (!whole) require_small(e, place);
-    return program_.power((*this)(e.op(0), place), exponent);
+    require_small(e, place);
+    const Node base = (*this)(e.op(0), place);
+    if (coefficients_.ring()->rational_power(coefficients_.convert(origin, place), exponent))
+        return program_.power(base, exponent, place);
+    // The ring knows the power of the leading part by its factors: u^p = u_0^p (u/u_0)^p.
+    const auto leading = [&](const ex& power) {
+        return program_.constant(coefficients_.convert(GiNaC::pow(origin, power), place));
+    };
+    return program_.product(leading(e.op(1)),
+                            program_.power(program_.product(leading(-1), base), exponent, place));
 }
 
 void Translator::require_small(const ex& function, const Place& place) const {

@@ -116,6 +116,13 @@ std::vector<ex> operands(const ex& e) {
     return sorted;
 }
 
+bool holds_functions_or_roots(const ex& e) {
+    return std::any_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+        return is_a<GiNaC::function>(part) ||
+               (is_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer));
+    });
+}
+
 ex canonical_sign(const ex& sum) { return begins_negative(sum) ? (-sum).expand() : sum; }
 
 } // namespace resonform

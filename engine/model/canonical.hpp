@@ -18,6 +18,9 @@ std::string spell(const GiNaC::ex& e);
 // spelling e, so that a walk through all levels costs size times depth.
 std::vector<GiNaC::ex> operands(const GiNaC::ex& e);
 
+// What is more than a rational expression in its symbols.
+bool holds_functions_or_roots(const GiNaC::ex& e);
+
 // The sum or its negative, whichever begins with a positive term (numbers come last).
 GiNaC::ex canonical_sign(const GiNaC::ex& sum);
 

@@ -117,9 +117,9 @@ void ChangeOfVariables::require_invertible() const {
                    "the determinant of its derivatives is zero at the origin of the new variables",
                    "correct it, or choose another origin", place});
     if (zero == Zero::unknown)
-        refuse({"a change of variables is seen to be invertible",
-                "the determinant of its derivatives can be told neither zero nor nonzero",
-                "write it in a plainer form", place});
+        refuse(Reason::undecided, {"a change of variables is seen to be invertible",
+                                   "the determinant of its derivatives can be told neither zero nor nonzero",
+                                   "write it in a plainer form", place});
 }
 
 // R' = F + sum of G R' where a change of variables holds constants: G is of order eps, as these rates are.

@@ -148,8 +148,8 @@ std::size_t Elimination::pivot_of(const ConstraintRow& row) const {
     if (zero_at_rest)
         refuse({"constraints are independent at eps = 0", name + " holds no velocity there",
                 "divide it by a power of eps", place});
-    refuse({"constraints are seen to be independent", name + " can be told neither",
-            "write it in a plainer form", place});
+    refuse(Reason::undecided, {"constraints are seen to be independent", name + " can be told neither",
+                               "write it in a plainer form", place});
 }
 
 // Its pivot becomes 1, and 0 in the rows before.

@@ -75,10 +75,10 @@ Rational weight_of(const TomlNode& node) {
 void EpsPowers::note(const Rational& weight, const Place& place) {
     const Integer common = cln::lcm(Integer(root_), cln::denominator(weight));
     if (common > largest_denominator)
-        refuse({fmt::format("weights and powers of eps have a common denominator of at most {}",
-                            largest_denominator),
-                fmt::format("{} beside multiples of 1/{}", to_string(weight), root_),
-                "scale eps so that its powers are simpler", place});
+        refuse(Reason::size, {fmt::format("weights and powers of eps have a common denominator of at most {}",
+                                          largest_denominator),
+                              fmt::format("{} beside multiples of 1/{}", to_string(weight), root_),
+                              "scale eps so that its powers are simpler", place});
     root_ = cln::cl_I_to_int(common);
 }
 

@@ -2,7 +2,7 @@
 #include "model/exact_form.hpp"
 
 #include "model/canonical.hpp"
-#include "model/positivity.hpp"
+#include "model/sign_prover.hpp"
 
 #include <algorithm>
 
@@ -56,7 +56,9 @@ ex ExactForm::meaning(const ex& e) const {
     return e.subs(meanings, GiNaC::subs_options::no_pattern);
 }
 
-bool ExactForm::positive(const ex& e) const { return provably_positive(meaning(e), *domain_); }
+bool ExactForm::positive(const ex& e) const {
+    return SignProver(*domain_).sign(meaning(e)) == ProvedSign::positive;
+}
 
 // Later generators first: their relations hold earlier ones.
 ex ExactForm::reduced(ex polynomial) const {

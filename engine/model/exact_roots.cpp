@@ -39,7 +39,8 @@ std::vector<std::pair<ex, int>> factors_of(ex polynomial,
 ex ExactForm::root(const ex& base, int index) {
     const Fraction f = fraction(base);
     if (!positive(f.denominator))
-        refuse({"the denominator under a root is proved positive", excerpt(spell(meaning(f.denominator))),
+        refuse(Reason::undecided,
+               {"the denominator under a root is proved positive", excerpt(spell(meaning(f.denominator))),
                 "declare what it is made of positive", place_});
     return root_of_polynomial(reduced(f.numerator * GiNaC::pow(f.denominator, index - 1)), index) /
            f.denominator;
@@ -50,9 +51,9 @@ ex ExactForm::root_of_polynomial(const ex& base, int index) {
     const numeric content = GiNaC::ex_to<numeric>(base.integer_content());
     ex result = root_of_number(content, index), inside = 1;
     for (const auto& [factor, exponent] : factors_of((base / content).expand(), generators_)) {
-        const bool negative = exponent % 2 == 1 && positive(-factor);
+        const bool negative = positive(-factor);
         const ex f = negative ? ex(-factor) : factor;
-        if (negative) inside = -inside;
+        if (negative && exponent % 2 == 1) inside = -inside;
         if (f.is_equal(1)) continue;
         if (positive(f)) {
             result *= GiNaC::pow(f, exponent / index);

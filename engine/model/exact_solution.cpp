@@ -78,7 +78,8 @@ std::vector<ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const
         std::size_t pivot = column;
         while (pivot < n && form.vanishes(rows[pivot][column]) != Zero::no) ++pivot;
         if (pivot == n)
-            refuse({"the accelerations can be solved for",
+            refuse(Reason::undecided,
+                   {"the accelerations can be solved for",
                     "the determinant of their coefficients is not seen to differ from zero",
                     "simplify the mechanism", place});
         std::swap(rows[column], rows[pivot]);

@@ -22,6 +22,11 @@ const GiNaC::ex* Scope::find(const std::string& name, int primes) const {
     return found == values_.end() ? nullptr : &found->second;
 }
 
+bool Scope::has_derivatives() const {
+    return std::any_of(values_.begin(), values_.end(),
+                       [](const auto& entry) { return entry.first.second > 0; });
+}
+
 std::vector<std::string> Scope::names() const {
     std::vector<std::string> names;
     for (const auto& entry : values_) {

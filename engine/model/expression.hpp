@@ -36,6 +36,7 @@ public:
     [[nodiscard]] bool is_function(const std::string& name) const;
     [[nodiscard]] const GiNaC::ex* find(const std::string& name, int primes) const;
     [[nodiscard]] std::vector<std::string> names() const; // for "nearest known"
+    [[nodiscard]] bool has_derivatives() const;           // as equations have them
 
 private:
     std::map<std::pair<std::string, int>, GiNaC::ex> values_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/first_order_system.hpp"
 
+#include "model/exact_question.hpp"
 #include "model/growth.hpp"
 #include "model/lexer.hpp"
-#include "model/zero_test.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -101,11 +101,11 @@ ex guarded(const Equation& equation, const std::function<ex()>& build) {
 using EquationRow = std::vector<ex>; // coefficients of the unknowns, then the right-hand side
 
 // Gaussian elimination to the unit matrix; a pivot is an entry proved not to vanish. False: none is.
-bool eliminate(std::vector<EquationRow>& rows) {
+bool eliminate(std::vector<EquationRow>& rows, const System& system) {
     const std::size_t n = rows.size();
     for (std::size_t column = 0; column < n; ++column) {
         std::size_t pivot = column;
-        while (pivot < n && vanishes(rows[pivot][column]) != Zero::no) ++pivot;
+        while (pivot < n && vanishes(rows[pivot][column], system) != Zero::no) ++pivot;
         if (pivot == n) return false;
         std::swap(rows[column], rows[pivot]);
         const ex divisor = rows[column][column];
@@ -164,15 +164,15 @@ std::optional<std::size_t> HighestDerivatives::linearise(Pending& p) const {
 
 void HighestDerivatives::check_coefficient(const Pending& p, const ex& coefficient) const {
     const std::string name = highest(p.unknowns.front()).get_name();
-    const Zero zero = vanishes(coefficient);
+    const Zero zero = vanishes(coefficient, system_);
     if (zero == Zero::no) return;
     if (zero == Zero::yes) {
         complain(*p.equation, "the equations can be solved for the highest derivatives",
                  "the coefficient of " + name + " is zero", "correct the equations");
     }
-    refuse({"the coefficients of the highest derivatives are not zero",
-            "the one of " + name + " can be told neither zero nor nonzero", "simplify the equation",
-            place_of(p.equation->source)});
+    refuse(Reason::undecided, {"the coefficients of the highest derivatives are not zero",
+                               "the one of " + name + " can be told neither zero nor nonzero",
+                               "simplify the equation", place_of(p.equation->source)});
 }
 
 // The first equation that is linear in a single unknown gives it. False: there is none.
@@ -218,7 +218,7 @@ void HighestDerivatives::solve_the_rest() {
         row[n] = -p.rest;
         rows.push_back(std::move(row));
     }
-    if (!eliminate(rows)) {
+    if (!eliminate(rows, system_)) {
         complain(*pending_.front().equation, "the equations can be solved for the highest derivatives",
                  "the determinant of their coefficients is not known to differ from zero",
                  "correct or simplify the equations");

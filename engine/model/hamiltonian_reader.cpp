@@ -104,7 +104,8 @@ void SystemReader::check_canonical(const Equation& equation, const GiNaC::exmap&
     if (zero == Zero::no)
         bad_input({"the equation of a canonical variable is the one that the energy gives", value,
                    "leave the equation out, or correct it or the energy", place_of(equation.source)});
-    refuse({"the equation of a canonical variable is seen to be the one that the energy gives", value,
+    refuse(Reason::undecided,
+           {"the equation of a canonical variable is seen to be the one that the energy gives", value,
             "leave the equation out", place_of(equation.source)});
 }
 

@@ -91,7 +91,8 @@ void Search::require_constant(const Integral& integral, const ex& rate, const st
     const std::string value = "its derivative holds (" + excerpt(written(form_, rate)) + ")" + velocity;
     const Place place = place_of(integral.value.source);
     if (constant == Zero::no) bad_input({"an integral is constant at eps = 0", value, "correct it", place});
-    refuse({"an integral is seen to be constant at eps = 0", value, "write it in a plainer form", place});
+    refuse(Reason::undecided,
+           {"an integral is seen to be constant at eps = 0", value, "write it in a plainer form", place});
 }
 
 void Search::take_those_of_the_file() {

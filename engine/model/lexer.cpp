@@ -43,7 +43,7 @@ constexpr std::array<Spelling, 50> spellings = {{
     if (text[at] == '"') d.mend = "write '' (two apostrophes) for a second derivative";
     if (text[at] == '[' || text[at] == '{') d.mend = "write (";
     if (text[at] == ']' || text[at] == '}') d.mend = "write )";
-    bad_input(d);
+    bad_input(Reason::syntax, d);
 }
 
 // 12, 0.25, 1.5e-3; the exponent only where digits follow, so that "2e" stays "2" and "e".
@@ -97,11 +97,12 @@ Token operator_at(std::string_view text, std::size_t at, const SourceText& sourc
         }
         break;
     case '\'':
-        bad_input({"primes follow the name of a variable directly", "'",
-                   "write the derivative as in psi', and of an expression in full",
-                   place_at(source, text, at)});
+        bad_input(Reason::syntax, {"primes follow the name of a variable directly", "'",
+                                   "write the derivative as in psi', and of an expression in full",
+                                   place_at(source, text, at)});
     case '.':
-        bad_input({"a number has a digit before and after its decimal point", excerpt(text, at, at + 2),
+        bad_input(Reason::syntax,
+                  {"a number has a digit before and after its decimal point", excerpt(text, at, at + 2),
                    "write 0.5 or 1.0", place_at(source, text, at)});
     default: refuse_character(text, at, source);
     }

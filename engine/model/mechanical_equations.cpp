@@ -122,7 +122,8 @@ void Deriver::require_regular(const ChangeOfVariables& change) {
                    "its determinant is zero there", "choose other coordinates, or another point by [change]",
                    place});
     if (zero == Zero::unknown)
-        refuse({"the matrix of the accelerations is seen to be regular where the equations are expanded",
+        refuse(Reason::undecided,
+               {"the matrix of the accelerations is seen to be regular where the equations are expanded",
                 "its determinant can be told neither zero nor nonzero", "choose other coordinates", place});
 }
 

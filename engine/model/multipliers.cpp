@@ -119,7 +119,8 @@ private:
                 square(s, d) = on_motion(mechanism_.constraints[s].condition.value.diff(
                     mechanism_.coordinates[constraints_.dependent[d]].velocity));
         if (form_.vanishes(square.determinant()) == Zero::no) return;
-        refuse({"the constraints are independent of each other",
+        refuse(Reason::undecided,
+               {"the constraints are independent of each other",
                 "no determinant of theirs is seen to differ from zero", "write them in a plainer form",
                 place_of(mechanism_.constraints.front().condition.source)});
     }
@@ -127,7 +128,8 @@ private:
     void require_zero(const ex& e, const std::string& what, const SourceText& source) const {
         const Zero zero = form_.vanishes(e);
         if (zero == Zero::yes) return;
-        refuse({"the equations by Gibbs and Appell and those with multipliers agree",
+        refuse(Reason::undecided,
+               {"the equations by Gibbs and Appell and those with multipliers agree",
                 what + (zero == Zero::no ? " is not satisfied" : " is not seen to be satisfied"),
                 zero == Zero::no ? "report this: one of the two routes is wrong"
                                  : "write the mechanism in a plainer form",

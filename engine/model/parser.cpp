@@ -59,9 +59,9 @@ std::size_t digits_of(std::string_view number) {
 Parser::Parser(std::string_view text, const Scope& scope, const SourceText& source, const Limits& limits)
     : text_(text), scope_(scope), source_(source), limits_(limits) {
     if (text.size() > limits.length) {
-        bad_input({"an expression has at most " + std::to_string(limits.length) + " bytes",
-                   std::to_string(text.size()) + " bytes", "shorten it or split the system",
-                   place_of(source)});
+        bad_input(Reason::syntax, {"an expression has at most " + std::to_string(limits.length) + " bytes",
+                                   std::to_string(text.size()) + " bytes", "shorten it or split the system",
+                                   place_of(source)});
     }
     tokens_ = tokenize(text, source);
 }

@@ -51,7 +51,8 @@ private:
     const Token& take() { return tokens_[at_++]; }
     bool accept(TokenKind kind);
     [[nodiscard]] std::string spelling(const Token& token) const;
-    [[noreturn]] void complain(std::size_t begin, std::size_t end, std::string rule, std::string mend) const;
+    [[noreturn]] void complain(std::size_t begin, std::size_t end, std::string rule, std::string mend,
+                               Reason reason = Reason::syntax) const;
     [[noreturn]] void missing_operand() const;
     [[noreturn]] void implicit_product() const;
     [[noreturn]] void unknown_name(const Token& token) const;

@@ -70,9 +70,10 @@ void Parser::check_growth(const Growth& growth, std::size_t begin, std::size_t e
 
 std::string Parser::spelling(const Token& token) const { return excerpt(text_, token.begin, token.end); }
 
-void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std::string mend) const {
-    bad_input(
-        {std::move(rule), excerpt(text_, begin, end), std::move(mend), place_at(source_, text_, begin)});
+void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std::string mend,
+                      Reason reason) const {
+    bad_input(reason, {std::move(rule), excerpt(text_, begin, end), std::move(mend),
+                       place_at(source_, text_, begin)});
 }
 
 void Parser::missing_operand() const {
@@ -104,21 +105,31 @@ void Parser::unknown_name(const Token& token) const {
         int highest = 0;
         while (scope_.find(name, highest + 1) != nullptr) ++highest;
         if (highest == 0) {
-            complain(token.begin, token.end, in_quotes(name) + " has no derivative here",
-                     "remove the primes");
+            complain(token.begin, token.end, in_quotes(name) + " has no derivative here", "remove the primes",
+                     Reason::name);
         }
         complain(token.begin, token.end,
                  in_quotes(name) + " is known here with at most " + std::to_string(highest) + " primes",
-                 "write fewer");
+                 "write fewer", Reason::name);
     }
     if (tokens_[at_ + 1].kind == TokenKind::open) {
         complain(token.begin, token.end, "a function is one of the known ones",
-                 name == "ln" ? "write log, the natural logarithm" : suggest(name, function_names()));
+                 name == "ln" ? "write log, the natural logarithm" : suggest(name, function_names()),
+                 Reason::name);
+    }
+    if (name == "t" && (scope_.has_derivatives() || source_.key == "hamiltonian.energy")) {
+        complain(
+            token.begin, token.end, "time has no name of its own in equations",
+            "declare an angle phi with phi' = 1 and write phi for t; for eps*t, a slow variable tau with "
+            "tau' = eps",
+            Reason::name);
     }
     if (name == "E" || name == "e") {
-        complain(token.begin, token.end, "a symbol is declared before it is used", "write exp(1)");
+        complain(token.begin, token.end, "a symbol is declared before it is used", "write exp(1)",
+                 Reason::name);
     }
-    complain(token.begin, token.end, "a symbol is declared before it is used", suggest(name, scope_.names()));
+    complain(token.begin, token.end, "a symbol is declared before it is used", suggest(name, scope_.names()),
+             Reason::name);
 }
 
 void Parser::enter(std::size_t at) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/polynomial_quotients.hpp"
 
-#include "model/integer_polynomial.hpp"
+#include "algebra/integer_polynomial.hpp"
 
 #include <algorithm>
 #include <map>
@@ -84,7 +84,8 @@ private:
     Quotient of_number(const numeric& n) {
         if (!n.is_rational()) throw NoQuotient{};
         Quotient result{Packed(context_), Packed(context_)};
-        Whole above(n.numer()), below(n.denom());
+        Whole above(cln::the<cln::cl_I>(n.numer().to_cl_N())),
+            below(cln::the<cln::cl_I>(n.denom().to_cl_N()));
         fmpz_mpoly_set_fmpz(result.above.get(), above.get(), context_.get());
         fmpz_mpoly_set_fmpz(result.below.get(), below.get(), context_.get());
         return result;
@@ -157,7 +158,7 @@ private:
         for (slong k = 0; k < p.terms(); ++k) {
             fmpz_mpoly_get_term_exp_ui(exponents.data(), p.get(), k, context_.get());
             fmpz_mpoly_get_term_coeff_fmpz(number.get(), p.get(), k, context_.get());
-            GiNaC::exvector factors{number.value()};
+            GiNaC::exvector factors{numeric(cln::cl_N(number.value()))};
             for (std::size_t v = 0; v < exponents.size(); ++v)
                 if (exponents[v] != 0)
                     factors.push_back(GiNaC::pow(v < symbols_.size() ? ex(symbols_[v]) : GiNaC::Pi,

@@ -90,7 +90,8 @@ void Transition::require_independent(const std::vector<ExactRow>& rows) const {
         bad_input({"quasi-velocities are independent of each other and of the constraints",
                    "the determinant of their coefficients is zero", "replace one of them", place()});
     if (zero == Zero::unknown)
-        refuse({"quasi-velocities are seen to be independent of each other and of the constraints",
+        refuse(Reason::undecided,
+               {"quasi-velocities are seen to be independent of each other and of the constraints",
                 "the determinant of their coefficients can be told neither zero nor nonzero",
                 "write them in a plainer form", place()});
 }
@@ -165,7 +166,8 @@ void Transition::check_by_coordinates() const {
 void Transition::require_zero(std::size_t k, const ex& difference) const {
     const Zero zero = form_.vanishes(difference);
     if (zero == Zero::yes) return;
-    refuse({"the equations in quasi-velocities and those in coordinates agree",
+    refuse(Reason::undecided,
+           {"the equations in quasi-velocities and those in coordinates agree",
             all_[k].name + (zero == Zero::no ? "' differs" : "' is not seen to be the same"),
             zero == Zero::no ? "report this: one of the two routes is wrong"
                              : "write the mechanism in a plainer form",

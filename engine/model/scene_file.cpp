@@ -29,8 +29,7 @@ const StartValue* Scene::start_of(const std::string& canonical) const {
 Scope Scene::constants() const {
     Scope scope = system->constants();
     for (const Parameter& p : system->cancelled)
-        if (const auto found = fix.find(p.name); found != fix.end())
-            scope.define(p.name, GiNaC::numeric(cln::cl_N(found->second)));
+        if (const auto found = fix.find(p.name); found != fix.end()) scope.define(p.name, found->second);
     return scope;
 }
 
@@ -38,7 +37,7 @@ GiNaC::ex Scene::fixed(const GiNaC::ex& value) const {
     GiNaC::exmap values;
     for (const Parameter& p : system->parameters) {
         const auto found = fix.find(p.name);
-        if (found != fix.end()) values[p.symbol] = GiNaC::numeric(cln::cl_N(found->second));
+        if (found != fix.end()) values[p.symbol] = found->second;
     }
     return value.subs(values);
 }
@@ -50,7 +49,7 @@ Estimate Scene::estimate(const GiNaC::ex& value) const {
     } catch (const std::exception&) { // a denominator became zero
         return Estimate::unbounded;
     }
-    if (e.is_zero()) return Estimate::zero;
+    if (vanishes(e) == Zero::yes) return Estimate::zero; // (sqrt(2) + 1)*(sqrt(2) - 1) - 1
     for (const Parameter& p : system->parameters) {
         if (e.has(p.symbol)) return Estimate::unknown;
     }

@@ -27,6 +27,9 @@ struct StartValue {
 constexpr double smallest_eps = 1e-12, largest_eps = 0.5;
 constexpr const char* eps_rule = "eps lies in 1e-12 <= eps <= 0.5";
 
+// By so much may emitted code differ from the exact solution if a scene says nothing else.
+constexpr double default_ulp = 16, largest_ulp = 1e6;
+
 struct VerifyPlan {
     GiNaC::ex interval; // in eps and parameters; default 1/eps^time_scale
     std::string interval_text = "1/eps";
@@ -35,6 +38,8 @@ struct VerifyPlan {
     bool eps_given = false;                    // false: the judge may extend the ladder downwards
     std::map<std::string, int> claim;          // those given
     std::map<std::string, Verdict> expect;
+    double ulp = default_ulp; // what emitted code may be off, in units of the last place of an output's scale
+    std::string ulp_reason;   // why it is more than the default
 };
 
 // What is known of a value once [fix] is put in and eps is 0.1.
@@ -56,8 +61,8 @@ struct Scene {
     std::optional<int> truncation; // M
     std::vector<std::string> outputs;
     bool oscillating = true;
-    std::map<std::string, Rational> fix; // parameter -> exact value
-    std::vector<StartValue> start;       // in the order of the file
+    std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
+    std::vector<StartValue> start;        // in the order of the file
     VerifyPlan verify;
 
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").

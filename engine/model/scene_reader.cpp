@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/scene_reader.hpp"
 
+#include "model/constant_sign.hpp"
 #include "model/heading.hpp"
 #include "model/names.hpp"
 #include "model/start_domain.hpp"
 #include "model/start_reader.hpp"
 #include "model/toml_values.hpp"
 #include "model/verify_reader.hpp"
+#include "model/zero_test.hpp"
 
 #include <algorithm>
 
@@ -19,6 +21,10 @@ constexpr int highest_time_scale = 9;
 
 // Values beyond this or its inverse overflow in double when they are squared and cubed.
 Rational smallest_value() { return Rational(1) / cln::expt_pos(cln::cl_I(10), 100); }
+
+// Of an interval without zero.
+Rational least_size(const Interval& x) { return x.positive() ? x.low : -x.high; }
+Rational largest_size(const Interval& x) { return x.positive() ? x.high : -x.low; }
 
 } // namespace
 
@@ -123,6 +129,29 @@ void SceneReader::read_outputs() {
     }
 }
 
+// A number as --set takes it: real, of known sign, and of moderate size.
+GiNaC::ex SceneReader::fixed_value(const TomlNode& node, const Parameter& parameter) {
+    constexpr int bits = 512;
+    GiNaC::ex value = expression_of(node, Scope{});
+    if (vanishes(value) == Zero::yes) value = 0;
+    const std::optional<Interval> range = enclosure(value, {}, bits);
+    if (!value.is_zero() && !(range && range->excludes_zero()))
+        refuse(Reason::undecided,
+               {"a fixed value is real, and told from zero by intervals", excerpt(node.text),
+                "write it in a simpler form, or as a decimal number", place_of(node.source)});
+    if (!value.is_zero() &&
+        (least_size(*range) < smallest_value() || largest_size(*range) > 1 / smallest_value())) {
+        bad_value(node, "a fixed value is zero or lies between 1e-100 and 1e100 in size",
+                  "choose other units");
+    }
+    const std::string declared = "the parameter '" + parameter.name + "' is declared ";
+    if (parameter.positive && !range->positive())
+        bad_value(node, declared + "positive", "give a positive value");
+    if (parameter.nonzero && value.is_zero())
+        bad_value(node, declared + "nonzero", "give a value other than zero");
+    return value;
+}
+
 void SceneReader::read_fix() {
     const TomlNode* fix = root_.find("fix");
     if (fix == nullptr) return;
@@ -136,20 +165,7 @@ void SceneReader::read_fix() {
             bad_input({"[fix] gives values of parameters", in_quotes(entry.key), suggest(entry.key, known),
                        entry.place});
         }
-        const Rational value = number_of(entry.value);
-        if (value != 0 && (cln::abs(value) < smallest_value() || cln::abs(value) > 1 / smallest_value())) {
-            bad_value(entry.value, "a fixed value is zero or lies between 1e-100 and 1e100 in size",
-                      "choose other units");
-        }
-        if (parameter->positive && value <= 0) {
-            bad_value(entry.value, "the parameter '" + entry.key + "' is declared positive",
-                      "give a positive value");
-        }
-        if (parameter->nonzero && value == 0) {
-            bad_value(entry.value, "the parameter '" + entry.key + "' is declared nonzero",
-                      "give a value other than zero");
-        }
-        scene_.fix.emplace(entry.key, value);
+        scene_.fix.emplace(entry.key, fixed_value(entry.value, *parameter));
     }
 }
 

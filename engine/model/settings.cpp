@@ -20,7 +20,7 @@ using GiNaC::ex;
                            const std::string& option) {
     Place place;
     place.key = option;
-    bad_input({rule, value, mend, place});
+    bad_input(Reason::command_line, {rule, value, mend, place});
 }
 
 ex read_value(const Setting& setting, const std::string& option) {
@@ -33,8 +33,8 @@ ex read_value(const Setting& setting, const std::string& option) {
 [[noreturn]] void refuse_undecided(const std::string& value, const std::string& option) {
     Place place;
     place.key = option;
-    refuse({"the sign of a value is decided by intervals", value + " may be zero",
-            "write the value in a simpler form", place});
+    refuse(Reason::undecided, {"the sign of a value is decided by intervals", value + " may be zero",
+                               "write the value in a simpler form", place});
 }
 
 void check_value(const Setting& setting, const Parameter& parameter, const ex& value,

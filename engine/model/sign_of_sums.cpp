@@ -182,12 +182,15 @@ ProvedSign SignProver::by_declaration(const ex& e, int comparisons) const {
         if (rest.is_zero()) return ProvedSign::positive;
         const bool simpler = !GiNaC::is_a<GiNaC::add>(rest) || rest.nops() <= expanded.nops();
         if (simpler && sign(rest, comparisons - 1) != ProvedSign::unknown) return ProvedSign::positive;
+        GiNaC::exmap functions; // and roots: symbols stand for them
+        const ex dividend = expanded.to_polynomial(functions), divisor = d.to_polynomial(functions);
         ex quotient;
-        if (GiNaC::is_a<numeric>(d) || !expanded.info(GiNaC::info_flags::rational_polynomial) ||
-            !d.info(GiNaC::info_flags::rational_polynomial) || !GiNaC::divide(expanded, d, quotient)) {
+        if (GiNaC::is_a<numeric>(d) || !dividend.info(GiNaC::info_flags::rational_polynomial) ||
+            !divisor.info(GiNaC::info_flags::rational_polynomial) ||
+            !GiNaC::divide(dividend, divisor, quotient)) {
             continue;
         }
-        const ProvedSign s = sign(quotient, comparisons - 1);
+        const ProvedSign s = sign(quotient.subs(functions, GiNaC::subs_options::no_pattern), comparisons - 1);
         if (s != ProvedSign::unknown) return s;
     }
     for (const Declaration& declared : system_.positive) {

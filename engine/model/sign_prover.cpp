@@ -102,7 +102,9 @@ ProvedSign SignProver::of_product(const ex& e, int comparisons) const {
 
 // The sign of -part.
 ProvedSign SignProver::of_negative(const ex& part, int comparisons) const {
-    if (GiNaC::is_a<GiNaC::add>(part) || is_constant(part)) return sign((-part).expand(), comparisons);
+    if (is_constant(part)) // of log(1 - pi) neither sign is known: a product with -1 asks here again
+        return sign_of_constant(part) == ConstantSign::negative ? ProvedSign::positive : ProvedSign::unknown;
+    if (GiNaC::is_a<GiNaC::add>(part)) return sign((-part).expand(), comparisons);
     if (!GiNaC::is_a<GiNaC::power>(part) || !GiNaC::is_a<GiNaC::add>(part.op(0)) ||
         !part.op(1).info(GiNaC::info_flags::odd))
         return ProvedSign::unknown;

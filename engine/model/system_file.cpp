@@ -91,7 +91,8 @@ std::filesystem::path find_system(const std::string& argument, const std::filesy
         }
         if (std::filesystem::is_regular_file(given, ignored)) return given;
     }
-    bad_input({"SYSTEM must be a folder with system.toml, that file, or a name in " + systems.string(),
+    bad_input(Reason::file,
+              {"SYSTEM must be a folder with system.toml, that file, or a name in " + systems.string(),
                excerpt(argument), suggest(argument, names_in(systems)) + ". All systems: resonform list",
                Place{}});
 }

@@ -118,8 +118,8 @@ TomlNode convert(const toml::node& node, const Lines& lines, const std::string& 
     result.type = type_of(node);
     result.source = lines.source(node.source().begin, path);
     if (depth > deepest) {
-        bad_input({"tables and arrays nest at most " + std::to_string(deepest) + " deep", excerpt(path),
-                   "flatten the file", place_of(result.source)});
+        bad_input(Reason::syntax, {"tables and arrays nest at most " + std::to_string(deepest) + " deep",
+                                   excerpt(path), "flatten the file", place_of(result.source)});
     }
     switch (result.type) {
     case TomlNode::Type::string:
@@ -156,7 +156,8 @@ void check_dotted_keys(const Lines& lines, std::string_view text) {
             dots = 0;
         } else if (c == '.' && ++dots > longest_dotted_key) {
             const toml::source_position at{static_cast<toml::source_index>(line), 1};
-            bad_input({"a key has at most " + std::to_string(longest_dotted_key) + " dots",
+            bad_input(Reason::syntax,
+                      {"a key has at most " + std::to_string(longest_dotted_key) + " dots",
                        excerpt(lines.line(at)), "flatten the file", place_of(lines.source(at, ""))});
         }
     }
@@ -176,22 +177,23 @@ std::string read_text(const std::filesystem::path& file) {
     const Place place = whole_file(file);
     const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     if (!std::filesystem::exists(status)) {
-        bad_input({"the file must exist", excerpt(file.string()), "check the path", place});
+        bad_input(Reason::file, {"the file must exist", excerpt(file.string()), "check the path", place});
     }
     if (!std::filesystem::is_regular_file(status)) {
-        bad_input({"the path must be that of a regular file", excerpt(file.string()),
-                   "give the path of a file", place});
+        bad_input(Reason::file, {"the path must be that of a regular file", excerpt(file.string()),
+                                 "give the path of a file", place});
     }
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
     if (size > largest_file) {
-        bad_input({"a file has at most " + std::to_string(largest_file) + " bytes",
-                   std::to_string(size) + " bytes", "shorten it", place});
+        bad_input(Reason::file, {"a file has at most " + std::to_string(largest_file) + " bytes",
+                                 std::to_string(size) + " bytes", "shorten it", place});
     }
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     if (size > 0) text << stream.rdbuf();
     if (!stream || (size > 0 && !text)) {
-        bad_input({"the file must be readable", excerpt(file.string()), "check its permissions", place});
+        bad_input(Reason::file,
+                  {"the file must be readable", excerpt(file.string()), "check its permissions", place});
     }
     return text.str();
 }
@@ -206,9 +208,9 @@ TomlNode read_toml(std::string_view text, const std::filesystem::path& file) {
         return convert(table, lines, "", 0);
     } catch (const toml::parse_error& failure) {
         const toml::source_position at = failure.source().begin;
-        bad_input({"the file is TOML", excerpt(lines.line(at)),
-                   "the TOML parser says: " + printable(failure.description().substr(0, 300)),
-                   place_of(lines.source(at, ""))});
+        bad_input(Reason::syntax, {"the file is TOML", excerpt(lines.line(at)),
+                                   "the TOML parser says: " + printable(failure.description().substr(0, 300)),
+                                   place_of(lines.source(at, ""))});
     }
 }
 

@@ -50,8 +50,8 @@ void check_keys(const TomlNode& table, const std::vector<std::string>& known) {
     check_table(table);
     for (const TomlEntry& entry : table.entries) {
         if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-        bad_input(
-            {"a key is one of the known ones", excerpt(entry.key), suggest(entry.key, known), entry.place});
+        bad_input(Reason::name, {"a key is one of the known ones", excerpt(entry.key),
+                                 suggest(entry.key, known), entry.place});
     }
 }
 

@@ -52,7 +52,7 @@ std::vector<Rational> read_ladder(const TomlNode& node) {
 void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
     if (node == nullptr) {
         const int p = scene.time_scale.value_or(1);
-        plan.interval_text = p == 1 ? "1/eps" : "1/eps^" + std::to_string(p);
+        plan.interval_text = p == 0 ? "1" : p == 1 ? "1/eps" : "1/eps^" + std::to_string(p);
         plan.interval = GiNaC::pow(scene.system->eps, -p);
         return;
     }
@@ -64,6 +64,19 @@ void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
         bad_value(*node, "the interval of verification is positive and finite",
                   "write one such as \"1/eps\"");
     }
+}
+
+void read_ulp(const TomlNode& verify, VerifyPlan& plan) {
+    if (const TomlNode* node = verify.find("ulp")) {
+        plan.ulp = to_double(number_of(*node));
+        if (!(plan.ulp >= 1 && plan.ulp <= largest_ulp))
+            bad_value(*node, "'verify.ulp' is a number in 1 ... 1000000", "write ulp = 16, the default");
+    }
+    const TomlNode* reason = verify.find("ulp_reason");
+    if (reason == nullptr) return;
+    plan.ulp_reason = string_of(*reason);
+    if (plan.ulp <= default_ulp)
+        bad_value(*reason, "'verify.ulp_reason' says why 'verify.ulp' is above 16", "remove it");
 }
 
 void check_output(const TomlEntry& entry, const Scene& scene) {
@@ -87,7 +100,7 @@ Verdict verdict_of(const TomlNode& node) {
 VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
     const TomlNode empty;
     const TomlNode& verify = table == nullptr ? empty : *table;
-    check_keys(verify, {"interval", "eps", "claim", "expect"});
+    check_keys(verify, {"interval", "eps", "claim", "expect", "ulp", "ulp_reason"});
     VerifyPlan plan;
     read_interval(verify.find("interval"), scene, plan);
     const TomlNode* ladder = verify.find("eps");
@@ -107,6 +120,7 @@ VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
     };
     each("claim", [&](const TomlEntry& e) { plan.claim[e.key] = integer_of(e.value, 1, highest_claim); });
     each("expect", [&](const TomlEntry& e) { plan.expect[e.key] = verdict_of(e.value); });
+    read_ulp(verify, plan);
     return plan;
 }
 

@@ -165,18 +165,31 @@ Ball evaluate(const ex& e, const GiNaC::exmap& point) {
     return {0, infinity};
 }
 
-bool differs_from_zero(const ex& e) {
+bool differs_from_zero(const ex& e, const std::vector<ex>& positive) {
     if (is_constant(e) && sign_of_constant(e) != ConstantSign::unknown) return true;
-    constexpr int points = 4;
-    for (int salt = 1; salt <= points; ++salt) {
-        if (differs_at(e, point_for(e, salt))) return true;
+    constexpr int points = 4, tries = 97; // until they repeat
+    GiNaC::lst all{e};
+    for (const ex& declared : positive) all.append(declared);
+    int inside = 0;
+    for (int salt = 1; inside < points && salt <= tries; ++salt) {
+        const GiNaC::exmap point = point_for(positive.empty() ? e : ex(all), salt);
+        const bool meant = std::all_of(positive.begin(), positive.end(), [&](const ex& declared) {
+            const Ball ball = evaluate(declared, point);
+            return ball.middle > 0 && ball.excludes_zero();
+        });
+        if (meant && differs_at(e, point)) return true;
+        inside += meant ? 1 : 0;
     }
     return false;
 }
 
-Zero vanishes(const ex& e) {
+bool differs_from_zero(const ex& e) { return differs_from_zero(e, {}); }
+
+Zero vanishes(const ex& e) { return vanishes(e, {}); }
+
+Zero vanishes(const ex& e, const std::vector<ex>& positive) {
     if (e.is_zero()) return Zero::yes;
-    if (differs_from_zero(e)) return Zero::no;
+    if (differs_from_zero(e, positive)) return Zero::no;
     if (e.expand().is_zero()) return Zero::yes;
     return is_small(e) && e.normal().is_zero() ? Zero::yes : Zero::unknown;
 }

@@ -6,6 +6,8 @@
 
 #include <ginac/ginac.h>
 
+#include <vector>
+
 namespace resonform {
 
 // no: the expression differs from zero at a point with rational coordinates in (0, 2), proved by ball
@@ -13,6 +15,9 @@ namespace resonform {
 Zero vanishes(const GiNaC::ex& e);
 // The answer is no; false: yes or unknown.
 bool differs_from_zero(const GiNaC::ex& e);
+// Where all of these are positive: sqrt(1 - 2*w + w^2) - 1 + w vanishes only for w < 1.
+Zero vanishes(const GiNaC::ex& e, const std::vector<GiNaC::ex>& positive);
+bool differs_from_zero(const GiNaC::ex& e, const std::vector<GiNaC::ex>& positive);
 
 // A real number known to lie within `radius` of `middle`; radius infinite: nothing is known.
 struct Ball {

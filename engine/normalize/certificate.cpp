@@ -63,10 +63,10 @@ void require_known_rates(const CertificatePlan& plan, const PointRun& run, std::
     for (const auto& [id, slope] : plan.unknown)
         for (int weight = 0; weight <= through; ++weight)
             if (run(slope, weight, n) != 0)
-                refuse({"a normal form holds no higher derivatives than its weights can bring",
-                        ring.generator(id).name,
-                        "ask for a lower order",
-                        {}});
+                refuse(Reason::size, {"a normal form holds no higher derivatives than its weights can bring",
+                                      ring.generator(id).name,
+                                      "ask for a lower order",
+                                      {}});
 }
 
 // What does not vanish at a point, of the lowest stage and there of the lowest weight; "" if all vanishes.
@@ -152,7 +152,12 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
                      {}});
         }
     }
-    sampler.prove_roots_independent();
+    if (const auto root = sampler.dependent_root())
+        refuse(
+            {"the roots of the ring are independent of each other", field.ring->generator(*root).name,
+             "write the equations with one root instead of several that depend on each other; if they come "
+             "from the modes, give these under [modes], or take numbers: --digits 30",
+             field.coefficients->place_of(*root)});
     return complaint;
 }
 

@@ -104,7 +104,8 @@ ex CertificateRoots::at_origin(const ex& e, const Equation& equation) {
     try {
         const ex at_zero = e.subs(origin_, GiNaC::subs_options::no_pattern);
         const ex value = lowered(with_symbols(at_zero, equation).normal());
-        return origins_.emplace(e, value).first->second;
+        const bool zero = without_whole_powers(value).is_zero();
+        return origins_.emplace(e, zero ? 0 : value).first->second;
     } catch (const GiNaC::pole_error&) {
         refuse_part("no denominator vanishes at the origin", e, equation);
     }
@@ -249,7 +250,7 @@ void CertificateRoots::split_rest(const ex& e, const Rational& exponent, const E
         }
     const bool has_root =
         std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) { return e.has(r.symbol); });
-    if (has_root || !positive(e))
+    if ((has_root && !is_whole(exponent)) || !positive(e))
         refuse_part("the base of a fractional power is a product of factors proved positive", product.whole,
                     equation);
     product.rest.emplace_back(e, exponent);

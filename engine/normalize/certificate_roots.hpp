@@ -16,7 +16,8 @@
 
 namespace resonform {
 
-// number * product of root powers * rest; `rest` has whole powers of parameters and slow variables.
+// number * product of root powers * rest; `rest` has whole powers of sums in parameters, slow variables and
+// generators.
 struct Radical {
     Rational number = 1;
     std::vector<std::pair<GeneratorId, int>> roots;

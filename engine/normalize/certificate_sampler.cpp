@@ -72,7 +72,7 @@ Point PointSampler::next() {
             {}});
 }
 
-void PointSampler::prove_roots_independent() {
+std::optional<GeneratorId> PointSampler::dependent_root() {
     const auto missing = [&] {
         return std::find_if(witnesses_.begin(), witnesses_.end(), [](const Witness& w) { return !w.found; });
     };
@@ -81,13 +81,8 @@ void PointSampler::prove_roots_independent() {
         Point point{field, std::vector<Residue>(static_cast<std::size_t>(ring_.size()))};
         attempt(point, field.imaginary_unit());
     }
-    if (const auto witness = missing(); witness != witnesses_.end())
-        refuse(
-            {"the roots of the ring are independent of each other",
-             ring_.generator(witness->root).name,
-             "write the equations with one root instead of several that depend on each other; if they come "
-             "from the modes, give these under [modes], or take numbers: --digits 30",
-             {}});
+    const auto witness = missing();
+    return witness == witnesses_.end() ? std::nullopt : std::optional(witness->root);
 }
 
 void PointSampler::draw_variables(Point& point) {

@@ -39,8 +39,8 @@ public:
 
     // Errors (refused): no point found in a long search.
     Point next();
-    // Errors (refused): a root without a witness of independence after a long search.
-    void prove_roots_independent();
+    // A root without a witness of independence after a long search; nullopt: all roots are independent.
+    [[nodiscard]] std::optional<GeneratorId> dependent_root();
 
 private:
     struct Witness {

@@ -126,7 +126,8 @@ auto DivisorTable<Domain>::judged(const Polynomial& growth, const Polynomial& fr
         if (!inverse) missing_.push_back(norm);
         return {value, DivisorVerdict::removed, inverse.value_or(Part())};
     }
-    refuse({"a divisor is proved to be zero or to be non-zero before anything is divided by it",
+    refuse(Reason::undecided,
+           {"a divisor is proved to be zero or to be non-zero before anything is divided by it",
             spell(asked),
             "write the frequencies so that their relation is plain, or give parameters numeric values",
             {}});
@@ -172,10 +173,10 @@ template <class Domain> bool DivisorTable<Domain>::is_near(const Asked& asked) c
     const double limit = near < to_exact(1e-150) ? 0 : cln::double_approx(near * near); // or it underflows
     const double excess = ball.middle - limit;
     if (std::abs(excess) > ball.radius + undecided_part * limit) return excess < 0;
-    refuse({"a divisor is larger or smaller than near, by more than rounding errors",
-            spell(asked) + size_for_message(std::sqrt(ball.middle), near),
-            "change near in [normal_form] a little",
-            {}});
+    refuse(Reason::undecided, {"a divisor is larger or smaller than near, by more than rounding errors",
+                               spell(asked) + size_for_message(std::sqrt(ball.middle), near),
+                               "change near in [normal_form] a little",
+                               {}});
 }
 
 template <class Domain> std::string DivisorTable<Domain>::spell(const Asked& asked) const {

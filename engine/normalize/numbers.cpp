@@ -185,9 +185,11 @@ Normalization rounded_normalization(NormalizationOf<Part> n, const GivenNumbers&
 
 [[noreturn]] void refuse_undecided(const UndecidedDivisor& undecided, std::int64_t bits) {
     if (undecided.near)
-        refuse({"a divisor is larger or smaller than near, by more than rounding errors", undecided.divisor,
+        refuse(Reason::undecided,
+               {"a divisor is larger or smaller than near, by more than rounding errors", undecided.divisor,
                 "change near in [normal_form] a little", undecided.place});
-    refuse({"a divisor in numbers is told from zero, or is zero for a reason that is known",
+    refuse(Reason::undecided,
+           {"a divisor in numbers is told from zero, or is zero for a reason that is known",
             fmt::format("{} is zero to {} bits", undecided.divisor, bits),
             "keep its monomials with near = 1e-6 in [normal_form], or give the modes in closed form in "
             "[modes]",
@@ -212,10 +214,10 @@ Normalization normalize_in_numbers(const std::shared_ptr<const GradedField>& fie
             if (bits >= decisive * first_bits) refuse_undecided(divisor, bits);
         }
     }
-    refuse({"the digits of all coefficients are certain",
-            fmt::format("{} bits are not enough", most_bits * first_bits),
-            "ask for fewer --digits, or a lower order",
-            {}});
+    refuse(Reason::size, {"the digits of all coefficients are certain",
+                          fmt::format("{} bits are not enough", most_bits * first_bits),
+                          "ask for fewer --digits, or a lower order",
+                          {}});
 }
 
 } // namespace resonform

@@ -76,7 +76,8 @@ bool is_nonzero(const GradedField& field, const Polynomial& value, const Coordin
     if (value.empty()) return false;
     const Zero zero = field.ring->is_zero(value);
     if (zero != Zero::unknown) return zero == Zero::no;
-    refuse({"a bracket of two modes is proved to be zero or to be non-zero",
+    refuse(Reason::undecided,
+           {"a bracket of two modes is proved to be zero or to be non-zero",
             fmt::format("{{{}, {}}}", field.ring->generator(a.id).name, field.ring->generator(b.id).name),
             std::string(field.system().parameters.empty()
                             ? ""

@@ -60,7 +60,7 @@ template <class Values> class FlowPanels {
 public:
     using Real = typename Values::value_type;
     static constexpr std::size_t most_panels = 512;
-    struct Panel { // y_k = sum_j coefficient[k][j] x^j, T = middle + half x, |x| <= 1
+    struct Panel { // y_k = sum_j coefficient[k][j] x^j, T = middle + half x; of the first panel middle = 0
         Real middle{}, half{};
         std::vector<std::array<Real, Chebyshev<Real>::n + 1>> coefficient;
     };
@@ -176,7 +176,8 @@ private:
     void append(const Real& left, const Real& step) {
         Panel panel;
         panel.half = step / Real(2);
-        panel.middle = left + panel.half;
+        const bool first = panels.empty();
+        panel.middle = first ? left : left + panel.half;
         for (std::size_t k = 0; k < values_.size(); ++k) {
             auto coefficient = Chebyshev<Real>::primitive(coefficients_[k]);
             Real whole = Real(0);
@@ -184,7 +185,9 @@ private:
                 x = x * panel.half;
                 whole = whole + x;
             }
-            coefficient[0] = coefficient[0] + values_[k].value();
+            // About T = 0 in the first panel: what starts small is known to its own digits there.
+            if (first) coefficient = recentred(coefficient, Real(-1), coefficient.size());
+            coefficient[0] = first ? values_[k].value() : coefficient[0] + values_[k].value();
             panel.coefficient.push_back(coefficient);
             values_[k].add(whole);
             for (const Real& y : at_nodes_[k]) scale_[k] = size(k, y);
@@ -193,8 +196,18 @@ private:
         lefts.push_back(left);
     }
 
-    Chebyshev<Real> chebyshev_;
-    std::array<Nodes, n> integration_ = chebyshev_.integration();
+    // The same for all flows; in many digits they take a while.
+    static const Chebyshev<Real>& chebyshev() {
+        static const Chebyshev<Real> once;
+        return once;
+    }
+    static const std::array<Nodes, n>& integration() {
+        static const std::array<Nodes, n> once = chebyshev().integration();
+        return once;
+    }
+
+    const Chebyshev<Real>& chebyshev_ = chebyshev();
+    const std::array<Nodes, n>& integration_ = integration();
     std::vector<CompensatedSum<Real>> values_; // at the left end of what is next
     std::vector<Real> scale_;                  // of each value so far
     std::vector<Nodes> at_nodes_, rates_, coefficients_;

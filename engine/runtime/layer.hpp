@@ -2,8 +2,8 @@
 // Where the layer around a resonance surface is entered: a margin, > 0 outside of it, is sampled, and its
 // minima between samples are looked for.
 //
-//   clear_of_layers([](double T) { return std::array{(T - 0.3)*(T - 0.3) - 0.01}; }, reach)
-//   ->  outside_domain, reach = 0.2
+//   clear_of_layers([](double T) { return std::array{(T - 0.3)*(T - 0.3) - 0.01}; }, std::array{"D"}, reach)
+//   ->  {outside_domain, "D"}, reach = 0.2
 #ifndef RESONFORM_RUNTIME_LAYER
 #define RESONFORM_RUNTIME_LAYER
 
@@ -67,16 +67,19 @@ private:
     Real end_;
 };
 
-// margins(T) -> an array of margins, each smooth on 0 <= T <= reach. If one is not > 0 somewhere (NaN is
-// not), `reach` is drawn back to before that place; 0: there is none. What is narrower than 1/128 of the
-// interval and has no slope outside is not seen.
-template <class Margins, class Real> Status clear_of_layers(const Margins& margins, Real& reach) {
-    const Real end = reach;
-    for (std::size_t k = 0; k < margins(Real(0)).size() && Real(0) < reach; ++k) {
+// margins(T) -> an array of margins, each smooth on 0 <= T <= reach, of the divisors named. If one is not > 0
+// somewhere (NaN is not), `reach` is drawn back to before that place; 0: there is none. What is narrower than
+// 1/128 of the interval and has no slope outside is not seen.
+template <class Margins, class Names, class Real>
+Cause clear_of_layers(const Margins& margins, const Names& names, Real& reach) {
+    Cause cause;
+    for (std::size_t k = 0; k < names.size() && Real(0) < reach; ++k) {
+        const Real end = reach;
         const auto margin = [&margins, k](const Real& T) { return Real(margins(T)[k]); };
-        reach = LayerSearch<Real, decltype(margin)>(margin, reach).last_clear();
+        reach = LayerSearch<Real, decltype(margin)>(margin, end).last_clear();
+        if (reach < end) cause = {Status::outside_domain, names[k]};
     }
-    return reach < end ? Status::outside_domain : Status::ok;
+    return cause;
 }
 
 } // namespace resonform

@@ -6,11 +6,19 @@
 #ifndef RESONFORM_RUNTIME_MATH
 #define RESONFORM_RUNTIME_MATH
 
+// Statuses are found by NaN and infinity, and double words by rounding errors: a compiler that reckons with
+// neither returns wrong numbers in silence.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||                     \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "resonform: evaluators want IEEE arithmetic; compile without -Ofast, -ffast-math and its parts"
+#endif
+
 #include "runtime/float128.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 
 namespace resonform::math {
@@ -45,7 +53,8 @@ template <class Real> constexpr Real power(Real x, int exponent) {
 // The distance from 1 to the next number, 2^(1 - digits).
 template <class Real> Real epsilon() { return power(Real(Real(1) / Real(2)), digits<Real> - 1); }
 
-// False for NaN and infinities. (Meaningless under -ffast-math, as is every status then.)
+// False for NaN and infinities.
+// NOLINTNEXTLINE(misc-redundant-expression): inf - inf is not a number
 template <class Real> bool finite(const Real& x) { return x - x == Real(0); }
 
 template <class Real> bool is_not_a_number(const Real& x) {
@@ -56,20 +65,50 @@ template <class Real> Real not_a_number() { return Real(std::numeric_limits<doub
 
 template <class Real> Real magnitude(const Real& x) { return x < Real(0) ? Real(-x) : x; }
 
-// The chunks of pi, each with 53 bits, add up to 260 bits in any type that is built from doubles.
+// An exact number: 2^exponent times the sum of doubles of which each is next to what those before leave. In
+// double it is correctly rounded, in wider types to half a unit of the last place.
+template <class Real, class Parts = std::initializer_list<double>>
+Real number(const Parts& parts, int exponent = 0) {
+    Real result = Real(0);
+    for (auto part = parts.end(); part != parts.begin();)
+        if (--part == parts.begin() || 53 < digits<Real>) result = result + Real(*part);
+    const Real base = exponent < 0 ? Real(Real(1) / Real(2)) : Real(2);
+    for (int left = exponent < 0 ? -exponent : exponent, step = 0; left > 0; left -= step) {
+        step = left < 512 ? left : 512;
+        result = result * power(base, step);
+    }
+    return result;
+}
+
+// The chunks of pi, each with 53 bits, add up to 371 bits in any type that is built from doubles.
 template <class Real> Real pi() {
-    constexpr std::array<double, 5> chunks{3.141592653589793, 1.2246467991473532e-16, -2.9947698097183397e-33,
-                                           1.1124542208633653e-49, 5.672231979640316e-66};
+    constexpr std::array<double, 7> chunks{
+        3.141592653589793,     1.2246467991473532e-16, -2.9947698097183397e-33, 1.1124542208633653e-49,
+        5.672231979640316e-66, 1.7449862161352486e-83, 6.02937273224954e-100};
     Real result = Real(0);
     for (std::size_t i = chunks.size(); i > 0; --i) result = result + Real(chunks[i - 1]);
     return result;
 }
 
-// The positive k-th root of x >= 0, k >= 2, from pow and one Newton step that removes its rounding.
+// 1/x; not a number where x is not finite: a power beyond the range of Real does not take its term away.
+// NOLINTNEXTLINE(misc-redundant-expression): as above
+template <class Real> Real per(const Real& x) { return Real(1) / x + (x - x); }
+
+// x times a power of two: exact, in range. (Twice<...> has its own.)
+template <class Real> Real scaled_by(const Real& x, double power_of_two) { return x * Real(power_of_two); }
+
+// Zero, or of a size between 1/bound and bound.
+template <class Real> bool within(const Real& x, double bound) {
+    return x == Real(0) || (!(magnitude(x) > Real(bound)) && !(magnitude(x) < Real(1 / bound)));
+}
+
+// The positive k-th root of x >= 0, k >= 2, from pow and two Newton steps that remove its rounding: of a type
+// that doubles another pow has half the digits.
 template <class Real> Real root(const Real& x, int k) {
     if (!(x > Real(0))) return x == Real(0) ? x : not_a_number<Real>();
-    const Real guess = pow(x, Real(Real(1) / Real(k)));
-    return guess + (x / power(guess, k - 1) - guess) / Real(k);
+    Real guess = pow(x, Real(Real(1) / Real(k)));
+    for (int step = 0; step < 2; ++step) guess = guess + (x / power(guess, k - 1) - guess) / Real(k);
+    return guess;
 }
 
 } // namespace resonform::math

@@ -73,6 +73,13 @@ public:
         return r.precise ? Status::ok : Status::low_precision;
     }
 
+    // False: some times are answered with low_precision.
+    [[nodiscard]] bool precise() const noexcept {
+        for (const Row& r : rows_)
+            if (!r.precise) return false;
+        return true;
+    }
+
 private:
     static constexpr std::size_t terms = Panel<Wide, 1>::size;
     using Coefficients = std::array<Wide, terms>;

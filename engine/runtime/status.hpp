@@ -26,6 +26,12 @@ constexpr const char* to_string(Status s) {
     return "unknown";
 }
 
+// A status and what is behind it, as a reader knows it: a quantity, a divisor, an argument; "" if nothing is.
+struct Cause {
+    Status status = Status::ok;
+    const char* quantity = "";
+};
+
 } // namespace resonform
 
 #endif

@@ -66,6 +66,10 @@ template <class Real> struct Twice {
         const Twice r2 = r1 - b * Twice(q2);
         return sorted_sum(q1, q2) + Twice(r2.high / b.high);
     }
+    // A product would have to be split into halves, beyond the range.
+    friend Twice scaled_by(const Twice& a, double power_of_two) {
+        return {a.high * Real(power_of_two), a.low * Real(power_of_two)};
+    }
     friend bool operator==(const Twice& a, const Twice& b) { return a.high == b.high && a.low == b.low; }
     friend bool operator<(const Twice& a, const Twice& b) {
         return a.high < b.high || (a.high == b.high && a.low < b.low);

@@ -103,6 +103,11 @@ EnvelopePlan plan_envelope(const NormalForm& normal_form) {
     return plan;
 }
 
+bool amplitude_is_constant(const NormalForm& normal_form) {
+    return normal_form.field->modes.empty() ||
+           real_parts(*normal_form.field->ring, oscillator_rate(normal_form)).empty();
+}
+
 void solve_amplitude_and_phase(Draft& draft, const EnvelopePlan& plan) {
     if (draft.solution.modes.empty()) return;
     const int through = draft.solution.truncation;

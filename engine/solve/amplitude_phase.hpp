@@ -29,6 +29,9 @@ struct EnvelopePlan {
 // Errors (refused): Re a_00 != 0 (damping at weight 0 leaves no oscillation on 1/eps).
 EnvelopePlan plan_envelope(const NormalForm& normal_form);
 
+// No rate changes the modulus: every a_kc is imaginary. No mode: true.
+bool amplitude_is_constant(const NormalForm& normal_form);
+
 // Fills envelope, then factor 1 + eps B_1 + ... + eps^(M-2) B_(M-2) from rates of weight <= M, then
 // theta' = sum_n eps^n Theta_n, n <= M-1, of the draft's mode. No mode: nothing.
 void solve_amplitude_and_phase(Draft& draft, const EnvelopePlan& plan);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/draft.hpp"
 
+#include "algebra/cancellation.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/ring_copy.hpp"
 
@@ -179,7 +180,8 @@ GeneratorId Draft::extend(Generator g, bool exponential) {
 
 Polynomial Draft::integrate(const Polynomial& rate, const std::string& name) {
     if (rate.empty()) return {};
-    const auto integrand = quotient_in_ring(ring(), rate, clock_rate_);
+    auto integrand = quotient_in_ring(ring(), rate, clock_rate_);
+    if (integrand) integrand = cancelled(ring(), *integrand);
     if (!integrand || uses_slow_time_quadrature(*integrand)) return quadrature(rate, name, true);
     const auto closed = close_primitive(ring(), clock_, *integrand);
     if (!closed) return quadrature(*integrand, name, solution.slow.empty());

@@ -92,17 +92,26 @@ std::optional<Logarithm> area_logarithm(const Ring& ring, GeneratorId x, Generat
     return normalised(ring, ring.multiply(argument, argument), p[0], Rational(2) * derivative);
 }
 
-// Multiplying by x-dependent factors of degree 0 (root^index / unit term of its radicand) leads to the
-// neighbours of a monomial under the derivation: enough of them to reach exponents of the other sign.
+// The terms of a radicand, each written as the ring writes it: where another root has replaced x^2 by
+// rho^2 - 1, these two.
+std::set<Monomial> radicand_monomials(const Ring& ring, const Generator& root) {
+    std::set<Monomial> monomials;
+    for (const Term& t : root.radicand.terms())
+        insert_monomials(ring.reduce(Polynomial(t.monomial, 1)), monomials);
+    return monomials;
+}
+
+// Multiplying by x-dependent factors (root^index / unit term of its radicand, of x too where that is one)
+// leads to the neighbours of a monomial under the derivation: enough of them to reach exponents of the other
+// sign.
 void add_neighbours(const Ring& ring, GeneratorId x, std::set<Monomial>& candidates) {
     for (GeneratorId root : roots_in(ring, x)) {
         const Generator& g = ring.generator(root);
-        for (const Term& t : g.radicand.terms()) {
-            const auto unit = ring.inverse(ring.reduce(Polynomial(t.monomial, 1)));
-            if (!unit || !is_free_of(ring, t.monomial, x)) continue;
+        for (const Monomial& term : radicand_monomials(ring, g)) {
+            const auto unit = ring.inverse(Polynomial(term, 1));
+            if (!unit) continue;
             const Polynomial up = ring.multiply(ring.gen(root, g.index), *unit);
-            const Polynomial down =
-                ring.multiply(ring.gen(root, -g.index), ring.reduce(Polynomial(t.monomial, 1)));
+            const Polynomial down = ring.multiply(ring.gen(root, -g.index), Polynomial(term, 1));
             const std::set<Monomial> start = candidates;
             for (const Monomial& m : start) {
                 const int distance = ring.exponent(m, root) / g.index;
@@ -186,11 +195,11 @@ candidate_logarithms(const Ring& ring, GeneratorId x, const Polynomial& f,
     return result;
 }
 
-// A product of radicands that leaves no root in a denominator: where a root was not eliminated, only
-// polynomials without denominators have canonical forms.
-Polynomial common_denominator(const Ring& ring, GeneratorId x, const Polynomial& f,
-                              const std::vector<Polynomial>& derivatives) {
-    Polynomial result = ring.one();
+// Powers of roots that leave none in a denominator: where a root was not eliminated, only polynomials without
+// denominators have canonical forms.
+Monomial common_denominator(const Ring& ring, GeneratorId x, const Polynomial& f,
+                            const std::vector<Polynomial>& derivatives) {
+    Monomial result;
     for (GeneratorId root : roots_in(ring, x)) {
         int least = 0;
         const auto see = [&](const Polynomial& p) {
@@ -199,9 +208,16 @@ Polynomial common_denominator(const Ring& ring, GeneratorId x, const Polynomial&
         see(f);
         for (const Polynomial& d : derivatives) see(d);
         const int index = ring.generator(root).index;
-        result = ring.multiply(result, ring.gen(root, (-least + index - 1) / index * index));
+        result = result + ring.monomial(root, (-least + index - 1) / index * index);
     }
     return result;
+}
+
+// The factor by monomials: a product of the ring would replace its roots before they meet those of p.
+Polynomial without_denominator(const Ring& ring, const Polynomial& p, const Monomial& denominator) {
+    std::vector<Term> terms = p.terms();
+    for (Term& t : terms) t.monomial = t.monomial + denominator;
+    return ring.reduce(Polynomial::from_terms(std::move(terms)));
 }
 
 } // namespace
@@ -231,10 +247,10 @@ std::optional<ClosedForm> close_primitive(const Ring& ring, GeneratorId x, const
     for (const auto& [q, logarithm] : logarithmic)
         derivatives.push_back(ring.multiply(q, logarithm.derivative));
 
-    const Polynomial denominator = common_denominator(ring, x, f, derivatives);
+    const Monomial denominator = common_denominator(ring, x, f, derivatives);
     Span span;
-    for (const Polynomial& d : derivatives) span.add(ring.multiply(denominator, d));
-    const auto solved = span.decompose(ring.multiply(denominator, f));
+    for (const Polynomial& d : derivatives) span.add(without_denominator(ring, d, denominator));
+    const auto solved = span.decompose(without_denominator(ring, f, denominator));
     if (!solved.remainder.empty()) return std::nullopt;
 
     ClosedForm result;

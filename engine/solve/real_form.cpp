@@ -3,6 +3,7 @@
 
 #include "solve/ring_copy.hpp"
 
+#include <cstdlib>
 #include <utility>
 
 namespace resonform {
@@ -18,6 +19,15 @@ RealForm::Pair add_pair(RingBuilder& builder, const std::string& variable) {
     };
     const GeneratorId u = add("u");
     return {u, add("v")};
+}
+
+RealForm::Value split(const Ring& ring, const Polynomial& p) {
+    std::vector<Term> re, im;
+    for (const Term& t : p.terms()) {
+        const int i = ring.exponent(t.monomial, Ring::imaginary_unit);
+        (i == 0 ? re : im).push_back({t.monomial - ring.monomial(Ring::imaginary_unit, i), t.coefficient});
+    }
+    return {Polynomial::from_terms(std::move(re)), Polynomial::from_terms(std::move(im))};
 }
 
 } // namespace
@@ -69,12 +79,16 @@ const Polynomial& RealForm::power(std::size_t unit, int exponent) const {
     return known[static_cast<std::size_t>(exponent)];
 }
 
-RealForm::Value RealForm::operator()(const Polynomial& p) const {
-    const Ring& old = *field_.ring;
+std::vector<GeneratorId> RealForm::turning() const {
     std::vector<GeneratorId> outer = field_.outer();
     outer.pop_back(); // eps stays
+    return outer;
+}
+
+RealForm::Value RealForm::operator()(const Polynomial& p) const {
+    const Ring& old = *field_.ring;
     std::vector<Polynomial> parts;
-    for (const auto& [monomial, coefficient] : old.collect(p, outer)) {
+    for (const auto& [monomial, coefficient] : old.collect(p, turning())) {
         Polynomial part = (*lift_)(coefficient);
         for (std::size_t unit = 0; unit < outer_.size(); ++unit) {
             int exponent = old.exponent(monomial, outer_[unit]);
@@ -86,12 +100,37 @@ RealForm::Value RealForm::operator()(const Polynomial& p) const {
         }
         parts.push_back(std::move(part));
     }
-    std::vector<Term> re, im;
-    for (const Term& t : sum(parts).terms()) {
-        const int i = ring_->exponent(t.monomial, Ring::imaginary_unit);
-        (i == 0 ? re : im).push_back({t.monomial - ring_->monomial(Ring::imaginary_unit, i), t.coefficient});
+    return split(*ring_, sum(parts));
+}
+
+std::vector<RealForm::Harmonic> RealForm::harmonics(const Polynomial& p) const {
+    const Ring& old = *field_.ring;
+    std::vector<Harmonic> result;
+    for (const auto& [monomial, coefficient] : old.collect(p, turning())) {
+        Harmonic h;
+        int weight = 0;
+        for (const Mode& mode : field_.modes) {
+            h.modes.emplace_back(old.exponent(monomial, mode.z), old.exponent(monomial, mode.zbar));
+            weight += old.generator(mode.z).weight * (h.modes.back().first + h.modes.back().second);
+        }
+        for (const AngleVariable& angle : field_.angles)
+            h.angles.push_back(old.exponent(monomial, angle.phase));
+        h.coefficient = split(*ring_, ring_->multiply((*lift_)(coefficient), ring_->gen(eps_, weight)));
+        result.push_back(std::move(h));
     }
-    return {Polynomial::from_terms(std::move(re)), Polynomial::from_terms(std::move(im))};
+    return result;
+}
+
+std::size_t RealForm::length(const Polynomial& p) const {
+    const Ring& old = *field_.ring;
+    std::size_t length = 0;
+    for (const auto& [monomial, coefficient] : old.collect(p, turning())) {
+        std::size_t terms = coefficient.size();
+        for (const GeneratorId id : turning())
+            terms *= static_cast<std::size_t>(std::abs(old.exponent(monomial, id))) + 1;
+        length += terms;
+    }
+    return length;
 }
 
 } // namespace resonform

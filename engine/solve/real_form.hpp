@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace resonform {
 
@@ -32,7 +33,19 @@ public:
     };
     [[nodiscard]] Value operator()(const Polynomial& p) const;
 
+    // What operator() multiplies out: p = sum of coefficient * product of powers of modes, their conjugates
+    // and e^{i phi}, in this order. Modes are divided by eps^weight, the coefficient is not.
+    struct Harmonic {
+        std::vector<std::pair<int, int>> modes; // powers of u + i v and of u - i v
+        std::vector<int> angles;
+        Value coefficient;
+    };
+    [[nodiscard]] std::vector<Harmonic> harmonics(const Polynomial& p) const;
+    // A bound of the terms of operator().
+    [[nodiscard]] std::size_t length(const Polynomial& p) const;
+
 private:
+    [[nodiscard]] std::vector<GeneratorId> turning() const;
     [[nodiscard]] const Polynomial& power(std::size_t unit, int exponent) const;
 
     const GradedField& field_;

@@ -40,6 +40,19 @@ void check_modes(const NormalForm& normal_form) {
                 {system.file.string(), 0, 0, "equations", ""}});
 }
 
+// Whether a term of a rate turns as mode k does by itself, z_k times moduli. nullopt: whether it does not
+// turn.
+bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<std::size_t> k) {
+    const Ring& ring = *field.ring;
+    for (std::size_t j = 0; j < field.modes.size(); ++j) {
+        const Mode& mode = field.modes[j];
+        if (ring.exponent(monomial, mode.z) - ring.exponent(monomial, mode.zbar) != (j == k ? 1 : 0))
+            return false;
+    }
+    return std::all_of(field.angles.begin(), field.angles.end(),
+                       [&](const AngleVariable& a) { return ring.exponent(monomial, a.phase) == 0; });
+}
+
 // The frame in which theta_j' are the frequencies at eps = 0, or those of all weights.
 class Framing {
 public:
@@ -67,11 +80,7 @@ private:
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
             for (const auto& [monomial, coefficient] :
                  ring_.collect(normal_form_.mode[k].total(through_), field_.outer())) {
-                for (std::size_t j = 0; j < field_.modes.size(); ++j) {
-                    const Mode& mode = field_.modes[j];
-                    const int turns = ring_.exponent(monomial, mode.z) - ring_.exponent(monomial, mode.zbar);
-                    if (turns != (j == k ? 1 : 0)) return false;
-                }
+                if (!turns_as(field_, monomial, k)) return false;
                 if (!(coefficient + ring_.conjugate(coefficient)).empty()) return false;
             }
         return true;
@@ -208,25 +217,35 @@ private:
     const Ring& ring_;
 };
 
-bool is_empty(const Series& series) {
-    for (int n = 0; n <= series.through(); ++n)
-        if (!series.part(n).empty()) return false;
-    return true;
+bool depends_on_phases(const GradedField& field, const SlowFlow& flow) {
+    const auto turns = [&](const Series& rate, std::optional<std::size_t> as) {
+        const Polynomial all = rate.total(rate.through());
+        return std::any_of(all.terms().begin(), all.terms().end(),
+                           [&](const Term& t) { return !turns_as(field, t.monomial, as); });
+    };
+    for (std::size_t k = 0; k < flow.modes.size(); ++k)
+        if (turns(flow.modes[k].rate, k)) return true;
+    return std::any_of(flow.angles.begin(), flow.angles.end(),
+                       [&](const FlowMode& angle) { return turns(angle.rate, std::nullopt); }) ||
+           std::any_of(flow.slow.begin(), flow.slow.end(),
+                       [&](const Series& rate) { return turns(rate, std::nullopt); });
 }
 
-// The lowest weight in a series, above `base`.
-void lower(std::optional<int>& power, const Series& series, int base) {
-    for (int n = 0; n <= series.through(); ++n)
-        if (!series.part(n).empty()) {
-            power = std::min(power.value_or(n - base), n - base);
-            return;
-        }
+// zbar a' + z abar', what changes |z|^2; empty with the rate of a phase alone.
+Series of_modulus(const GradedField& field, const Mode& mode, const Series& rate) {
+    Series result;
+    for (int n = 0; n <= rate.through(); ++n) {
+        const Polynomial half = field.ring->multiply(field.ring->gen(mode.zbar), rate.part(n));
+        result.set(n, half + field.ring->conjugate(half));
+    }
+    return result;
 }
 
 } // namespace
 
 bool SlowFlow::at_rest() const {
-    const auto rests = [](const FlowMode& mode) { return is_empty(mode.rate); };
+    const auto is_empty = [](const Series& rate) { return !lowest_weight(rate); };
+    const auto rests = [&](const FlowMode& mode) { return is_empty(mode.rate); };
     return std::all_of(modes.begin(), modes.end(), rests) &&
            std::all_of(angles.begin(), angles.end(), rests) &&
            std::all_of(slow.begin(), slow.end(), is_empty);
@@ -261,12 +280,27 @@ std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& f
     return std::nullopt;
 }
 
+std::optional<int> lowest_weight(const Series& series) {
+    for (int n = 0; n <= series.through(); ++n)
+        if (!series.part(n).empty()) return n;
+    return std::nullopt;
+}
+
 std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow) {
     std::optional<int> power;
-    for (std::size_t k = 0; k < flow.modes.size(); ++k)
-        lower(power, flow.modes[k].rate, field.ring->generator(field.modes[k].z).weight);
-    for (const FlowMode& angle : flow.angles) lower(power, angle.rate, 0);
-    for (const Series& slow : flow.slow) lower(power, slow, 0);
+    const auto lower = [&](const Series& rate, int base) {
+        if (const auto weight = lowest_weight(rate))
+            power = std::min(power.value_or(*weight - base), *weight - base);
+    };
+    const bool phases_act = depends_on_phases(field, flow);
+    for (std::size_t k = 0; k < flow.modes.size(); ++k) {
+        const Series& rate = flow.modes[k].rate;
+        lower(phases_act ? rate : of_modulus(field, field.modes[k], rate),
+              field.ring->generator(field.modes[k].z).weight);
+    }
+    for (const FlowMode& angle : flow.angles)
+        if (phases_act) lower(angle.rate, 0);
+    for (const Series& slow : flow.slow) lower(slow, 0);
     return power;
 }
 

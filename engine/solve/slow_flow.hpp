@@ -55,8 +55,12 @@ Polynomial mean_part(const GradedField& field, const SlowFlow& flow, const Polyn
 std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& flow,
                                      const std::string& output);
 
-// The lowest power of eps in a_j'/a_j or zeta': the flow moves on the time scale eps^-power. nullopt: at
-// rest.
+// nullopt: every part is empty.
+std::optional<int> lowest_weight(const Series& series);
+
+// The lowest power of eps in a_j'/a_j or zeta': the flow moves on the time scale eps^-power. Where no rate
+// depends on a phase, how fast these turn does not count: only moduli and slow variables go anywhere.
+// nullopt: at rest.
 std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow);
 
 // order: outputs are cut at eps^order; truncation: normal form and map are used through this weight.

@@ -29,12 +29,6 @@ void check_moves(const GradedField& field) {
                     place_of(field.system(), slow.variable)});
 }
 
-// xi' = eps c
-bool has_explicit_law(const GradedField& field, const SlowVariable& slow) {
-    const auto rate = quotient_in_ring(*field.ring, slow.rate, field.ring->gen(field.eps));
-    return !slow.driven && rate && is_constant(*field.ring, *rate);
-}
-
 void check_supported(const Normalization& normalization, const SolveOptions& options) {
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
@@ -159,6 +153,11 @@ bool is_constant(const Ring& ring, const Polynomial& p) {
     });
 }
 
+bool has_explicit_law(const GradedField& field, const SlowVariable& slow) {
+    const auto rate = quotient_in_ring(*field.ring, slow.rate, field.ring->gen(field.eps));
+    return !slow.driven && rate && is_constant(*field.ring, *rate);
+}
+
 bool solves_by_quadratures(const GradedField& field) {
     const bool small = std::all_of(field.modes.begin(), field.modes.end(), [&](const Mode& mode) {
         return mode.oscillator && field.ring->generator(mode.z).weight == 1;
@@ -170,9 +169,14 @@ bool solves_by_quadratures(const GradedField& field) {
            cln::zerop(field.system().near); // what is kept near is not resonant
 }
 
+bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
+    return solves_by_quadratures(*normal_form.field) &&
+           (time_scale < 2 || amplitude_is_constant(normal_form));
+}
+
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {
     check_supported(*normalization, options);
-    if (!solves_by_quadratures(*normalization->normal_form.field)) {
+    if (!solves_by_quadratures(normalization->normal_form, options.time_scale)) {
         Solution solution;
         solution.order = options.order;
         solution.truncation = options.truncation;

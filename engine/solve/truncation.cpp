@@ -31,8 +31,15 @@ int lightest(const GradedField& field) {
     return field.mode_weights().back();
 }
 
-Count counted(const GradedField& field, int order, int p) {
-    if (solves_by_quadratures(field)) {
+bool is_output(const DriftVariable& drift, const Scene& scene) {
+    return std::find(scene.outputs.begin(), scene.outputs.end(), drift.name) != scene.outputs.end();
+}
+
+Count counted(const GradedField& field, const Scene& scene, int p) {
+    const int order = scene.order;
+    const bool drifts = std::any_of(field.drift.begin(), field.drift.end(),
+                                    [&](const DriftVariable& d) { return is_output(d, scene); });
+    if (solves_by_quadratures(field) && (p < 2 || !drifts)) {
         if (field.modes.empty()) return {order + p, "N + p"};
         return {std::max(order + p, order + 2 * p - 2), "max(N + p, N + 2p - 2)"};
     }
@@ -60,17 +67,15 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
     if (scene.truncation)
         return {*scene.truncation, fmt::format("plain truncation: M = {}", *scene.truncation)};
     const int p = scene.time_scale.value_or(1);
-    if (p >= 2 && !field.slow.empty())
-        refuse({"on a time scale beyond 1/eps the slow variables stay in a compact set",
-                fmt::format("time_scale = {}, {}' = O(eps) of constant sign", p, field.slow.front().name),
-                "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
-    if (p >= 2 && !field.drift.empty())
-        refuse({"on a time scale beyond 1/eps every variable stays in a compact set",
-                fmt::format("time_scale = {}, {} drifts", p, field.drift.front().name),
-                "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
-    const auto [truncation, formula] = counted(field, order, p);
+    for (const SlowVariable& slow : field.slow)
+        if (p >= 2 && has_explicit_law(field, slow))
+            refuse({"on a time scale beyond 1/eps the slow variables stay in a compact set",
+                    fmt::format("time_scale = {}, {}' = O(eps) of constant sign", p, slow.name),
+                    "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
+    const auto [truncation, formula] = counted(field, scene, p);
     if (truncation > largest_truncation)
-        refuse({fmt::format("normal forms are computed through weight {} at most", largest_truncation),
+        refuse(Reason::size,
+               {fmt::format("normal forms are computed through weight {} at most", largest_truncation),
                 fmt::format("order = {}, time_scale = {} ask for weight {}", order, p, truncation),
                 "lower the order or the time scale", place_of(scene, "order")});
     const std::string span = p == 1 ? "1/eps" : fmt::format("1/eps^{}", p);
@@ -83,24 +88,18 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
 void check_time_scale(const Solution& solution, const Scene& scene) {
     const int p = scene.time_scale.value_or(1);
     if (scene.truncation || p < 2) return;
-    if (solution.flow) {
-        const auto power = flow_power(*solution.normalization->normal_form.field, *solution.flow);
+    const NormalForm& normal_form = solution.normalization->normal_form;
+    const auto require = [&](std::optional<int> power, const std::string& what) {
         if (power && *power < p)
-            refuse({"on a time scale beyond 1/eps the slow flow goes a finite way",
-                    fmt::format("time_scale = {}, the flow has rates of order eps^{}", p, *power),
+            refuse({"on a time scale beyond 1/eps slow flow and drifts go a finite way",
+                    fmt::format("time_scale = {}, {} of order eps^{}", p, what, *power),
                     fmt::format("use time_scale = {}, or give the truncation yourself", *power),
                     place_of(scene, "time_scale")});
-        return;
-    }
-    for (const ModeSolution& mode : solution.modes) {
-        bool constant = mode.envelope == solution.ring->one();
-        for (int n = 1; n <= mode.factor.through(); ++n) constant = constant && mode.factor.part(n).empty();
-        if (constant) continue;
-        const std::string& name = solution.system().variables[mode.variable].name;
-        refuse({"on a time scale beyond 1/eps amplitudes are constant",
-                fmt::format("time_scale = {}, the amplitude of {} changes with eps*t", p, name),
-                "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
-    }
+    };
+    if (solution.flow) require(flow_power(*normal_form.field, *solution.flow), "the flow has rates");
+    for (std::size_t d = 0; d < normal_form.drift.size(); ++d)
+        if (const DriftVariable& drift = normal_form.field->drift[d]; is_output(drift, scene))
+            require(lowest_weight(normal_form.drift[d]), drift.name + " has a rate");
 }
 
 } // namespace resonform

@@ -26,17 +26,17 @@ void require_whole_weights(const System& system);
 //                                over eps^-p on amplitude, phase and drift, and by the twist eps^2
 //                                delta^2 of the frequency once more on the phase;
 //   M = N + p                    without one;
-//   M = max(N + p, N + 2p - 1)   for a slow flow: amplitudes of any kind act on the phases at order eps;
+//   M = max(N + p, N + 2p - 1)   for several, finite ones or angles: amplitudes of any kind act on the
+//                                phases at order eps; and where a drift is an output: on it at eps^2;
 //   M = N + 2p - w               at least, where slow variables are driven: through their frequencies they
 //                                act on phases at once, and these on outputs of weight w.
 //
-// Errors: refused for p >= 2 with a slow variable xi' = eps c, or a drift, which leave every compact
-// set, so that the count does not hold; refused for M > 99; those of require_whole_weights.
+// Errors: refused for p >= 2 with a slow variable xi' = eps c, which leaves every compact set, so that the
+// count does not hold; refused for M > 99; those of require_whole_weights.
 TruncationCount count_truncation(const GradedField& field, const Scene& scene);
 
-// The part of the count that only the solution shows: for p >= 2 the amplitudes must be constant, since
-// their corrections are powers of T = eps t, which reaches eps^(1-p); a slow flow moves as eps^p or more
-// slowly, so that it goes a finite way. Error: refused.
+// The part of the count that only the solution shows: for p >= 2 a slow flow, and a drift among the outputs,
+// move as eps^p or more slowly, so that they go a finite way. Error: refused.
 void check_time_scale(const Solution& solution, const Scene& scene);
 
 } // namespace resonform

@@ -2,6 +2,7 @@
 #include "verify/cache.hpp"
 
 #include "algebra/error.hpp"
+#include "verify/child.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -26,10 +27,10 @@ std::string header(std::string_view payload) {
 }
 
 [[noreturn]] void not_writable(const std::filesystem::path& file) {
-    bad_input({"the folder of cached results can be written",
-               file.parent_path().string(),
-               "make it writable, free space, or set RESONFORM_CACHE to another folder",
-               {}});
+    bad_input(Reason::file, {"the folder of cached results can be written",
+                             file.parent_path().string(),
+                             "make it writable, free space, or set RESONFORM_CACHE to another folder",
+                             {}});
 }
 
 } // namespace
@@ -50,6 +51,7 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes)
     std::filesystem::create_directories(file.parent_path(), failed);
     std::filesystem::path draft = file;
     draft += fmt::format(".{}.part", getpid());
+    const Uninterrupted until_done;
     {
         std::ofstream out(draft, std::ios::binary);
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

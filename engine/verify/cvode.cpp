@@ -9,11 +9,9 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <type_traits>
-#include <utility>
 
 namespace resonform {
 
@@ -22,12 +20,13 @@ namespace {
 constexpr long most_cvode_steps = 50'000'000;
 
 struct Problem {
-    BoundTape<double> rates;
+    RightHandSide rates;
     std::string message; // what the library complained of last
 };
 
 int right_hand_side(realtype, N_Vector u, N_Vector rate, void* data) {
-    static_cast<Problem*>(data)->rates.evaluate(N_VGetArrayPointer(u), N_VGetArrayPointer(rate));
+    const RightHandSide& f = static_cast<Problem*>(data)->rates;
+    f.call(f.context, N_VGetArrayPointer(u), N_VGetArrayPointer(rate));
     const double* r = N_VGetArrayPointer(rate);
     return std::all_of(r, r + N_VGetLength(rate), [](double x) { return std::isfinite(x); }) ? 0 : 1;
 }
@@ -64,6 +63,11 @@ public:
         }
     }
 
+    // Back to t = 0.
+    void restart(const std::vector<double>& start) {
+        std::copy(start.begin(), start.end(), N_VGetArrayPointer(state_.get()));
+        CVodeReInit(memory_.get(), 0.0, state_.get());
+    }
     // One internal step towards `end`; the time reached, or a failure code below 0.
     int step(double end, double& reached) {
         return CVode(memory_.get(), end, state_.get(), &reached, CV_ONE_STEP);
@@ -114,40 +118,50 @@ private:
     std::unique_ptr<void, FreeMemory> memory_;
 };
 
+class Cvode : public Integrator {
+public:
+    Cvode(Method method, RightHandSide rates, const Start& start)
+        : start_(start), problem_{rates, ""}, solver_(method, problem_, start.state, start.tolerance) {}
+
+    Run run(const std::vector<double>& times, std::vector<std::vector<double>>& values) override {
+        Run run;
+        std::size_t next = 0;
+        const auto store = [&](const double* state) {
+            for (std::size_t k = 0; k < start_.wanted.size(); ++k) values[k][next] = state[start_.wanted[k]];
+            ++next;
+        };
+        solver_.restart(start_.state);
+        while (next < times.size() && times[next] <= 0) store(start_.state.data());
+        while (next < times.size()) {
+            double reached = 0;
+            const int code = solver_.step(times.back(), reached);
+            if (code < 0) {
+                run.failure =
+                    problem_.message.empty() ? fmt::format("CVode returned {}", code) : problem_.message;
+                break;
+            }
+            // The library goes on with steps that no longer move the time, and only warns.
+            if (solver_.last_step() <= 4e-16 * reached) {
+                run.failure = fmt::format("the step vanishes near t = {:.6g}", reached);
+                break;
+            }
+            while (next < times.size() && times[next] <= reached) store(solver_.value_at(times[next]));
+        }
+        run.steps = solver_.steps();
+        run.evaluations = solver_.evaluations();
+        return run;
+    }
+
+private:
+    Start start_;
+    Problem problem_;
+    Solver solver_;
+};
+
 } // namespace
 
-IntegrationResult integrate_cvode(Method method, BoundTape<double> rates, const std::vector<double>& start,
-                                  const std::vector<double>& times, double tolerance) {
-    const auto begin = std::chrono::steady_clock::now();
-    IntegrationResult result;
-    result.values.assign(start.size(), std::vector<double>(times.size(), 0.0));
-    Problem problem{std::move(rates), ""};
-    Solver solver(method, problem, start, tolerance);
-    std::size_t next = 0;
-    const auto store = [&](const double* values) {
-        for (std::size_t i = 0; i < start.size(); ++i) result.values[i][next] = values[i];
-        ++next;
-    };
-    while (next < times.size() && times[next] <= 0) store(start.data());
-    while (next < times.size()) {
-        double reached = 0;
-        const int code = solver.step(times.back(), reached);
-        if (code < 0) {
-            result.failure =
-                problem.message.empty() ? fmt::format("CVode returned {}", code) : problem.message;
-            break;
-        }
-        // The library goes on with steps that no longer move the time, and only warns.
-        if (solver.last_step() <= 4e-16 * reached) {
-            result.failure = fmt::format("the step vanishes near t = {:.6g}", reached);
-            break;
-        }
-        while (next < times.size() && times[next] <= reached) store(solver.value_at(times[next]));
-    }
-    result.steps = solver.steps();
-    result.evaluations = solver.evaluations();
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return result;
+std::unique_ptr<Integrator> make_cvode(Method method, RightHandSide rates, const Start& start) {
+    return std::make_unique<Cvode>(method, rates, start);
 }
 
 } // namespace resonform

@@ -7,7 +7,6 @@
 namespace resonform {
 
 // Dense output by CVodeGetDky inside each step. The library's messages become `failure`.
-IntegrationResult integrate_cvode(Method method, BoundTape<double> rates, const std::vector<double>& start,
-                                  const std::vector<double>& times, double tolerance);
+std::unique_ptr<Integrator> make_cvode(Method method, RightHandSide rates, const Start& start);
 
 } // namespace resonform

@@ -46,6 +46,16 @@ template <class Real> Errors errors_in(const Trial& trial, const TrialPoint& at,
     return error;
 }
 
+double largest(const std::vector<double>& error) {
+    double most = 0;
+    for (const double e : error) {
+        if (!(std::abs(e) <= std::numeric_limits<double>::max()))
+            return std::numeric_limits<double>::infinity();
+        most = std::max(most, std::abs(e));
+    }
+    return most;
+}
+
 // The rounding of long double: its distance from Float128 at some points.
 std::vector<double> long_double_floor(const Trial& trial, const TrialPoint& at, const Reference& reference) {
     const std::size_t points = reference.times.size(),
@@ -83,14 +93,12 @@ Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& r
     return result;
 }
 
-double largest(const std::vector<double>& error) {
-    double most = 0;
-    for (std::size_t i = 0; i < error.size(); ++i) {
-        const double here = std::abs(error[i]);
-        if (!(here <= std::numeric_limits<double>::max())) return std::numeric_limits<double>::infinity();
-        most = std::max(most, here);
-        if (i == 0 || i + 1 == error.size()) continue;
-        const double sign = error[i] < 0 ? -1 : 1, before = sign * error[i - 1], after = sign * error[i + 1];
+double largest(const std::vector<double>& error, const std::vector<std::size_t>& even) {
+    double most = largest(error);
+    if (std::isinf(most)) return most;
+    for (std::size_t i = 1; i + 1 < even.size(); ++i) {
+        const double value = error[even[i]], here = std::abs(value), sign = value < 0 ? -1 : 1;
+        const double before = sign * error[even[i - 1]], after = sign * error[even[i + 1]];
         const double bend = before - 2 * here + after;
         if (here >= before && here >= after && bend < 0)
             most = std::max(most, here - (after - before) * (after - before) / (8 * bend));
@@ -98,11 +106,11 @@ double largest(const std::vector<double>& error) {
     return most;
 }
 
-double root_mean_square(const std::vector<double>& error) {
+double root_mean_square(const std::vector<double>& error, const std::vector<std::size_t>& even) {
     double sum = 0;
-    for (std::size_t i = 0; i < error.size(); ++i)
-        sum += (i == 0 || i + 1 == error.size() ? 0.5 : 1.0) * error[i] * error[i];
-    return std::sqrt(sum / static_cast<double>(error.size() - 1));
+    for (std::size_t i = 0; i < even.size(); ++i)
+        sum += (i == 0 || i + 1 == even.size() ? 0.5 : 1.0) * error[even[i]] * error[even[i]];
+    return std::sqrt(sum / static_cast<double>(even.size() - 1));
 }
 
 } // namespace resonform

@@ -14,12 +14,13 @@ struct Deviation {
     std::vector<double> floor;              // its rounding, per output
 };
 
-// Long double where its rounding is a hundred times below the error, otherwise Float128.
+// Long double where its rounding is a hundred times below the largest errors, otherwise Float128.
 Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& reference);
 
-// The largest |error|, peaks between the points refined by the parabola through their neighbours.
-double largest(const std::vector<double>& error);
-// sqrt of the mean of error^2 over the interval (trapezoidal rule).
-double root_mean_square(const std::vector<double>& error);
+// The largest |error|, peaks between even points refined by the parabola through their neighbours. `even`:
+// the indices of points that are evenly spread.
+double largest(const std::vector<double>& error, const std::vector<std::size_t>& even);
+// sqrt of the mean of error^2 over the interval (trapezoidal rule over the even points).
+double root_mean_square(const std::vector<double>& error, const std::vector<std::size_t>& even);
 
 } // namespace resonform

@@ -1,38 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Emitted code at work: the text of emit_library compiled by the system's compiler into a shared
-// object of the cache, and called.
+// Emitted code at work: the text of emit_library, compiled and called; or the same program interpreted.
 #pragma once
 
 #include "emit/program.hpp"
 #include "runtime/status.hpp"
 #include "verify/real.hpp"
+#include "verify/shared_object.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform {
 
-// One loaded shared object; it stays loaded while an Evaluator lives.
+// The emitted code of a scene.
 class EvaluatorLibrary {
 public:
-    // Compiles unless the cache holds the same text, command and runtime headers. The compiler is the
-    // one that built the engine, or the environment variable CXX.
-    // Errors: refused, no compiler, or emitted code that does not compile (its first complaint).
+    // Errors: those of SharedObject.
     static std::shared_ptr<const EvaluatorLibrary>
     build(const Program& program, const std::filesystem::path& cache,
           const std::function<void(const std::string&)>& progress);
+    // No compiler runs: the interpreter stands for the code, with the same operations in the same real types.
+    static std::shared_ptr<const EvaluatorLibrary> interpreted(std::shared_ptr<const Program> program);
 
-    [[nodiscard]] void* symbol(const std::string& name) const; // nullptr if absent
-    ~EvaluatorLibrary();
-    EvaluatorLibrary(const EvaluatorLibrary&) = delete;
-    EvaluatorLibrary& operator=(const EvaluatorLibrary&) = delete;
+    explicit EvaluatorLibrary(SharedObject object) : object_(std::move(object)) {}
+    explicit EvaluatorLibrary(std::shared_ptr<const Program> program) : program_(std::move(program)) {}
+
+    [[nodiscard]] const std::optional<SharedObject>& object() const { return object_; }
+    [[nodiscard]] const std::shared_ptr<const Program>& program() const { return program_; }
 
 private:
-    explicit EvaluatorLibrary(void* handle) : handle_(handle) {}
-    void* handle_;
+    std::optional<SharedObject> object_; // none: interpreted
+    std::shared_ptr<const Program> program_;
 };
 
 // An emitted evaluator with numbers put in. Real: double, long double, Float128. Calls are
@@ -44,6 +47,8 @@ public:
               const std::vector<Real>& start, Real slow_time_end);
 
     Status call(Real t, Real* outputs) const;
+    // What is behind a status of the construction or of calls, "" if nothing is.
+    [[nodiscard]] const char* why(Status status) const;
     // All states; only if the program kept them.
     Status state(Real t, Real* values) const;
     // outputs[k][i] at t[i]
@@ -51,11 +56,17 @@ public:
                std::vector<unsigned char>& status) const;
 
 private:
+    void compiled(Real eps, const std::vector<Real>& parameters, const std::vector<Real>& start,
+                  Real slow_time_end);
+    void interpreted(Real eps, const std::vector<Real>& parameters, const std::vector<Real>& start,
+                     Real slow_time_end);
+
     std::shared_ptr<const EvaluatorLibrary> library_;
     std::unique_ptr<void, void (*)(void*)> object_;
-    int (*call_)(const void*, const Real*, Real*);
-    int (*state_)(const void*, const Real*, Real*);
-    void (*batch_)(const void*, const Real*, long, Real* const*, unsigned char*);
+    const char* (*why_)(const void*, int) = nullptr;
+    int (*call_)(const void*, const Real*, Real*) = nullptr;
+    int (*state_)(const void*, const Real*, Real*) = nullptr;
+    void (*batch_)(const void*, const Real*, long, Real* const*, unsigned char*) = nullptr;
 };
 
 } // namespace resonform

@@ -2,7 +2,9 @@
 // The nodes of a graph as numbers of some real type, computed one by one.
 #pragma once
 
+#include "algebra/binary_parts.hpp"
 #include "emit/graph.hpp"
+#include "runtime/scaled.hpp"
 #include "runtime/twice.hpp"
 
 #include <cstddef>
@@ -10,24 +12,36 @@
 
 namespace resonform {
 
-// An exact rational, correct to an ulp or two.
+// An exact rational, correctly rounded in double.
 template <class Number> Number to_number(const Rational& value) {
-    const auto whole = [](Integer n) {
-        std::vector<long> chunks; // of 32 bits, the lowest first
-        for (; n != 0; n = cln::floor1(n, Integer(1) << 32))
-            chunks.push_back(cln::cl_I_to_long(cln::mod(n, Integer(1) << 32)));
-        Number result(0);
-        for (std::size_t k = chunks.size(); k > 0; --k)
-            result = result * Number(4294967296.0) + Number(static_cast<double>(chunks[k - 1]));
-        return result;
-    };
-    const Number size = whole(cln::abs(cln::numerator(value))) / whole(cln::denominator(value));
-    return value < 0 ? Number(-size) : size;
+    const BinaryParts binary = binary_parts(value);
+    return math::number<Number>(binary.parts, binary.exponent);
 }
 
 template <class Number> class GraphWalk {
 public:
     explicit GraphWalk(const Graph& graph) : graph_(&graph), values_(graph.size(), Number(0)) {}
+
+    // Takes over what is constant; the constant factors or terms of a node that varies become one number, as
+    // in emitted code: together they may have a place in Number where each alone has none.
+    void keep(const GraphWalk<Scaled<Number>>& constants, const std::vector<bool>& varying) {
+        varying_ = varying;
+        gathered_.resize(varying.size());
+        for (std::size_t n = 0; n < varying.size(); ++n) {
+            const auto node = static_cast<Graph::Node>(n);
+            if (!varying[n]) {
+                values_[n] = constants[node].value();
+                continue;
+            }
+            const Graph::Entry& e = graph_->at(node);
+            const bool product = e.op == Graph::Op::multiply;
+            Scaled<Number> all(product ? 1 : 0);
+            for (const Graph::Node x : e.operands)
+                if (!varying[static_cast<std::size_t>(x)])
+                    all = product ? all * constants[x] : all + constants[x];
+            gathered_[n] = all.value();
+        }
+    }
 
     void set(Graph::Node symbol, const Number& value) { values_[static_cast<std::size_t>(symbol)] = value; }
     [[nodiscard]] const Number& operator[](Graph::Node n) const {
@@ -37,7 +51,7 @@ public:
     // Computes the nodes listed, operands before their users; symbols keep what was set.
     void compute(const std::vector<Graph::Node>& nodes) {
         for (const Graph::Node n : nodes)
-            if (graph_->at(n).op != Graph::Op::symbol) set(n, value(graph_->at(n)));
+            if (graph_->at(n).op != Graph::Op::symbol) set(n, value(n, graph_->at(n)));
     }
 
     // sum of |terms| of each node listed; `bounds` holds that of symbols and of nodes computed before.
@@ -46,22 +60,29 @@ public:
     }
 
 private:
-    [[nodiscard]] Number value(const Graph::Entry& e) const {
+    [[nodiscard]] Number value(Graph::Node n, const Graph::Entry& e) const {
         using namespace resonform::math;
         const auto x = [&](std::size_t k) -> const Number& { return (*this)[e.operands[k]]; };
-        Number result(e.op == Graph::Op::multiply ? 1 : 0);
+        const bool gathered = !varying_.empty() && varying_[static_cast<std::size_t>(n)];
+        const auto own = [&](std::size_t k) { // not gathered
+            return !gathered || varying_[static_cast<std::size_t>(e.operands[k])];
+        };
+        Number result =
+            gathered ? gathered_[static_cast<std::size_t>(n)] : Number(e.op == Graph::Op::multiply ? 1 : 0);
         switch (e.op) {
         case Graph::Op::symbol: break;
         case Graph::Op::rational: return to_number<Number>(e.value);
         case Graph::Op::add:
-            for (std::size_t k = 0; k < e.operands.size(); ++k) result = result + x(k);
+            for (std::size_t k = 0; k < e.operands.size(); ++k)
+                if (own(k)) result = result + x(k);
             break;
         case Graph::Op::multiply:
-            for (std::size_t k = 0; k < e.operands.size(); ++k) result = result * x(k);
+            for (std::size_t k = 0; k < e.operands.size(); ++k)
+                if (own(k)) result = result * x(k);
             break;
         case Graph::Op::power:
             result = power(x(0), e.exponent < 0 ? -e.exponent : e.exponent);
-            return e.exponent < 0 ? Number(Number(1) / result) : result;
+            return e.exponent < 0 ? per(result) : result;
         case Graph::Op::root: return e.exponent == 2 ? Number(sqrt(x(0))) : root(x(0), e.exponent);
         case Graph::Op::sin: return sin(x(0));
         case Graph::Op::cos: return cos(x(0));
@@ -94,7 +115,8 @@ private:
     }
 
     const Graph* graph_;
-    std::vector<Number> values_;
+    std::vector<Number> values_, gathered_;
+    std::vector<bool> varying_; // empty: nothing is gathered
 };
 
 } // namespace resonform

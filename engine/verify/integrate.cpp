@@ -17,19 +17,29 @@ const char* to_string(Method method) {
     return "unknown";
 }
 
+std::unique_ptr<Integrator> make_integrator(Method method, RightHandSide rates, const Start& start) {
+    return method == Method::dopri5 || method == Method::fehlberg78 ? make_odeint(method, rates, start)
+                                                                    : make_cvode(method, rates, start);
+}
+
 IntegrationResult integrate(Method method, const Tape& tape, const std::vector<double>& parameters,
                             double eps, const std::vector<double>& start, const std::vector<double>& times,
                             double tolerance) {
-    switch (method) {
-    case Method::taylor: return integrate_taylor(tape, parameters, eps, start, times, tolerance);
-    case Method::cvode_adams:
-    case Method::cvode_bdf:
-        return integrate_cvode(method, BoundTape<double>(tape, parameters, eps), start, times, tolerance);
-    case Method::dopri5:
-    case Method::fehlberg78:
-        return integrate_odeint(method, BoundTape<double>(tape, parameters, eps), start, times, tolerance);
-    }
-    return {};
+    if (method == Method::taylor) return integrate_taylor(tape, parameters, eps, start, times, tolerance);
+    BoundTape<double> bound(tape, parameters, eps);
+    const auto call = [](const void* context, const double* state, double* rates) {
+        // It keeps its registers; nobody else has it.
+        static_cast<BoundTape<double>*>(const_cast<void*>(context))->evaluate(state, rates);
+    };
+    Start from{start, tolerance, {}};
+    for (std::size_t i = 0; i < start.size(); ++i) from.wanted.push_back(i);
+    IntegrationResult result;
+    result.values.assign(start.size(), std::vector<double>(times.size(), 0.0));
+    const Run run = make_integrator(method, {call, &bound}, from)->run(times, result.values);
+    result.steps = run.steps;
+    result.evaluations = run.evaluations;
+    result.failure = run.failure;
+    return result;
 }
 
 } // namespace resonform

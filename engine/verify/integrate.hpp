@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/first_order_system.hpp"
+#include "verify/integrator.hpp"
 #include "verify/tape.hpp"
 
 #include <memory>
@@ -16,7 +17,8 @@ template <class Real> struct Integration {
     std::vector<std::vector<Real>> values;
     std::size_t steps = 0, evaluations = 0;
     double seconds = 0;
-    std::string failure; // empty if the method reached the last time
+    std::string failure;  // empty if the method reached the last time
+    bool too_far = false; // the failure is that it takes too many steps
 };
 using IntegrationResult = Integration<double>;
 template <class Real> using TaylorResult = Integration<Real>;
@@ -26,11 +28,14 @@ template <class Real> using TaylorResult = Integration<Real>;
 // and is as long as the last two coefficients allow: |c_k| h^k <= tolerance * scale of the state, the
 // scale being the largest value so far (Jorba and Zou, Experimental Mathematics 14 (2005) 99-117).
 // A solution that leaves the domain of the equations is a failure, not an exception; so is one that needs
-// more than 5e6 steps, which is estimated from the first 10^4 of them.
+// more than most_steps, which is estimated from the first 10^4 of them. The default is about a million
+// periods, minutes in double-double.
+constexpr std::size_t most_taylor_steps = 5'000'000;
 template <class Real>
 Integration<Real> integrate_taylor(const Tape& tape, const std::vector<Real>& parameters, const Real& eps,
                                    const std::vector<Real>& start, const std::vector<Real>& times,
-                                   double tolerance, int order = 0);
+                                   double tolerance, int order = 0,
+                                   std::size_t most_steps = most_taylor_steps);
 
 // The same from a system; parameters in the order of system.system->parameters.
 template <class Real>
@@ -43,9 +48,11 @@ Integration<Real> integrate_taylor(const FirstOrderSystem& system, const std::ve
 enum class Method { taylor, cvode_adams, cvode_bdf, dopri5, fehlberg78 };
 const char* to_string(Method method);
 
-// Any method in double, dense output through the method's own interpolation where it has one
-// (fehlberg78 has none and steps to every time). Tolerance is relative, and absolute against the
-// scale of each start value (1 where that is zero). Messages of the libraries go to `failure`.
+// Any method but taylor in double, dense output through the method's own interpolation where it has one
+// (fehlberg78 has none and steps to every time). Messages of the libraries go to `failure`.
+std::unique_ptr<Integrator> make_integrator(Method method, RightHandSide rates, const Start& start);
+
+// One run over a tape that is interpreted; taylor, too.
 IntegrationResult integrate(Method method, const Tape& tape, const std::vector<double>& parameters,
                             double eps, const std::vector<double>& start, const std::vector<double>& times,
                             double tolerance);

@@ -7,11 +7,13 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/table.hpp"
-#include "verify/graph_walk.hpp"
+#include "verify/constant_walk.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 
 namespace resonform {
@@ -54,115 +56,170 @@ template <class Real> struct Interpreter<Real>::Impl {
 
     Impl(std::shared_ptr<const Program> p, const Real& eps_value, std::vector<Real> parameter_values,
          std::vector<Real> start_values, const Real& slow_time_end)
-        : program(std::move(p)), constants(program->graph), eps(eps_value),
-          parameters(std::move(parameter_values)), start(std::move(start_values)), end(slow_time_end) {
+        : program(std::move(p)), plan(*program),
+          changes(depending(program->graph, varying_symbols(*program))), constants(program->graph),
+          eps(eps_value), parameters(std::move(parameter_values)), start(std::move(start_values)),
+          end(slow_time_end) {
         if (parameters.empty()) parameters = default_parameters<Real>(*program, eps);
         if (start.empty()) start = default_start<Real>(*program, eps, parameters);
-        status = construct();
+        cause = construct();
     }
 
-    Status construct() {
-        if (!Interval<Real>::accepts(eps, end)) return Status::bad_argument;
-        if (!all_finite(parameters) || !all_finite(start)) return Status::bad_argument;
+    Cause construct() {
+        if (const Cause bad = Interval<Real>::check(eps, end); bad.status != Status::ok) return bad;
+        if (const Cause bad = check_arguments(); bad.status != Status::ok) return bad;
         interval = Interval<Real>(eps, end);
         reach = end;
-        set_constants(constants);
-        const std::vector<bool> changes = depending(program->graph, varying_symbols(*program));
-        for (const Graph::Node condition : program->positive)
-            if (!changes[static_cast<std::size_t>(condition)] && !(constants[condition] > Real(0)))
-                return Status::outside_domain;
-        if (const Status built = build_flow(); built != Status::ok) return built;
-        if (const Status clear = keep_clear_of_layers(); clear != Status::ok) return clear;
-        if (const Status built = build_tables(); built != Status::ok) return built;
+        if (const Cause lost = set_constants(constants); lost.status != Status::ok) return lost;
+        if (const Cause failed = build_flow(); failed.status != Status::ok) return failed;
+        if (const Cause failed = keep_clear_of_layers(); failed.status != Status::ok) return failed;
+        if (const Cause failed = build_tables(); failed.status != Status::ok) return failed;
         return build_phases();
     }
 
-    template <class Number> void set_constants(GraphWalk<Number>& walk) const {
-        walk.set(program->eps, Number(eps));
-        set_inputs(walk, program->parameters, parameters);
-        set_inputs(walk, program->start, start);
-        Nodes all(program->graph.size());
-        const std::vector<bool> changes = depending(program->graph, varying_symbols(*program));
-        Nodes nodes;
-        for (std::size_t n = 0; n < all.size(); ++n)
-            if (!changes[n]) nodes.push_back(static_cast<Graph::Node>(n));
-        walk.compute(nodes);
+    Cause check_arguments() const {
+        for (const auto& [inputs, values, names] :
+             {std::tuple(&program->parameters, &parameters, &plan.parameters),
+              std::tuple(&program->start, &start, &plan.start)})
+            for (std::size_t k = 0; k < values->size(); ++k)
+                if (!math::finite((*values)[k])) return {Status::bad_argument, (*names)[k].c_str()};
+        if (!plan.range.native) return {};
+        const double bound = std::ldexp(1.0, plan.range.bound);
+        for (const auto& [symbol, argument] : arguments())
+            if (std::binary_search(plan.range.limited.begin(), plan.range.limited.end(), symbol) &&
+                !math::within(argument.first, bound))
+                return {Status::overflow, argument.second};
+        return {};
     }
 
-    Status build_flow() {
-        if (program->flow.empty()) return Status::ok;
+    // eps, parameters and start values by their symbols, with their names.
+    [[nodiscard]] std::map<Graph::Node, std::pair<Real, const char*>> arguments() const {
+        std::map<Graph::Node, std::pair<Real, const char*>> all{{program->eps, {eps, "eps"}}};
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+            all[program->parameters[k].symbol] = {parameters[k], plan.parameters[k].c_str()};
+        for (std::size_t k = 0; k < start.size(); ++k)
+            all[program->start[k].symbol] = {start[k], plan.start[k].c_str()};
+        return all;
+    }
+
+    // Constants in Number, by way of numbers of any range.
+    template <class Number> Cause set_constants(GraphWalk<Number>& walk) const {
+        GraphWalk<Scaled<Number>> scaled(program->graph);
+        std::map<Graph::Node, Number> inputs;
+        for (const auto& [symbol, argument] : arguments()) {
+            inputs[symbol] = Number(argument.first);
+            scaled.set(symbol, Scaled<Number>(inputs[symbol]));
+        }
+        Nodes nodes;
+        for (std::size_t n = 0; n < changes.size(); ++n)
+            if (!changes[n]) nodes.push_back(static_cast<Graph::Node>(n));
+        scaled.compute(nodes);
+        for (const ProgramCondition& condition : program->positive)
+            if (!varies(condition) && !(scaled[condition.value] > Scaled<Number>(0)))
+                return {Status::outside_domain, condition.quantity.c_str()};
+        walk.keep(scaled, changes);
+        return plan.range.native ? Cause{} : ConstantWalk<Number>(plan, inputs).cause();
+    }
+
+    [[nodiscard]] bool varies(const ProgramCondition& condition) const {
+        return changes[static_cast<std::size_t>(condition.value)];
+    }
+
+    Cause build_flow() {
+        if (program->flow.empty()) return {};
         Nodes rates;
         std::vector<Real> starts;
         for (const ProgramFlow& variable : program->flow) {
             rates.push_back(variable.rate);
             starts.push_back(constants[variable.start]);
         }
-        const Plan plan(*program, rates);
+        const Plan behind(*program, rates);
         GraphWalk<Real> walk = constants;
         FlowTable<std::vector<Real>> built;
         const Status solved = built.build(
             [&](const Real& T, const std::vector<Real>& values) {
                 walk.set(program->slow_time, T);
                 for (std::size_t k = 0; k < values.size(); ++k) walk.set(program->flow[k].value, values[k]);
-                walk.compute(plan.varying);
+                walk.compute(behind.varying);
                 std::vector<Real> result;
                 for (const Graph::Node rate : rates) result.push_back(walk[rate]);
                 return result;
             },
             starts, reach);
-        if (const Status kept = interval.shorten(solved, reach); kept != Status::ok) return kept;
+        if (const Cause failed = interval.shorten({solved, "slow flow"}, reach); failed.status != Status::ok)
+            return failed;
         flow.emplace(std::move(built));
-        return Status::ok;
+        return {};
     }
 
-    Status keep_clear_of_layers() {
-        if (program->layers.empty()) return Status::ok;
-        const Plan plan(*program, program->layers);
+    Cause keep_clear_of_layers() {
+        if (program->layers.empty()) return {};
+        Nodes nodes;
+        std::vector<const char*> names;
+        for (const ProgramCondition& margin : program->layers) {
+            nodes.push_back(margin.value);
+            names.push_back(margin.quantity.c_str());
+        }
+        const Plan behind(*program, nodes);
         GraphWalk<Real> walk = constants;
         const auto margins = [&](const Real& T) {
             set_slow_time(walk, T);
-            walk.compute(plan.varying);
+            walk.compute(behind.varying);
             std::vector<Real> values;
-            for (const Graph::Node margin : program->layers) values.push_back(walk[margin]);
+            for (const Graph::Node margin : nodes) values.push_back(walk[margin]);
             return values;
         };
-        return interval.shorten(clear_of_layers(margins, reach), reach);
+        return interval.shorten(clear_of_layers(margins, names, reach), reach);
     }
 
-    Status build_tables() {
-        for (const ProgramTable& table : program->tables) {
-            const Plan plan(*program, {table.integrand});
+    Cause build_tables() {
+        for (std::size_t k = 0; k < program->tables.size(); ++k) {
+            const ProgramTable& table = program->tables[k];
+            const Plan behind(*program, {table.integrand});
             GraphWalk<Real> walk = constants;
             PrimitiveTable<Real, 1> built;
             const Status fitted = built.build(
                 [&](const Real& T) {
                     set_slow_time(walk, T);
-                    walk.compute(plan.varying);
+                    walk.compute(behind.varying);
                     return std::array<Real, 1>{walk[table.integrand]};
                 },
                 reach);
-            if (const Status kept = interval.shorten(fitted, reach); kept != Status::ok) return kept;
+            if (const Cause failed = interval.shorten({fitted, level_of(k).name.c_str()}, reach);
+                failed.status != Status::ok)
+                return failed;
             tables.push_back(std::move(built));
         }
-        return Status::ok;
+        return {};
     }
 
-    Status build_phases() {
+    Cause build_phases() {
         GraphWalk<Wide> walk(program->graph);
-        if (!program->phases.empty()) set_constants(walk);
-        for (const ProgramPhase& phase : program->phases) {
-            const Plan plan(*program, {phase.rate});
+        if (program->phases.empty()) return {};
+        if (const Cause lost = set_constants(walk); lost.status != Status::ok) return lost;
+        for (std::size_t k = 0; k < program->phases.size(); ++k) {
+            const ProgramPhase& phase = program->phases[k];
+            const Plan behind(*program, {phase.rate});
             phases.emplace_back();
             const Status fitted = phases.back().build(
                 [&](const Wide& T) {
                     set_slow_time(walk, T);
-                    walk.compute(plan.varying);
+                    walk.compute(behind.varying);
                     return std::array<Wide, 1>{walk[phase.rate]};
                 },
                 walk[phase.start], eps, reach, uses_tables(phase.rate));
-            if (const Status kept = interval.shorten(fitted, reach); kept != Status::ok) return kept;
+            if (const Cause failed = interval.shorten({fitted, plan.phase_names[k].c_str()}, reach);
+                failed.status != Status::ok)
+                return failed;
         }
-        return Status::ok;
+        return {};
+    }
+
+    [[nodiscard]] const CppLevel& level_of(std::size_t table) const {
+        return *std::find_if(plan.levels.begin(), plan.levels.end(), [&](const CppLevel& level) {
+            return !level.flow &&
+                   std::find(level.members.begin(), level.members.end(), table) != level.members.end();
+        });
     }
 
     [[nodiscard]] bool uses_tables(Graph::Node n) const {
@@ -190,7 +247,7 @@ template <class Real> struct Interpreter<Real>::Impl {
 
     // All nodes behind the results at t; low_precision where the phase is, else as the domain says.
     Status walk_to(const Real& t, const Nodes& roots, GraphWalk<Real>& walk) const {
-        if (status != Status::ok) return status;
+        if (cause.status != Status::ok) return cause.status;
         Real T(0);
         if (const Status located = interval.locate(t, T); located != Status::ok) return located;
         set_slow_time(walk, T);
@@ -203,10 +260,10 @@ template <class Real> struct Interpreter<Real>::Impl {
             walk.set(program->phases[k].sine, sine);
         }
         Nodes all = roots;
-        all.insert(all.end(), program->positive.begin(), program->positive.end());
+        for (const ProgramCondition& condition : program->positive) all.push_back(condition.value);
         walk.compute(Plan(*program, all).varying);
-        for (const Graph::Node condition : program->positive)
-            if (!(walk[condition] > Real(0))) return Status::outside_domain;
+        for (const ProgramCondition& condition : program->positive)
+            if (varies(condition) && !(walk[condition.value] > Real(0))) return Status::outside_domain;
         return precision;
     }
 
@@ -229,11 +286,11 @@ template <class Real> struct Interpreter<Real>::Impl {
         const Nodes roots = values_of(program->outputs);
         const Status walked = walk_to(t, roots, walk);
         if (walked != Status::ok && walked != Status::low_precision) return walked;
-        const Plan plan(*program, roots);
+        const Plan behind(*program, roots);
         GraphWalk<Real> bounds(program->graph);
         set_symbol_bounds(walk, bounds);
-        walk.compute_scale(plan.constant, bounds);
-        walk.compute_scale(plan.varying, bounds);
+        walk.compute_scale(behind.constant, bounds);
+        walk.compute_scale(behind.varying, bounds);
         for (std::size_t k = 0; k < roots.size(); ++k) scales[k] = bounds[roots[k]];
         return walked;
     }
@@ -251,7 +308,19 @@ template <class Real> struct Interpreter<Real>::Impl {
         }
     }
 
+    // As emitted.
+    [[nodiscard]] const char* why(Status status) const {
+        if (cause.status != Status::ok) return status == cause.status ? cause.quantity : "";
+        if (status == Status::low_precision)
+            for (std::size_t k = 0; k < phases.size(); ++k)
+                if (!phases[k].precise()) return plan.phase_names[k].c_str();
+        return interval.why(status, conditions.c_str(), results.c_str());
+    }
+
     std::shared_ptr<const Program> program;
+    CppPlan plan;
+    std::vector<bool> changes; // of the nodes, those that are computed at each call
+    std::string conditions = plan.conditions_text(), results = plan.results_text();
     GraphWalk<Real> constants;
     Real eps;
     std::vector<Real> parameters, start;
@@ -260,7 +329,7 @@ template <class Real> struct Interpreter<Real>::Impl {
     std::optional<FlowTable<std::vector<Real>>> flow;
     std::vector<PrimitiveTable<Real, 1>> tables;
     std::vector<Phase<Real>> phases;
-    Status status = Status::ok;
+    Cause cause;
 };
 
 template <class Real>
@@ -280,7 +349,8 @@ template <class Real> Status Interpreter<Real>::state(Real t, std::vector<Real>&
 template <class Real> Status Interpreter<Real>::scale(Real t, std::vector<Real>& scale) const {
     return impl_->scale(t, scale);
 }
-template <class Real> Status Interpreter<Real>::construction_status() const { return impl_->status; }
+template <class Real> Status Interpreter<Real>::construction_status() const { return impl_->cause.status; }
+template <class Real> const char* Interpreter<Real>::why(Status status) const { return impl_->why(status); }
 
 template <class Real> std::vector<Real> default_parameters(const Program& program, Real) {
     std::vector<Real> values;
@@ -293,14 +363,14 @@ template <class Real> std::vector<Real> default_parameters(const Program& progra
 
 template <class Real>
 std::vector<Real> default_start(const Program& program, Real eps, const std::vector<Real>& parameters) {
-    GraphWalk<Real> walk(program.graph);
-    walk.set(program.eps, eps);
+    GraphWalk<Scaled<Real>> walk(program.graph);
+    walk.set(program.eps, Scaled<Real>(eps));
     set_inputs(walk, program.parameters, parameters);
     Nodes roots;
     for (const ProgramInput& input : program.start) roots.push_back(input.default_value);
     walk.compute(Plan(program, roots).constant);
     std::vector<Real> values;
-    for (const Graph::Node n : roots) values.push_back(walk[n]);
+    for (const Graph::Node n : roots) values.push_back(walk[n].value());
     return values;
 }
 

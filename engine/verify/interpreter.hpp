@@ -27,6 +27,8 @@ public:
     // accuracy is judged. Functions and negative powers count as one term.
     Status scale(Real t, std::vector<Real>& scale) const;
     [[nodiscard]] Status construction_status() const;
+    // What is behind a status of the construction or of calls, "" if nothing is; it lives as long as this.
+    [[nodiscard]] const char* why(Status status) const;
 
 private:
     struct Impl;

@@ -25,11 +25,25 @@ Json of(const LadderRung& r) {
             {"reference_error", number(r.reference_error)}};
 }
 
+// What every verdict is about, between the names and the outputs.
+void add(Json& json, const Conditions& c) {
+    json["times"] = {
+        {"count", c.count}, {"first", number(c.first)}, {"per_fast_period", number(c.per_fast_period)}};
+    json["interval"] = c.interval;
+    json["promised"] = c.promised;
+    json["shorter_than_promised"] = c.shorter_than_promised;
+    json["start"] = Json::object();
+    for (const auto& [name, text] : c.start) json["start"][name] = text;
+    json["ladder_end"] =
+        c.ladder_end ? Json{{"eps", to_double(c.ladder_end->eps)}, {"reason", c.ladder_end->reason}} : Json();
+}
+
 Json of(const OutputVerdict& o) {
     Json ladder = Json::array();
     for (const LadderRung& r : o.ladder) ladder.push_back(of(r));
     Json out{{"name", o.name},
              {"claimed_order", o.claimed_order},
+             {"guaranteed_order", o.guaranteed_order ? Json(*o.guaranteed_order) : Json(nullptr)},
              {"found_order", o.found_order ? Json(*o.found_order) : Json(nullptr)},
              {"verdict", to_string(o.verdict)},
              {"expected", to_string(o.expected)},
@@ -45,12 +59,16 @@ Json of(const ComparisonRow& r) {
     // One number for tools that want one; each output's own beside it.
     double worst = 0;
     for (const double e : r.max_error) worst = e <= worst ? worst : e;
-    Json out{{"method", r.method},
+    Json out{{"eps", to_double(r.eps)},
+             {"method", r.method},
              {"setting", r.setting},
              {"task", to_string(r.task)},
              {"points", r.points},
              {"max_error", r.failure.empty() ? number(worst) : Json(nullptr)},
-             {"seconds", number(r.seconds)},
+             {"seconds", number(r.seconds.median)},
+             {"seconds_low", number(r.seconds.low)},
+             {"seconds_high", number(r.seconds.high)},
+             {"repetitions", r.seconds.repetitions},
              {"construction_seconds", number(r.construction_seconds)},
              {"max_error_by_output", numbers(r.max_error)}};
     if (!r.failure.empty()) out["failure"] = r.failure;
@@ -72,28 +90,52 @@ Json of(const WorstPoint& w) {
     return {{"output", w.output}, {"ulp", number(w.ulp)}, {"at", at}};
 }
 
+Json of(const EmittedCheck& check) {
+    Json types = Json::array();
+    for (const EmittedInType& type : check.types) {
+        Json at = Json::object();
+        for (const auto& [name, value] : type.at) at[name] = number(value);
+        Json row{{"type", type.type},         {"points", type.points},
+                 {"compared", type.compared}, {"ulp", number(type.ulp)},
+                 {"output", type.output},     {"phase_share", number(type.phase_share)},
+                 {"at", std::move(at)}};
+        if (!type.statuses.empty()) row["statuses"] = type.statuses;
+        types.push_back(std::move(row));
+    }
+    Json out{{"threshold_ulp", number(check.threshold)}, {"verdict", to_string(check.verdict)}};
+    if (!check.reason.empty()) out["reason"] = check.reason;
+    out["real_types"] = std::move(types);
+    return out;
+}
+
 } // namespace
 
 Json to_json(const Verification& v) {
     Json outputs = Json::array();
     for (const OutputVerdict& o : v.outputs) outputs.push_back(of(o));
-    return {{"schema", "resonform.verification/1"},
-            {"system", v.system},
-            {"scene", v.scene},
-            {"outputs", outputs},
-            {"emitted_against_symbolic_ulp", number(v.emitted_against_symbolic)}};
+    Json json{{"schema", "resonform.verification/1"}, {"system", v.system}, {"scene", v.scene}};
+    add(json, v.conditions);
+    json["outputs"] = std::move(outputs);
+    json["emitted_against_symbolic_ulp"] = number(v.emitted.worst());
+    json["emitted_equals_symbolic"] = of(v.emitted);
+    return json;
 }
 
 Json to_json(const Comparison& c) {
-    Json rows = Json::array(), even = Json::object();
+    Json rows = Json::array(), by_eps = Json::array();
     for (const ComparisonRow& r : c.rows) rows.push_back(of(r));
-    for (const BreakEven& b : c.break_even) even[to_string(b.task)] = of(b);
+    for (const BreakEvenAtEps& at : c.by_eps) {
+        Json tasks = Json::object();
+        for (const BreakEven& b : at.tasks) tasks[to_string(b.task)] = of(b);
+        by_eps.push_back({{"eps", to_double(at.eps)}, {"break_even", tasks}});
+    }
     return {{"schema", "resonform.comparison/1"},
             {"system", c.system},
             {"scene", c.scene},
-            {"eps", to_double(c.eps)},
+            {"eps", by_eps.front()["eps"]},
             {"rows", rows},
-            {"break_even", even}};
+            {"break_even", by_eps.front()["break_even"]},
+            {"by_eps", by_eps}};
 }
 
 Json to_json(const Stability& s) {

@@ -152,7 +152,10 @@ void judge_few(OutputVerdict& output, const std::vector<Point>& points) {
     const bool finite = std::all_of(output.ladder.begin(), output.ladder.end(),
                                     [](const LadderRung& r) { return std::isfinite(r.max_error); });
     if (!finite) return undecided(output, "the evaluator refuses points of the interval: no error to judge");
-    if (points.empty() && !output.ladder.empty()) return judge_unseen(output);
+    if (output.ladder.size() < 3)
+        return undecided(output, fmt::format("the ladder has {} rung{}, 3 are needed", output.ladder.size(),
+                                             output.ladder.size() == 1 ? "" : "s"));
+    if (points.empty()) return judge_unseen(output);
     undecided(output, fmt::format("{} of {} rungs lie clear of the arithmetic's floor, 3 are needed",
                                   points.size(), output.ladder.size()));
 }
@@ -202,6 +205,22 @@ void judge(OutputVerdict& output) {
     if (!holds)
         output.reason = fmt::format("claimed eps^{}, found eps^{}: max|error| -> {:.3g} eps^{}",
                                     output.claimed_order, order, output.constant, order);
+}
+
+void weigh(OutputVerdict& output, const Guarantee& guarantee) {
+    output.guaranteed_order = guarantee.order;
+    if (guarantee.order && *guarantee.order >= output.claimed_order) return;
+    if (guarantee.refuted) {
+        output.verdict = Verdict::fail;
+        output.reason = guarantee.reason;
+    } else if (output.verdict != Verdict::fail)
+        leave_open(output, guarantee.reason);
+}
+
+void leave_open(OutputVerdict& output, std::string reason) {
+    undecided(output, std::move(reason));
+    output.found_order.reset();
+    output.constant = std::numeric_limits<double>::quiet_NaN();
 }
 
 bool settled(const OutputVerdict& output) {

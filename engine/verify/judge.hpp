@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/scene_file.hpp"
+#include "verify/guarantee.hpp"
 
 #include <optional>
 #include <string>
@@ -23,7 +24,8 @@ struct LadderRung {
 struct OutputVerdict {
     std::string name;
     int claimed_order = 0;
-    std::optional<int> found_order; // none while undecided
+    std::optional<int> guaranteed_order; // what the count of weights promises; none: it does not hold here
+    std::optional<int> found_order;      // none while undecided
     Verdict verdict = Verdict::undecided, expected = Verdict::pass;
     double slope = 0, slope_low_eps = 0, slope_high_eps = 0; // asymptotic slope and its window
     double constant = 0;                                     // lim max|error| / eps^found_order
@@ -42,6 +44,13 @@ struct OutputVerdict {
 // the integer; the reason says which. An output without a usable rung passes if 100 max(reference_error,
 // floor) <= 1e-3 min(1, scale) eps^claimed_order on half of the rungs and on 3: else it is undecided.
 void judge(OutputVerdict& output);
+
+// What is guaranteed has the last word on a claim above it: refuted, it fails; open, it is undecided unless
+// the ladder has it fail. A claim that is guaranteed must still be shown by the ladder.
+void weigh(OutputVerdict& output, const Guarantee& guarantee);
+
+// Whatever the ladder shows, the verdict is undecided, with this reason.
+void leave_open(OutputVerdict& output, std::string reason);
 
 // The last local slopes are close to one integer and have stopped moving: smaller eps teach nothing.
 bool settled(const OutputVerdict& output);

@@ -2,8 +2,8 @@
 #include "verify/ladder.hpp"
 
 #include "verify/deviation.hpp"
-#include "verify/interpreter.hpp"
 #include "verify/start_scaling.hpp"
+#include "verify/times.hpp"
 #include "verify/trial.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +12,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 namespace resonform {
 
@@ -48,24 +50,21 @@ std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Solution& so
     return outputs;
 }
 
-struct Rung {
-    TrialPoint at;
-    std::size_t steps; // of a run in double
-};
-
-Rung planned(const Trial& trial, const Rational& eps) {
-    TrialPoint at = trial.point(eps);
-    const std::size_t steps = trial.steps(at);
-    return {std::move(at), steps};
+// What `generate` writes, without the state that the ladder starts from.
+EmittedCheck emitted_check(const Scene& scene, const Solution& solution, const VerifyOptions& options) {
+    const auto program = std::make_shared<const Program>(build_program(solution, scene));
+    return check_emitted(*program, library_of(program, options), solution, scene,
+                         {options.cache, options.progress, options.emitted_starts});
 }
 
-// All rungs before any is integrated at length, the smallest eps first: it refuses at once what would
-// take hours.
-std::vector<Rung> planned_ladder(const Trial& trial, const std::vector<Rational>& ladder) {
-    std::vector<Rung> rungs;
-    for (auto eps = ladder.rbegin(); eps != ladder.rend(); ++eps) rungs.push_back(planned(trial, *eps));
-    std::reverse(rungs.begin(), rungs.end());
-    return rungs;
+Guarantees guarantees_of(const Scene& scene, const Solution& solution,
+                         const std::vector<OutputVerdict>& outputs, const VerifyOptions& options) {
+    Claims claims;
+    for (const OutputVerdict& output : outputs) claims[output.name] = output.claimed_order;
+    if (options.guarantee) return options.guarantee(scene, solution, claims);
+    return guarantees(scene, solution, claims, [](const auto&, int, int) -> Solution {
+        refuse({"the next weight is derived", "there is nothing to derive it with", "", {}});
+    });
 }
 
 double largest_value(const std::vector<DoubleDouble>& values) {
@@ -74,73 +73,102 @@ double largest_value(const std::vector<DoubleDouble>& values) {
     return most;
 }
 
-void add_rung(std::vector<OutputVerdict>& outputs, const Trial& trial, const Rung& plan) {
-    const Reference reference = trial.reference(plan.at, Trial::resolving_points(plan.steps));
-    const Deviation found = deviation(trial, plan.at, reference);
-    for (std::size_t k = 0; k < outputs.size(); ++k) {
-        LadderRung rung;
-        rung.eps = plan.at.eps;
-        rung.max_error = largest(found.error[k]);
-        rung.rms_error = root_mean_square(found.error[k]);
-        rung.digits = found.digits;
-        rung.reference_error = reference.error[k];
-        rung.floor = found.floor[k];
-        rung.scale = largest_value(reference.values[k]);
-        outputs[k].ladder.push_back(std::move(rung));
+// Goes down a ladder and notes what it finds in a Verification.
+class Descent {
+public:
+    Descent(const Trial& trial, const Scene& scene, const GradedField& field, Verification& result)
+        : trial_(trial), scene_(scene), field_(field), result_(result) {}
+
+    // All rungs are looked at before any is integrated at length; the first that takes too many steps is the
+    // end.
+    void along(const std::vector<Rational>& ladder) {
+        std::vector<Rung> rungs;
+        for (const Rational& eps : ladder) {
+            Rung rung = planned(eps);
+            if (!rung.steps) {
+                result_.conditions.ladder_end = {
+                    eps, fmt::format("direct integration through t = {:.3g} takes more than {} steps",
+                                     rung.at.interval, most_ladder_steps)};
+                break;
+            }
+            rungs.push_back(std::move(rung));
+        }
+        for (const Rung& rung : rungs) add(rung);
+        for (OutputVerdict& output : result_.outputs) judge(output);
     }
-}
 
-void judge_all(std::vector<OutputVerdict>& outputs) {
-    for (OutputVerdict& output : outputs) judge(output);
-}
-
-void extend(std::vector<OutputVerdict>& outputs, const Trial& trial, std::size_t steps_of_last) {
-    for (const int inverse : extensions) {
-        if (std::all_of(outputs.begin(), outputs.end(), settled)) return;
-        const Rational eps = Rational(1) / Rational(inverse);
-        const double ratio = to_double(outputs.front().ladder.back().eps) / to_double(eps);
-        if (ratio <= 1) continue;
-        if (static_cast<double>(steps_of_last) * ratio > affordable_steps) return;
-        const Rung rung = planned(trial, eps);
-        add_rung(outputs, trial, rung);
-        judge_all(outputs);
-        steps_of_last = rung.steps;
-    }
-}
-
-// Worst |emitted - interpreted| at some times, in ulp of the interpreter's scale: double against
-// Float128.
-double emitted_against_symbolic(const Trial& trial, const TrialPoint& at) {
-    constexpr int times = 40;
-    const Program& program = *trial.program();
-    const Evaluator<double> emitted = trial.evaluator<double>(at);
-    // The same inputs: those of double, exactly.
-    const double eps = to_double_value(at.eps_value);
-    const std::vector<double> parameters = default_parameters<double>(program, eps);
-    const auto widen = [](const std::vector<double>& v) { return std::vector<Float128>(v.begin(), v.end()); };
-    const Interpreter<Float128> symbolic(trial.program(), Float128(eps), widen(parameters),
-                                         widen(default_start<double>(program, eps, parameters)),
-                                         Float128(to_double_value(at.slow_time_end)));
-    std::vector<double> a(program.outputs.size());
-    std::vector<Float128> b, scale;
-    double worst = 0;
-    for (int i = 0; i <= times; ++i) {
-        const double t = at.interval * i / times;
-        if (emitted.call(t, a.data()) != Status::ok || symbolic.call(t, b) != Status::ok) continue;
-        if (symbolic.scale(t, scale) != Status::ok) continue;
-        for (std::size_t k = 0; k < a.size(); ++k) {
-            if (!(scale[k] > 0)) continue;
-            const double ulp = std::abs(static_cast<double>((Float128(a[k]) - b[k]) / scale[k])) * 0x1p52;
-            worst = std::max(worst, ulp);
+    // A default ladder that has not settled goes on.
+    void further() {
+        for (const int inverse : extensions) {
+            if (result_.conditions.ladder_end) return;
+            if (std::all_of(result_.outputs.begin(), result_.outputs.end(), settled)) return;
+            const Rational eps = Rational(1) / Rational(inverse);
+            const double ratio = to_double(result_.outputs.front().ladder.back().eps) / to_double(eps);
+            if (ratio > 1 && static_cast<double>(steps_of_last_) * ratio > affordable_steps) return;
+            if (ratio > 1) along({eps});
         }
     }
-    return worst;
-}
+
+private:
+    struct Rung {
+        TrialPoint at;
+        std::optional<std::size_t> steps; // of a run in double; nullopt: too many
+    };
+
+    [[nodiscard]] Rung planned(const Rational& eps) const {
+        TrialPoint at = trial_.point(eps);
+        const std::optional<std::size_t> steps = trial_.steps(at, most_ladder_steps);
+        return {std::move(at), steps};
+    }
+
+    void add(const Rung& plan) {
+        const double rate = largest_rate(field_, scene_, plan.at.eps);
+        const SampleTimes times = crowded_times(plan.at.interval, Trial::resolving_points(*plan.steps), rate);
+        note(times, plan.at.interval, rate);
+        const Reference reference = trial_.reference(plan.at, times.all);
+        const Deviation found = deviation(trial_, plan.at, reference);
+        for (std::size_t k = 0; k < result_.outputs.size(); ++k) {
+            LadderRung rung;
+            rung.eps = plan.at.eps;
+            rung.max_error = largest(found.error[k], times.even);
+            rung.rms_error = root_mean_square(found.error[k], times.even);
+            rung.digits = found.digits;
+            rung.reference_error = reference.error[k];
+            rung.floor = found.floor[k];
+            rung.scale = largest_value(reference.values[k]);
+            result_.outputs[k].ladder.push_back(std::move(rung));
+        }
+        steps_of_last_ = *plan.steps;
+    }
+
+    void note(const SampleTimes& times, double interval, double rate) {
+        Conditions& conditions = result_.conditions;
+        conditions.count = times.all.size();
+        conditions.first = times.first;
+        if (rate == 0) return;
+        const double period = 2 * std::numbers::pi / rate;
+        const double here = static_cast<double>(times.even.size() - 1) * period / interval;
+        conditions.per_fast_period = std::fmin(conditions.per_fast_period, here); // the first is no number
+    }
+
+    const Trial& trial_;
+    const Scene& scene_;
+    const GradedField& field_;
+    Verification& result_;
+    std::size_t steps_of_last_ = 0;
+};
 
 } // namespace
 
+std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
+                                                   const VerifyOptions& options) {
+    if (!options.compiled) return EvaluatorLibrary::interpreted(std::move(program));
+    return EvaluatorLibrary::build(*program, options.cache, options.progress);
+}
+
 bool Verification::as_expected() const {
-    return std::all_of(outputs.begin(), outputs.end(),
+    return emitted.verdict == Verdict::pass &&
+           std::all_of(outputs.begin(), outputs.end(),
                        [](const OutputVerdict& o) { return o.verdict == o.expected; });
 }
 
@@ -152,22 +180,15 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     result.system = trial.program()->system;
     result.scene = scene.name;
     result.outputs = blank_verdicts(scene, solution, *trial.program());
-    std::size_t steps_of_last = 0;
-    for (const Rung& rung : planned_ladder(trial, scene.verify.eps)) {
-        add_rung(result.outputs, trial, rung);
-        result.emitted_against_symbolic =
-            std::max(result.emitted_against_symbolic, emitted_against_symbolic(trial, rung.at));
-        steps_of_last = rung.steps;
-    }
-    judge_all(result.outputs);
-    if (!scene.verify.eps_given) extend(result.outputs, trial, steps_of_last);
+    result.conditions = conditions_of(scene);
+    const Guarantees guaranteed = guarantees_of(scene, solution, result.outputs, options);
+    Descent descent(trial, scene, *solution.normalization->normal_form.field, result);
+    descent.along(scene.verify.eps);
+    if (!scene.verify.eps_given) descent.further();
+    for (OutputVerdict& output : result.outputs) weigh(output, guaranteed.at(output.name));
+    result.emitted = emitted_check(scene, solution, options);
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())
-        for (OutputVerdict& output : result.outputs) {
-            output.verdict = Verdict::undecided;
-            output.found_order.reset();
-            output.constant = std::numeric_limits<double>::quiet_NaN();
-            output.reason = complaint;
-        }
+        for (OutputVerdict& output : result.outputs) leave_open(output, complaint);
     if (options.progress) options.progress(fmt::format("verified in {:.1f} s", since(begin)));
     return result;
 }
@@ -177,7 +198,7 @@ ErrorCurves error_curves(std::shared_ptr<const FirstOrderSystem> system, const S
                          const VerifyOptions& options) {
     const Trial trial(std::move(system), scene, solution, options);
     const TrialPoint at = trial.point(eps);
-    const Reference reference = trial.reference(at, points);
+    const Reference reference = trial.reference(at, even_times(at.interval, points));
     ErrorCurves curves;
     curves.eps = to_double(eps);
     curves.times = reference.times;

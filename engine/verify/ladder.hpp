@@ -5,6 +5,9 @@
 
 #include "emit/program.hpp"
 #include "model/first_order_system.hpp"
+#include "verify/conditions.hpp"
+#include "verify/emitted_check.hpp"
+#include "verify/guarantee.hpp"
 #include "verify/judge.hpp"
 
 #include <filesystem>
@@ -17,15 +20,24 @@ namespace resonform {
 
 struct Verification {
     std::string system, scene;
+    Conditions conditions;
     std::vector<OutputVerdict> outputs;
-    double emitted_against_symbolic = 0;    // worst |emitted - interpreted| in ulp of the scale
-    [[nodiscard]] bool as_expected() const; // every verdict equals the expected one
+    EmittedCheck emitted;
+    [[nodiscard]] bool as_expected() const; // every verdict equals the expected one, and emitted = symbolic
 };
 
 struct VerifyOptions {
     std::filesystem::path cache; // integrations and compiled evaluators, by content hash
     std::function<void(const std::string&)> progress;
+    // The guaranteed orders of a scene; empty: the count of weights alone, which derives nothing.
+    std::function<Guarantees(const Scene&, const Solution&, const Claims&)> guarantee;
+    std::size_t emitted_starts = 50; // of emitted = symbolic, with 20 times each
+    bool compiled = true;            // false: programs are interpreted, and no compiler is waited for
 };
+
+// What is tried of a scene: its emitted code.
+std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
+                                                   const VerifyOptions& options);
 
 // Everything `resonform verify` prints.
 Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
@@ -43,6 +55,9 @@ struct ErrorCurves {
 ErrorCurves error_curves(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
                          const Solution& solution, const Rational& eps, std::size_t points,
                          const VerifyOptions& options);
+
+// What the verdicts are about: interval, eps, times, start, and where the ladder ends.
+std::string conditions_text(const Verification& verification);
 
 // The screen of `resonform verify`: one ladder per output with its verdict.
 std::string to_text(const Verification& verification);

@@ -11,9 +11,10 @@ namespace resonform {
 
 namespace {
 
-std::string verdict_line(const OutputVerdict& o) {
+std::string verdict_line(const OutputVerdict& o, const Conditions& c) {
     std::string line =
         fmt::format("  {:<8} {:<10} claimed eps^{}", o.name, to_string(o.verdict), o.claimed_order);
+    if (o.guaranteed_order) line += fmt::format(", guaranteed eps^{}", *o.guaranteed_order);
     if (o.found_order && std::isfinite(o.slope))
         line += fmt::format(
             ", found eps^{}: slope {:.3f} over eps = {:g} ... {:g}, max|error| -> {:.3e} eps^{}",
@@ -25,7 +26,10 @@ std::string verdict_line(const OutputVerdict& o) {
         line += fmt::format("  EXPECTED {}", to_string(o.expected));
     else if (o.expected != Verdict::pass)
         line += "  (as expected)";
-    if (!o.reason.empty() && o.verdict != Verdict::fail) line += "\n           " + o.reason;
+    if (c.shorter_than_promised) line += ", " + shortness(c);
+    // What the ladder found wrong stands in the line already.
+    const bool told = o.verdict == Verdict::fail && o.found_order && *o.found_order < o.claimed_order;
+    if (!o.reason.empty() && !told) line += "\n           " + o.reason;
     return line + "\n";
 }
 
@@ -66,14 +70,33 @@ std::string unanswered(const Verification& v) {
 
 } // namespace
 
+std::string conditions_text(const Verification& v) {
+    const Conditions& c = v.conditions;
+    std::string text = fmt::format("  on 0 <= t <= {}", c.interval);
+    if (c.count > 0) {
+        const std::vector<LadderRung>& ladder = v.outputs.front().ladder;
+        text += fmt::format(", eps = {:g} ... {:g}; {} times at the smallest, half of them even",
+                            to_double(ladder.front().eps), to_double(ladder.back().eps), c.count);
+        if (std::isfinite(c.per_fast_period))
+            text += fmt::format(" ({:.3g} or more in a fast period)", c.per_fast_period);
+        text += fmt::format(", the others crowd at both ends, the first at t = {:.1e}", c.first);
+    }
+    std::vector<std::string> start;
+    for (const auto& [name, value] : c.start) start.push_back(fmt::format("{} = {}", name, value));
+    if (!start.empty()) text += fmt::format("\n  start: {}", fmt::join(start, ", "));
+    if (c.ladder_end)
+        text += fmt::format("\n  the ladder ends above eps = {:g}: {}", to_double(c.ladder_end->eps),
+                            c.ladder_end->reason);
+    return text + "\n";
+}
+
 std::string to_text(const Verification& v) {
     std::string text = fmt::format("{} / {}: emitted code against direct integration\n", v.system, v.scene);
     text += ladder_table(v);
     text += unanswered(v);
-    for (const OutputVerdict& o : v.outputs) text += verdict_line(o);
-    text += fmt::format("  emitted = symbolic within {:.1f} ulp of the output's scale\n",
-                        v.emitted_against_symbolic);
-    return text;
+    text += conditions_text(v);
+    for (const OutputVerdict& o : v.outputs) text += verdict_line(o, v.conditions);
+    return text + to_text(v.emitted);
 }
 
 } // namespace resonform

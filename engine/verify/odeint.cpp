@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace resonform {
 
@@ -14,14 +14,16 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 using Values = std::vector<double>;
+using DenseDopri5 = odeint::result_of::make_dense_output<odeint::runge_kutta_dopri5<Values>>::type;
+using Fehlberg78 = odeint::result_of::make_controlled<odeint::runge_kutta_fehlberg78<Values>>::type;
 
 constexpr std::size_t max_steps = 50'000'000;
 
-struct RightHandSide {
-    BoundTape<double>* rates;
+struct Rates {
+    RightHandSide f;
     std::size_t* evaluations;
     void operator()(const Values& u, Values& rate, double) const {
-        rates->evaluate(u.data(), rate.data());
+        f.call(f.context, u.data(), rate.data());
         ++*evaluations;
     }
 };
@@ -38,89 +40,105 @@ double absolute_tolerance(const Values& start, double tolerance) {
     return tolerance * scale;
 }
 
-class Run {
+// Both methods keep their steppers from run to run.
+class Odeint : public Integrator {
 public:
-    Run(BoundTape<double>& rates, const Values& start, const Values& times, IntegrationResult& result)
-        : right_{&rates, &result.evaluations}, start_(start), times_(times), result_(result) {
-        while (next_ < times_.size() && times_[next_] <= 0) store(start_);
+    Odeint(Method method, RightHandSide rates, const Start& start)
+        : method_(method), rates_(rates), start_(start), u_(start.state.size()) {
+        const double absolute = absolute_tolerance(start.state, start.tolerance);
+        dopri5_ = odeint::make_dense_output(absolute, start.tolerance, odeint::runge_kutta_dopri5<Values>());
+        fehlberg78_ =
+            odeint::make_controlled(absolute, start.tolerance, odeint::runge_kutta_fehlberg78<Values>());
     }
 
-    void dopri5(double absolute, double tolerance) {
-        auto stepper = odeint::make_dense_output(absolute, tolerance, odeint::runge_kutta_dopri5<Values>());
-        stepper.initialize(start_, 0.0, first_step());
-        Values u(start_.size());
-        while (next_ < times_.size()) {
-            stepper.do_step(right_);
-            if (!progressed(stepper.previous_time(), stepper.current_time(), stepper.current_state())) return;
-            while (next_ < times_.size() && times_[next_] <= stepper.current_time()) {
-                stepper.calc_state(times_[next_], u);
-                store(u);
-            }
+    resonform::Run run(const std::vector<double>& times, std::vector<Values>& values) override {
+        OneRun run{*this, times, values, {}, 0};
+        try {
+            while (run.next < times.size() && times[run.next] <= 0) run.store(start_.state);
+            if (method_ == Method::dopri5)
+                run.dopri5();
+            else
+                run.fehlberg78();
+        } catch (const odeint::odeint_error& error) {
+            run.result.failure = error.what();
         }
-    }
-
-    void fehlberg78(double absolute, double tolerance) {
-        auto stepper = odeint::make_controlled(absolute, tolerance, odeint::runge_kutta_fehlberg78<Values>());
-        Values u = start_;
-        double t = 0, h = first_step();
-        while (next_ < times_.size()) {
-            const double before = t, left = times_[next_] - t, wanted = h;
-            const bool shortened = h >= left;
-            if (shortened) h = left;
-            const bool accepted = stepper.try_step(right_, u, t, h) == odeint::success;
-            if (accepted && shortened) {
-                t = times_[next_];
-                h = std::max(h, wanted);
-                store(u);
-            }
-            if (!progressed(accepted ? before : t - h, t, u)) return; // t + h == t ends rejections too
-        }
+        return run.result;
     }
 
 private:
-    [[nodiscard]] double first_step() const { return 1e-3 * std::min(1.0, times_.back()); }
+    struct OneRun {
+        Odeint& own;
+        const Values& times;
+        std::vector<Values>& values;
+        resonform::Run result;
+        std::size_t next;
 
-    void store(const Values& u) {
-        for (std::size_t i = 0; i < u.size(); ++i) result_.values[i][next_] = u[i];
-        ++next_;
-    }
+        void dopri5() {
+            auto& stepper = *own.dopri5_;
+            const Rates rates{own.rates_, &result.evaluations};
+            stepper.initialize(own.start_.state, 0.0, first_step());
+            while (next < times.size()) {
+                stepper.do_step(rates);
+                if (!progressed(stepper.previous_time(), stepper.current_time(), stepper.current_state()))
+                    return;
+                while (next < times.size() && times[next] <= stepper.current_time()) {
+                    stepper.calc_state(times[next], own.u_);
+                    store(own.u_);
+                }
+            }
+        }
 
-    bool progressed(double before, double now, const Values& u) {
-        if (!finite(u))
-            result_.failure = fmt::format("a value is not finite near t = {:.6g}", now);
-        else if (!(now > before))
-            result_.failure = fmt::format("the step vanishes near t = {:.6g}", now);
-        else if (++result_.steps > max_steps)
-            result_.failure = fmt::format("more than {} steps", max_steps);
-        return result_.failure.empty();
-    }
+        void fehlberg78() {
+            auto& stepper = *own.fehlberg78_;
+            const Rates rates{own.rates_, &result.evaluations};
+            Values& u = own.u_;
+            u = own.start_.state;
+            double t = 0, h = first_step();
+            while (next < times.size()) {
+                const double before = t, left = times[next] - t, wanted = h;
+                const bool shortened = h >= left;
+                if (shortened) h = left;
+                const bool accepted = stepper.try_step(rates, u, t, h) == odeint::success;
+                if (accepted && shortened) {
+                    t = times[next];
+                    h = std::max(h, wanted);
+                    store(u);
+                }
+                if (!progressed(accepted ? before : t - h, t, u)) return; // t + h == t ends rejections too
+            }
+        }
 
-    RightHandSide right_;
-    const Values& start_;
-    const Values& times_;
-    IntegrationResult& result_;
-    std::size_t next_ = 0;
+        [[nodiscard]] double first_step() const { return 1e-3 * std::min(1.0, times.back()); }
+
+        void store(const Values& u) {
+            for (std::size_t k = 0; k < own.start_.wanted.size(); ++k)
+                values[k][next] = u[own.start_.wanted[k]];
+            ++next;
+        }
+
+        bool progressed(double before, double now, const Values& u) {
+            if (!finite(u))
+                result.failure = fmt::format("a value is not finite near t = {:.6g}", now);
+            else if (!(now > before))
+                result.failure = fmt::format("the step vanishes near t = {:.6g}", now);
+            else if (++result.steps > max_steps)
+                result.failure = fmt::format("more than {} steps", max_steps);
+            return result.failure.empty();
+        }
+    };
+
+    Method method_;
+    RightHandSide rates_;
+    Start start_;
+    std::optional<DenseDopri5> dopri5_;
+    std::optional<Fehlberg78> fehlberg78_;
+    Values u_;
 };
 
 } // namespace
 
-IntegrationResult integrate_odeint(Method method, BoundTape<double> rates, const std::vector<double>& start,
-                                   const std::vector<double>& times, double tolerance) {
-    const auto begin = std::chrono::steady_clock::now();
-    IntegrationResult result;
-    result.values.assign(start.size(), std::vector<double>(times.size(), 0.0));
-    try {
-        Run run(rates, start, times, result);
-        const double absolute = absolute_tolerance(start, tolerance);
-        if (method == Method::dopri5)
-            run.dopri5(absolute, tolerance);
-        else
-            run.fehlberg78(absolute, tolerance);
-    } catch (const odeint::odeint_error& error) {
-        result.failure = error.what();
-    }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return result;
+std::unique_ptr<Integrator> make_odeint(Method method, RightHandSide rates, const Start& start) {
+    return std::make_unique<Odeint>(method, rates, start);
 }
 
 } // namespace resonform

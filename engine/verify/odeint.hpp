@@ -6,7 +6,6 @@
 
 namespace resonform {
 
-IntegrationResult integrate_odeint(Method method, BoundTape<double> rates, const std::vector<double>& start,
-                                   const std::vector<double>& times, double tolerance);
+std::unique_ptr<Integrator> make_odeint(Method method, RightHandSide rates, const Start& start);
 
 } // namespace resonform

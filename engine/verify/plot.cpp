@@ -2,15 +2,14 @@
 #include "verify/plot.hpp"
 
 #include "algebra/error.hpp"
+#include "verify/child.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
-#include <memory>
 
 namespace resonform {
 
@@ -89,17 +88,9 @@ std::string script(const Plot& plot) {
 }
 
 std::string run_gnuplot(const fs::path& script_file) {
-    const auto close = [](FILE* pipe) { pclose(pipe); };
-    FILE* const pipe = popen(fmt::format("gnuplot '{}'", script_file.string()).c_str(), "r");
-    if (pipe == nullptr) cannot_plot("gnuplot could not be started");
-    std::string output;
-    {
-        const std::unique_ptr<FILE, decltype(close)> guard(pipe, close);
-        char buffer[1 << 14];
-        while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, n);
-    }
-    if (output.find("</svg>") == std::string::npos) cannot_plot("gnuplot printed no plot");
-    return output;
+    const Finished gnuplot = run_child(fmt::format("gnuplot '{}'", script_file.string()), {script_file});
+    if (gnuplot.output.find("</svg>") == std::string::npos) cannot_plot("gnuplot printed no plot");
+    return gnuplot.output;
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -108,6 +99,8 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 }
 
 } // namespace
+
+bool can_plot() { return run_child("gnuplot -e 'set terminal svg' >/dev/null 2>&1", {}).status == 0; }
 
 std::string to_svg(const Plot& plot, const fs::path& scratch) {
     std::error_code error;

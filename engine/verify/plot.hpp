@@ -29,6 +29,9 @@ struct Plot {
     std::vector<Curve> curves;
 };
 
+// gnuplot is there, and draws SVG.
+bool can_plot();
+
 // An <svg> element without width and height: it fills what holds it. `scratch` is a folder for the
 // script of gnuplot, made if absent. Errors (bad_input): gnuplot cannot be run.
 std::string to_svg(const Plot& plot, const std::filesystem::path& scratch);

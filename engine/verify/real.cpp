@@ -9,17 +9,19 @@
 namespace resonform {
 
 Parts to_parts(const Rational& value) {
+    constexpr double least = 1e-270; // the third part is a double still
     Parts parts{};
     Rational rest = value;
     for (double& part : parts) {
         part = cln::double_approx(rest);
-        if (!std::isfinite(part))
-            refuse({"a number of the equations lies within the range of double precision",
-                    "a number beyond 1e308",
-                    "rescale the equations",
-                    {}});
-        rest = rest - cln::rational(cln::cl_DF(part));
+        rest = rest - (std::isfinite(part) ? cln::rational(cln::cl_DF(part)) : 0);
     }
+    const bool large = !std::isfinite(parts[0]);
+    if (large || (!cln::zerop(value) && std::abs(parts[0]) < least))
+        refuse(Reason::size, {"a number of the equations lies within the range of double precision",
+                              large ? "a number beyond 1e308" : "a number below 1e-270",
+                              "rescale the equations",
+                              {}});
     return parts;
 }
 

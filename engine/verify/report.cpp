@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <regex>
 
 namespace resonform::report {
 
@@ -95,34 +96,61 @@ Table ladder_table(const OutputVerdict& output) {
 }
 
 Table verdict_table(const Verification& verification) {
+    const std::string shorter = shortness(verification.conditions);
     Table table{"Error over the interval against direct integration, as ε → 0",
-                {"output", "claimed", "found", "slope", "window of ε", "limit of max|Δ|/ε^found", "verdict",
-                 "expected"},
+                {"output", "claimed", "guaranteed", "found", "slope", "window of ε",
+                 "limit of max|Δ|/ε^found", "verdict", "expected"},
                 {}};
     for (const OutputVerdict& o : verification.outputs)
         table.rows.push_back(
             {pretty(o.name), fmt::format("O(ε^{})", o.claimed_order),
+             o.guaranteed_order ? fmt::format("O(ε^{})", *o.guaranteed_order) : "",
              o.found_order ? fmt::format("O(ε^{})", *o.found_order) : "",
              std::isfinite(o.slope) ? fmt::format("{:.3f}", o.slope) : "",
              fmt::format("{} … {}", short_number(o.slope_low_eps), short_number(o.slope_high_eps)),
-             short_number(o.constant), to_string(o.verdict), to_string(o.expected)});
+             short_number(o.constant), to_string(o.verdict) + (shorter.empty() ? "" : ", " + shorter),
+             to_string(o.expected)});
     return table;
 }
 
 Section accuracy(const Findings& f, const Figures& figures) {
-    Section section{"Order of accuracy", {verdict_table(f.verification)}};
+    Section section{"Order of accuracy",
+                    {verdict_table(f.verification), Preformatted{conditions_text(f.verification)}}};
     for (const OutputVerdict& o : f.verification.outputs)
         if (!o.reason.empty())
             section.blocks.push_back(Paragraph{fmt::format("{}: {}", pretty(o.name), o.reason)});
     section.blocks.push_back(figures.ladders(f.verification.outputs));
     for (const OutputVerdict& o : f.verification.outputs) section.blocks.push_back(ladder_table(o));
-    section.blocks.push_back(Paragraph{fmt::format(
+    section.blocks.push_back(Paragraph{
         "What covers what: the ladder sees errors of the formulas down to the order found; the certificate "
-        "sees "
-        "every coefficient of normal form and map; emitted code was compared with the symbolic evaluator and "
-        "differs from it by at most {} ulp of the output's scale.",
-        short_number(f.verification.emitted_against_symbolic))});
+        "sees every coefficient of normal form and map; what lies between the solution and the compiled code "
+        "is seen by the next section."});
     return section;
+}
+
+Section emitted(const EmittedCheck& check) {
+    Table table{"Emitted = symbolic",
+                {"real type", "points", "answered", "largest difference, ulp", "output", "at",
+                 "of the scale for moved phases"},
+                {},
+                false};
+    for (const EmittedInType& type : check.types) {
+        std::string at;
+        for (const auto& [name, value] : type.at)
+            at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", pretty(name), short_number(value));
+        table.rows.push_back({type.type, std::to_string(type.points), std::to_string(type.compared),
+                              type.statuses.empty() ? short_number(type.ulp) : type.statuses,
+                              pretty(type.output), at, fmt::format("{:.0f} %", 100 * type.phase_share)});
+    }
+    return {
+        "Emitted = symbolic",
+        {Paragraph{fmt::format(
+             "{}: compiled emitted code differs from the exact solution in 50 digits by at most {} ulp of "
+             "the output's scale; the threshold is {} ulp{}{}.",
+             to_string(check.verdict), short_number(check.worst()), short_number(check.threshold),
+             check.threshold > default_ulp ? ", widened: " : "",
+             check.threshold > default_ulp && check.reason.empty() ? "no reason is given" : check.reason)},
+         table}};
 }
 
 Section speed(const Findings& f, const Figures& figures) {
@@ -135,12 +163,12 @@ Section speed(const Findings& f, const Figures& figures) {
         for (const double e : row.max_error) errors.push_back(short_number(e));
         rows.rows.push_back({row.method, row.setting, to_string(row.task), std::to_string(row.points),
                              row.failure.empty() ? fmt::format("{}", fmt::join(errors, ", ")) : row.failure,
-                             short_number(row.seconds), short_number(row.construction_seconds)});
+                             short_number(row.seconds.median), short_number(row.construction_seconds)});
     }
     Table even{"Rivals at the accuracy of the emitted evaluator",
                {"task", "method", "seconds", "rival / emitted", "winner"},
                {}};
-    for (const BreakEven& b : f.comparison.break_even)
+    for (const BreakEven& b : f.comparison.by_eps.front().tasks)
         for (const RivalAtEqualAccuracy& rival : b.rivals)
             even.rows.push_back({to_string(b.task), rival.method,
                                  rival.seconds ? short_number(*rival.seconds) : "not reached",
@@ -173,7 +201,7 @@ Section rounding(const Findings& f) {
 Section transgressed(const Findings& f, const Figures& figures, const std::vector<Motion>& curves) {
     Section section{"Transgression: what is constant at ε = 0",
                     {Preformatted{print_transgression(*f.solution, Format::text)}}};
-    if (curves.front().former) section.blocks.push_back(figures.transgression(curves));
+    if (!curves.empty() && curves.front().former) section.blocks.push_back(figures.transgression(curves));
     return section;
 }
 
@@ -195,19 +223,29 @@ Section operations(const Findings& f) {
 
 } // namespace
 
-Page make_report(const Findings& f, const VerifyOptions& options) {
-    const Figures figures(*f.scene->system, options.cache / "plots");
-    const std::vector<Motion> curves = motions(f, options);
+std::string subject_of(const std::string& page) {
+    std::smatch found;
+    const std::regex subtitle("System ([A-Za-z0-9_]+), scene ([^;\n]+); order [0-9]+");
+    return std::regex_search(page, found, subtitle) ? found[1].str() + "/" + found[2].str() : "";
+}
+
+Page make_report(const Findings& f, const VerifyOptions& options, bool drawn) {
+    const Figures figures(*f.scene->system, options.cache / "plots", drawn);
+    const std::vector<Motion> curves = drawn ? motions(f, options) : std::vector<Motion>{};
     const System& system = *f.scene->system;
     Page page{fmt::format("{}: {}", system.title, f.scene->title),
               fmt::format("System {}, scene {}; order {}, normal form and map through weight {}. {}",
                           system.name, f.scene->name, f.solution->order, f.solution->truncation,
                           system.source),
               {}};
-    page.sections = {{"Motion", {figures.motion(curves)}}};
+    if (drawn)
+        page.sections = {{"Motion", {figures.motion(curves)}}};
+    else
+        page.sections = {{"Figures", {Paragraph{"Figures are missing: gnuplot could not be run."}}}};
     if (has_former_constants(system)) page.sections.push_back(transgressed(f, figures, curves));
-    for (Section section : {Section{"Error of the formulas", {figures.errors(curves)}}, accuracy(f, figures),
-                            speed(f, figures), rounding(f), operations(f), derived(f)})
+    if (drawn) page.sections.push_back({"Error of the formulas", {figures.errors(curves)}});
+    for (Section section : {accuracy(f, figures), emitted(f.verification.emitted), speed(f, figures),
+                            rounding(f), operations(f), derived(f)})
         page.sections.push_back(std::move(section));
     return page;
 }

@@ -22,8 +22,11 @@ struct Findings {
     Stability stability;
 };
 
+// "pendulum/third_order", the scene of a page that was written; "" of any other text.
+std::string subject_of(const std::string& page);
+
 // Curves for the figures are computed here, at eps = 0.1 and 0.01, by emitted code and direct
-// integration. Errors (bad_input): no gnuplot.
-Page make_report(const Findings& findings, const VerifyOptions& options);
+// integration; with `drawn` = false there are none, and the page says so. Errors (bad_input): gnuplot fails.
+Page make_report(const Findings& findings, const VerifyOptions& options, bool drawn = true);
 
 } // namespace resonform::report

@@ -38,8 +38,8 @@ double worst(const ComparisonRow& row) {
 
 } // namespace
 
-Figures::Figures(const System& system, std::filesystem::path scratch)
-    : system_(&system), scratch_(std::move(scratch)) {}
+Figures::Figures(const System& system, std::filesystem::path scratch, bool drawn)
+    : system_(&system), scratch_(std::move(scratch)), drawn_(drawn) {}
 
 Figure Figures::draw(const Plot& plot, std::string caption) const {
     return {plot.name, to_svg(plot, scratch_), std::move(caption)};
@@ -170,6 +170,7 @@ Figure Figures::ladder(const OutputVerdict& output) const {
 
 Gallery Figures::ladders(const std::vector<OutputVerdict>& outputs) const {
     Gallery gallery;
+    if (!drawn_) return gallery;
     for (const OutputVerdict& output : outputs)
         if (!output.ladder.empty()) gallery.figures.push_back(ladder(output));
     return gallery;
@@ -190,7 +191,7 @@ Figure Figures::work_of(const Comparison& comparison, Task task) const {
                 {row.method, hues[curves.size() % hues.size()], Curve::Style::line_points, {}, {}});
             curve = curves.end() - 1;
         }
-        curve->x.push_back(row.seconds + row.construction_seconds);
+        curve->x.push_back(row.total_seconds());
         curve->y.push_back(worst(row));
     }
     const Plot plot{fmt::format("work_{}", to_string(task)),
@@ -201,10 +202,11 @@ Figure Figures::work_of(const Comparison& comparison, Task task) const {
                     curves};
     return draw(plot, fmt::format("{}: {} point{}, ε = {:g}",
                                   task == Task::final ? "One point at the end" : "Dense output", points,
-                                  points == 1 ? "" : "s", to_double(comparison.eps)));
+                                  points == 1 ? "" : "s", to_double(comparison.by_eps.front().eps)));
 }
 
 Gallery Figures::work(const Comparison& comparison) const {
+    if (!drawn_) return {};
     return {{work_of(comparison, Task::final), work_of(comparison, Task::dense)}};
 }
 

@@ -20,10 +20,11 @@ struct Motion {
     std::optional<ErrorCurves> mean, former;
 };
 
-// Draws every figure with its scripts in one scratch folder.
+// Draws every figure with its scripts in one scratch folder; if not `drawn` there are none: those
+// of finished data are empty galleries.
 class Figures {
 public:
-    Figures(const System& system, std::filesystem::path scratch);
+    Figures(const System& system, std::filesystem::path scratch, bool drawn = true);
 
     // Every output over time.
     [[nodiscard]] Gallery motion(const std::vector<Motion>& motions) const;
@@ -47,6 +48,7 @@ private:
 
     const System* system_;
     std::filesystem::path scratch_;
+    bool drawn_;
 };
 
 } // namespace resonform::report

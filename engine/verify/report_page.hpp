@@ -19,8 +19,9 @@ struct Preformatted {
 struct Table {
     std::string caption;
     std::vector<std::string> header;
-    std::vector<std::vector<std::string>> rows; // a cell "pass", "fail" or "undecided" is coloured
-    bool folded = false;                        // long: HTML shows it on demand
+    std::vector<std::vector<std::string>>
+        rows;            // a cell "pass", "fail", "undecided", with or without ", ...", is coloured
+    bool folded = false; // long: HTML shows it on demand
 };
 
 struct Figure {

@@ -72,8 +72,9 @@ struct HtmlWriter {
         for (const auto& row : table.rows) {
             html += "<tr>";
             for (const std::string& cell : row) {
-                const bool verdict = cell == "pass" || cell == "fail" || cell == "undecided";
-                html += fmt::format("<td{}>{}</td>", verdict ? " class=\"" + cell + "\"" : "", escaped(cell));
+                const std::string word = cell.substr(0, cell.find(','));
+                const bool verdict = word == "pass" || word == "fail" || word == "undecided";
+                html += fmt::format("<td{}>{}</td>", verdict ? " class=\"" + word + "\"" : "", escaped(cell));
             }
             html += "</tr>\n";
         }
@@ -82,6 +83,7 @@ struct HtmlWriter {
     }
 
     void operator()(const Gallery& gallery) {
+        if (gallery.figures.empty()) return;
         html += "<div class=\"gallery\">\n";
         for (const Figure& figure : gallery.figures)
             html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg,

@@ -53,7 +53,12 @@ public:
     // integrator here knows, or a number beyond the range of double.
     static Tape rates(const FirstOrderSystem& system);
     // Expressions in parameters and eps alone (start values, an interval).
-    static Tape constants(const System& system, const std::vector<GiNaC::ex>& expressions);
+    static Tape constants(const System& system, const std::vector<GiNaC::ex>& expressions) {
+        return of(system, {}, expressions);
+    }
+    // In parameters, eps and states.
+    static Tape of(const System& system, const std::vector<GiNaC::symbol>& states,
+                   const std::vector<GiNaC::ex>& expressions);
 
     [[nodiscard]] int state_count() const { return states_; }
     [[nodiscard]] int constant_count() const { return constants_; }

@@ -277,11 +277,12 @@ Tape Tape::rates(const FirstOrderSystem& system) {
         states.push_back(s.symbol);
         rates.push_back(s.rate);
     }
-    return TapeBuilder(*system.system, states).build(rates);
+    return of(*system.system, states, rates);
 }
 
-Tape Tape::constants(const System& system, const std::vector<GiNaC::ex>& expressions) {
-    return TapeBuilder(system, {}).build(expressions);
+Tape Tape::of(const System& system, const std::vector<GiNaC::symbol>& states,
+              const std::vector<GiNaC::ex>& expressions) {
+    return TapeBuilder(system, states).build(expressions);
 }
 
 } // namespace resonform

@@ -13,9 +13,9 @@ namespace resonform {
 
 namespace {
 
-// A run of so many steps (about a million periods) takes minutes in double-double. Whether it gets there
-// is estimated every pilot_steps; the estimate may be off by the factor `doubt` where motions slow down.
-constexpr std::size_t most_taylor_steps = 5'000'000, pilot_steps = 10'000;
+// Whether a run gets to its end is estimated every pilot_steps; the estimate may be off by the factor
+// `doubt` where motions slow down.
+constexpr std::size_t pilot_steps = 10'000;
 constexpr double doubt = 4;
 
 int best_order(double tolerance) {
@@ -84,14 +84,15 @@ private:
 };
 
 // How many steps the whole way takes if the rest is like the way so far.
-bool is_too_far(std::size_t steps, double t, double end) {
-    if (steps >= most_taylor_steps) return true;
+bool is_too_far(std::size_t steps, std::size_t most, double t, double end) {
+    if (steps >= most) return true;
     return steps % pilot_steps == 0 &&
-           static_cast<double>(steps) * (end / t) > doubt * static_cast<double>(most_taylor_steps);
+           static_cast<double>(steps) * (end / t) > doubt * static_cast<double>(most);
 }
 
 template <class Real>
-void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, Integration<Real>& result) {
+void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, std::size_t most_steps,
+                Integration<Real>& result) {
     Real t(0);
     std::size_t next = 0;
     while (next < times.size()) {
@@ -107,7 +108,8 @@ void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, Integrat
             result.failure = fmt::format("the steps shrink to {:.1e} near t = {:.6g}", h, to_double_value(t));
             return;
         }
-        if (is_too_far(++result.steps, to_double_value(end), to_double_value(times.back()))) {
+        if (is_too_far(++result.steps, most_steps, to_double_value(end), to_double_value(times.back()))) {
+            result.too_far = true;
             result.failure = fmt::format("{} steps lead to t = {:.3g} of {:.3g} only", result.steps,
                                          to_double_value(end), to_double_value(times.back()));
             return;
@@ -125,13 +127,13 @@ void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, Integrat
 template <class Real>
 Integration<Real> integrate_taylor(const Tape& tape, const std::vector<Real>& parameters, const Real& eps,
                                    const std::vector<Real>& start, const std::vector<Real>& times,
-                                   double tolerance, int order) {
+                                   double tolerance, int order, std::size_t most_steps) {
     const auto begin = std::chrono::steady_clock::now();
     Integration<Real> result;
     result.values.assign(start.size(), std::vector<Real>(times.size(), Real(0)));
     const BoundTape<Real> bound(tape, parameters, eps);
     Stepper<Real> stepper(bound, start, tolerance, order > 0 ? std::max(order, 2) : best_order(tolerance));
-    take_steps(stepper, times, result);
+    take_steps(stepper, times, most_steps, result);
     result.evaluations = result.steps;
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
@@ -140,7 +142,7 @@ Integration<Real> integrate_taylor(const Tape& tape, const std::vector<Real>& pa
 #define RESONFORM_INSTANTIATE(Real)                                                                          \
     template Integration<Real> integrate_taylor(const Tape&, const std::vector<Real>&, const Real&,          \
                                                 const std::vector<Real>&, const std::vector<Real>&, double,  \
-                                                int);
+                                                int, std::size_t);
 RESONFORM_INSTANTIATE(double)
 RESONFORM_INSTANTIATE(long double)
 RESONFORM_INSTANTIATE(Float128)

@@ -24,15 +24,8 @@ constexpr std::size_t points_per_step = 8;
 constexpr double longest_interval = 1e200; // its square and more are still numbers
 constexpr std::size_t least_points = 2000, most_points = 200'000;
 
-std::vector<double> even_times(double interval, std::size_t points) {
-    std::vector<double> times(points);
-    for (std::size_t i = 0; i < points; ++i)
-        times[i] = interval * (static_cast<double>(i) / static_cast<double>(points - 1));
-    return times;
-}
-
-std::vector<Rational> parameter_values(const System& system, const Scene& scene) {
-    std::vector<Rational> values;
+std::vector<Float128> parameter_values(const System& system, const Scene& scene) {
+    std::vector<GiNaC::ex> values;
     for (const Parameter& p : system.parameters) {
         const auto fixed = scene.fix.find(p.name);
         if (fixed == scene.fix.end())
@@ -42,7 +35,8 @@ std::vector<Rational> parameter_values(const System& system, const Scene& scene)
                        {scene.file.string(), 0, 0, "fix", ""}});
         values.push_back(fixed->second);
     }
-    return values;
+    const std::vector<Float128> none(values.size());
+    return evaluate_constants(Tape::constants(system, values), none, Float128(0));
 }
 
 // The state does not come from the formula: the scene gives it, or it is slow or an angle (0 if not given).
@@ -77,12 +71,18 @@ bool unpack(const std::string& bytes, std::size_t outputs, std::size_t points, R
     return true;
 }
 
-[[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure) {
-    refuse({"direct integration reaches the end of the interval",
+[[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure, const Place& place) {
+    refuse(Reason::integration,
+           {"direct integration reaches the end of the interval",
             fmt::format("interval = {:g} at eps = {}{}{}", at.interval, to_string(at.eps),
                         failure.empty() ? "" : ": ", failure),
             fmt::format("shorten verify.interval or leave eps = {} out of the ladder", to_string(at.eps)),
-            {}});
+            place});
+}
+
+Place place_of_interval(const Scene& scene) {
+    if (scene.verify.interval_source) return place_of(*scene.verify.interval_source);
+    return {scene.file.string(), 0, 0, "verify.interval", ""};
 }
 
 } // namespace
@@ -92,7 +92,8 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
     : system_(std::move(system)), options_(options),
       program_(std::make_shared<const Program>(build_program(solution, scene, {true, true}))),
       tape_(Tape::rates(*system_)), start_tape_(Tape::constants(*system_->system, {scene.verify.interval})),
-      parameters_(parameter_values(*system_->system, scene)), domain_(*system_, scene) {
+      parameters_(parameter_values(*system_->system, scene)), domain_(*system_, scene),
+      interval_place_(place_of_interval(scene)) {
     for (const Rational& eps : scene.verify.eps) domain_.require(eps);
     std::vector<GiNaC::ex> expressions{scene.verify.interval};
     for (std::size_t i = 0; i < system_->states.size(); ++i) {
@@ -106,7 +107,7 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
     for (const ProgramOutput& output : program_->outputs)
         output_states_.push_back(
             static_cast<std::size_t>(&system_->state(output.name) - system_->states.data()));
-    library_ = EvaluatorLibrary::build(*program_, options_.cache, options_.progress);
+    library_ = library_of(program_, options_);
 }
 
 template <class Real> Evaluator<Real> Trial::evaluator(const TrialPoint& at) const {
@@ -125,11 +126,11 @@ TrialPoint Trial::point(const Rational& eps) const {
     TrialPoint at;
     at.eps = eps;
     at.eps_value = from_rational<Float128>(eps);
-    for (const Rational& p : parameters_) at.parameters.push_back(from_rational<Float128>(p));
+    at.parameters = parameters_;
     const std::vector<Float128> given = evaluate_constants(start_tape_, at.parameters, at.eps_value);
     at.interval = to_double_value(given[0]);
     at.slow_time_end = at.eps_value * Float128(at.interval) * Float128(1 + 0x1p-40);
-    if (!(at.interval > 0 && at.interval <= longest_interval)) refuse_interval(at, "");
+    if (!(at.interval > 0 && at.interval <= longest_interval)) refuse_interval(at, "", interval_place_);
     at.start.assign(system_->states.size(), Float128(0));
 
     std::vector<Float128> state(program_->state.size());
@@ -139,10 +140,11 @@ TrialPoint Trial::point(const Rational& eps) const {
                               ? Status::ok
                               : evaluator<Float128>(beginning).state(Float128(0), state.data());
     if (status != Status::ok)
-        refuse({"the formula answers at t = 0",
+        refuse(Reason::integration,
+               {"the formula answers at t = 0",
                 to_string(status),
                 fmt::format("change the start values or leave eps = {} out of the ladder", to_string(eps)),
-                {}});
+                {interval_place_.file, 0, 0, "start", ""}});
     for (std::size_t k = 0; k < state.size(); ++k)
         at.start[static_cast<std::size_t>(&system_->state(program_->state[k].name) -
                                           system_->states.data())] = state[k];
@@ -150,11 +152,12 @@ TrialPoint Trial::point(const Rational& eps) const {
     return at;
 }
 
-std::size_t Trial::steps(const TrialPoint& at) const {
+std::optional<std::size_t> Trial::steps(const TrialPoint& at, std::size_t most) const {
     const auto run =
         integrate_taylor<double>(tape_, convert_all<double>(at.parameters), to_double_value(at.eps_value),
-                                 convert_all<double>(at.start), {at.interval}, scout_tolerance);
-    if (!run.failure.empty()) refuse_interval(at, run.failure);
+                                 convert_all<double>(at.start), {at.interval}, scout_tolerance, 0, most);
+    if (run.too_far) return std::nullopt;
+    if (!run.failure.empty()) refuse_interval(at, run.failure, interval_place_);
     return run.steps;
 }
 
@@ -162,9 +165,11 @@ std::size_t Trial::resolving_points(std::size_t steps) {
     return std::clamp(points_per_step * steps + 1, least_points, most_points);
 }
 
-std::string Trial::cache_key(const TrialPoint& at, std::size_t points) const {
-    std::string text = fmt::format("reference 1, tolerances {} {} order {}, points {}, interval {:a}\n",
-                                   reference_tolerance, check_tolerance, check_order, points, at.interval);
+std::string Trial::cache_key(const TrialPoint& at, const std::vector<double>& times) const {
+    std::string text = fmt::format("reference 2, tolerances {} {} order {}, times", reference_tolerance,
+                                   check_tolerance, check_order);
+    for (const double t : times) text += fmt::format(" {:a}", t);
+    text += '\n';
     const auto put = [&text](const Float128& x) {
         for (const double part : to_parts(x)) text += fmt::format("{:a} ", part);
     };
@@ -175,10 +180,11 @@ std::string Trial::cache_key(const TrialPoint& at, std::size_t points) const {
     return content_hash(text + "\n" + tape_.text());
 }
 
-Reference Trial::reference(const TrialPoint& at, std::size_t points) const {
+Reference Trial::reference(const TrialPoint& at, std::vector<double> times) const {
     Reference result;
-    result.times = even_times(at.interval, points);
-    const std::filesystem::path file = options_.cache / (cache_key(at, points) + ".reference");
+    result.times = std::move(times);
+    const std::size_t points = result.times.size();
+    const std::filesystem::path file = options_.cache / (cache_key(at, result.times) + ".reference");
     if (const auto bytes = load_checked(file); bytes && unpack(*bytes, output_states_.size(), points, result))
         return result;
 
@@ -186,15 +192,15 @@ Reference Trial::reference(const TrialPoint& at, std::size_t points) const {
         options_.progress(fmt::format("integrating directly at eps = {}", to_string(at.eps)));
     const std::size_t stride = std::max<std::size_t>(1, points / check_points);
     const auto run = [&](double tolerance, int order, std::size_t every) {
-        std::vector<DoubleDouble> times;
-        for (std::size_t i = 0; i < points; i += every) times.emplace_back(result.times[i]);
+        std::vector<DoubleDouble> wanted;
+        for (std::size_t i = 0; i < points; i += every) wanted.emplace_back(result.times[i]);
         return integrate_taylor<DoubleDouble>(tape_, convert_all<DoubleDouble>(at.parameters),
                                               convert<DoubleDouble>(at.eps_value),
-                                              convert_all<DoubleDouble>(at.start), times, tolerance, order);
+                                              convert_all<DoubleDouble>(at.start), wanted, tolerance, order);
     };
     auto coarse = std::async(std::launch::async, [&] { return run(check_tolerance, check_order, stride); });
     const Integration<DoubleDouble> fine = run(reference_tolerance, 0, 1), check = coarse.get();
-    if (!fine.failure.empty()) refuse_interval(at, fine.failure);
+    if (!fine.failure.empty()) refuse_interval(at, fine.failure, interval_place_);
     for (const std::size_t s : output_states_) {
         double error = 0;
         for (std::size_t i = 0; i < points; i += stride)

@@ -9,6 +9,7 @@
 #include "verify/ladder.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct TrialPoint {
     std::vector<Float128> start;      // all states at t = 0
 };
 
-// Direct integration in double-double at evenly spread times; of the outputs only.
+// Direct integration in double-double at given times; of the outputs only.
 struct Reference {
     std::vector<double> times;
     std::vector<std::vector<DoubleDouble>> values; // [output][point]
@@ -47,28 +48,29 @@ public:
     // interval that can be integrated.
     [[nodiscard]] TrialPoint point(const Rational& eps) const;
 
-    // How many steps a run in double takes, about six in each period of the fastest motion. Errors: refused,
-    // the solution leaves the domain or takes more steps than integrate_taylor does.
-    [[nodiscard]] std::size_t steps(const TrialPoint& at) const;
+    // How many steps a run in double takes, about six in each period of the fastest motion; nullopt: more
+    // than `most`. Errors: refused, the solution leaves the domain.
+    [[nodiscard]] std::optional<std::size_t> steps(const TrialPoint& at, std::size_t most) const;
 
     // How many times resolve what takes so many steps (40 or more in each period), at most 200,000.
     static std::size_t resolving_points(std::size_t steps);
 
-    // Cached. points >= 2, both ends included. Errors: refused, the solution leaves the domain.
-    [[nodiscard]] Reference reference(const TrialPoint& at, std::size_t points) const;
+    // Cached. times: ascending, not negative. Errors: refused, the solution leaves the domain.
+    [[nodiscard]] Reference reference(const TrialPoint& at, std::vector<double> times) const;
 
     template <class Real> [[nodiscard]] Evaluator<Real> evaluator(const TrialPoint& at) const;
 
 private:
-    [[nodiscard]] std::string cache_key(const TrialPoint& at, std::size_t points) const;
+    [[nodiscard]] std::string cache_key(const TrialPoint& at, const std::vector<double>& times) const;
 
     std::shared_ptr<const FirstOrderSystem> system_;
     VerifyOptions options_;
     std::shared_ptr<const Program> program_;
     std::shared_ptr<const EvaluatorLibrary> library_;
     Tape tape_, start_tape_; // start_tape_: the interval, then the given start values
-    std::vector<Rational> parameters_;
+    std::vector<Float128> parameters_;
     Domain domain_;
+    Place interval_place_;
     std::vector<std::size_t> given_; // states with a given start value
     std::vector<std::size_t> output_states_;
 };

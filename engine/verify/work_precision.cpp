@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/work_precision.hpp"
 
+#include "verify/compiled_tape.hpp"
 #include "verify/integrate.hpp"
 #include "verify/interpreter.hpp"
+#include "verify/times.hpp"
 #include "verify/trial.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +13,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <memory>
+#include <utility>
 
 namespace resonform {
 
@@ -20,23 +23,35 @@ namespace {
 constexpr std::array<Method, 3> rivals{Method::cvode_adams, Method::dopri5, Method::taylor};
 constexpr int loosest = 4, tightest = 13;   // tolerances 1e-4 ... 1e-13
 constexpr std::size_t judged_points = 2001; // of a dense output: where the reference is known
-constexpr double worth_repeating = 0.05;    // seconds: shorter runs are repeated and the least time counts
-constexpr int most_repetitions = 7;
+constexpr double enough_time = 0.2;         // seconds after which nothing is repeated any more
+constexpr int fewest_repetitions = 3, most_repetitions = 15;
+constexpr double shortest_reading = 2e-5; // seconds on the clock: what is shorter is done several times
 
 using Clock = std::chrono::steady_clock;
 using OutputValues = std::vector<std::vector<double>>; // [output][point]
 
-// The least time of several runs; a long run is done once.
-template <class Work> double least_seconds(Work&& work) {
-    double least = std::numeric_limits<double>::infinity(), spent = 0;
-    for (int i = 0; i < most_repetitions && (i == 0 || spent < worth_repeating); ++i) {
-        const auto begin = Clock::now();
-        work();
-        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-        least = std::min(least, seconds);
-        spent += seconds;
+template <class Work> double seconds_of(int times, Work&& work) {
+    const auto begin = Clock::now();
+    for (int i = 0; i < times; ++i) work();
+    return std::chrono::duration<double>(Clock::now() - begin).count() / times;
+}
+
+template <class Work> Timing measure(Work&& work) {
+    const double first = seconds_of(1, work);
+    const int each =
+        static_cast<int>(std::clamp(std::ceil(shortest_reading / std::max(first, 1e-9)), 1.0, 1e4));
+    std::vector<double> readings;
+    double spent = 0;
+    const auto count = [&] { return static_cast<int>(readings.size()); };
+    while (count() < fewest_repetitions || (count() < most_repetitions && spent < enough_time)) {
+        readings.push_back(seconds_of(each, work));
+        spent += each * readings.back();
     }
-    return least;
+    std::sort(readings.begin(), readings.end());
+    const std::size_t half = readings.size() / 2;
+    const double median =
+        readings.size() % 2 == 1 ? readings[half] : (readings[half - 1] + readings[half]) / 2;
+    return {median, readings.front(), readings.back(), count()};
 }
 
 // The emitted evaluator of one order as users get it: without the states that verification keeps.
@@ -66,10 +81,23 @@ struct Workload {
     std::size_t first_judged, stride; // reference point first_judged + i is times[i * stride]
 };
 
+// The equations with the values of [fix] put in, as the emitted code has them.
+Tape fixed_rates(const FirstOrderSystem& system, const Scene& scene) {
+    FirstOrderSystem fixed = system;
+    for (State& state : fixed.states) state.rate = scene.fixed(state.rate);
+    return Tape::rates(fixed);
+}
+
+// All methods at one eps.
 class Comparer {
 public:
-    Comparer(const Trial& trial, const CompareOptions& options)
-        : trial_(trial), at_(trial.point(options.eps)), reference_(trial.reference(at_, judged_points)) {
+    Comparer(const Trial& trial, const Tape& rates, const Rational& eps, const CompareOptions& options)
+        : trial_(trial), at_(trial.point(eps)),
+          reference_(trial.reference(at_, even_times(at_.interval, judged_points))),
+          rates_(rates, convert_all<double>(at_.parameters), to_double_value(at_.eps_value), options.cache,
+                 [&] {
+                     if (options.progress) options.progress("compiling the equations for the direct methods");
+                 }) {
         workloads_.push_back({Task::final, {reference_.times.back()}, judged_points - 1, 1});
         // Every interval of the reference is divided evenly.
         const std::size_t per = std::max<std::size_t>(1, options.dense_points / (judged_points - 1));
@@ -88,13 +116,13 @@ public:
 
     [[nodiscard]] ComparisonRow emitted(const Emitted& code, const Workload& work) const {
         ComparisonRow row = start("emitted", code.setting(), work);
-        row.construction_seconds = least_seconds([&] { (void)code.construct(at_); });
+        row.construction_seconds = measure([&] { (void)code.construct(at_); }).median;
         const Evaluator<double> evaluator = code.construct(at_);
-        OutputValues values(reference_.values.size(), std::vector<double>(work.times.size()));
+        OutputValues values = room_for(work);
         std::vector<double*> rows;
         for (auto& v : values) rows.push_back(v.data());
         std::vector<unsigned char> status(work.times.size());
-        row.seconds = least_seconds([&] { evaluator.batch(work.times, rows, status); });
+        row.seconds = measure([&] { evaluator.batch(work.times, rows, status); });
         const auto bad = std::find_if(status.begin(), status.end(),
                                       [](unsigned char s) { return static_cast<Status>(s) != Status::ok; });
         if (bad != status.end()) row.failure = to_string(static_cast<Status>(*bad));
@@ -104,27 +132,34 @@ public:
 
     [[nodiscard]] ComparisonRow direct(Method method, double tolerance, const Workload& work) const {
         ComparisonRow row = start(to_string(method), fmt::format("tolerance {:.0e}", tolerance), work);
-        IntegrationResult run;
-        row.seconds = least_seconds([&] {
-            run = integrate(method, trial_.tape(), convert_all<double>(at_.parameters),
-                            to_double_value(at_.eps_value), convert_all<double>(at_.start), work.times,
-                            tolerance);
-        });
+        const Start from{convert_all<double>(at_.start), tolerance, trial_.output_states()};
+        const auto make = [&] {
+            return method == Method::taylor ? make_taylor(rates_, from)
+                                            : make_integrator(method, rates_.rates(), from);
+        };
+        row.construction_seconds = measure([&] { (void)make(); }).median;
+        const std::unique_ptr<Integrator> integrator = make();
+        OutputValues values = room_for(work);
+        Run run;
+        row.seconds = measure([&] { run = integrator->run(work.times, values); });
         row.failure = run.failure;
-        OutputValues values;
-        for (const std::size_t s : trial_.output_states()) values.push_back(std::move(run.values[s]));
         judge(row, work, values);
         return row;
     }
 
 private:
-    static ComparisonRow start(std::string method, std::string setting, const Workload& work) {
+    [[nodiscard]] ComparisonRow start(std::string method, std::string setting, const Workload& work) const {
         ComparisonRow row;
+        row.eps = at_.eps;
         row.method = std::move(method);
         row.setting = std::move(setting);
         row.task = work.task;
         row.points = work.times.size();
         return row;
+    }
+
+    [[nodiscard]] OutputValues room_for(const Workload& work) const {
+        return OutputValues(reference_.values.size(), std::vector<double>(work.times.size()));
     }
 
     void judge(ComparisonRow& row, const Workload& work, const OutputValues& values) const {
@@ -143,6 +178,7 @@ private:
     const Trial& trial_;
     TrialPoint at_;
     Reference reference_;
+    CompiledTape rates_;
     std::vector<Workload> workloads_;
 };
 
@@ -158,7 +194,7 @@ BreakEven break_even(const std::vector<ComparisonRow>& rows, const ComparisonRow
                      const std::vector<double>& accuracy) {
     BreakEven result;
     result.task = emitted.task;
-    result.emitted_seconds = emitted.seconds + emitted.construction_seconds;
+    result.emitted_seconds = emitted.total_seconds();
     result.winner = emitted.method;
     double best = result.emitted_seconds;
     for (const Method method : rivals) {
@@ -166,8 +202,8 @@ BreakEven break_even(const std::vector<ComparisonRow>& rows, const ComparisonRow
         rival.method = to_string(method);
         for (const ComparisonRow& row : rows)
             if (row.method == rival.method && row.task == emitted.task && row.failure.empty() &&
-                no_worse(row.max_error, accuracy) && row.seconds < rival.seconds.value_or(INFINITY))
-                rival.seconds = row.seconds;
+                no_worse(row.max_error, accuracy) && row.total_seconds() < rival.seconds.value_or(INFINITY))
+                rival.seconds = row.total_seconds();
         if (rival.seconds) rival.ratio = *rival.seconds / result.emitted_seconds;
         if (rival.seconds.value_or(INFINITY) < best) {
             best = *rival.seconds;
@@ -182,31 +218,47 @@ BreakEven break_even(const std::vector<ComparisonRow>& rows, const ComparisonRow
 
 const char* to_string(Task task) { return task == Task::final ? "final" : "dense"; }
 
-Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
-                   const Solution& solution, const CompareOptions& options) {
-    const Trial trial(std::move(system), scene, solution, options);
-    const Comparer comparer(trial, options);
-    Comparison result;
-    result.system = trial.program()->system;
-    result.scene = scene.name;
-    result.eps = options.eps;
-    for (const ProgramOutput& output : trial.program()->outputs) result.outputs.push_back(output.name);
-    std::vector<ComparisonRow> highest; // of the scene's own order, per workload
-    for (int order = 1; order <= scene.order; ++order) {
-        if (options.progress) options.progress(fmt::format("timing the emitted code of order {}", order));
-        const Emitted code(scene, solve(solution.normalization, {order, solution.truncation}), options);
+namespace {
+
+// One eps: its rows go to `rows`.
+std::vector<BreakEven> compare_at(const Comparer& comparer, const std::vector<Emitted>& codes,
+                                  const CompareOptions& options, std::vector<ComparisonRow>& rows) {
+    std::vector<ComparisonRow> found, highest; // highest: of the scene's own order, per workload
+    for (const Emitted& code : codes) {
+        if (options.progress) options.progress(fmt::format("timing the emitted code of {}", code.setting()));
         highest.clear();
         for (const Workload& work : comparer.workloads()) highest.push_back(comparer.emitted(code, work));
-        result.rows.insert(result.rows.end(), highest.begin(), highest.end());
+        found.insert(found.end(), highest.begin(), highest.end());
     }
     for (const Method method : rivals) {
         if (options.progress) options.progress(fmt::format("timing {}", to_string(method)));
         for (const Workload& work : comparer.workloads())
             for (int digits = loosest; digits <= tightest; ++digits)
-                result.rows.push_back(comparer.direct(method, std::pow(10.0, -digits), work));
+                found.push_back(comparer.direct(method, std::pow(10.0, -digits), work));
     }
+    std::vector<BreakEven> even;
     for (const ComparisonRow& emitted : highest)
-        result.break_even.push_back(break_even(result.rows, emitted, highest.back().max_error));
+        even.push_back(break_even(found, emitted, highest.back().max_error));
+    rows.insert(rows.end(), found.begin(), found.end());
+    return even;
+}
+
+} // namespace
+
+Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
+                   const Solution& solution, const CompareOptions& options) {
+    const Tape rates = fixed_rates(*system, scene);
+    const Trial trial(std::move(system), scene, solution, options);
+    Comparison result;
+    result.system = trial.program()->system;
+    result.scene = scene.name;
+    for (const ProgramOutput& output : trial.program()->outputs) result.outputs.push_back(output.name);
+    std::vector<Emitted> codes;
+    for (int order = 1; order <= scene.order; ++order)
+        codes.emplace_back(scene, solve(solution.normalization, {order, solution.truncation}), options);
+    for (const Rational& eps : options.eps)
+        result.by_eps.push_back(
+            {eps, compare_at(Comparer(trial, rates, eps, options), codes, options, result.rows)});
     return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against run time: the emitted evaluator beside direct integrators, at one eps.
+// Error against run time: the emitted evaluator beside direct integrators. All are code of one compiler, with
+// the values of [fix] put in; all buffers are made before the clock runs; all give the wanted outputs only.
 #pragma once
 
 #include "verify/ladder.hpp"
@@ -13,15 +14,24 @@ namespace resonform {
 enum class Task { final, dense }; // one point at the end; many points over the interval
 const char* to_string(Task task);
 
+// Over several runs.
+struct Timing {
+    double median = 0, low = 0, high = 0; // seconds
+    int repetitions = 0;
+};
+
 struct ComparisonRow {
+    Rational eps;
     std::string method;  // "emitted", "CVODE Adams", "odeint dopri5", "Taylor"
     std::string setting; // "order 3", "tolerance 1e-8"
     Task task = Task::final;
     std::size_t points = 0;
     std::vector<double> max_error; // of each output
-    double seconds = 0;            // the task, construction not included
+    Timing seconds;                // the task, with everything made before
     double construction_seconds = 0;
     std::string failure; // empty if the method reached the end
+
+    [[nodiscard]] double total_seconds() const { return seconds.median + construction_seconds; }
 };
 
 // One rival at the accuracy of the emitted evaluator: the fastest of its rows that is no worse in any
@@ -34,21 +44,25 @@ struct RivalAtEqualAccuracy {
 
 struct BreakEven {
     Task task = Task::final;
-    double emitted_seconds = 0; // construction included
+    double emitted_seconds = 0; // construction included, as in those of the rivals
     std::vector<RivalAtEqualAccuracy> rivals;
     std::string winner; // the fastest of all at equal accuracy
 };
 
+struct BreakEvenAtEps {
+    Rational eps;
+    std::vector<BreakEven> tasks;
+};
+
 struct Comparison {
     std::string system, scene;
-    Rational eps;
     std::vector<std::string> outputs;
     std::vector<ComparisonRow> rows;
-    std::vector<BreakEven> break_even;
+    std::vector<BreakEvenAtEps> by_eps; // in the order asked for
 };
 
 struct CompareOptions : VerifyOptions {
-    Rational eps = Rational(1) / 1000;
+    std::vector<Rational> eps = {Rational(1) / 1000};
     std::size_t dense_points = 1000000;
 };
 

@@ -34,6 +34,7 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
 
 #include <algorithm>
@@ -75,10 +76,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -172,12 +180,68 @@ private:
         c.c_15 = c.c_12 * c.eps;
     }
 
+    // All > 0, or the solution does not start where its map is close to the identity.
+    template <class Number> static std::array<Number, 1> start_conditions(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
+        const Number xi_0 = Number(start.xi_0);
+        const Number C_delta = Number(start.C_delta);
+        const Number k_1 = C_delta * C_delta;
+        const Number eps = Number(given_eps);
+        const Number k_2 = eps * eps;
+        const Number theta_0 = Number(start.theta_0);
+        const Number k_3 = xi_0 * xi_0;
+        const Number k_4 = Number(1) + k_3;
+        const Number k_5 = sqrt(k_4);
+        const Number k_6 = sqrt(k_5);
+        const Number k_7 = Number(1) / k_4;
+        const Number k_8 = k_5 * k_6 * k_7;
+        const Number k_9 = cos(theta_0);
+        const Number k_10 = k_9 * k_9;
+        const Number k_11 = sin(theta_0);
+        const Number k_12 = k_11 * k_11;
+        const Number k_13 = k_2 * eps;
+        const Number k_14 = k_7 * k_7;
+        const Number k_15 = k_14 * k_7;
+        const Number k_16 = sqrt(k_6);
+        const Number k_17 = k_5 * k_6 * k_16 * k_7;
+        const Number k_18 = k_4 * k_5;
+        const Number k_19 = k_8 * (Number(5) / Number(192)) * k_1 * k_10 + k_8 * (Number(3) / Number(64)) * k_1 * k_12;
+        const Number k_20 = Number(1) / Number(32) * k_3;
+        const Number k_21 = k_17 * eps * C_delta * k_9 * (Number(1) / Number(16) + k_18 * k_19 - k_20);
+        const Number k_22 = k_5 * k_16;
+        const Number k_23 = xi_0 * (Number(1) + k_22 * (Number(1) / Number(8)) * C_delta * k_11);
+        const Number k_24 = k_21 + k_23;
+        const Number k_25 = -k_8 * (Number(5) / Number(64)) * k_1 * k_10 - k_8 * (Number(1) / Number(64)) * k_1 * k_12;
+        const Number k_26 = k_22 * C_delta * k_11 * (k_18 * k_25 + k_20 - Number(1) / Number(16));
+        const Number k_27 = Number(2) * k_3;
+        const Number k_28 = k_4 * k_6 * k_16 * (Number(1) / Number(8)) * xi_0 * C_delta * k_9;
+        const Number k_29 = eps * (k_26 + k_27 - Number(1)) + k_28;
+        const Number k_30 = k_5 * k_14;
+        const Number k_31 = k_30 * eps * k_24;
+        const Number k_32 = k_17 * C_delta * k_9 + k_31;
+        const Number k_33 = k_32 * k_32;
+        const Number k_34 = k_5 * k_6 * k_15;
+        const Number k_35 = k_34 * eps * k_29;
+        const Number k_36 = k_17 * C_delta * k_11 + k_35;
+        const Number k_37 = k_36 * k_36;
+        const Number k_38 = k_18 * (Number(5) / Number(192) * k_33 + Number(3) / Number(64) * k_37);
+        const Number k_39 = k_5 * k_6;
+        const Number k_40 = eps * k_32 * (Number(1) / Number(16) + k_38 - k_20) + xi_0 * (Number(1) + k_39 * (Number(1) / Number(8)) * k_36);
+        const Number k_41 = k_30 * eps * k_40 - k_31;
+        const Number k_42 = k_18 * (-Number(5) / Number(64) * k_33 - Number(1) / Number(64) * k_37);
+        const Number k_43 = k_27 + k_39 * k_36 * (k_20 + k_42 - Number(1) / Number(16)) - Number(1);
+        const Number k_44 = k_34 * eps * (eps * k_43 + k_18 * (Number(1) / Number(8)) * xi_0 * k_32);
+        const Number k_45 = k_44 - k_35;
+        const Number k_46 = k_8 * k_1 * k_10 + k_8 * k_1 * k_12 + k_13 * k_13 + k_2 * k_15 * (k_24 * k_24) + k_5 * (k_14 * k_14 * k_7) * k_2 * (k_29 * k_29) - Number(4) * (k_41 * k_41 + k_45 * k_45);
+        return {Number(k_46)};
+    }
+
     // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
     template <class Number> static std::array<Number, 2> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number s_m1_2 = s_2 * per_s;
@@ -192,7 +256,7 @@ private:
         const Number xi = T + c.xi_0;
         const Number q_1 = xi * xi;
         const Number s = q_1 + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number s_m3_4 = s_4 * per_s;
@@ -204,7 +268,7 @@ private:
         const Number xi = T + c.xi_0;
         const Number q_1 = xi * xi;
         const Number s = q_1 + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number theta_dot_0 = s_2 * s_4 * per_s;
@@ -225,7 +289,7 @@ private:
         const Real xi = a.T + c.xi_0;
         const Real q_1 = xi * xi;
         const Real s = q_1 + Real(1);
-        const Real per_s = Real(1) / s;
+        const Real per_s = per(s);
         const Real q_2 = per_s * per_s;
         const Real s_2 = sqrt(s);
         const Real s_4 = sqrt(s_2);
@@ -255,6 +319,7 @@ private:
         return finite(values.psi) && finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
@@ -264,7 +329,7 @@ private:
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
@@ -272,40 +337,45 @@ private:
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.xi_0)) return Status::bad_argument;
-        if (!finite(start.C_delta)) return Status::bad_argument;
-        if (!finite(start.theta_0)) return Status::bad_argument;
-        if (!finite(start.C_X)) return Status::bad_argument;
-        if (!finite(start.C_Y)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.xi_0)) return {Status::bad_argument, "xi_0"};
+        if (!finite(start.C_delta)) return {Status::bad_argument, "C_delta"};
+        if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};
+        if (!finite(start.C_X)) return {Status::bad_argument, "C_X"};
+        if (!finite(start.C_Y)) return {Status::bad_argument, "C_Y"};
+        if (!within(eps, 0x1p297)) return {Status::overflow, "eps"};
+        if (!within(start.C_delta, 0x1p297)) return {Status::overflow, "C_delta"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
-        if (const Status built = interval_.shorten(
-                tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)"}, reach), reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                {tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), "Q_x"}, reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.theta_0, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.theta_0, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::almost_holonomic_pendulum::as_published

@@ -19,6 +19,7 @@
 
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
+#include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
 
 #include <algorithm>
@@ -58,10 +59,16 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -130,12 +137,26 @@ private:
         c.c_6 = c.c_4 * eps;
     }
 
+    // All > 0, or the solution does not start where its map is close to the identity.
+    template <class Number> static std::array<Number, 1> start_conditions(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
+        const Number xi_0 = Number(start.xi_0);
+        const Number eps = Number(given_eps);
+        const Number k_1 = xi_0 * xi_0;
+        const Number k_2 = Number(1) + k_1;
+        const Number k_3 = sqrt(k_2);
+        const Number k_4 = Number(1) / k_2;
+        const Number k_5 = k_3 * (k_4 * k_4) * (Number(1) / Number(128) * (eps * eps) * k_1 + k_2 * k_3);
+        const Number k_6 = k_5 - Number(1);
+        return {Number(Number(1) - Number(4) * (k_6 * k_6))};
+    }
+
     // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
     template <class Number> static std::array<Number, 2> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number s_m1_2 = s_2 * per_s;
@@ -150,7 +171,7 @@ private:
         const Number xi = T + c.xi_0;
         const Number q_1 = xi * xi;
         const Number s = q_1 + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number s_m3_4 = s_4 * per_s;
@@ -166,7 +187,7 @@ private:
     static Status outputs(const Constants<Real>& c, const Arguments& a, Values& values) {
         const Real xi = a.T + c.xi_0;
         const Real s = xi * xi + Real(1);
-        const Real per_s = Real(1) / s;
+        const Real per_s = per(s);
         const Real s_2 = sqrt(s);
         const Real s_4 = sqrt(s_2);
         const Real Q_x = a.tables[0];
@@ -176,6 +197,7 @@ private:
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
 
     std::array<Real, 1> look_up_1(const Real& T) const noexcept {
@@ -184,37 +206,42 @@ private:
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         return Status::ok;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.xi_0)) return Status::bad_argument;
-        if (!finite(start.C_delta)) return Status::bad_argument;
-        if (!finite(start.C_X)) return Status::bad_argument;
-        if (!finite(start.C_Y)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.xi_0)) return {Status::bad_argument, "xi_0"};
+        if (!finite(start.C_delta)) return {Status::bad_argument, "C_delta"};
+        if (!finite(start.C_X)) return {Status::bad_argument, "C_X"};
+        if (!finite(start.C_Y)) return {Status::bad_argument, "C_Y"};
+        if (!within(eps, 0x1p448)) return {Status::overflow, "eps"};
+        if (!within(start.C_delta, 0x1p448)) return {Status::overflow, "C_delta"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
-        if (const Status built = interval_.shorten(
-                tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)"}, reach), reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                {tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), "Q_x"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::almost_holonomic_pendulum::mean_motion

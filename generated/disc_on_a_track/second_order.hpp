@@ -6,7 +6,7 @@
 //   scene       second_order: The disc leaves its track, valid up to t = 1/eps
 //   order       2, normal form and map through weight 3
 //   operations  14 add, 29 multiply, 0 divide, 0 root, 1 sincos, 0 other, 3 tables
-//   written out 69 add, 276 multiply, 72 divide, 32 root, 36 sincos, 0 other, 15 tables
+//   written out 54 add, 214 multiply, 55 divide, 30 root, 36 sincos, 0 other, 15 tables
 //
 // z1 = a1*exp(I*theta_new)
 // z2 = conj(z1)
@@ -24,10 +24,7 @@
 //        + I*sqrt(c)*r/(32*sqrt(m*r^2 + I_a))*a1*a3*a4^2*eps^3
 // z_R' = 0
 // x = 1/2*z2 + 1/2*z1
-//     - (m*r^2 + I_a)/(32*(m*r^2 + I_a))*z2*z4^2*eps^2
-//     + 1/16*z2*z3*z4*eps^2
-//     + 1/16*z1*z3*z4*eps^2
-//     - (m*r^2 + I_a)/(32*(m*r^2 + I_a))*z1*z3^2*eps^2
+//     - 1/32*z2*z4^2*eps^2 + 1/16*z2*z3*z4*eps^2 + 1/16*z1*z3*z4*eps^2 - 1/32*z1*z3^2*eps^2
 // theta = 1/2*z4 + 1/2*z3
 // y = z_y + 1/8*z2*z4*eps + 1/8*z1*z3*eps
 // R = z_R
@@ -44,6 +41,7 @@
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
 
 #include <algorithm>
@@ -87,10 +85,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -138,13 +143,13 @@ private:
     template <class Number> struct Constants {
         Number eps{};
         Number c_1{};
-        Number theta_0{};
-        Number u_x{};
         Number c_2{};
+        Number theta_0{};
         Number c_3{};
-        Number v_x{};
+        Number u_x{};
         Number c_4{};
         Number c_5{};
+        Number v_x{};
         Number c_6{};
         Number c_7{};
         Number c_8{};
@@ -164,55 +169,86 @@ private:
         const Number x_0 = Number(start.x_0);
         c.eps = Number(given_eps);
         c.c_1 = c.eps * c.eps;
+        c.c_2 = Number(1) / Number(16);
         c.theta_0 = Number(start.theta_0);
         const Number k_1 = c.theta_0 * c.theta_0;
-        const Number k_2 = Number(3) / Number(32) * k_1;
+        const Number k_2 = c.c_2 * k_1;
         const Number theta_dot_0 = Number(start.theta_dot_0);
         const Number k_3 = theta_dot_0 * theta_dot_0;
-        const Number k_4 = Number(27) / Number(64) * k_3;
+        const Number k_4 = Number(9) / Number(32) * k_3;
+        c.c_3 = Number(3) / Number(16);
         const Number x_dot_0 = Number(start.x_dot_0);
-        const Number k_5 = x_0 * (-k_2 - k_4) - Number(9) / Number(32) * x_dot_0 * c.theta_0 * theta_dot_0;
-        const Number k_6 = Number(2) / Number(3) * c.c_1 * k_5;
-        c.u_x = x_0 + k_6;
-        const Number k_7 = sqrt(Number(Number(3) / Number(2)));
-        c.c_2 = Number(1) / Number(4);
-        const Number k_8 = c.c_2 * k_1;
-        const Number k_9 = Number(3) / Number(8) * k_3;
-        c.c_3 = Number(2) / Number(3) * c.eps * k_7 * (k_8 + k_9);
-        const Number k_10 = Number(15) / Number(32) * k_1;
-        const Number k_11 = Number(9) / Number(64) * k_3;
-        const Number k_12 = -x_dot_0 * k_7 * (k_10 - k_11) - Number(9) / Number(16) * x_0 * c.theta_0 * theta_dot_0 * k_7;
-        const Number k_13 = Number(2) / Number(3) * c.c_1 * k_12;
-        c.v_x = k_13 - x_dot_0 * k_7;
-        c.c_4 = Number(2) / Number(3) * c.eps * k_7 * (-k_8 - k_9);
-        c.c_5 = Number(1) / Number(16);
-        const Number k_14 = c.c_5 * k_1;
-        const Number k_15 = Number(3) / Number(32) * k_3;
-        c.c_6 = theta_dot_0 * (Number(1) / Number(2) + c.c_1 * (k_14 + k_15));
-        c.c_7 = Number(2) / Number(3) * c.theta_0 * k_7 * (c.c_1 * (-k_14 - k_15) - Number(1) / Number(2));
-        c.c_8 = Number(0);
-        c.c_9 = Number(2) / Number(3) * k_7 * (Number(1) / c.eps);
-        c.c_10 = theta_dot_0 * k_7;
-        c.c_11 = Number(3) / Number(16);
+        const Number k_5 = c.c_1 * (x_0 * (-k_2 - k_4) - c.c_3 * x_dot_0 * c.theta_0 * theta_dot_0);
+        c.u_x = x_0 + k_5;
+        const Number k_6 = sqrt(Number(Number(3) / Number(2)));
+        c.c_4 = Number(1) / Number(4);
+        const Number k_7 = c.c_4 * k_1;
+        const Number k_8 = Number(3) / Number(8) * k_3;
+        c.c_5 = Number(2) / Number(3) * c.eps * k_6 * (k_7 + k_8);
+        const Number k_9 = Number(5) / Number(16) * k_1;
+        const Number k_10 = Number(3) / Number(32) * k_3;
+        const Number k_11 = -x_dot_0 * k_6 * (k_9 - k_10) - Number(3) / Number(8) * x_0 * c.theta_0 * theta_dot_0 * k_6;
+        const Number k_12 = c.c_1 * k_11;
+        c.v_x = k_12 - x_dot_0 * k_6;
+        c.c_6 = Number(2) / Number(3) * c.eps * k_6 * (-k_7 - k_8);
+        c.c_7 = theta_dot_0 * (Number(1) / Number(2) + c.c_1 * (k_2 + k_10));
+        c.c_8 = Number(2) / Number(3) * c.theta_0 * k_6 * (c.c_1 * (-k_2 - k_10) - Number(1) / Number(2));
+        c.c_9 = Number(0);
+        c.c_10 = Number(2) / Number(3) * k_6 * (Number(1) / c.eps);
+        c.c_11 = theta_dot_0 * k_6;
         c.c_12 = Number(1) / Number(8);
         const Number y_0 = Number(start.y_0);
-        const Number k_16 = c.u_x * (Number(135) / Number(512) * k_3 - Number(7) / Number(256) * k_1);
-        const Number k_17 = k_16 + Number(15) / Number(256) * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
-        const Number k_18 = c.theta_0 * k_17 + Number(9) / Number(512) * k_7 * c.v_x * (k_3 * theta_dot_0);
-        const Number k_19 = c.c_1 * k_18 + Number(3) / Number(8) * c.theta_0 * c.u_x + Number(3) / Number(8) * theta_dot_0 * k_7 * c.v_x;
-        c.c_13 = y_0 - Number(2) / Number(3) * c.eps * k_19;
+        const Number k_13 = c.u_x * (Number(45) / Number(256) * k_3 - Number(7) / Number(384) * k_1);
+        const Number k_14 = k_13 + Number(5) / Number(128) * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        const Number k_15 = c.theta_0 * k_14 + Number(3) / Number(256) * k_6 * c.v_x * (k_3 * theta_dot_0);
+        const Number k_16 = c.c_1 * k_15 + c.c_4 * c.theta_0 * c.u_x + c.c_4 * theta_dot_0 * k_6 * c.v_x;
+        c.c_13 = y_0 - c.eps * k_16;
         const Number R_0 = Number(start.R_0);
         c.c_14 = Number(1) / Number(6);
         c.c_15 = Number(1) / Number(3);
-        const Number k_20 = c.u_x * (c.c_14 * k_1 + Number(1) / Number(2) * k_3) + c.c_15 * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
-        c.c_16 = R_0 - c.c_1 * k_20;
-        const Number k_21 = c.c_1 * c.eps;
-        const Number k_22 = c.c_1 * c.c_1;
-        const Number k_23 = c.u_x * (k_2 + k_4) - c.c_11 * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
-        const Number k_24 = c.v_x * (k_11 - k_10) + Number(9) / Number(16) * c.theta_0 * theta_dot_0 * k_7 * c.u_x;
-        const Number k_25 = k_6 + Number(2) / Number(3) * c.c_1 * k_23;
-        const Number k_26 = k_13 + Number(2) / Number(3) * c.c_1 * k_24;
-        c.c_17 = k_21 * k_21 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + Number(4) / Number(9) * k_22 * (k_23 * k_23) + Number(4) / Number(9) * k_22 * (k_24 * k_24) - Number(4) * (k_25 * k_25 + k_26 * k_26);
+        const Number k_17 = c.u_x * (c.c_14 * k_1 + Number(1) / Number(2) * k_3) + c.c_15 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        c.c_16 = R_0 - c.c_1 * k_17;
+        const Number k_18 = c.c_1 * c.eps;
+        const Number k_19 = c.c_1 * c.c_1;
+        const Number k_20 = c.u_x * (k_2 + k_4) - c.c_12 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        const Number k_21 = c.v_x * (k_10 - k_9) + Number(3) / Number(8) * c.theta_0 * theta_dot_0 * k_6 * c.u_x;
+        const Number k_22 = k_5 + c.c_1 * k_20;
+        const Number k_23 = k_12 + c.c_1 * k_21;
+        c.c_17 = k_18 * k_18 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_19 * (k_20 * k_20) + k_19 * (k_21 * k_21) - Number(4) * (k_22 * k_22 + k_23 * k_23);
+    }
+
+    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(scaled.eps, c.eps, "eps");
+        keep(scaled.c_1, c.c_1, "c_1 in R");
+        keep(scaled.c_2, c.c_2, "c_2 in x_2");
+        keep(scaled.theta_0, c.theta_0, "theta_0");
+        keep(scaled.c_3, c.c_3, "c_3 in x_2");
+        keep(scaled.u_x, c.u_x, "u_x");
+        keep(scaled.c_4, c.c_4, "c_4 in y_1");
+        keep(scaled.c_5, c.c_5, "c_5 in u_x");
+        keep(scaled.v_x, c.v_x, "v_x");
+        keep(scaled.c_6, c.c_6, "c_6 in v_x");
+        keep(scaled.c_7, c.c_7, "c_7 in Q_y");
+        keep(scaled.c_8, c.c_8, "c_8 in Q_y");
+        keep(scaled.c_9, c.c_9, "c_9");
+        keep(scaled.c_10, c.c_10, "c_10 in theta");
+        keep(scaled.c_11, c.c_11, "c_11 in im_theta");
+        keep(scaled.c_12, c.c_12, "c_12 in x_2");
+        keep(scaled.c_13, c.c_13, "c_13 in y");
+        keep(scaled.c_14, c.c_14, "c_14 in R_2");
+        keep(scaled.c_15, c.c_15, "c_15 in R_2");
+        keep(scaled.c_16, c.c_16, "c_16 in R");
+    }
+
+    // The same in numbers of any range first; what has no place in Number is the answer.
+    template <class Number> static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        Constants<resonform::Scaled<Number>> scaled;
+        compute_constants(eps, parameters, start, scaled);
+        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        resonform::Keeper keep;
+        keep_1(scaled, c, keep);
+        return keep.cause;
     }
 
     // The slow flow: du_x/dT, dv_x/dT
@@ -220,7 +256,7 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
         const Number v_x = flow[1];
         const Number u_x = flow[0];
-        return {Number(c.c_3 * v_x), Number(c.c_4 * u_x)};
+        return {Number(c.c_5 * v_x), Number(c.c_6 * u_x)};
     }
 
     // dQ_y/dT
@@ -228,13 +264,13 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
         const Number v_x = tables[1];
         const Number u_x = tables[0];
-        return {Number(c.c_7 * v_x - c.c_6 * u_x)};
+        return {Number(c.c_8 * v_x - c.c_7 * u_x)};
     }
 
     // dtheta/dT
     template <class Number> static Number theta_rate(
             const Constants<Number>& c, [[maybe_unused]] const Number& T) {
-        return c.c_9;
+        return c.c_10;
     }
 
     // What differs from call to call.
@@ -250,14 +286,14 @@ private:
         const Real q_1 = u_x * a.cos_theta;
         const Real q_2 = v_x * a.sin_theta;
         const Real re_x = q_1 - q_2;
-        const Real re_theta = c.theta_0 * a.cos_theta + c.c_10 * a.sin_theta;
+        const Real re_theta = c.theta_0 * a.cos_theta + c.c_11 * a.sin_theta;
         const Real q_3 = re_theta * re_theta;
-        const Real im_theta = c.theta_0 * a.sin_theta - c.c_10 * a.cos_theta;
+        const Real im_theta = c.theta_0 * a.sin_theta - c.c_11 * a.cos_theta;
         const Real q_4 = im_theta * im_theta;
         const Real im_x = u_x * a.sin_theta + v_x * a.cos_theta;
-        const Real x_2 = re_x * (c.c_5 * q_3 + c.c_11 * q_4) + c.c_12 * im_x * re_theta * im_theta;
+        const Real x_2 = re_x * (c.c_2 * q_3 + c.c_3 * q_4) + c.c_12 * im_x * re_theta * im_theta;
         const Real Q_y = a.tables[2];
-        const Real y_1 = c.c_2 * re_x * re_theta - c.c_2 * im_x * im_theta;
+        const Real y_1 = c.c_4 * re_x * re_theta - c.c_4 * im_x * im_theta;
         const Real R_2 = re_x * (c.c_14 * q_3 + c.c_15 * q_4) - c.c_15 * im_x * re_theta * im_theta;
         values.x = q_1 + c.c_1 * x_2 - q_2;
         values.theta = re_theta;
@@ -266,6 +302,7 @@ private:
         return finite(values.x) && finite(values.theta) && finite(values.y) && finite(values.R) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
@@ -284,7 +321,7 @@ private:
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_2(a.T);
         Status status = Status::ok;
@@ -292,36 +329,37 @@ private:
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.x_0)) return Status::bad_argument;
-        if (!finite(start.x_dot_0)) return Status::bad_argument;
-        if (!finite(start.theta_0)) return Status::bad_argument;
-        if (!finite(start.theta_dot_0)) return Status::bad_argument;
-        if (!finite(start.y_0)) return Status::bad_argument;
-        if (!finite(start.R_0)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.x_0)) return {Status::bad_argument, "x_0"};
+        if (!finite(start.x_dot_0)) return {Status::bad_argument, "x_dot_0"};
+        if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};
+        if (!finite(start.theta_dot_0)) return {Status::bad_argument, "theta_dot_0"};
+        if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};
+        if (!finite(start.R_0)) return {Status::bad_argument, "R_0"};
         interval_ = Interval(eps, end);
-        compute_constants(eps, parameters, start, c_);
-        if (!(c_.c_17 > Real(0))) return Status::outside_domain;
+        if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
+            return lost;
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
-                              {c_.u_x, c_.v_x}, reach), reach);
-            built != Status::ok)
-            return built;
-        if (const Status built = interval_.shorten(
-                tables_1_.build([this](const Real& T) { return integrands_1(c_, T, look_up_1(T)); }, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                {tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                              {c_.u_x, c_.v_x}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                {tables_1_.build([this](const Real& T) { return integrands_1(c_, T, look_up_1(T)); }, reach), "Q_y"}, reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
-        compute_constants(eps, parameters, start, wide);
+        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+            return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.c_8, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.c_9, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
@@ -329,7 +367,7 @@ private:
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::PrimitiveTable<Real, 1> tables_1_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::disc_on_a_track::second_order

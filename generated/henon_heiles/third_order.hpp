@@ -49,6 +49,7 @@
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,10 +88,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
         Start start;
@@ -356,6 +364,38 @@ private:
         compute_constants_1(given_eps, parameters, start, c, w);
     }
 
+    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(scaled.eps, c.eps, "eps");
+        keep(scaled.c_1, c.c_1, "c_1 in theta");
+        keep(scaled.c_2, c.c_2, "c_2 in y");
+        keep(scaled.c_3, c.c_3, "c_3 in x");
+        keep(scaled.u_x, c.u_x, "u_x");
+        keep(scaled.c_4, c.c_4, "c_4 in v_y");
+        keep(scaled.c_5, c.c_5, "c_5 in v_y");
+        keep(scaled.c_6, c.c_6, "c_6 in v_y");
+        keep(scaled.v_x, c.v_x, "v_x");
+        keep(scaled.c_7, c.c_7, "c_7 in y");
+        keep(scaled.u_y, c.u_y, "u_y");
+        keep(scaled.v_y, c.v_y, "v_y");
+        keep(scaled.c_8, c.c_8, "c_8");
+        keep(scaled.c_9, c.c_9, "c_9 in y_3");
+        keep(scaled.c_10, c.c_10, "c_10 in y_3");
+        keep(scaled.c_11, c.c_11, "c_11 in y_3");
+        keep(scaled.c_12, c.c_12, "c_12 in y_3");
+    }
+
+    // The same in numbers of any range first; what has no place in Number is the answer.
+    template <class Number> static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        Constants<resonform::Scaled<Number>> scaled;
+        compute_constants(eps, parameters, start, scaled);
+        if (!(scaled.c_13 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        resonform::Keeper keep;
+        keep_1(scaled, c, keep);
+        return keep.cause;
+    }
+
     // The slow flow: du_x/dT, dv_x/dT, du_y/dT, dv_y/dT
     template <class Number> static std::array<Number, 4> flow_rates(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& flow) {
@@ -415,6 +455,7 @@ private:
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
@@ -424,7 +465,7 @@ private:
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
@@ -432,38 +473,38 @@ private:
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.x_0)) return Status::bad_argument;
-        if (!finite(start.y_0)) return Status::bad_argument;
-        if (!finite(start.px_0)) return Status::bad_argument;
-        if (!finite(start.py_0)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.x_0)) return {Status::bad_argument, "x_0"};
+        if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};
+        if (!finite(start.px_0)) return {Status::bad_argument, "px_0"};
+        if (!finite(start.py_0)) return {Status::bad_argument, "py_0"};
         interval_ = Interval(eps, end);
-        compute_constants(eps, parameters, start, c_);
-        if (!(c_.c_13 > Real(0))) return Status::outside_domain;
-        if (!(c_.c_14 > Real(0))) return Status::outside_domain;
+        if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
+            return lost;
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                tables_0_.build([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
-                              {c_.u_x, c_.v_x, c_.u_y, c_.v_y}, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                {tables_0_.build([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                              {c_.u_x, c_.v_x, c_.u_y, c_.v_y}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
-        compute_constants(eps, parameters, start, wide);
+        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+            return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.c_8, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.c_8, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::FlowTable<std::array<Real, 4>> tables_0_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::henon_heiles::third_order

@@ -22,6 +22,7 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,10 +59,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "l", "phi");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -133,12 +141,75 @@ private:
         c.c_8 = Number(1) / Number(192) * k_2;
     }
 
+    // All > 0, or the solution does not start where its map is close to the identity.
+    template <class Number> static std::array<Number, 2> start_conditions(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
+        const Number phase_phi = Number(start.phase_phi);
+        const Number l_0 = Number(start.l_0);
+        const Number amplitude_phi = Number(start.amplitude_phi);
+        const Number k_1 = amplitude_phi * amplitude_phi;
+        const Number eps = Number(given_eps);
+        const Number k_2 = eps * eps;
+        const Number k_3 = k_1 * amplitude_phi;
+        const Number k_4 = Number(1) / l_0;
+        const Number k_5 = l_0 + Number(9) / Number(128) * k_2;
+        const Number k_6 = k_4 * k_5 - Number(1);
+        const Number k_7 = sqrt(l_0);
+        const Number k_8 = k_4 * k_4;
+        const Number k_9 = k_8 * k_8;
+        const Number k_10 = k_7 * k_9;
+        const Number k_11 = k_5 * k_5;
+        const Number k_12 = cos(phase_phi);
+        const Number k_13 = k_12 * k_12;
+        const Number k_14 = sin(phase_phi);
+        const Number k_15 = k_14 * k_14;
+        const Number k_16 = k_2 * k_2;
+        const Number k_17 = k_8 * k_4;
+        const Number k_18 = sqrt(k_7);
+        const Number k_19 = k_18 * k_8;
+        const Number k_20 = k_10 * (Number(5) / Number(192)) * k_1 * k_11 * k_13 + k_10 * (Number(3) / Number(64)) * k_1 * k_11 * k_15;
+        const Number k_21 = k_10 * (Number(3) / Number(256)) * eps * k_1 * k_12 * k_14 * k_11;
+        const Number k_22 = k_11 * k_5;
+        const Number k_23 = k_15 * k_14;
+        const Number k_24 = k_7 * k_18 * (k_17 * k_17) * (Number(15) / Number(256)) * eps * k_3 * k_22 * k_23;
+        const Number k_25 = l_0 * (k_19 * amplitude_phi * k_5 * k_12 * (k_7 * k_20 + k_21) + k_24);
+        const Number k_26 = k_19 * (Number(3) / Number(512)) * eps * amplitude_phi * k_5 * k_14;
+        const Number k_27 = k_7 * k_18 * k_8;
+        const Number k_28 = k_25 + k_26 - k_27 * (Number(3) / Number(32)) * amplitude_phi * k_5 * k_12;
+        const Number k_29 = k_18 * k_4;
+        const Number k_30 = eps * k_28 + k_29 * (Number(3) / Number(8)) * amplitude_phi * k_5 * k_14;
+        const Number k_31 = k_10 * (Number(9) / Number(128)) * k_1 * k_11 * k_13 - k_10 * (Number(3) / Number(128)) * k_1 * k_11 * k_15;
+        const Number k_32 = eps * k_31 - Number(5) / Number(64) * k_1 * k_12 * k_14 * k_11 * k_17;
+        const Number k_33 = k_18 * (k_9 * k_4) * (Number(1) / Number(64)) * k_3 * k_22 * k_23;
+        const Number k_34 = k_19 * (Number(3) / Number(512)) * eps * amplitude_phi * k_5 * k_12;
+        const Number k_35 = l_0 * (k_19 * amplitude_phi * k_5 * k_12 * k_32 - k_33) + k_34 + k_27 * (Number(3) / Number(32)) * amplitude_phi * k_5 * k_14;
+        const Number k_36 = eps * k_35 + k_29 * (Number(3) / Number(8)) * amplitude_phi * k_5 * k_12;
+        const Number k_37 = k_7 * k_8;
+        const Number k_38 = k_37 * eps * k_30;
+        const Number k_39 = k_19 * amplitude_phi * k_5 * k_12 + k_38;
+        const Number k_40 = k_39 * k_39;
+        const Number k_41 = k_37 * eps * k_36;
+        const Number k_42 = k_19 * amplitude_phi * k_5 * k_14 + k_41;
+        const Number k_43 = k_42 * k_42;
+        const Number k_44 = k_7 * (Number(5) / Number(192) * k_40 + Number(3) / Number(64) * k_43);
+        const Number k_45 = k_43 * k_42;
+        const Number k_46 = k_39 * (k_44 + Number(3) / Number(256) * eps * k_39 * k_42) + Number(15) / Number(256) * eps * k_45;
+        const Number k_47 = l_0 * k_46 + Number(3) / Number(512) * eps * k_42 - Number(3) / Number(32) * k_7 * k_39;
+        const Number k_48 = k_37 * eps * (eps * k_47 + Number(3) / Number(8) * l_0 * k_42) - k_38;
+        const Number k_49 = eps * (Number(9) / Number(128) * k_40 - Number(3) / Number(128) * k_43);
+        const Number k_50 = k_39 * (k_49 - Number(5) / Number(64) * k_7 * k_39 * k_42) - Number(1) / Number(64) * k_7 * k_45;
+        const Number k_51 = l_0 * k_50 + Number(3) / Number(512) * eps * k_39 + Number(3) / Number(32) * k_7 * k_42;
+        const Number k_52 = k_37 * eps * (eps * k_51 + Number(3) / Number(8) * l_0 * k_39) - k_41;
+        const Number k_53 = k_10 * k_1 * k_11 * k_13 + k_10 * k_1 * k_11 * k_15 + k_16 * k_16 + k_2 * k_17 * (k_30 * k_30) + k_2 * k_17 * (k_36 * k_36) - Number(4) * (k_48 * k_48 + k_52 * k_52);
+        return {Number(Number(1) - Number(4) * (k_6 * k_6)), Number(k_53)};
+    }
+
     // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
     template <class Number> static std::array<Number, 1> layers(
             const Constants<Number>& c, const Number& T) {
         const Number l = T + c.l_0;
         const Number l_2 = sqrt(l);
-        const Number per_l = Number(1) / l;
+        const Number per_l = per(l);
         const Number l_m3_2 = l_2 * (per_l * per_l);
         return {Number(Number(4) * per_l - c.eps * l_m3_2)};
     }
@@ -147,7 +218,7 @@ private:
     template <class Number> static Number theta_rate(const Constants<Number>& c, const Number& T) {
         const Number l = T + c.l_0;
         const Number l_2 = sqrt(l);
-        const Number per_l = Number(1) / l;
+        const Number per_l = per(l);
         const Number theta_dot_0 = l_2 * per_l;
         const Number q_1 = per_l * per_l;
         const Number l_m3_2 = l_2 * q_1;
@@ -164,7 +235,7 @@ private:
     static Status outputs(const Constants<Real>& c, const Arguments& a, Values& values) {
         const Real l = a.T + c.l_0;
         const Real l_2 = sqrt(l);
-        const Real per_l = Real(1) / l;
+        const Real per_l = per(l);
         const Real q_1 = per_l * per_l;
         const Real l_4 = sqrt(l_2);
         const Real l_m3_4 = l_4 * per_l;
@@ -182,45 +253,52 @@ private:
         return finite(values.phi) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
         if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.l_0)) return Status::bad_argument;
-        if (!finite(start.amplitude_phi)) return Status::bad_argument;
-        if (!finite(start.phase_phi)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.l_0)) return {Status::bad_argument, "l_0"};
+        if (!finite(start.amplitude_phi)) return {Status::bad_argument, "amplitude_phi"};
+        if (!finite(start.phase_phi)) return {Status::bad_argument, "phase_phi"};
+        if (!within(eps, 0x1p297)) return {Status::overflow, "eps"};
+        if (!within(start.amplitude_phi, 0x1p297)) return {Status::overflow, "amplitude_phi"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "phi"};
+        if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "phi"};
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                                           std::array{"2*sqrt(g)/sqrt(l)"}, reach), reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.phase_phi, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.phase_phi, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::lengthening_pendulum::third_order

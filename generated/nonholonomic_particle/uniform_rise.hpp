@@ -70,10 +70,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -161,43 +168,49 @@ private:
         return finite(values.x) && finite(values.y) && finite(values.z) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
         if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.x_0)) return Status::bad_argument;
-        if (!finite(start.x_dot_0)) return Status::bad_argument;
-        if (!finite(start.y_0)) return Status::bad_argument;
-        if (!finite(start.y_dot_0)) return Status::bad_argument;
-        if (!finite(start.z_0)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.x_0)) return {Status::bad_argument, "x_0"};
+        if (!finite(start.x_dot_0)) return {Status::bad_argument, "x_dot_0"};
+        if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};
+        if (!finite(start.y_dot_0)) return {Status::bad_argument, "y_dot_0"};
+        if (!finite(start.z_0)) return {Status::bad_argument, "z_0"};
+        if (!within(eps, 0x1p395)) return {Status::overflow, "eps"};
+        if (!within(start.x_0, 0x1p395)) return {Status::overflow, "x_0"};
+        if (!within(start.x_dot_0, 0x1p395)) return {Status::overflow, "x_dot_0"};
+        if (!within(start.y_0, 0x1p395)) return {Status::overflow, "y_0"};
+        if (!within(start.y_dot_0, 0x1p395)) return {Status::overflow, "y_dot_0"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
         Real reach = end; // less where the domain ends before
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.c_1, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.c_1, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::nonholonomic_particle::uniform_rise

@@ -34,6 +34,7 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
 
 #include <algorithm>
@@ -75,10 +76,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -172,12 +180,96 @@ private:
         c.c_15 = c.c_12 * c.eps;
     }
 
+    // All > 0, or the solution does not start where its map is close to the identity.
+    template <class Number> static std::array<Number, 2> start_conditions(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
+        const Number xi_0 = Number(start.xi_0);
+        const Number C_delta = Number(start.C_delta);
+        const Number k_1 = C_delta * C_delta;
+        const Number eps = Number(given_eps);
+        const Number k_2 = eps * eps;
+        const Number theta_0 = Number(start.theta_0);
+        const Number k_3 = xi_0 * xi_0;
+        const Number k_4 = Number(1) + k_3;
+        const Number k_5 = sqrt(k_4);
+        const Number k_6 = Number(1) / k_4;
+        const Number k_7 = k_6 * k_6;
+        const Number k_8 = k_4 * k_5;
+        const Number k_9 = Number(1) / Number(128) * k_2 * k_3 + k_8;
+        const Number k_10 = k_5 * k_7 * k_9 - Number(1);
+        const Number k_11 = sqrt(k_5);
+        const Number k_12 = k_7 * k_7;
+        const Number k_13 = k_5 * k_11 * k_12;
+        const Number k_14 = k_9 * k_9;
+        const Number k_15 = cos(theta_0);
+        const Number k_16 = k_15 * k_15;
+        const Number k_17 = sin(theta_0);
+        const Number k_18 = k_17 * k_17;
+        const Number k_19 = k_2 * k_2;
+        const Number k_20 = k_7 * k_6;
+        const Number k_21 = sqrt(k_11);
+        const Number k_22 = k_11 * k_21 * k_7;
+        const Number k_23 = k_13 * (Number(5) / Number(64)) * k_1 * k_14 * k_16;
+        const Number k_24 = k_13 * (Number(9) / Number(64)) * k_1 * k_14 * k_18;
+        const Number k_25 = k_13 * (Number(5) / Number(192)) * k_1 * k_14 * k_16;
+        const Number k_26 = k_13 * (Number(3) / Number(64)) * k_1 * k_14 * k_18;
+        const Number k_27 = k_8 * (Number(1) / Number(32));
+        const Number k_28 = k_22 * C_delta * k_9 * k_15 * (k_23 + k_24 + k_3 * (k_3 * (k_25 + k_26) + k_23 + k_24) - k_27);
+        const Number k_29 = k_21 * k_6;
+        const Number k_30 = -Number(4) - k_29 * (Number(7) / Number(512)) * C_delta * k_9 * k_17;
+        const Number k_31 = k_5 * k_11;
+        const Number k_32 = k_13 * (Number(1) / Number(256)) * k_1 * k_14 * k_16 + k_13 * (Number(5) / Number(256)) * k_1 * k_14 * k_18;
+        const Number k_33 = k_22 * (Number(1) / Number(3)) * C_delta * k_9 * k_17;
+        const Number k_34 = k_22 * C_delta * k_9 * k_17 * (k_31 * k_32 + k_33) + k_13 * (Number(1) / Number(6)) * k_1 * k_14 * k_16;
+        const Number k_35 = k_31 * k_34 + k_22 * (Number(1) / Number(8)) * C_delta * k_9 * k_17;
+        const Number k_36 = xi_0 * (k_28 + eps * xi_0 * k_30) + eps * (k_31 * k_35 + Number(8));
+        const Number k_37 = k_8 * (Number(1) / Number(16));
+        const Number k_38 = eps * (xi_0 * k_36 + k_22 * C_delta * k_9 * k_15 * (k_25 + k_26 + k_37));
+        const Number k_39 = Number(1) + k_29 * (Number(1) / Number(8)) * C_delta * k_9 * k_17;
+        const Number k_40 = k_38 + k_8 * xi_0 * k_39;
+        const Number k_41 = k_13 * (Number(3) / Number(128)) * k_1 * k_14 * k_16 - k_13 * (Number(1) / Number(128)) * k_1 * k_14 * k_18;
+        const Number k_42 = Number(7) / Number(512) * k_3;
+        const Number k_43 = k_22 * eps * C_delta * k_9 * k_15 * (Number(1) / Number(8) + k_31 * (k_31 * k_41 - k_33) - k_42);
+        const Number k_44 = Number(2) + k_29 * (Number(1) / Number(32)) * C_delta * k_9 * k_17;
+        const Number k_45 = k_8 * (-k_23 - k_13 * (Number(1) / Number(64)) * k_1 * k_14 * k_18);
+        const Number k_46 = xi_0 * (k_43 + xi_0 * k_44) + k_29 * C_delta * k_9 * k_17 * (k_45 - Number(1) / Number(16)) - Number(1);
+        const Number k_47 = k_5 * k_11 * k_21 * k_6 * (Number(1) / Number(8)) * xi_0 * C_delta * k_9 * k_15;
+        const Number k_48 = eps * k_46 + k_47;
+        const Number k_49 = eps * k_20 * k_40;
+        const Number k_50 = k_22 * C_delta * k_9 * k_15 + k_49;
+        const Number k_51 = k_50 * k_50;
+        const Number k_52 = Number(5) / Number(64) * k_51;
+        const Number k_53 = k_5 * k_11 * k_20;
+        const Number k_54 = k_53 * eps * k_48;
+        const Number k_55 = k_22 * C_delta * k_9 * k_17 + k_54;
+        const Number k_56 = k_55 * k_55;
+        const Number k_57 = Number(9) / Number(64) * k_56;
+        const Number k_58 = Number(5) / Number(192) * k_51;
+        const Number k_59 = Number(3) / Number(64) * k_56;
+        const Number k_60 = k_50 * (k_52 + k_57 + k_3 * (k_3 * (k_58 + k_59) + k_52 + k_57) - k_27);
+        const Number k_61 = eps * xi_0 * (-Number(4) - k_31 * (Number(7) / Number(512)) * k_55);
+        const Number k_62 = k_31 * (Number(1) / Number(256) * k_51 + Number(5) / Number(256) * k_56);
+        const Number k_63 = Number(1) / Number(3) * k_55;
+        const Number k_64 = k_31 * (k_55 * (k_62 + k_63) + Number(1) / Number(6) * k_51) + Number(1) / Number(8) * k_55;
+        const Number k_65 = xi_0 * (xi_0 * (k_60 + k_61) + eps * (Number(8) + k_31 * k_64)) + k_50 * (k_37 + k_58 + k_59);
+        const Number k_66 = eps * k_65 + k_8 * xi_0 * (Number(1) + k_31 * (Number(1) / Number(8)) * k_55);
+        const Number k_67 = eps * k_20 * k_66 - k_49;
+        const Number k_68 = k_31 * (Number(3) / Number(128) * k_51 - Number(1) / Number(128) * k_56);
+        const Number k_69 = eps * k_50 * (Number(1) / Number(8) + k_31 * (k_68 - k_63) - k_42);
+        const Number k_70 = k_69 + xi_0 * (Number(2) + k_31 * (Number(1) / Number(32)) * k_55);
+        const Number k_71 = k_8 * (-k_52 - Number(1) / Number(64) * k_56) - Number(1) / Number(16);
+        const Number k_72 = eps * (xi_0 * k_70 + k_31 * k_55 * k_71 - Number(1)) + k_8 * (Number(1) / Number(8)) * xi_0 * k_50;
+        const Number k_73 = k_53 * eps * k_72 - k_54;
+        const Number k_74 = k_13 * k_1 * k_14 * k_16 + k_13 * k_1 * k_14 * k_18 + k_19 * k_19 + k_2 * (k_20 * k_20) * (k_40 * k_40) + k_5 * (k_12 * k_6) * k_2 * (k_48 * k_48) - Number(4) * (k_67 * k_67 + k_73 * k_73);
+        return {Number(Number(1) - Number(4) * (k_10 * k_10)), Number(k_74)};
+    }
+
     // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
     template <class Number> static std::array<Number, 2> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number s_m1_2 = s_2 * per_s;
@@ -192,7 +284,7 @@ private:
         const Number xi = T + c.xi_0;
         const Number q_1 = xi * xi;
         const Number s = q_1 + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number s_m3_4 = s_4 * per_s;
@@ -204,7 +296,7 @@ private:
         const Number xi = T + c.xi_0;
         const Number q_1 = xi * xi;
         const Number s = q_1 + Number(1);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number theta_dot_0 = s_2 * s_4 * per_s;
@@ -225,7 +317,7 @@ private:
         const Real xi = a.T + c.xi_0;
         const Real q_1 = xi * xi;
         const Real s = q_1 + Real(1);
-        const Real per_s = Real(1) / s;
+        const Real per_s = per(s);
         const Real q_2 = per_s * per_s;
         const Real s_2 = sqrt(s);
         const Real s_4 = sqrt(s_2);
@@ -255,6 +347,7 @@ private:
         return finite(values.psi) && finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
@@ -264,7 +357,7 @@ private:
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
@@ -272,40 +365,46 @@ private:
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.xi_0)) return Status::bad_argument;
-        if (!finite(start.C_delta)) return Status::bad_argument;
-        if (!finite(start.theta_0)) return Status::bad_argument;
-        if (!finite(start.C_X)) return Status::bad_argument;
-        if (!finite(start.C_Y)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.xi_0)) return {Status::bad_argument, "xi_0"};
+        if (!finite(start.C_delta)) return {Status::bad_argument, "C_delta"};
+        if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};
+        if (!finite(start.C_X)) return {Status::bad_argument, "C_X"};
+        if (!finite(start.C_Y)) return {Status::bad_argument, "C_Y"};
+        if (!within(eps, 0x1p297)) return {Status::overflow, "eps"};
+        if (!within(start.C_delta, 0x1p297)) return {Status::overflow, "C_delta"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
+        if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
-        if (const Status built = interval_.shorten(
-                tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)"}, reach), reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                {tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), "Q_x"}, reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.theta_0, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.theta_0, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::pendulum_mechanism::third_order

@@ -20,6 +20,7 @@
 
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,10 +56,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "J");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -107,6 +115,7 @@ private:
         Number c_3{};
         Number c_4{};
         Number c_5{};
+        Number c_6{};
     };
 
     template <class Number> static void compute_constants(
@@ -171,6 +180,32 @@ private:
         const Number k_47 = c.eps * (c.eps * k_46 - Number(1) / Number(4) * c.v_phi * k_39) - k_42;
         const Number k_48 = k_22 + c.eps * c.u_phi * (k_45 * k_45) * k_47;
         c.c_5 = Number(1) - Number(4) * (k_48 * k_48);
+        c.c_6 = k_34 - Number(1) / Number(100000000) * k_27;
+    }
+
+    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(scaled.c_1, c.c_1, "c_1");
+        keep(scaled.eps, c.eps, "eps");
+        keep(scaled.J_mean, c.J_mean, "J_mean");
+        keep(scaled.c_2, c.c_2, "c_2 in theta");
+        keep(scaled.u_phi, c.u_phi, "u_phi");
+        keep(scaled.v_phi, c.v_phi, "v_phi");
+        keep(scaled.per_J_mean, c.per_J_mean, "per_J_mean");
+        keep(scaled.c_3, c.c_3, "c_3 in J_2");
+    }
+
+    // The same in numbers of any range first; what has no place in Number is the answer.
+    template <class Number> static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        Constants<resonform::Scaled<Number>> scaled;
+        compute_constants(eps, parameters, start, scaled);
+        if (!(scaled.c_4 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
+        if (!(scaled.J_mean > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_6 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        resonform::Keeper keep;
+        keep_1(scaled, c, keep);
+        return keep.cause;
     }
 
     // dtheta/dT
@@ -194,43 +229,43 @@ private:
         return finite(values.J) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
         if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.J_0)) return Status::bad_argument;
-        if (!finite(start.phi_0)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.J_0)) return {Status::bad_argument, "J_0"};
+        if (!finite(start.phi_0)) return {Status::bad_argument, "phi_0"};
         interval_ = Interval(eps, end);
-        compute_constants(eps, parameters, start, c_);
-        if (!(c_.c_4 > Real(0))) return Status::outside_domain;
-        if (!(c_.c_5 > Real(0))) return Status::outside_domain;
-        if (!(c_.J_mean > Real(0))) return Status::outside_domain;
+        if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
+            return lost;
         Real reach = end; // less where the domain ends before
         Constants<Wide> wide;
-        compute_constants(eps, parameters, start, wide);
+        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+            return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.c_1, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.c_1, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::rotating_pendulum::fast_rotation

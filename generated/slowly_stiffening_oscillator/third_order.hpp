@@ -20,6 +20,7 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,10 +57,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "x");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -133,13 +141,285 @@ private:
         c.c_9 = Number(2) * c.eps;
     }
 
+    // All > 0, or the solution does not start where its map is close to the identity.
+    template <class Number> struct start_conditions_quantities {
+        Number theta_0{};
+        Number tau_0{};
+        Number C{};
+        Number k_1{};
+        Number eps{};
+        Number k_2{};
+        Number k_3{};
+        Number k_4{};
+        Number k_5{};
+        Number k_6{};
+        Number k_7{};
+        Number k_8{};
+        Number k_9{};
+        Number k_10{};
+        Number k_11{};
+        Number k_12{};
+        Number k_13{};
+        Number k_14{};
+        Number k_15{};
+        Number k_16{};
+        Number k_17{};
+        Number k_18{};
+        Number k_19{};
+        Number k_20{};
+        Number k_21{};
+        Number k_22{};
+        Number k_23{};
+        Number k_24{};
+        Number k_25{};
+        Number k_26{};
+        Number k_27{};
+        Number k_28{};
+        Number k_29{};
+        Number k_30{};
+        Number k_31{};
+        Number k_32{};
+        Number k_33{};
+        Number k_34{};
+        Number k_35{};
+        Number k_36{};
+        Number k_37{};
+        Number k_38{};
+        Number k_39{};
+        Number k_40{};
+        Number k_41{};
+        Number k_42{};
+        Number k_43{};
+        Number k_44{};
+        Number k_45{};
+        Number k_46{};
+        Number k_47{};
+        Number k_48{};
+        Number k_49{};
+        Number k_50{};
+        Number k_51{};
+        Number k_52{};
+        Number k_53{};
+        Number k_54{};
+        Number k_55{};
+        Number k_56{};
+        Number k_57{};
+        Number k_58{};
+        Number k_59{};
+        Number k_60{};
+        Number k_61{};
+        Number k_62{};
+        Number k_63{};
+        Number k_64{};
+        Number k_65{};
+        Number k_66{};
+        Number k_67{};
+        Number k_68{};
+        Number k_69{};
+        Number k_70{};
+        Number k_71{};
+        Number k_72{};
+        Number k_73{};
+        Number k_74{};
+        Number k_75{};
+        Number k_76{};
+        Number k_77{};
+        Number k_78{};
+        Number k_79{};
+        Number k_80{};
+        Number k_81{};
+        Number k_82{};
+        Number k_83{};
+        Number k_84{};
+        Number k_85{};
+        Number k_86{};
+        Number k_87{};
+        Number k_88{};
+        Number k_89{};
+        Number k_90{};
+        Number k_91{};
+        Number k_92{};
+        Number k_93{};
+        Number k_94{};
+        Number k_95{};
+        Number k_96{};
+        Number k_97{};
+        Number k_98{};
+        Number k_99{};
+        Number k_100{};
+        Number k_101{};
+        Number k_102{};
+        Number k_103{};
+        Number k_104{};
+        Number k_105{};
+        Number k_106{};
+        Number k_107{};
+        Number k_108{};
+        Number k_109{};
+        Number k_110{};
+        Number k_111{};
+        Number k_112{};
+        Number k_113{};
+        Number k_114{};
+        Number k_115{};
+        Number k_116{};
+        Number k_117{};
+        Number k_118{};
+        Number k_119{};
+        Number k_120{};
+        Number k_121{};
+        Number k_122{};
+    };
+
+    template <class Number> static void start_conditions_1(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, start_conditions_quantities<Number>& w) {
+        w.theta_0 = Number(start.theta_0);
+        w.tau_0 = Number(start.tau_0);
+        w.C = Number(start.C);
+        w.k_1 = w.C * w.C;
+        w.eps = Number(given_eps);
+        w.k_2 = w.eps * w.eps;
+        w.k_3 = w.k_1 * w.C;
+        w.k_4 = w.tau_0 * w.tau_0;
+        w.k_5 = Number(2) + w.k_4;
+        w.k_6 = Number(1) / w.k_5;
+        w.k_7 = w.k_6 * w.k_6;
+        w.k_8 = w.k_7 * w.k_6;
+        w.k_9 = w.k_4 * (w.k_4 + Number(6)) + Number(1) / Number(32) * w.k_2 + Number(12);
+        w.k_10 = w.k_4 * w.k_9 + Number(8);
+        w.k_11 = w.k_8 * w.k_10 - Number(1);
+        w.k_12 = sqrt(w.k_5);
+        w.k_13 = w.k_12 * (w.k_8 * w.k_8 * w.k_6);
+        w.k_14 = w.k_10 * w.k_10;
+        w.k_15 = cos(w.theta_0);
+        w.k_16 = w.k_15 * w.k_15;
+        w.k_17 = sin(w.theta_0);
+        w.k_18 = w.k_17 * w.k_17;
+        w.k_19 = w.k_2 * w.k_2;
+        w.k_20 = w.k_7 * w.k_7;
+        w.k_21 = w.k_20 * w.k_20 * w.k_6;
+        w.k_22 = sqrt(w.k_12);
+        w.k_23 = w.k_12 * w.k_22 * w.k_20;
+        w.k_24 = -w.k_13 * (Number(9) / Number(128)) * w.k_1 * w.k_14 * w.k_16 - w.k_13 * (Number(45) / Number(128)) * w.k_1 * w.k_14 * w.k_18;
+        w.k_25 = w.tau_0 * w.k_24 - w.k_13 * (Number(3) / Number(32)) * w.k_1 * w.k_14 * w.k_16 - w.k_13 * (Number(15) / Number(32)) * w.k_1 * w.k_14 * w.k_18;
+        w.k_26 = w.tau_0 * w.k_25 - w.k_13 * (Number(15) / Number(64)) * w.k_1 * w.k_14 * w.k_16 - w.k_13 * (Number(75) / Number(64)) * w.k_1 * w.k_14 * w.k_18;
+        w.k_27 = w.k_13 * (Number(3) / Number(8)) * w.k_1 * w.k_14 * w.k_16;
+        w.k_28 = w.k_13 * (Number(15) / Number(8)) * w.k_1 * w.k_14 * w.k_18;
+        w.k_29 = w.eps * (w.tau_0 * w.k_26 - w.k_27 - w.k_28 - Number(31) / Number(64));
+        w.k_30 = w.k_20 * w.k_6;
+        w.k_31 = w.tau_0 * (-Number(9) / Number(32) - Number(9) / Number(32) * w.tau_0);
+        w.k_32 = w.k_31 - Number(9) / Number(8);
+        w.k_33 = w.k_23 * w.C * w.k_10 * w.k_17 * (w.k_29 + w.k_1 * w.k_15 * w.k_17 * w.k_30 * w.k_14 * w.k_32);
+        w.k_34 = w.k_12 * w.k_22 * w.k_21;
+        w.k_35 = w.k_14 * w.k_10;
+        w.k_36 = w.k_16 * w.k_15;
+        w.k_37 = w.tau_0 * (-Number(5) / Number(32) - Number(5) / Number(32) * w.tau_0);
+        w.k_38 = w.k_37 - Number(5) / Number(8);
+        w.k_39 = w.k_5 * w.k_12;
+        w.k_40 = w.k_13 * (Number(5) / Number(8)) * w.k_1 * w.k_14 * w.k_16;
+        w.k_41 = w.k_13 * (Number(9) / Number(8)) * w.k_1 * w.k_14 * w.k_18;
+        w.k_42 = w.k_13 * (Number(3) / Number(32)) * w.eps * w.k_1 * w.k_15 * w.k_17 * w.k_14;
+        w.k_43 = w.k_23 * w.C * w.k_10 * w.k_15 * (w.k_39 * (-w.k_40 - w.k_41 - Number(1) / Number(4)) - w.k_42);
+        w.k_44 = w.k_22 * (w.k_30 * w.k_30);
+        w.k_45 = w.k_18 * w.k_17;
+        w.k_46 = w.k_44 * (Number(15) / Number(32)) * w.eps * w.k_3 * w.k_35 * w.k_45;
+        w.k_47 = w.tau_0 * (w.k_33 + w.k_34 * w.k_3 * w.k_35 * w.k_36 * w.k_38) + w.k_43 - w.k_46;
+        w.k_48 = Number(9) / Number(8) * w.k_1 * w.k_15 * w.k_17 * w.k_30 * w.k_14;
+        w.k_49 = w.k_23 * w.C * w.k_10 * w.k_17 * (w.eps * (Number(5) / Number(4) - w.k_27 - w.k_28) - w.k_48);
+        w.k_50 = w.tau_0 * w.k_47 + w.k_49 - w.k_34 * (Number(5) / Number(8)) * w.k_3 * w.k_35 * w.k_36;
+        w.k_51 = w.k_13 * (Number(3) / Number(16)) * w.eps * w.k_1 * w.k_15 * w.k_17 * w.k_14;
+        w.k_52 = w.k_23 * w.C * w.k_10 * w.k_15 * (w.k_39 * (Number(1) / Number(4) - w.k_40 - w.k_41) + w.k_51);
+        w.k_53 = w.k_44 * (Number(15) / Number(16)) * w.eps * w.k_3 * w.k_35 * w.k_45;
+        w.k_54 = w.k_4 * (Number(1) / Number(4) * w.k_4 + Number(3) / Number(2)) + Number(3);
+        w.k_55 = Number(2) + w.k_4 * w.k_54;
+        w.k_56 = w.eps * (w.tau_0 * w.k_50 + w.k_52 + w.k_53) + w.k_23 * w.tau_0 * w.C * w.k_10 * w.k_17 * w.k_55;
+        w.k_57 = w.k_13 * (Number(15) / Number(128)) * w.k_1 * w.k_14 * w.k_18 - w.k_13 * (Number(53) / Number(128)) * w.k_1 * w.k_14 * w.k_16;
+        w.k_58 = w.tau_0 * w.k_57 + w.k_13 * (Number(9) / Number(64)) * w.k_1 * w.k_14 * w.k_18 - w.k_13 * (Number(35) / Number(64)) * w.k_1 * w.k_14 * w.k_16;
+        w.k_59 = w.tau_0 * w.k_58 + w.k_13 * (Number(27) / Number(64)) * w.k_1 * w.k_14 * w.k_18 - w.k_13 * (Number(89) / Number(64)) * w.k_1 * w.k_14 * w.k_16;
+        w.k_60 = w.k_13 * (Number(35) / Number(16)) * w.k_1 * w.k_14 * w.k_16;
+        w.k_61 = w.k_13 * (Number(9) / Number(16)) * w.k_1 * w.k_14 * w.k_18;
+        w.k_62 = w.eps * (w.tau_0 * w.k_59 + w.k_61 - Number(31) / Number(64) - w.k_60);
+        w.k_63 = w.tau_0 * (Number(15) / Number(32) + Number(15) / Number(32) * w.tau_0);
+        w.k_64 = w.k_63 + Number(15) / Number(8);
+        w.k_65 = w.k_23 * w.C * w.k_10 * w.k_15 * (w.k_62 + w.k_1 * w.k_15 * w.k_17 * w.k_30 * w.k_14 * w.k_64);
+        w.k_66 = w.tau_0 * (Number(3) / Number(32) + Number(3) / Number(32) * w.tau_0);
+        w.k_67 = Number(3) / Number(8) + w.k_66;
+        w.k_68 = w.k_13 * (Number(15) / Number(8)) * w.k_1 * w.k_14 * w.k_16;
+        w.k_69 = w.k_13 * (Number(3) / Number(8)) * w.k_1 * w.k_14 * w.k_18;
+        w.k_70 = w.k_13 * (Number(9) / Number(32)) * w.eps * w.k_1 * w.k_15 * w.k_17 * w.k_14;
+        w.k_71 = w.k_23 * w.C * w.k_10 * w.k_17 * (w.k_39 * (Number(1) / Number(4) + w.k_68 + w.k_69) + w.k_70);
+        w.k_72 = w.k_44 * (Number(19) / Number(32)) * w.eps * w.k_3 * w.k_35 * w.k_36;
+        w.k_73 = w.tau_0 * (w.k_65 + w.k_34 * w.k_3 * w.k_35 * w.k_45 * w.k_67) + w.k_71 - w.k_72;
+        w.k_74 = Number(15) / Number(8) * w.k_1 * w.k_15 * w.k_17 * w.k_30 * w.k_14;
+        w.k_75 = w.k_23 * w.C * w.k_10 * w.k_15 * (w.eps * (Number(5) / Number(4) + w.k_61 - w.k_60) + w.k_74);
+        w.k_76 = w.tau_0 * w.k_73 + w.k_75 + w.k_34 * (Number(3) / Number(8)) * w.k_3 * w.k_35 * w.k_45;
+        w.k_77 = w.k_23 * w.C * w.k_10 * w.k_17 * (w.k_39 * (w.k_68 + w.k_69 - Number(1) / Number(4)) - w.k_51);
+        w.k_78 = w.k_44 * (Number(17) / Number(16)) * w.eps * w.k_3 * w.k_35 * w.k_36;
+        w.k_79 = w.eps * (w.tau_0 * w.k_76 + w.k_77 + w.k_78) + w.k_23 * w.tau_0 * w.C * w.k_10 * w.k_15 * w.k_55;
+        w.k_80 = w.k_12 * w.k_30;
+        w.k_81 = w.k_80 * w.eps * w.k_79;
+        w.k_82 = w.k_23 * w.C * w.k_10 * w.k_17 + w.k_81;
+        w.k_83 = w.k_80 * w.eps * w.k_56;
+        w.k_84 = w.k_23 * w.C * w.k_10 * w.k_15 + w.k_83;
+        w.k_85 = w.k_84 * w.k_84;
+        w.k_86 = w.k_82 * w.k_82;
+        w.k_87 = -Number(9) / Number(128) * w.k_85 - Number(45) / Number(128) * w.k_86;
+        w.k_88 = w.tau_0 * w.k_87 - Number(3) / Number(32) * w.k_85 - Number(15) / Number(32) * w.k_86;
+        w.k_89 = w.tau_0 * w.k_88 - Number(15) / Number(64) * w.k_85 - Number(75) / Number(64) * w.k_86;
+        w.k_90 = Number(3) / Number(8) * w.k_85;
+        w.k_91 = Number(15) / Number(8) * w.k_86;
+        w.k_92 = w.eps * (w.tau_0 * w.k_89 - Number(31) / Number(64) - w.k_90 - w.k_91);
+        w.k_93 = w.k_85 * w.k_84;
+        w.k_94 = w.k_82 * (w.k_92 + w.k_39 * w.k_32 * w.k_84 * w.k_82) + w.k_39 * w.k_38 * w.k_93;
+        w.k_95 = Number(5) / Number(8) * w.k_85;
+        w.k_96 = Number(9) / Number(8) * w.k_86;
+        w.k_97 = w.k_39 * (-Number(1) / Number(4) - w.k_95 - w.k_96) - Number(3) / Number(32) * w.eps * w.k_84 * w.k_82;
+        w.k_98 = w.k_86 * w.k_82;
+        w.k_99 = w.tau_0 * w.k_94 + w.k_84 * w.k_97 - Number(15) / Number(32) * w.eps * w.k_98;
+        w.k_100 = w.eps * (Number(5) / Number(4) - w.k_90 - w.k_91) - w.k_39 * (Number(9) / Number(8)) * w.k_84 * w.k_82;
+        w.k_101 = w.tau_0 * w.k_99 + w.k_82 * w.k_100 - w.k_39 * (Number(5) / Number(8)) * w.k_93;
+        w.k_102 = Number(3) / Number(16) * w.eps * w.k_84 * w.k_82;
+        w.k_103 = w.k_84 * (w.k_39 * (Number(1) / Number(4) - w.k_95 - w.k_96) + w.k_102);
+        w.k_104 = w.tau_0 * w.k_101 + w.k_103 + Number(15) / Number(16) * w.eps * w.k_98;
+        w.k_105 = w.k_80 * w.eps * (w.eps * w.k_104 + w.tau_0 * w.k_55 * w.k_82) - w.k_83;
+        w.k_106 = Number(15) / Number(128) * w.k_86 - Number(53) / Number(128) * w.k_85;
+        w.k_107 = w.tau_0 * w.k_106 + Number(9) / Number(64) * w.k_86 - Number(35) / Number(64) * w.k_85;
+        w.k_108 = w.tau_0 * w.k_107 + Number(27) / Number(64) * w.k_86 - Number(89) / Number(64) * w.k_85;
+        w.k_109 = Number(35) / Number(16) * w.k_85;
+        w.k_110 = Number(9) / Number(16) * w.k_86;
+        w.k_111 = w.eps * (w.tau_0 * w.k_108 + w.k_110 - Number(31) / Number(64) - w.k_109);
+        w.k_112 = w.k_84 * (w.k_111 + w.k_39 * w.k_64 * w.k_84 * w.k_82) + w.k_39 * w.k_67 * w.k_98;
+        w.k_113 = Number(15) / Number(8) * w.k_85;
+        w.k_114 = Number(3) / Number(8) * w.k_86;
+        w.k_115 = w.k_39 * (Number(1) / Number(4) + w.k_113 + w.k_114) + Number(9) / Number(32) * w.eps * w.k_84 * w.k_82;
+        w.k_116 = w.tau_0 * w.k_112 + w.k_82 * w.k_115 - Number(19) / Number(32) * w.eps * w.k_93;
+    }
+
+    template <class Number> static void start_conditions_2(
+            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, start_conditions_quantities<Number>& w) {
+        w.k_117 = w.eps * (Number(5) / Number(4) + w.k_110 - w.k_109) + w.k_39 * (Number(15) / Number(8)) * w.k_84 * w.k_82;
+        w.k_118 = w.tau_0 * w.k_116 + w.k_84 * w.k_117 + w.k_39 * (Number(3) / Number(8)) * w.k_98;
+        w.k_119 = w.k_82 * (w.k_39 * (w.k_113 + w.k_114 - Number(1) / Number(4)) - w.k_102);
+        w.k_120 = w.tau_0 * w.k_118 + w.k_119 + Number(17) / Number(16) * w.eps * w.k_93;
+        w.k_121 = w.k_80 * w.eps * (w.eps * w.k_120 + w.tau_0 * w.k_55 * w.k_84) - w.k_81;
+        w.k_122 = w.k_13 * w.k_1 * w.k_14 * w.k_16 + w.k_13 * w.k_1 * w.k_14 * w.k_18 + w.k_19 * w.k_19 + w.k_2 * w.k_21 * (w.k_56 * w.k_56) + w.k_2 * w.k_21 * (w.k_79 * w.k_79) - Number(4) * (w.k_105 * w.k_105 + w.k_121 * w.k_121);
+    }
+
+    template <class Number> static std::array<Number, 2> start_conditions(
+            const Real& given_eps, const Parameters& parameters, const Start& start) {
+        start_conditions_quantities<Number> w;
+        start_conditions_1(given_eps, parameters, start, w);
+        start_conditions_2(given_eps, parameters, start, w);
+        return {Number(Number(1) - Number(4) * (w.k_11 * w.k_11)), Number(w.k_122)};
+    }
+
     // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
     template <class Number> static std::array<Number, 2> layers(
             const Constants<Number>& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number s = tau * tau + Number(2);
         const Number s_2 = sqrt(s);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number q_1 = Number(4) * s;
         const Number s_m1_2 = s_2 * per_s;
         const Number q_2 = c.c_9 * s_m1_2 * tau;
@@ -152,7 +432,7 @@ private:
         const Number q_1 = tau * tau;
         const Number s = q_1 + Number(2);
         const Number s_2 = sqrt(s);
-        const Number per_s = Number(1) / s;
+        const Number per_s = per(s);
         const Number s_m5_2 = s_2 * (per_s * per_s * per_s);
         const Number theta_dot_2 = per_s * (c.c_2 * tau + c.c_2) - c.c_1 * s_m5_2 * q_1;
         return c.c_4 * (s_2 + c.c_3 * theta_dot_2);
@@ -169,7 +449,7 @@ private:
         const Real q_1 = tau * tau;
         const Real s = q_1 + Real(2);
         const Real s_2 = sqrt(s);
-        const Real per_s = Real(1) / s;
+        const Real per_s = per(s);
         const Real q_2 = per_s * per_s;
         const Real s_4 = sqrt(s_2);
         const Real s_m1_4 = s_2 * s_4 * per_s;
@@ -186,45 +466,52 @@ private:
         return finite(values.x) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
         if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.tau_0)) return Status::bad_argument;
-        if (!finite(start.C)) return Status::bad_argument;
-        if (!finite(start.theta_0)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.tau_0)) return {Status::bad_argument, "tau_0"};
+        if (!finite(start.C)) return {Status::bad_argument, "C"};
+        if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};
+        if (!within(eps, 0x1p298)) return {Status::overflow, "eps"};
+        if (!within(start.C, 0x1p298)) return {Status::overflow, "C"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
+        if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); }, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                                           std::array{"2*sqrt(tau^2 + 2)", "2*sqrt(tau^2 + 2)"}, reach), reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.theta_0, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.theta_0, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::slowly_stiffening_oscillator::third_order

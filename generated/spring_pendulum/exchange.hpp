@@ -31,6 +31,7 @@
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,10 +70,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_1_.precise() ? "theta_1" : !theta_2_.precise() ? "theta_2" : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -167,6 +175,90 @@ private:
         c.c_16 = Number(3) / Number(32);
     }
 
+    // All > 0, or the solution does not start where its map is close to the identity.
+    template <class Number> static std::array<Number, 2> start_conditions(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
+        const Number amplitude_x = Number(start.amplitude_x);
+        const Number phase_x = Number(start.phase_x);
+        const Number k_1 = cos(phase_x);
+        const Number u_x = amplitude_x * k_1;
+        const Number eps = Number(given_eps);
+        const Number k_2 = sin(phase_x);
+        const Number v_x = amplitude_x * k_2;
+        const Number amplitude_y = Number(start.amplitude_y);
+        const Number phase_y = Number(start.phase_y);
+        const Number k_3 = cos(phase_y);
+        const Number u_y = amplitude_y * k_3;
+        const Number k_4 = sin(phase_y);
+        const Number v_y = amplitude_y * k_4;
+        const Number k_5 = amplitude_x * amplitude_x;
+        const Number k_6 = k_1 * k_1;
+        const Number k_7 = k_5 * k_6;
+        const Number k_8 = k_2 * k_2;
+        const Number k_9 = k_5 * k_8;
+        const Number k_10 = amplitude_y * amplitude_y;
+        const Number k_11 = k_4 * k_4;
+        const Number k_12 = k_10 * k_11;
+        const Number k_13 = eps * eps;
+        const Number k_14 = k_13 * eps;
+        const Number k_15 = k_14 * k_14;
+        const Number k_16 = Number(1) / Number(16) - Number(5) / Number(48) * amplitude_y * k_3;
+        const Number k_17 = amplitude_y * k_3 * k_16 + Number(9) / Number(128) * k_5 * k_6 + Number(17) / Number(128) * k_5 * k_8 + Number(1) / Number(24) * k_10 * k_11;
+        const Number k_18 = Number(1) / Number(6) * amplitude_y * k_3;
+        const Number k_19 = amplitude_x * k_2 * amplitude_y * k_4 * (Number(5) / Number(16) - k_18);
+        const Number k_20 = eps * (amplitude_x * k_1 * k_17 + k_19) - Number(1) / Number(8) * amplitude_x * k_1 * amplitude_y * k_3 - Number(3) / Number(8) * amplitude_x * k_2 * amplitude_y * k_4;
+        const Number k_21 = k_13 * (k_20 * k_20);
+        const Number k_22 = Number(11) / Number(48) * amplitude_y * k_3 - Number(1) / Number(16);
+        const Number k_23 = amplitude_y * k_3 * k_22 - Number(23) / Number(128) * k_5 * k_6 - Number(7) / Number(128) * k_5 * k_8 - Number(1) / Number(6) * k_10 * k_11;
+        const Number k_24 = -Number(7) / Number(24) * amplitude_y * k_3 - Number(7) / Number(16);
+        const Number k_25 = amplitude_x * k_2 * k_23 + amplitude_x * k_1 * amplitude_y * k_4 * k_24;
+        const Number k_26 = eps * k_25 + Number(5) / Number(8) * amplitude_x * k_1 * amplitude_y * k_4 + Number(1) / Number(8) * amplitude_x * k_2 * amplitude_y * k_3;
+        const Number k_27 = k_13 * (k_26 * k_26);
+        const Number k_28 = k_10 * (k_3 * k_3);
+        const Number k_29 = Number(17) / Number(192) * amplitude_y * k_3 + Number(9) / Number(64);
+        const Number k_30 = amplitude_x * k_1 * k_29 + Number(5) / Number(48) * amplitude_x * k_2 * amplitude_y * k_4;
+        const Number k_31 = Number(7) / Number(64) - Number(11) / Number(192) * amplitude_y * k_3;
+        const Number k_32 = amplitude_x * k_1 * k_30 + k_5 * k_8 * k_31 + Number(1) / Number(16) * amplitude_y * k_3;
+        const Number k_33 = eps * k_32 - Number(5) / Number(32) * k_5 * k_6 - Number(3) / Number(32) * k_5 * k_8 - Number(1) / Number(4) * amplitude_y * k_3;
+        const Number k_34 = k_13 * (k_33 * k_33);
+        const Number k_35 = amplitude_x * k_2 * (k_18 - Number(1) / Number(32)) - Number(11) / Number(192) * amplitude_x * k_1 * amplitude_y * k_4;
+        const Number k_36 = amplitude_y * k_4 * (Number(5) / Number(192) * k_5 * k_8 - Number(1) / Number(16));
+        const Number k_37 = eps * (amplitude_x * k_1 * k_35 + k_36) + Number(1) / Number(16) * k_1 * k_2 * k_5 + Number(1) / Number(4) * amplitude_y * k_4;
+        const Number k_38 = k_13 * (k_37 * k_37);
+        const Number k_39 = eps * k_20;
+        const Number k_40 = u_x + k_39;
+        const Number k_41 = eps * k_33;
+        const Number k_42 = u_y + k_41;
+        const Number k_43 = k_40 * k_40;
+        const Number k_44 = eps * k_26;
+        const Number k_45 = v_x + k_44;
+        const Number k_46 = k_45 * k_45;
+        const Number k_47 = eps * k_37;
+        const Number k_48 = v_y + k_47;
+        const Number k_49 = k_48 * k_48;
+        const Number k_50 = k_42 * (Number(1) / Number(16) - Number(5) / Number(48) * k_42) + Number(9) / Number(128) * k_43 + Number(17) / Number(128) * k_46 + Number(1) / Number(24) * k_49;
+        const Number k_51 = Number(1) / Number(6) * k_42;
+        const Number k_52 = eps * (k_40 * k_50 + k_45 * k_48 * (Number(5) / Number(16) - k_51));
+        const Number k_53 = k_52 - Number(1) / Number(8) * k_40 * k_42 - Number(3) / Number(8) * k_45 * k_48;
+        const Number k_54 = eps * k_53 - k_39;
+        const Number k_55 = k_42 * (Number(11) / Number(48) * k_42 - Number(1) / Number(16)) - Number(23) / Number(128) * k_43 - Number(7) / Number(128) * k_46 - Number(1) / Number(6) * k_49;
+        const Number k_56 = k_40 * k_48 * (-Number(7) / Number(16) - Number(7) / Number(24) * k_42);
+        const Number k_57 = eps * (k_45 * k_55 + k_56) + Number(5) / Number(8) * k_40 * k_48 + Number(1) / Number(8) * k_45 * k_42;
+        const Number k_58 = eps * k_57 - k_44;
+        const Number k_59 = k_7 + k_9 + k_12 + k_15 + k_21 + k_27 + k_28 + k_34 + k_38 - Number(4) * (k_54 * k_54 + k_58 * k_58);
+        const Number k_60 = k_40 * (Number(9) / Number(64) + Number(17) / Number(192) * k_42);
+        const Number k_61 = k_46 * (Number(7) / Number(64) - Number(11) / Number(192) * k_42);
+        const Number k_62 = k_40 * (k_60 + Number(5) / Number(48) * k_45 * k_48) + k_61 + Number(1) / Number(16) * k_42;
+        const Number k_63 = eps * k_62 - Number(5) / Number(32) * k_43 - Number(3) / Number(32) * k_46 - Number(1) / Number(4) * k_42;
+        const Number k_64 = eps * k_63 - k_41;
+        const Number k_65 = k_45 * (k_51 - Number(1) / Number(32)) - Number(11) / Number(192) * k_40 * k_48;
+        const Number k_66 = k_40 * k_65 + k_48 * (Number(5) / Number(192) * k_46 - Number(1) / Number(16));
+        const Number k_67 = eps * k_66 + Number(1) / Number(16) * k_40 * k_45 + Number(1) / Number(4) * k_48;
+        const Number k_68 = eps * k_67 - k_47;
+        const Number k_69 = k_7 + k_9 + k_12 + k_15 + k_21 + k_27 + k_28 + k_34 + k_38 - Number(4) * (k_64 * k_64 + k_68 * k_68);
+        return {Number(k_59), Number(k_69)};
+    }
+
     // The slow flow: du_x/dT, dv_x/dT, du_y/dT, dv_y/dT
     template <class Number> static std::array<Number, 4> flow_rates(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& flow) {
@@ -227,6 +319,7 @@ private:
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
@@ -236,7 +329,7 @@ private:
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
@@ -245,34 +338,42 @@ private:
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.amplitude_x)) return Status::bad_argument;
-        if (!finite(start.phase_x)) return Status::bad_argument;
-        if (!finite(start.amplitude_y)) return Status::bad_argument;
-        if (!finite(start.phase_y)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.amplitude_x)) return {Status::bad_argument, "amplitude_x"};
+        if (!finite(start.phase_x)) return {Status::bad_argument, "phase_x"};
+        if (!finite(start.amplitude_y)) return {Status::bad_argument, "amplitude_y"};
+        if (!finite(start.phase_y)) return {Status::bad_argument, "phase_y"};
+        if (!within(eps, 0x1p386)) return {Status::overflow, "eps"};
+        if (!within(start.amplitude_x, 0x1p386)) return {Status::overflow, "amplitude_x"};
+        if (!within(start.phase_x, 0x1p386)) return {Status::overflow, "phase_x"};
+        if (!within(start.amplitude_y, 0x1p386)) return {Status::overflow, "amplitude_y"};
+        if (!within(start.phase_y, 0x1p386)) return {Status::overflow, "phase_y"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
+        if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "y"};
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                tables_0_.build([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
-                              {c_.u_x, c_.v_x, c_.u_y, c_.v_y}, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                {tables_0_.build([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                              {c_.u_x, c_.v_x, c_.u_y, c_.v_y}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_1_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_1_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_1_.build(theta_1_rates, wide.c_11, eps, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                {theta_1_.build(theta_1_rates, wide.c_11, eps, reach), "theta_1"}, reach);
+            failed.status != Status::ok)
+            return failed;
         const auto theta_2_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_2_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_2_.build(theta_2_rates, wide.c_11, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_2_.build(theta_2_rates, wide.c_11, eps, reach), "theta_2"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
@@ -280,7 +381,7 @@ private:
     resonform::FlowTable<std::array<Real, 4>> tables_0_;
     resonform::Phase<Real> theta_1_;
     resonform::Phase<Real> theta_2_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::spring_pendulum::exchange

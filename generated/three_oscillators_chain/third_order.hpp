@@ -172,6 +172,7 @@
 
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 
 #include <algorithm>
 #include <array>
@@ -213,10 +214,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_1_.precise() ? "theta_1" : !theta_2_.precise() ? "theta_2" : !theta_3_.precise() ? "theta_3" : "";
+        return interval_.why(status, "", "");
+    }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
         Start start;
@@ -318,6 +326,16 @@ private:
         Number c_49{};
         Number c_50{};
         Number c_51{};
+        Number c_52{};
+        Number c_53{};
+        Number c_54{};
+        Number c_55{};
+        Number c_56{};
+        Number c_57{};
+        Number c_58{};
+        Number c_59{};
+        Number c_60{};
+        Number c_61{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -517,6 +535,10 @@ private:
         Number k_187{};
         Number k_188{};
         Number k_189{};
+        Number k_190{};
+        Number k_191{};
+        Number k_192{};
+        Number k_193{};
     };
 
     template <class Number> static void compute_constants_1(
@@ -783,6 +805,20 @@ private:
         w.k_188 = w.k_66 + c.c_3 * w.k_180;
         w.k_189 = w.k_79 + c.c_3 * w.k_187;
         c.c_51 = w.k_9 * w.k_31 + w.k_9 * w.k_33 + w.k_135 + w.k_134 * (w.k_180 * w.k_180) + w.k_134 * (w.k_187 * w.k_187) - Number(4) * (w.k_188 * w.k_188 + w.k_189 * w.k_189);
+        w.k_190 = -Number(1) / Number(100000000) * c.c_2 - Number(1) / Number(50000000);
+        w.k_191 = c.c_3 * w.k_190;
+        c.c_52 = w.k_3 * (Number(24) * c.c_2 + Number(44) + w.k_191);
+        c.c_53 = w.k_3 * (w.k_191 + Number(4));
+        w.k_192 = Number(8) * c.c_2;
+        c.c_54 = w.k_3 * (w.k_191 + w.k_192 + Number(12));
+        c.c_55 = w.k_3 * (w.k_191 + Number(48) * c.c_2 + Number(68));
+        c.c_56 = w.k_3 * (w.k_191 + Number(8));
+        w.k_193 = Number(16) * w.k_2;
+        c.c_57 = w.k_3 * (Number(24) + w.k_191 + w.k_192 + w.k_193);
+        c.c_58 = w.k_3 * (w.k_191 + Number(12) - w.k_192);
+        c.c_59 = w.k_3 * (w.k_191 + Number(16) * c.c_2 + Number(36));
+        c.c_60 = w.k_3 * (Number(24) + w.k_191 + w.k_192 - w.k_193);
+        c.c_61 = Number(16) + c.c_2 * (Number(4) - Number(8) * w.k_2) - Number(1) / Number(100000000) * c.c_3;
     }
 
     template <class Number> static void compute_constants(
@@ -791,6 +827,87 @@ private:
         compute_constants_1(given_eps, parameters, start, c, w);
         compute_constants_2(given_eps, parameters, start, c, w);
         compute_constants_3(given_eps, parameters, start, c, w);
+    }
+
+    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(scaled.c_1, c.c_1, "c_1");
+        keep(scaled.c_2, c.c_2, "c_2 in y");
+        keep(scaled.eps, c.eps, "eps");
+        keep(scaled.c_3, c.c_3, "c_3 in w_");
+        keep(scaled.v_x, c.v_x, "v_x");
+        keep(scaled.u_x_, c.u_x_, "u_x_");
+        keep(scaled.v_x_, c.v_x_, "v_x_");
+        keep(scaled.v_x_2, c.v_x_2, "v_x_2");
+        keep(scaled.u_x_2, c.u_x_2, "u_x_2");
+        keep(scaled.u_x, c.u_x, "u_x");
+        keep(scaled.c_4, c.c_4, "c_4 in theta_1");
+        keep(scaled.c_5, c.c_5, "c_5 in theta_2");
+        keep(scaled.c_6, c.c_6, "c_6 in theta_3");
+        keep(scaled.c_7, c.c_7, "c_7 in w_3");
+        keep(scaled.c_8, c.c_8, "c_8 in w_3");
+        keep(scaled.c_9, c.c_9, "c_9 in w_3");
+        keep(scaled.c_10, c.c_10, "c_10 in w_3");
+        keep(scaled.c_11, c.c_11, "c_11 in x_3");
+        keep(scaled.c_12, c.c_12, "c_12 in w_3");
+        keep(scaled.c_13, c.c_13, "c_13 in w_3");
+        keep(scaled.c_14, c.c_14, "c_14 in w_3");
+        keep(scaled.c_15, c.c_15, "c_15 in w_3");
+        keep(scaled.c_16, c.c_16, "c_16 in w_3");
+        keep(scaled.c_17, c.c_17, "c_17 in x_3");
+        keep(scaled.c_18, c.c_18, "c_18 in w_3");
+        keep(scaled.c_19, c.c_19, "c_19 in w_3");
+        keep(scaled.c_20, c.c_20, "c_20 in w_3");
+        keep(scaled.c_21, c.c_21, "c_21 in x_3");
+        keep(scaled.c_22, c.c_22, "c_22 in x_3");
+        keep(scaled.c_23, c.c_23, "c_23 in x_3");
+        keep(scaled.c_24, c.c_24, "c_24 in w_3");
+        keep(scaled.c_25, c.c_25, "c_25 in w_3");
+        keep(scaled.c_26, c.c_26, "c_26 in w_3");
+        keep(scaled.c_27, c.c_27, "c_27 in w_3");
+        keep(scaled.c_28, c.c_28, "c_28 in w_3");
+        keep(scaled.c_29, c.c_29, "c_29 in y_3");
+        keep(scaled.c_30, c.c_30, "c_30 in y_3");
+        keep(scaled.c_31, c.c_31, "c_31 in y_3");
+        keep(scaled.c_32, c.c_32, "c_32 in y_3");
+        keep(scaled.c_33, c.c_33, "c_33 in y_3");
+        keep(scaled.c_34, c.c_34, "c_34 in y_3");
+        keep(scaled.c_35, c.c_35, "c_35 in y_3");
+        keep(scaled.c_36, c.c_36, "c_36 in y_3");
+        keep(scaled.c_37, c.c_37, "c_37 in y_3");
+        keep(scaled.c_38, c.c_38, "c_38 in y_3");
+        keep(scaled.c_39, c.c_39, "c_39 in y_3");
+        keep(scaled.c_40, c.c_40, "c_40 in y_3");
+        keep(scaled.c_41, c.c_41, "c_41 in y_3");
+        keep(scaled.c_42, c.c_42, "c_42 in y_3");
+        keep(scaled.c_43, c.c_43, "c_43 in y_3");
+        keep(scaled.c_44, c.c_44, "c_44 in w_3");
+        keep(scaled.c_45, c.c_45, "c_45 in w_3");
+        keep(scaled.c_46, c.c_46, "c_46 in w_3");
+        keep(scaled.c_47, c.c_47, "c_47 in w_3");
+        keep(scaled.c_48, c.c_48, "c_48 in w_3");
+    }
+
+    // The same in numbers of any range first; what has no place in Number is the answer.
+    template <class Number> static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        Constants<resonform::Scaled<Number>> scaled;
+        compute_constants(eps, parameters, start, scaled);
+        if (!(scaled.c_49 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_50 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_51 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_52 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_53 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_54 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_55 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_56 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_57 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_58 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt..."};
+        if (!(scaled.c_59 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_60 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) - 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_61 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(k)*sqrt(sqrt(2) + 2)/sqrt(m)"};
+        resonform::Keeper keep;
+        keep_1(scaled, c, keep);
+        return keep.cause;
     }
 
     // dtheta_1/dT
@@ -870,12 +987,13 @@ private:
         return finite(values.x) && finite(values.y) && finite(values.w_) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
         if (const Status seen = theta_1_(t, a.cos_theta_1, a.sin_theta_1); seen != Status::ok) status = seen;
@@ -884,39 +1002,38 @@ private:
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.x_0)) return Status::bad_argument;
-        if (!finite(start.x_dot_0)) return Status::bad_argument;
-        if (!finite(start.y_0)) return Status::bad_argument;
-        if (!finite(start.y_dot_0)) return Status::bad_argument;
-        if (!finite(start.w_0)) return Status::bad_argument;
-        if (!finite(start.w_dot_0)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.x_0)) return {Status::bad_argument, "x_0"};
+        if (!finite(start.x_dot_0)) return {Status::bad_argument, "x_dot_0"};
+        if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};
+        if (!finite(start.y_dot_0)) return {Status::bad_argument, "y_dot_0"};
+        if (!finite(start.w_0)) return {Status::bad_argument, "w_0"};
+        if (!finite(start.w_dot_0)) return {Status::bad_argument, "w_dot_0"};
         interval_ = Interval(eps, end);
-        compute_constants(eps, parameters, start, c_);
-        if (!(c_.c_49 > Real(0))) return Status::outside_domain;
-        if (!(c_.c_50 > Real(0))) return Status::outside_domain;
-        if (!(c_.c_51 > Real(0))) return Status::outside_domain;
+        if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
+            return lost;
         Real reach = end; // less where the domain ends before
         Constants<Wide> wide;
-        compute_constants(eps, parameters, start, wide);
+        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+            return lost;
         const auto theta_1_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_1_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_1_.build(theta_1_rates, wide.c_1, eps, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                {theta_1_.build(theta_1_rates, wide.c_1, eps, reach), "theta_1"}, reach);
+            failed.status != Status::ok)
+            return failed;
         const auto theta_2_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_2_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_2_.build(theta_2_rates, wide.c_1, eps, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                {theta_2_.build(theta_2_rates, wide.c_1, eps, reach), "theta_2"}, reach);
+            failed.status != Status::ok)
+            return failed;
         const auto theta_3_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_3_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_3_.build(theta_3_rates, wide.c_1, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_3_.build(theta_3_rates, wide.c_1, eps, reach), "theta_3"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
@@ -924,7 +1041,7 @@ private:
     resonform::Phase<Real> theta_1_;
     resonform::Phase<Real> theta_2_;
     resonform::Phase<Real> theta_3_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::three_oscillators_chain::third_order

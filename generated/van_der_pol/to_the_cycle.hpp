@@ -34,6 +34,7 @@
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/scaled.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,10 +70,17 @@ public:
         : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
     // Answers for 0 <= t <= slow_time_end/eps.
     Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : status_(construct(eps, parameters, start, slow_time_end)) {}
+        : cause_(construct(eps, parameters, start, slow_time_end)) {}
 
     // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return status_; }
+    Status construction_status() const noexcept { return cause_.status; }
+
+    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
+    const char* why(Status status) const noexcept {
+        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
+        if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
+        return interval_.why(status, "", "x");
+    }
 
     static Start default_start(
             [[maybe_unused]] const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -154,12 +162,72 @@ private:
         c.v_x = amplitude_x * sin(phase_x);
         c.c_11 = Number(0);
         c.c_12 = Number(1) / c.eps;
-        c.c_13 = Number(1) / Number(32);
-        c.c_14 = Number(3) / Number(32);
-        c.c_15 = Number(1) / Number(4);
-        c.c_16 = Number(5) / Number(384);
-        c.c_17 = Number(5) / Number(192);
-        c.c_18 = Number(1) / Number(16);
+        c.c_13 = Number(1) / Number(4);
+        c.c_14 = Number(1) / Number(32);
+        c.c_15 = Number(3) / Number(32);
+        c.c_16 = Number(1) / Number(16);
+        c.c_17 = Number(5) / Number(384);
+        c.c_18 = Number(5) / Number(192);
+    }
+
+    // All > 0, or the solution does not start where its map is close to the identity.
+    template <class Number> static std::array<Number, 1> start_conditions(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
+        const Number amplitude_x = Number(start.amplitude_x);
+        const Number phase_x = Number(start.phase_x);
+        const Number k_1 = cos(phase_x);
+        const Number u_x = amplitude_x * k_1;
+        const Number eps = Number(given_eps);
+        const Number k_2 = eps * eps;
+        const Number k_3 = sin(phase_x);
+        const Number v_x = amplitude_x * k_3;
+        const Number k_4 = amplitude_x * amplitude_x;
+        const Number k_5 = k_1 * k_1;
+        const Number k_6 = k_3 * k_3;
+        const Number k_7 = k_2 * eps;
+        const Number k_8 = Number(475) / Number(73728) * k_4 * k_6 - Number(95) / Number(73728) * k_4 * k_5 - Number(121) / Number(18432);
+        const Number k_9 = Number(493) / Number(24576) * k_4 * k_6 - Number(833) / Number(9216);
+        const Number k_10 = k_4 * k_5 * (k_4 * k_5 * k_8 + k_4 * k_6 * k_9 + Number(47) / Number(512));
+        const Number k_11 = Number(461) / Number(73728) * k_4 * k_6 - Number(665) / Number(18432);
+        const Number k_12 = k_10 + k_4 * k_6 * (k_4 * k_6 * k_11 + Number(27) / Number(512)) - Number(1) / Number(64);
+        const Number k_13 = Number(5) / Number(192) * k_4 * k_5 + Number(1) / Number(16) - Number(5) / Number(384) * k_4 * k_6;
+        const Number k_14 = eps * (eps * k_12 + k_1 * k_3 * k_4 * k_13) + Number(3) / Number(32) * k_4 * k_6 - Number(1) / Number(32) * k_4 * k_5 - Number(1) / Number(4);
+        const Number k_15 = k_4 * amplitude_x;
+        const Number k_16 = eps * k_15 * (k_5 * k_1) * (Number(5) / Number(384) * k_4 * k_5 - Number(1) / Number(16));
+        const Number k_17 = amplitude_x * k_3 * k_14 + k_16;
+        const Number k_18 = Number(713) / Number(73728) * k_4 * k_5 + Number(349) / Number(24576) * k_4 * k_6 - Number(1199) / Number(18432);
+        const Number k_19 = Number(721) / Number(9216) - Number(2465) / Number(73728) * k_4 * k_6;
+        const Number k_20 = k_4 * k_5 * (k_4 * k_5 * k_18 + k_4 * k_6 * k_19 + Number(35) / Number(512));
+        const Number k_21 = Number(337) / Number(73728) * k_4 * k_6 - Number(559) / Number(18432);
+        const Number k_22 = k_20 + k_4 * k_6 * (k_4 * k_6 * k_21 + Number(23) / Number(512)) - Number(1) / Number(64);
+        const Number k_23 = Number(13) / Number(192) * k_4 * k_6 - Number(1) / Number(24) * k_4 * k_5 - Number(7) / Number(64);
+        const Number k_24 = eps * (eps * k_22 + k_1 * k_3 * k_4 * k_23) + Number(5) / Number(32) * k_4 * k_5 - Number(1) / Number(4) - Number(7) / Number(32) * k_4 * k_6;
+        const Number k_25 = eps * k_15 * (k_6 * k_3) * (Number(5) / Number(64) - Number(1) / Number(48) * k_4 * k_6);
+        const Number k_26 = amplitude_x * k_1 * k_24 + k_25;
+        const Number k_27 = eps * k_26;
+        const Number k_28 = v_x + k_27;
+        const Number k_29 = eps * k_17;
+        const Number k_30 = u_x + k_29;
+        const Number k_31 = k_30 * k_30;
+        const Number k_32 = k_28 * k_28;
+        const Number k_33 = Number(475) / Number(73728) * k_32 - Number(121) / Number(18432) - Number(95) / Number(73728) * k_31;
+        const Number k_34 = k_32 * (Number(493) / Number(24576) * k_32 - Number(833) / Number(9216));
+        const Number k_35 = k_32 * (Number(461) / Number(73728) * k_32 - Number(665) / Number(18432));
+        const Number k_36 = k_31 * (Number(47) / Number(512) + k_31 * k_33 + k_34) + k_32 * (Number(27) / Number(512) + k_35) - Number(1) / Number(64);
+        const Number k_37 = Number(1) / Number(16) + Number(5) / Number(192) * k_31 - Number(5) / Number(384) * k_32;
+        const Number k_38 = eps * (eps * k_36 + k_30 * k_28 * k_37) + Number(3) / Number(32) * k_32 - Number(1) / Number(4) - Number(1) / Number(32) * k_31;
+        const Number k_39 = eps * (k_31 * k_30) * (Number(5) / Number(384) * k_31 - Number(1) / Number(16));
+        const Number k_40 = eps * (k_28 * k_38 + k_39) - k_29;
+        const Number k_41 = Number(713) / Number(73728) * k_31 + Number(349) / Number(24576) * k_32 - Number(1199) / Number(18432);
+        const Number k_42 = k_32 * (Number(721) / Number(9216) - Number(2465) / Number(73728) * k_32);
+        const Number k_43 = k_32 * (Number(337) / Number(73728) * k_32 - Number(559) / Number(18432));
+        const Number k_44 = k_31 * (Number(35) / Number(512) + k_31 * k_41 + k_42) + k_32 * (Number(23) / Number(512) + k_43) - Number(1) / Number(64);
+        const Number k_45 = Number(13) / Number(192) * k_32 - Number(7) / Number(64) - Number(1) / Number(24) * k_31;
+        const Number k_46 = eps * (eps * k_44 + k_30 * k_28 * k_45) + Number(5) / Number(32) * k_31 - Number(1) / Number(4) - Number(7) / Number(32) * k_32;
+        const Number k_47 = eps * (k_32 * k_28) * (Number(5) / Number(64) - Number(1) / Number(48) * k_32);
+        const Number k_48 = eps * (k_30 * k_46 + k_47) - k_27;
+        const Number k_49 = k_4 * k_5 + k_4 * k_6 + k_7 * k_7 + k_2 * (k_17 * k_17) + k_2 * (k_26 * k_26) - Number(4) * (k_40 * k_40 + k_48 * k_48);
+        return {Number(k_49)};
     }
 
     // The slow flow: du_x/dT, dv_x/dT
@@ -203,12 +271,13 @@ private:
         const Real re_x = q_1 - q_2;
         const Real q_3 = re_x * re_x;
         const Real q_4 = im_x * im_x;
-        const Real x_1 = im_x * (c.c_14 * q_4 - c.c_13 * q_3 - c.c_15);
-        const Real q_5 = q_3 * (c.c_16 * q_3 + c.c_17 * q_4 - c.c_18) + q_4 * (c.c_18 - c.c_16 * q_4);
+        const Real x_1 = im_x * (c.c_15 * q_4 - c.c_14 * q_3 - c.c_13);
+        const Real q_5 = q_3 * (c.c_17 * q_3 + c.c_18 * q_4 - c.c_16) + q_4 * (c.c_16 - c.c_17 * q_4);
         values.x = q_1 + c.eps * (x_1 + c.eps * re_x * q_5) - q_2;
         return finite(values.x) ? Status::ok : Status::overflow;
     }
 
+    using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
@@ -218,7 +287,7 @@ private:
 
     // What the call needs beside the constants.
     Status prepare(const Real& t, Arguments& a) const noexcept {
-        if (status_ != Status::ok) return status_;
+        if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
@@ -226,34 +295,39 @@ private:
         return status;
     }
 
-    Status construct(const Real& eps, const Parameters& parameters, const Start& start,
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
-        if (!Interval::accepts(eps, end)) return Status::bad_argument;
-        if (!finite(start.amplitude_x)) return Status::bad_argument;
-        if (!finite(start.phase_x)) return Status::bad_argument;
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+        if (!finite(start.amplitude_x)) return {Status::bad_argument, "amplitude_x"};
+        if (!finite(start.phase_x)) return {Status::bad_argument, "phase_x"};
+        if (!within(eps, 0x1p386)) return {Status::overflow, "eps"};
+        if (!within(start.amplitude_x, 0x1p386)) return {Status::overflow, "amplitude_x"};
+        if (!within(start.phase_x, 0x1p386)) return {Status::overflow, "phase_x"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
         Real reach = end; // less where the domain ends before
-        if (const Status built = interval_.shorten(
-                tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
-                              {c_.u_x, c_.v_x}, reach), reach);
-            built != Status::ok)
-            return built;
+        if (const Cause failed = interval_.shorten(
+                {tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                              {c_.u_x, c_.v_x}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
-        if (const Status built = interval_.shorten(
-                theta_.build(theta_rates, wide.c_11, eps, reach), reach);
-            built != Status::ok)
-            return built;
-        return Status::ok;
+        if (const Cause failed = interval_.shorten(
+                {theta_.build(theta_rates, wide.c_11, eps, reach), "theta"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        return {};
     }
 
     Constants<Real> c_;
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;
-    Status status_ = Status::ok;
+    Cause cause_;
 };
 
 } // namespace resonform::generated::van_der_pol::to_the_cycle

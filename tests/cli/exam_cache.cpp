@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where results are kept from run to run, and what happens where they cannot be.
-#include "support/shell.hpp"
-
-#include <gtest/gtest.h>
+#include "support/command.hpp"
 
 namespace resonform::test {
 
 namespace {
 
-// One oscillator, two weights, three eps: verified in a second or two.
-class CacheOfTheCommand : public testing::Test {
+class CacheOfTheCommand : public Command {
 protected:
-    CacheOfTheCommand() {
-        write(scratch_.path() / "systems/spring/system.toml",
-              "[system]\nname = \"spring\"\n[variables]\nx = { role = \"fast\" }\n"
-              "[equations]\nx = \"x'' + x + x^3 = 0\"\n");
-        write(scratch_.path() / "systems/spring/scenes/s.toml",
-              "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\n"
-              "eps = [0.1, 0.05, 0.02]\n");
-    }
+    CacheOfTheCommand() { write_spring(scratch_.path()); }
     [[nodiscard]] Outcome verified(const std::string& environment) const {
         return run(environment + " resonform verify systems/spring/scenes/s.toml", scratch_.path());
     }
     [[nodiscard]] std::filesystem::path in(const char* name) const { return scratch_.path() / name; }
-
-private:
-    Scratch scratch_;
 };
 
 } // namespace

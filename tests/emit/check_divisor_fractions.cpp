@@ -3,6 +3,7 @@
 // same value either way.
 #include "emit/divisor_fractions.hpp"
 
+#include "algebra/products.hpp"
 #include <gtest/gtest.h>
 
 namespace resonform {
@@ -41,16 +42,16 @@ struct Divided {
     }
 };
 
-Polynomial value_of_fractions(const Ring& ring, const std::map<Monomial, Polynomial>& fractions) {
+Polynomial value_of_fractions(const Ring& ring, const std::vector<Fraction>& fractions) {
     Polynomial sum;
-    for (const auto& [over, numerator] : fractions)
-        sum = sum + ring.multiply(ring.reduce(Polynomial(over, 1)), ring.reduce(numerator));
+    for (const Fraction& f : fractions)
+        sum = sum + ring.multiply(ring.reduce(Polynomial(f.factor, 1)), ring.reduce(f.numerator));
     return sum;
 }
 
-std::size_t terms_of_fractions(const std::map<Monomial, Polynomial>& fractions) {
+std::size_t terms_of_fractions(const std::vector<Fraction>& fractions) {
     std::size_t count = 0;
-    for (const auto& fraction : fractions) count += fraction.second.size();
+    for (const Fraction& f : fractions) count += f.numerator.size();
     return count;
 }
 
@@ -59,10 +60,25 @@ TEST(DivisorFractions, ShortSumsHaveACommonDenominator) {
     const Polynomial p = d.over(0) + d.over(1);
     const auto fractions = divisor_fractions(*d.ring, p);
     ASSERT_EQ(fractions.size(), 1U);
-    EXPECT_EQ(fractions.begin()->first,
+    EXPECT_EQ(fractions.front().factor,
               d.ring->monomial(d.divisors[0], -1) + d.ring->monomial(d.divisors[1], -1));
-    EXPECT_EQ(fractions.begin()->second.size(), 3U); // 2 J^2 + 3 K + 5
+    EXPECT_EQ(fractions.front().numerator.size(), 3U); // 2 J^2 + 3 K + 5
     EXPECT_EQ(value_of_fractions(*d.ring, fractions), p);
+}
+
+// u D1 D2/(D1^2 D2), as a sum over the powers of D1.
+TEST(DivisorFractions, CommonFactorsAreCancelled) {
+    const Divided d(2);
+    const Ring& ring = *d.ring;
+    const Polynomial numerator = plain_product(ring.packing(), ring.generator(d.divisors[0]).radicand,
+                                               ring.generator(d.divisors[1]).radicand);
+    const Polynomial over =
+        Polynomial(ring.monomial(d.divisors[0], -2) + ring.monomial(d.divisors[1], -1), 1);
+    const auto fractions = divisor_fractions(
+        ring, plain_product(ring.packing(), plain_product(ring.packing(), numerator, over), ring.gen(d.u)));
+    ASSERT_EQ(fractions.size(), 1U);
+    EXPECT_EQ(fractions.front().factor, ring.monomial(d.divisors[0], -1));
+    EXPECT_EQ(fractions.front().numerator, ring.gen(d.u));
 }
 
 TEST(DivisorFractions, WhatStandsBesideOtherPhasesIsLeftAlone) {

@@ -56,15 +56,20 @@ TEST(EmittedHeader, IsTheSameEachTime) {
     EXPECT_EQ(emit_cpp(*test::program_of(scene)), emit_cpp(*test::program_of(scene)));
 }
 
+// Names of what a status says are texts, and no code.
+std::string without_texts(const std::string& code) {
+    return std::regex_replace(code, std::regex("\"[^\"\n]*\""), "\"\"");
+}
+
 TEST(EmittedHeader, OfThePathAloneHoldsNoPsi) {
     const auto program = test::program_of(test::pendulum_scene("xy_only"));
-    EXPECT_EQ(emit_cpp(*program).find("psi"), std::string::npos);
+    EXPECT_EQ(without_texts(emit_cpp(*program)).find("psi"), std::string::npos);
     EXPECT_LT(operations(program->after), operations(program->before) / 4);
 }
 
 TEST(EmittedHeader, OfTheMeanMotionHoldsNoPhase) {
     const auto program = test::program_of(test::pendulum_scene("mean_motion"));
-    const std::set<std::string> words = identifiers(emit_cpp(*program));
+    const std::set<std::string> words = identifiers(without_texts(emit_cpp(*program)));
     for (const char* absent : {"cos", "theta", "psi", "phase", "Phase"})
         EXPECT_FALSE(contains(words, absent)) << absent;
     EXPECT_EQ(words.count("sin"), 0U);
@@ -121,14 +126,13 @@ int main() {
     }
 }
 
-// Compilers: the one that builds the engine, and clang if there is one.
+// Compilers: the one that builds the engine, and the clang of packages_test.txt.
 TEST(SlowEmittedHeader, CompilesWithoutWarnings) {
     const auto program = test::program_of(test::pendulum_scene("third_order"), {false, true});
     const std::string inlined = emit_cpp(*program, {true});
     EXPECT_EQ(inlined.find("#include \"runtime"), std::string::npos);
     EXPECT_EQ(complaints(RESONFORM_CXX_COMPILER, inlined), "");
-    if (test::run("clang++ --version", ".").code != 0) GTEST_SKIP() << "no clang++";
-    EXPECT_EQ(complaints("clang++", inlined), "");
+    EXPECT_EQ(complaints("clang++-14", inlined), "");
 }
 
 } // namespace resonform

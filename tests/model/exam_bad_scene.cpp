@@ -276,7 +276,38 @@ const BadInput bad_scenes[] = {
      "                    ^\n"
      "  found: \"fial\"\n"
      "  mend:  did you mean 'fail'? Known are: pass, fail, undecided"},
+    {"UlpBelowOne", "interval = \"1/eps\"", "ulp = 0.5",
+     "2 scene.toml:20:7: verify.ulp: 'verify.ulp' is a number in 1 ... 1000000\n"
+     "    ulp = 0.5\n"
+     "          ^\n"
+     "  found: 0.5\n"
+     "  mend:  write ulp = 16, the default"},
+    {"UlpAboveAMillion", "interval = \"1/eps\"", "ulp = 1000001",
+     "2 scene.toml:20:7: verify.ulp: 'verify.ulp' is a number in 1 ... 1000000\n"
+     "    ulp = 1000001\n"
+     "          ^\n"
+     "  found: 1000001\n"
+     "  mend:  write ulp = 16, the default"},
+    {"ReasonForTheDefault", "interval = \"1/eps\"", "ulp_reason = \"why not\"",
+     "2 scene.toml:20:15: verify.ulp_reason: 'verify.ulp_reason' says why 'verify.ulp' is above 16\n"
+     "    ulp_reason = \"why not\"\n"
+     "                  ^\n"
+     "  found: \"why not\"\n"
+     "  mend:  remove it"},
 };
+
+TEST(SceneUlp, HasADefaultAndIsWidenedWithAReason) {
+    const auto plan_with = [](const std::string& keys) {
+        return read_scene_text(edited(pendulum_scene(), "interval = \"1/eps\"", keys), pendulum_scene_file(),
+                               source_dir() / "systems")
+            .verify;
+    };
+    EXPECT_EQ(plan_with("").ulp, 16);
+    const VerifyPlan wide = plan_with("ulp = 1000000\nulp_reason = \"a crossing\"");
+    EXPECT_EQ(wide.ulp, 1e6);
+    EXPECT_EQ(wide.ulp_reason, "a crossing");
+    EXPECT_EQ(plan_with("ulp = \"5/2\"").ulp, 2.5);
+}
 
 TEST(SceneWithoutOutputs, HasSlowVariablesWhereNothingElseMoves) {
     const auto file = source_dir() / "systems/rotating_pendulum/scenes/s.toml";

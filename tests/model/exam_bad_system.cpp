@@ -297,13 +297,20 @@ const BadInput bad_systems[] = {
      "           ^\n"
      "  found: the coefficient of psi'' is zero\n"
      "  mend:  correct the equations"},
-    {"CoefficientUndecided", "(xi^2 + r^2)*psi''", "(sin(xi)^2+cos(xi)^2-1)*psi''",
+    {"CoefficientUndecided", "(xi^2 + r^2)*psi''", "(sqrt(3+2*sqrt(2))-1-sqrt(2))*psi''",
      "3 system.toml:18:8: equations.psi: the coefficients of the highest derivatives are not zero\n"
-     "    psi = \"(sin(xi)^2+cos(xi)^2-1)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
-     "r*xi*xi'^2/(xi^2  ...\n"
+     "    psi = \"(sqrt(3+2*sqrt(2))-1-sqrt(2))*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
+     "r*xi*xi'^2/ ...\n"
      "           ^\n"
      "  found: the one of psi'' can be told neither zero nor nonzero\n"
      "  mend:  simplify the equation"},
+    {"CoefficientZeroByAnIdentity", "(xi^2 + r^2)*psi''", "(sin(xi)^2+cos(xi)^2-1)*psi''",
+     "2 system.toml:18:8: equations.psi: the equations can be solved for the highest derivatives\n"
+     "    psi = \"(sin(xi)^2+cos(xi)^2-1)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
+     "r*xi*xi'^2/(xi^2  ...\n"
+     "           ^\n"
+     "  found: the coefficient of psi'' is zero\n"
+     "  mend:  correct the equations"},
     {"Greek", "xi*xi'*psi'", "ξ*xi'*psi'",
      "2 system.toml:18:29: equations.psi: an expression is written with ASCII letters, digits, + - * / ^ ' ( "
      ") = and spaces\n"

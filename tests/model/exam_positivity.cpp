@@ -139,6 +139,7 @@ TEST_F(Positivity, DoesNotClaim) {
                              "sin(1)^2 + cos(1)^2 - 1",
                              "atan(3) + atan(1/3) - pi/2",
                              "log(1 - pi)",
+                             "-log(1 - pi)",
                              "r*cos(2)",
                              "1 + 1/tau^2"}) {
         EXPECT_FALSE(positive(text)) << text;

@@ -4,6 +4,8 @@
 
 #include "messages.hpp"
 
+#include "model/canonical.hpp"
+
 namespace resonform {
 namespace {
 
@@ -125,7 +127,7 @@ TEST(Settings, OfASceneTakeWhatCancelled) {
     const std::string scene = read_text(file);
     const auto read = [&](const std::string& text) {
         try {
-            return to_string(read_scene_text(text, file, source_dir() / "systems").fix.at("M"));
+            return spell(read_scene_text(text, file, source_dir() / "systems").fix.at("M"));
         } catch (const Error& error) {
             return std::string(error.what());
         }

@@ -25,7 +25,9 @@ TYPED_TEST(Layer, IsEnteredWhereTheMarginVanishes) {
         return std::array<Real, 2>{(T - Real(3) / Real(4)) * (T - Real(3) / Real(4)) - Real(1) / Real(16),
                                    Real(2) - T};
     };
-    EXPECT_EQ(clear_of_layers(margins, reach), Status::outside_domain);
+    const Cause entered = clear_of_layers(margins, std::array{"A", "B"}, reach);
+    EXPECT_EQ(entered.status, Status::outside_domain);
+    EXPECT_STREQ(entered.quantity, "A");
     EXPECT_LT(math::magnitude(Real(reach - Real(1) / Real(2))), Real(1e-15));
     EXPECT_LE(reach, Real(1) / Real(2));
 }
@@ -38,7 +40,7 @@ TYPED_TEST(Layer, IsFoundBetweenSamples) {
     const auto margins = [&](const Real& T) {
         return std::array<Real, 1>{(T - middle) * (T - middle) - Real(1e-14)};
     };
-    EXPECT_EQ(clear_of_layers(margins, reach), Status::outside_domain);
+    EXPECT_EQ(clear_of_layers(margins, std::array{"D"}, reach).status, Status::outside_domain);
     EXPECT_LT(math::magnitude(Real(reach - middle + Real(1e-7))), Real(1e-9));
 }
 
@@ -48,7 +50,7 @@ TYPED_TEST(Layer, NeverEnteredLeavesTheIntervalAsItIs) {
     const auto margins = [](const Real& T) {
         return std::array<Real, 1>{(T - Real(1) / Real(3)) * (T - Real(1) / Real(3)) + Real(1e-12)};
     };
-    EXPECT_EQ(clear_of_layers(margins, reach), Status::ok);
+    EXPECT_EQ(clear_of_layers(margins, std::array{"D"}, reach).status, Status::ok);
     EXPECT_EQ(reach, Real(1));
 }
 
@@ -56,11 +58,11 @@ TYPED_TEST(Layer, AtTheStartNothingIsLeft) {
     using Real = TypeParam;
     Real reach(1);
     const auto inside = [](const Real& T) { return std::array<Real, 1>{T - Real(1)}; };
-    EXPECT_EQ(clear_of_layers(inside, reach), Status::outside_domain);
+    EXPECT_EQ(clear_of_layers(inside, std::array{"D"}, reach).status, Status::outside_domain);
     EXPECT_EQ(reach, Real(0));
     Real other(1);
     const auto none = [](const Real&) { return std::array<Real, 1>{math::not_a_number<Real>()}; };
-    EXPECT_EQ(clear_of_layers(none, other), Status::outside_domain);
+    EXPECT_EQ(clear_of_layers(none, std::array{"D"}, other).status, Status::outside_domain);
     EXPECT_EQ(other, Real(0));
 }
 

@@ -67,6 +67,21 @@ TEST(Quadrature, FindsTheLogarithmOfARadicand) {
     EXPECT_EQ(closed->logarithmic.front().second.argument, e.term(1, -2, 0, 0, 8));
 }
 
+// Of a positive x no power is eliminated: (x^2 + r^2)^(1/2) and (x^2 + r^2) s^(-1/2) are two forms of one
+// function.
+TEST(Quadrature, ClosesInARingThatIsNotCanonical) {
+    RingBuilder b;
+    const GeneratorId r = b.add(generator(GeneratorKind::parameter, "r", true));
+    const GeneratorId x = b.add(generator(GeneratorKind::slow, "x", true));
+    const GeneratorId sigma = b.add(root("sigma", 2, b.gen(x, 2) + b.gen(r, 2)));
+    const RingPtr ring = b.freeze();
+    const Polynomial f = ring->multiply(ring->gen(x), ring->gen(sigma, -1)); // x s^(-1/2) -> s^(1/2)
+    const auto closed = close_primitive(*ring, x, f);
+    ASSERT_TRUE(closed);
+    EXPECT_TRUE(closed->logarithmic.empty());
+    EXPECT_TRUE(ring->vanishes(closed->algebraic - ring->gen(sigma)));
+}
+
 TEST(Quadrature, CarriesNoHiddenConstant) {
     const EighthRoot e; // 2 x -> x^2, which the ring holds as rho^8 - r^2
     const auto closed = close_primitive(*e.ring, e.x, e.term(2, 0, 0, 1, 0));
@@ -106,6 +121,24 @@ TEST(Quadrature, WorksWhereTheSlowVariableIsNotEliminated) {
     ASSERT_TRUE(logarithm);
     ASSERT_EQ(logarithm->logarithmic.size(), 1U);
     EXPECT_EQ(logarithm->logarithmic.front().second.argument, ring->gen(x));
+}
+
+// x^2 is rho^2 - 1 where the other root came first: x/sqrt(x^2 + r^2) is the derivative of a root all the
+// same.
+TEST(Quadrature, ClosesBesideAnotherRootOfTheSameVariable) {
+    for (const bool other_first : {true, false}) {
+        RingBuilder b;
+        const GeneratorId r = b.add(generator(GeneratorKind::parameter, "r", true));
+        const GeneratorId x = b.add(generator(GeneratorKind::slow, "x"));
+        const auto add_other = [&] { b.add(root("rho", 4, b.gen(x, 2) + Polynomial(Rational(1)))); };
+        if (other_first) add_other();
+        const GeneratorId s = b.add(root("sigma", 4, b.gen(x, 2) + b.gen(r, 2)));
+        if (!other_first) add_other();
+        const RingPtr ring = b.freeze();
+        const auto closed = close_primitive(*ring, x, ring->multiply(ring->gen(x), ring->gen(s, -2)));
+        ASSERT_TRUE(closed) << other_first;
+        EXPECT_EQ(ring->is_zero(ring->derivative(closed->algebraic - ring->gen(s, 2), x)), Zero::yes);
+    }
 }
 
 TEST(Quadrature, ClosesExponentials) {

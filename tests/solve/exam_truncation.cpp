@@ -54,27 +54,70 @@ TEST(Truncation, RefusesLongerTimesForASlowVariableThatRunsAway) {
     }
 }
 
-TEST(Truncation, RefusesLongerTimesForADrift) {
-    const auto field = field_of(read_system_text(duffing, "test.toml"));
+void expect_refused(const Solution& solution, const Scene& scene, const std::string& value,
+                    const std::string& mend) {
     try {
-        count_truncation(*field, scene(3, 2));
+        check_time_scale(solution, scene);
         FAIL() << "not refused";
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
-        EXPECT_EQ(e.diagnostic().value, "time_scale = 2, X drifts");
+        EXPECT_EQ(e.diagnostic().value, value);
+        EXPECT_EQ(e.diagnostic().mend, mend);
     }
 }
 
-TEST(Truncation, RefusesLongerTimesForAnAmplitudeThatChanges) {
-    EXPECT_NO_THROW(check_time_scale(solution_of_text(conservative, 2, 4), scene(2, 2)));
+const char* const to_one = "use time_scale = 1, or give the truncation yourself";
+
+// Of a drift that is an output the next weight is taken: amplitudes act on its rate.
+TEST(Truncation, RefusesLongerTimesForADriftThatGoesFar) {
+    const auto field = field_of(read_system_text(duffing, "test.toml"));
+    EXPECT_EQ(count_truncation(*field, scene(3, 2)).truncation, 5);
+    Scene with_drift = scene(3, 2);
+    with_drift.outputs = {"x", "X"};
+    EXPECT_EQ(count_truncation(*field, with_drift).truncation, 6);
+    EXPECT_NO_THROW(check_time_scale(solution_of_text(duffing, 2, 5, 2), scene(2, 2)));
+    with_drift.order = 2;
+    expect_refused(solution_of_text(duffing, 2, 5, 2), with_drift,
+                   "time_scale = 2, X has a rate of order eps^1", to_one);
+}
+
+// X' = x^2 goes a finite way on 1/eps^2.
+TEST(Truncation, TakesADriftThatIsSlowEnough) {
+    const std::string slow = std::string(conservative)
+                                 .replace(std::string(conservative).find("[equations]"), 11,
+                                          "X = { role = \"drift\" }\n[equations]\nX = \"X' = x^2\"");
+    Scene with_drift = scene(2, 2);
+    with_drift.outputs = {"x", "X"};
+    EXPECT_NO_THROW(check_time_scale(solution_of_text(slow, 2, 5, 2), with_drift));
+    with_drift.time_scale = 3;
+    expect_refused(solution_of_text(slow, 2, 7, 3), with_drift, "time_scale = 3, X has a rate of order eps^2",
+                   "use time_scale = 2, or give the truncation yourself");
+}
+
+// What quadratures in T = eps t cannot do is a slow flow: there the rate of the amplitude decides.
+TEST(Truncation, AnAmplitudeThatChangesOnLongerTimesIsASlowFlow) {
+    const std::string slowly =
+        "[system]\nname = \"slowly\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n"
+        "x = \"x'' + eps^2*x' + x + x^3 = 0\"\n";
+    EXPECT_FALSE(solution_of_text(conservative, 2, 4, 2).flow);
+    EXPECT_FALSE(solution_of_text(slowly, 2, 3).flow);
+    const Solution long_time = solution_of_text(slowly, 2, 4, 2);
+    EXPECT_TRUE(long_time.flow);
+    EXPECT_NO_THROW(check_time_scale(long_time, scene(2, 2)));
+    expect_refused(solution_of_text(slowly, 2, 6, 3), scene(2, 3),
+                   "time_scale = 3, the flow has rates of order eps^2",
+                   "use time_scale = 2, or give the truncation yourself");
     EXPECT_NO_THROW(check_time_scale(solution_of_text(damped, 2, 3), scene(2, 1)));
-    try {
-        check_time_scale(solution_of_text(damped, 2, 4), scene(2, 2));
-        FAIL() << "not refused";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
-        EXPECT_EQ(e.diagnostic().value, "time_scale = 2, the amplitude of x changes with eps*t");
-    }
+    expect_refused(solution_of_text(damped, 2, 4, 2), scene(2, 2),
+                   "time_scale = 2, the flow has rates of order eps^1", to_one);
+}
+
+// The phase turns by eps^2 |z|^2 besides, which is no way to go: the amplitude moves as eps^3.
+TEST(Truncation, WhatOnlyTurnsMayTurnFaster) {
+    const std::string very_slowly =
+        "[system]\nname = \"very_slowly\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n"
+        "x = \"x'' + eps^3*x' + x + x^3 = 0\"\n";
+    EXPECT_NO_THROW(check_time_scale(solution_of_text(very_slowly, 2, 6, 3), scene(2, 3)));
 }
 
 } // namespace

@@ -18,14 +18,14 @@ inline std::shared_ptr<const GradedField> field_of(System system) {
     return std::make_shared<const GradedField>(expand(std::move(first_order)));
 }
 
-inline Solution solution_of(System system, int order, int truncation) {
+inline Solution solution_of(System system, int order, int truncation, int time_scale = 1) {
     auto normalization =
         std::make_shared<const Normalization>(normalize_poincare(field_of(std::move(system)), truncation));
-    return solve(std::move(normalization), {order, truncation});
+    return solve(std::move(normalization), {order, truncation, time_scale});
 }
 
-inline Solution solution_of_text(const std::string& toml, int order, int truncation) {
-    return solution_of(read_system_text(toml, "test.toml"), order, truncation);
+inline Solution solution_of_text(const std::string& toml, int order, int truncation, int time_scale = 1) {
+    return solution_of(read_system_text(toml, "test.toml"), order, truncation, time_scale);
 }
 
 inline System pendulum() {

@@ -10,6 +10,17 @@
 
 namespace resonform::test {
 
+// systems/spring with its scene s below a folder: one oscillator, two weights, three eps, verified in a
+// second or two.
+inline void write_spring(const std::filesystem::path& folder) {
+    write(folder / "systems/spring/system.toml",
+          "[system]\nname = \"spring\"\n[variables]\nx = { role = \"fast\" }\n"
+          "[equations]\nx = \"x'' + x + x^3 = 0\"\n");
+    write(folder / "systems/spring/scenes/s.toml",
+          "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\n"
+          "eps = [0.1, 0.05, 0.02]\n");
+}
+
 class Command : public testing::Test {
 protected:
     [[nodiscard]] Outcome said(const std::string& command) const {

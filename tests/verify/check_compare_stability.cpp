@@ -20,7 +20,7 @@ protected:
         const test::SceneLine line = test::pendulum("third_order");
         CompareOptions options;
         static_cast<VerifyOptions&>(options) = test::options();
-        options.eps = Rational(1) / Rational(100);
+        options.eps = {Rational(1) / Rational(100), Rational(1) / Rational(50)};
         options.dense_points = 20000;
         comparison_ = std::make_unique<Comparison>(compare(line.system, line.scene, line.solution, options));
     }
@@ -33,10 +33,15 @@ private:
 
 TEST_F(Compare, RowsBreakEvenAndJson) {
     const Comparison& c = compared();
-    EXPECT_EQ(c.rows.size(), 2U * (3 + 3 * 10)); // two tasks; orders 1 ... 3, three rivals at ten tolerances
+    // two eps, two tasks; orders 1 ... 3, three rivals at ten tolerances
+    EXPECT_EQ(c.rows.size(), 2U * 2 * (3 + 3 * 10));
     for (const ComparisonRow& row : c.rows) {
         EXPECT_EQ(row.failure, "") << row.method << ' ' << row.setting;
-        EXPECT_GT(row.seconds, 0);
+        EXPECT_GT(row.seconds.low, 0);
+        EXPECT_LE(row.seconds.low, row.seconds.median);
+        EXPECT_LE(row.seconds.median, row.seconds.high);
+        EXPECT_GE(row.seconds.repetitions, 3);
+        EXPECT_GT(row.construction_seconds, 0);
         ASSERT_EQ(row.max_error.size(), 3U);
         if (row.task == Task::dense) {
             EXPECT_GE(row.points, 20000U);
@@ -44,12 +49,14 @@ TEST_F(Compare, RowsBreakEvenAndJson) {
         if (row.method == "Taylor" && row.setting == "tolerance 1e-13") {
             EXPECT_LT(row.max_error[0], 1e-13);
         }
-        if (row.method == "emitted" && row.setting == "order 3" && row.task == Task::dense) {
+        if (row.method == "emitted" && row.setting == "order 3" && row.task == Task::dense &&
+            row.eps == Rational(1) / 100) {
             EXPECT_NEAR(row.max_error[0], 2.01e-8, 0.02e-8);
         }
     }
-    ASSERT_EQ(c.break_even.size(), 2U);
-    for (const BreakEven& b : c.break_even) {
+    ASSERT_EQ(c.by_eps.size(), 2U);
+    ASSERT_EQ(c.by_eps.front().tasks.size(), 2U);
+    for (const BreakEven& b : c.by_eps.front().tasks) {
         ASSERT_EQ(b.rivals.size(), 3U);
         double best = b.emitted_seconds;
         for (const RivalAtEqualAccuracy& r : b.rivals) {
@@ -73,6 +80,9 @@ TEST_F(Compare, RowsBreakEvenAndJson) {
             << task;
     }
     EXPECT_EQ(json["break_even"].size(), 2U);
+    EXPECT_EQ(json["by_eps"][0]["break_even"], json["break_even"]);
+    EXPECT_EQ(json["by_eps"][1]["eps"], 0.02);
+    EXPECT_EQ(json["rows"].back()["eps"], 0.02);
 }
 
 TEST_F(Compare, ErrorsOfAMethodFallWithItsTolerance) {
@@ -80,9 +90,26 @@ TEST_F(Compare, ErrorsOfAMethodFallWithItsTolerance) {
     for (const char* method : {"CVODE Adams", "odeint dopri5", "Taylor"}) {
         std::vector<double> errors;
         for (const ComparisonRow& row : c.rows)
-            if (row.method == method && row.task == Task::dense) errors.push_back(row.max_error[0]);
+            if (row.method == method && row.task == Task::dense && row.eps == c.by_eps.front().eps)
+                errors.push_back(row.max_error[0]);
         EXPECT_GT(errors.front(), 1e6 * errors.back()) << method;
     }
+}
+
+// Who is the fastest is said, whoever it is.
+TEST(CompareText, SaysThatTheEvaluatorLosesWhereItDoes) {
+    Comparison c;
+    c.system = "a";
+    c.scene = "b";
+    c.by_eps = {{Rational(1) / 100,
+                 {{Task::final, 2, {{"Taylor", 1.0, 0.5}}, "Taylor"},
+                  {Task::dense, 2, {{"Taylor", 4.0, 2.0}}, "emitted"}}}};
+    const std::string text = to_text(c);
+    EXPECT_NE(text.find("Taylor 1 s (0.5 times); the emitted evaluator loses, Taylor is the fastest\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("Taylor 4 s (2 times); the emitted evaluator is the fastest\n"), std::string::npos)
+        << text;
 }
 
 Stability swept(std::size_t random_points) {

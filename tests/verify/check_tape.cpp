@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tapes: values against GiNaC's own evaluation, Taylor coefficients against GiNaC's derivatives.
 #include "first_order.hpp"
+#include "function_cases.hpp"
 #include "verify/taylor_jet.hpp"
 
 #include <gtest/gtest.h>
@@ -10,45 +11,11 @@
 namespace resonform {
 namespace {
 
-struct FunctionCase {
-    const char* name;
-    GiNaC::ex (*make)(const GiNaC::ex& u);
-};
-
-// u runs through 0.3 + t: inside every domain, and no function is at a special point.
-const std::vector<FunctionCase>& function_cases() {
-    static const std::vector<FunctionCase> cases{
-        {"sum and product",
-         [](const GiNaC::ex& u) -> GiNaC::ex { return (3 * u - 2) * (1 - 5 * u * u) + u; }},
-        {"quotient", [](const GiNaC::ex& u) -> GiNaC::ex { return (1 - u) / (2 + u * u); }},
-        {"integer power", [](const GiNaC::ex& u) -> GiNaC::ex { return pow(u - 2, 7) + pow(u, -3); }},
-        {"square root", [](const GiNaC::ex& u) -> GiNaC::ex { return sqrt(1 + u * u); }},
-        {"rational power", [](const GiNaC::ex& u) -> GiNaC::ex { return pow(1 + u, GiNaC::numeric(-5, 3)); }},
-        {"general power", [](const GiNaC::ex& u) -> GiNaC::ex { return pow(1 + u, sin(u)); }},
-        {"sin", [](const GiNaC::ex& u) -> GiNaC::ex { return sin(2 * u); }},
-        {"cos", [](const GiNaC::ex& u) -> GiNaC::ex { return cos(u * u); }},
-        {"tan", [](const GiNaC::ex& u) -> GiNaC::ex { return tan(u); }},
-        {"exp", [](const GiNaC::ex& u) -> GiNaC::ex { return exp(-u * u); }},
-        {"log", [](const GiNaC::ex& u) -> GiNaC::ex { return log(1 + 3 * u); }},
-        {"sinh", [](const GiNaC::ex& u) -> GiNaC::ex { return sinh(u); }},
-        {"cosh", [](const GiNaC::ex& u) -> GiNaC::ex { return cosh(2 * u); }},
-        {"tanh", [](const GiNaC::ex& u) -> GiNaC::ex { return tanh(u); }},
-        {"asin", [](const GiNaC::ex& u) -> GiNaC::ex { return asin(u); }},
-        {"acos", [](const GiNaC::ex& u) -> GiNaC::ex { return acos(u / 2); }},
-        {"atan", [](const GiNaC::ex& u) -> GiNaC::ex { return atan(3 * u); }},
-        {"pi and a large rational",
-         [](const GiNaC::ex& u) -> GiNaC::ex {
-             return GiNaC::Pi * u + GiNaC::numeric("123456789123456789/7");
-         }},
-    };
-    return cases;
-}
-
 double number(const GiNaC::ex& e) { return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double(); }
 
 TEST(TapeFunctions, TaylorCoefficientsAreDerivativesOverFactorials) {
     constexpr int order = 8;
-    for (const FunctionCase& c : function_cases()) {
+    for (const test::FunctionCase& c : test::function_cases()) {
         test::Builder b;
         const GiNaC::symbol u = b.state("u");
         b.state("w");

@@ -6,6 +6,7 @@
 #include "verify/evaluator.hpp"
 #include "verify/interpreter.hpp"
 
+#include "support/compiler.hpp"
 #include "support/program.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -37,17 +38,8 @@ std::vector<fs::path> files_of_kind(const fs::path& folder, const std::string& e
     return found;
 }
 
-// Sets CXX while it lives.
-class Compiler {
-public:
-    explicit Compiler(const char* command) { setenv("CXX", command, 1); } // NOLINT(concurrency-mt-unsafe)
-    ~Compiler() { unsetenv("CXX"); }                                      // NOLINT(concurrency-mt-unsafe)
-    Compiler(const Compiler&) = delete;
-    Compiler& operator=(const Compiler&) = delete;
-};
-
 Diagnostic refusal_with(const char* compiler, const fs::path& cache) {
-    const Compiler chosen(compiler);
+    const test::OtherCompiler chosen(compiler);
     try {
         EvaluatorLibrary::build(*test::program_of(stiffening_scene()), cache, {});
     } catch (const Error& error) {
@@ -95,6 +87,39 @@ TEST(EvaluatorLibrary, TellsAnInterruptionFromAComplaint) {
     const Diagnostic absent = refusal_with("no-such-compiler", cache);
     EXPECT_EQ(absent.rule, "emitted code is checked by compiling it with a C++20 compiler");
     EXPECT_TRUE(files_of_kind(cache, ".part").empty());
+}
+
+// Wrong numbers without a word are what such flags bring: the flag is named, and found behind a wrapper, too,
+// even behind one that hides what the compiler says of it.
+TEST(EvaluatorLibrary, RefusesACompilerThatBreaksTheArithmetic) {
+    const fs::path cache = empty_folder("test_evaluator_fast_math");
+    const std::string rule = "emitted code is compiled with the arithmetic of IEEE 754: NaN, infinities and "
+                             "rounding errors count";
+    const std::string wrapper = (cache / "wrapper").string();
+    const auto behind_a_wrapper = [&](const std::string& flags) {
+        write_atomically(wrapper, "#!/bin/sh\nexec " RESONFORM_CXX_COMPILER " \"$@\" " + flags + "\n");
+        fs::permissions(wrapper, fs::perms::owner_all);
+        return refusal_with(wrapper.c_str(), cache);
+    };
+    for (const char* flag : {"-Ofast", "-ffast-math", "-ffinite-math-only", "-funsafe-math-optimizations"}) {
+        const Diagnostic named =
+            refusal_with((RESONFORM_CXX_COMPILER + std::string(" -g0 ") + flag).c_str(), cache);
+        EXPECT_EQ(named.rule, rule) << flag;
+        EXPECT_EQ(named.value, flag + std::string(" in CXX"));
+        const Diagnostic hidden = behind_a_wrapper(flag);
+        EXPECT_EQ(hidden.rule, rule) << flag;
+        EXPECT_EQ(hidden.value, "a flag that " + wrapper + " adds");
+    }
+    EXPECT_EQ(behind_a_wrapper("-fassociative-math -fno-signed-zeros -fno-trapping-math "
+                               "-U__ASSOCIATIVE_MATH__")
+                  .rule,
+              rule);
+    EXPECT_TRUE(files_of_kind(cache, ".so").empty());
+    const fs::path program = cache / "harmless.cpp";
+    write_atomically(program, "#include \"runtime/math.hpp\"\nint main() {}\n");
+    const std::string compile = RESONFORM_CXX_COMPILER " -fsyntax-only -std=gnu++20 -fno-math-errno -I" +
+                                (test::source_dir() / "engine").string() + " " + program.string();
+    EXPECT_EQ(std::system(compile.c_str()), 0); // NOLINT(cert-env33-c)
 }
 
 // theta_0 = "pi" is pi in every real type, to its last digits.

@@ -23,7 +23,7 @@ void expect_passes(const Verification& v, int order) {
         EXPECT_EQ(o.verdict, Verdict::pass) << v.system << " " << o.name << ": " << o.reason;
         EXPECT_EQ(o.found_order, order) << v.system << " " << o.name;
     }
-    EXPECT_LT(v.emitted_against_symbolic, 20) << v.system;
+    EXPECT_EQ(v.emitted.verdict, Verdict::pass) << to_text(v.emitted);
 }
 
 TEST(SlowFlowLadder, EveryKindOfFlowHasItsOrder) {
@@ -168,6 +168,33 @@ TEST(FlowProgram, TheParticleRisesWithoutAnIntegrator) {
     ASSERT_EQ(evaluator.call(t, found), Status::ok);
     EXPECT_NEAR(found[0], 3 * std::cos(omega * t) + 5 * std::sin(omega * t), 1e-13);
     EXPECT_NEAR(found[1], 4 + eps * omega * (5 * -1 - 3 * 7) * t, 1e-13);
+}
+
+const char* const slow_growth = R"toml(
+[system]
+name = "slow_growth"
+[variables]
+x = { role = "fast" }
+[equations]
+x = "x'' - eps^2*x' + x^2*x' + x + x^3 = 0"
+)toml";
+
+// One oscillator whose amplitude moves as eps^2 t, up to t = 1/eps^2: no quadrature in eps t, a slow flow.
+TEST(SlowFlowLadder, OneOscillatorOnLongTimes) {
+    Scene scene;
+    scene.name = "long_time";
+    scene.system = std::make_shared<const System>(read_system_text(slow_growth, "slow_growth.toml"));
+    scene.order = 2;
+    scene.time_scale = 2;
+    scene.outputs = {"x"};
+    scene.verify.interval = GiNaC::pow(scene.system->eps, -2);
+    scene.start.push_back({"x", scene.system->eps, "", {}});
+    scene.start.push_back({"x'", 0, "", {}});
+    for (const int inverse : {10, 20, 30, 40}) scene.verify.eps.push_back(Rational(1) / Rational(inverse));
+    scene.verify.eps_given = true;
+    const test::SceneLine line = test::line_of(scene);
+    ASSERT_TRUE(line.solution.flow);
+    expect_passes(test::verified(line), 3);
 }
 
 // Without a bound: the amplitude grows without limit in finite slow time; beyond it there is no answer.

@@ -34,9 +34,19 @@ inline void shorten_ladder(Scene& scene) {
     scene.verify.eps_given = true;
 }
 
+inline Solution derive(std::shared_ptr<const System> system, int order, int truncation) {
+    const auto first_order = std::make_shared<const FirstOrderSystem>(solve_for_highest(std::move(system)));
+    const auto field = std::make_shared<const GradedField>(expand(first_order));
+    return solve(std::make_shared<const Normalization>(normalize(field, truncation)), {order, truncation});
+}
+
 inline VerifyOptions options() {
     VerifyOptions o;
+    o.guarantee = [](const Scene& scene, const Solution& solution, const Claims& claims) {
+        return guarantees(scene, solution, claims, derive);
+    };
     o.cache = std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache";
+    o.emitted_starts = 5;
     return o;
 }
 

@@ -2,11 +2,10 @@
 // Polynomials with integer coefficients in many variables: those of FLINT, which frees nothing by itself.
 #pragma once
 
-#include <ginac/ginac.h>
+#include "algebra/fractions.hpp"
+#include "algebra/number.hpp"
 
 #include <flint/fmpz_mpoly.h>
-#include <limits>
-#include <sstream>
 
 namespace resonform {
 
@@ -30,23 +29,20 @@ private:
 class Whole { // an integer
 public:
     Whole() { fmpz_init(value_); }
-    explicit Whole(const GiNaC::numeric& n) : Whole() {
-        if (GiNaC::abs(n) < GiNaC::numeric(std::numeric_limits<int>::max())) {
-            fmpz_set_si(value_, n.to_long());
-            return;
-        }
-        std::ostringstream digits;
-        digits << n;
-        fmpz_set_str(value_, digits.str().c_str(), 10);
+    explicit Whole(const Integer& n) : Whole() {
+        if (cln::integer_length(n) < 63)
+            fmpz_set_si(value_, cln::cl_I_to_long(n));
+        else
+            fmpz_set_mpz(value_, to_mpz(n).get_mpz_t());
     }
     ~Whole() { fmpz_clear(value_); }
     Whole(const Whole&) = delete;
     Whole& operator=(const Whole&) = delete;
     [[nodiscard]] fmpz* get() { return value_; }
-    [[nodiscard]] GiNaC::numeric value() const {
-        if (fmpz_fits_si(value_) != 0) return GiNaC::numeric(static_cast<long>(fmpz_get_si(value_)));
+    [[nodiscard]] Integer value() const {
+        if (fmpz_fits_si(value_) != 0) return Integer(static_cast<long>(fmpz_get_si(value_)));
         char* digits = fmpz_get_str(nullptr, 10, value_);
-        GiNaC::numeric result(digits);
+        const Integer result(digits);
         flint_free(digits);
         return result;
     }
@@ -78,6 +74,7 @@ public:
     [[nodiscard]] fmpz_mpoly_struct* get() { return value_; }
     [[nodiscard]] const fmpz_mpoly_struct* get() const { return value_; }
     [[nodiscard]] bool is_one() const { return fmpz_mpoly_is_one(value_, context_->get()) != 0; }
+    [[nodiscard]] bool is_constant() const { return fmpz_mpoly_is_fmpz(value_, context_->get()) != 0; }
     [[nodiscard]] bool is_zero() const { return fmpz_mpoly_is_zero(value_, context_->get()) != 0; }
     [[nodiscard]] slong terms() const { return fmpz_mpoly_length(value_, context_->get()); }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fractions are reduced by the factors that numerator and denominator share:
+//
+//   (A^2 - 2 A + 1) sigma^-3,  sigma^2 = A - 1      ->   sigma
+//   (a + b) D^-1,  D = (a + b)(1 - 2 a)             ->   1/(1 - 2 a)
+//   (A - 1) sigma^-1,  sigma^2 = A^2 - 1            ->   as it stands: sigma is no product
+#pragma once
+
+#include "algebra/ring.hpp"
+
+#include <vector>
+
+namespace resonform {
+
+// factor * numerator / (product of divisors)
+struct Fraction {
+    Monomial factor;                  // powers of generators, negative ones too
+    Polynomial numerator;             // not reduced: for reading, as those of Ring::expanded_form
+    std::vector<Polynomial> divisors; // denominators; primitive polynomials of two terms or more
+};
+
+// The same value, its numerator coprime to all radicands of roots of which whole powers stand below it, and
+// divisible by none of which any power does. Precondition: exponents of the numerator >= 0.
+Fraction cancelled(const Ring& ring, const Monomial& factor, Polynomial numerator);
+
+// The same value, in a ring whose forms are not canonical with common factors cancelled as far as the ring
+// holds the result.
+Polynomial cancelled(const Ring& ring, const Polynomial& p);
+
+} // namespace resonform

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How an evaluator names what is behind a status: short enough for a line, the same in emitted code and in
+// the interpreter.
+#pragma once
+
+#include "algebra/ring.hpp"
+
+#include <string>
+
+namespace resonform {
+
+// "r^2 - xi^2"; of a purely imaginary one, such as a divisor i (w1 - 2 w2), the real factor.
+std::string quantity(const Ring& ring, const Polynomial& p);
+
+// The text itself, or its beginning and "..." where it is longer than 80 characters.
+std::string short_quantity(const std::string& text);
+
+} // namespace resonform

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What expressions are at the origin, where the fast variables and eps are zero.
+#include "expand/coefficient_ring.hpp"
+
+#include "algebra/error.hpp"
+#include "model/canonical.hpp"
+#include "model/exact_question.hpp"
+
+#include <algorithm>
+#include <exception>
+
+namespace resonform {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+bool has_log_of_zero(const ex& e, const GiNaC::exmap& zero) {
+    return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
+        try {
+            return is_a<GiNaC::function>(part) && GiNaC::ex_to<GiNaC::function>(part).get_name() == "log" &&
+                   part.op(0).subs(zero, GiNaC::subs_options::no_pattern).normal().is_zero();
+        } catch (const std::exception&) { // the argument is singular itself
+            return false;
+        }
+    });
+}
+
+} // namespace
+
+void CoefficientRing::refuse_pole(const ex& e, const Place& place) {
+    bad_input({"nothing is divided by an expression that is zero at the origin", spell(e),
+               "remove the singularity, or expand about another point", place});
+}
+
+ex CoefficientRing::at_origin(const ex& e, const Place& place) const {
+    ex value;
+    try {
+        value = e.subs(zero_, GiNaC::subs_options::no_pattern).normal();
+    } catch (const std::exception&) { // GiNaC::pole_error, and division by zero in normal()
+        if (has_log_of_zero(e, zero_))
+            bad_input({"log has no value at zero, where the fast variables and eps are", spell(e),
+                       "remove the singularity, or expand about another point", place});
+        refuse_pole(e, place);
+    }
+    return simplified(value, place);
+}
+
+Zero CoefficientRing::vanishes(const ex& e, const Place& place) const {
+    const Zero zero = resonform::vanishes(e, *system_);
+    if (zero != Zero::unknown) return zero;
+    const CoefficientRing own = ring_of(e, place);
+    return own.ring()->is_zero(own.convert(e, place));
+}
+
+CoefficientRing CoefficientRing::ring_of(const ex& e, const Place& place) const {
+    CoefficientRing own(system_);
+    own.collect(e, place);
+    own.freeze();
+    return own;
+}
+
+// Where only relations tell that terms cancel: (1 - w)^(3/2) - (1 - w)^(1/2) + w*(1 - w)^(1/2) + k is k.
+ex CoefficientRing::simplified(const ex& e, const Place& place) const {
+    if (!holds_functions_or_roots(e)) return e;
+    try {
+        if (vanishes(e, place) == Zero::yes) return 0;
+        const ex above = e.numer().expand();
+        if (!is_a<GiNaC::add>(above)) return e;
+        const CoefficientRing own = ring_of(e, place);
+        const Polynomial p = own.convert(e, place);
+        return p.size() < above.nops() ? own.expression(p) : e;
+    } catch (const Error&) { // what has no ring is refused where it is needed
+        return e;
+    }
+}
+
+bool CoefficientRing::has_weight(const ex& e) const {
+    return std::any_of(zero_.begin(), zero_.end(), [&](const auto& entry) { return e.has(entry.first); }) ||
+           std::any_of(moving_.begin(), moving_.end(), [&](const ex& symbol) { return e.has(symbol); });
+}
+
+bool CoefficientRing::is_finite(const ex& e) const {
+    GiNaC::exmap small{{system_->eps, 0}};
+    std::vector<ex> finite;
+    for (const Variable& v : system_->variables)
+        for (const GiNaC::symbol& symbol : v.jet) {
+            if (v.role != Role::fast) continue;
+            if (v.weight > 0)
+                small[symbol] = 0;
+            else
+                finite.push_back(symbol);
+        }
+    const auto holds_one = [&](const ex& part) {
+        return std::any_of(finite.begin(), finite.end(), [&](const ex& symbol) { return part.has(symbol); });
+    };
+    if (!holds_one(e)) return false;
+    try {
+        return holds_one(e.subs(small, GiNaC::subs_options::no_pattern).normal());
+    } catch (const std::exception&) { // a pole, refused elsewhere
+        return true;
+    }
+}
+
+} // namespace resonform

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// A number with an exponent of its own, mantissa * 2^(600 exponent): powers and products of arguments are
+// formed in it that need not have a place in Number, though what becomes of them has.
+//
+//   in double, K = 1e8:   K^40 / K^41  ->  inf or 0       Scaled: 1e-8
+//
+// Within 2^-300 ... 2^300 the exponent is 0 and every operation that of Number, to the last bit.
+#ifndef RESONFORM_RUNTIME_SCALED
+#define RESONFORM_RUNTIME_SCALED
+
+#include "runtime/math.hpp"
+#include "runtime/status.hpp"
+
+namespace resonform {
+
+template <class Number> struct Scaled {
+    Number mantissa{};
+    long exponent = 0; // of 2^600; 0 where the mantissa is 0 or not finite
+
+    Scaled() = default;
+    template <class Other> explicit Scaled(const Other& x) : Scaled(Number(x), 0) {}
+    Scaled(const Number& m, long e) : mantissa(m), exponent(e) {
+        using math::scaled_by;
+        const auto size = [this] { return math::magnitude(mantissa); };
+        if (!math::finite(mantissa) || mantissa == Number(0)) {
+            exponent = 0;
+            return;
+        }
+        for (; size() > Number(0x1p300); ++exponent) mantissa = scaled_by(mantissa, 0x1p-600);
+        for (; size() < Number(0x1p-300); --exponent) mantissa = scaled_by(mantissa, 0x1p600);
+    }
+
+    // As a Number; false: it is not finite, or has no place there with all its digits.
+    bool fits(Number& x) const {
+        using math::scaled_by;
+        x = mantissa;
+        const bool large = exponent > 0;
+        for (long left = large ? exponent : -exponent; left > 0; --left) {
+            const Number next = scaled_by(x, large ? 0x1p600 : 0x1p-600);
+            if (!math::finite(next) || !(scaled_by(next, large ? 0x1p-600 : 0x1p600) == x)) return false;
+            x = next;
+        }
+        return math::finite(x);
+    }
+
+    // The same, not a number where there is no place.
+    [[nodiscard]] Number value() const {
+        Number x;
+        return fits(x) ? x : math::not_a_number<Number>();
+    }
+
+    friend Scaled operator-(const Scaled& a) { return {Number(-a.mantissa), a.exponent}; }
+    friend Scaled operator*(const Scaled& a, const Scaled& b) {
+        return {Number(a.mantissa * b.mantissa), a.exponent + b.exponent};
+    }
+    friend Scaled operator/(const Scaled& a, const Scaled& b) {
+        return {Number(a.mantissa / b.mantissa), a.exponent - b.exponent};
+    }
+    friend Scaled operator+(const Scaled& a, const Scaled& b) {
+        if (a.mantissa == Number(0)) return b;
+        if (b.mantissa == Number(0)) return a;
+        const long e = a.exponent < b.exponent ? b.exponent : a.exponent;
+        return {Number(a.at(e) + b.at(e)), e};
+    }
+    friend Scaled operator-(const Scaled& a, const Scaled& b) { return a + (-b); }
+    friend bool operator>(const Scaled& a, const Scaled& b) { return (a - b).mantissa > Number(0); }
+
+    // In units of 2^(600 e), e >= exponent.
+    [[nodiscard]] Number at(long e) const {
+        using math::scaled_by;
+        if (e == exponent) return mantissa;
+        return scaled_by(mantissa, e == exponent + 1 ? 0x1p-600 : 0.0); // what is not finite stays so
+    }
+};
+
+namespace math {
+template <class Number> inline constexpr int digits<Scaled<Number>> = digits<Number>;
+
+template <class Number> Scaled<Number> root(const Scaled<Number>& x, int k) {
+    long whole = x.exponent / k, rest = x.exponent % k;
+    if (rest < 0) {
+        rest += k;
+        --whole;
+    }
+    const int shift = static_cast<int>(600 * rest / k), below = static_cast<int>(600 * rest % k);
+    const Number size = root(Number(x.mantissa * power(Number(2), below)), k);
+    return {Number(size * power(Number(2), shift)), whole};
+}
+} // namespace math
+
+template <class Number> Scaled<Number> sqrt(const Scaled<Number>& x) {
+    using math::sqrt;
+    const long odd = x.exponent % 2 == 0 ? 0 : 1;
+    return {Number(sqrt(x.mantissa) * Number(odd == 0 ? 1.0 : 0x1p300)), (x.exponent - odd) / 2};
+}
+
+// An argument that has no place in Number is too close to 0 to differ from it, or has no digits left.
+template <class Number> Scaled<Number> sin(const Scaled<Number>& x) {
+    using math::sin;
+    Number value;
+    if (x.fits(value)) return Scaled<Number>(sin(value));
+    return x.exponent < 0 ? x : Scaled<Number>(math::not_a_number<Number>());
+}
+
+template <class Number> Scaled<Number> cos(const Scaled<Number>& x) {
+    using math::cos;
+    Number value;
+    if (x.fits(value)) return Scaled<Number>(cos(value));
+    return Scaled<Number>(x.exponent < 0 ? Number(1) : math::not_a_number<Number>());
+}
+
+// exp(x/2^n)^(2^n)
+template <class Number> Scaled<Number> exp(const Scaled<Number>& x) {
+    using math::exp;
+    Number value;
+    if (!x.fits(value)) return cos(x); // 1, or not a number
+    if (!(math::magnitude(value) < Number(0x1p30))) return Scaled<Number>(math::not_a_number<Number>());
+    int halvings = 0;
+    for (; !(math::magnitude(value) < Number(600)); ++halvings) value = value / Number(2);
+    Scaled<Number> result{Number(exp(value))};
+    for (; halvings > 0; --halvings) result = result * result;
+    return result;
+}
+
+template <class Number> Scaled<Number> log(const Scaled<Number>& x) {
+    using math::log;
+    Scaled<Number> result{Number(log(x.mantissa))};
+    if (x.exponent == 0) return result;
+    return result +
+           Scaled<Number>(Number(static_cast<double>(x.exponent)) * Number(600) * Number(log(Number(2))));
+}
+
+template <class Number> Scaled<Number> asinh(const Scaled<Number>& x) {
+    using math::asinh;
+    if (x.exponent == 0) return Scaled<Number>(asinh(x.mantissa));
+    if (x.exponent < 0) return x;
+    const Scaled<Number> zero, size = zero > x ? -x : x, result = log(size + size);
+    return zero > x ? -result : result;
+}
+
+template <class Number> Scaled<Number> hypot(const Scaled<Number>& x, const Scaled<Number>& y) {
+    using math::hypot;
+    if (x.mantissa == Number(0) || y.mantissa == Number(0)) {
+        const Scaled<Number>& other = x.mantissa == Number(0) ? y : x;
+        return {Number(math::magnitude(other.mantissa)), other.exponent};
+    }
+    const long e = x.exponent < y.exponent ? y.exponent : x.exponent;
+    return {Number(hypot(x.at(e), y.at(e))), e};
+}
+
+template <class Number> Scaled<Number> atan2(const Scaled<Number>& y, const Scaled<Number>& x) {
+    using math::atan2;
+    if (y.mantissa == Number(0) || x.mantissa == Number(0))
+        return Scaled<Number>(atan2(y.mantissa, x.mantissa));
+    if (y.exponent < x.exponent && x.mantissa > Number(0)) return y / x;
+    const long e = x.exponent < y.exponent ? y.exponent : x.exponent;
+    return Scaled<Number>(atan2(y.at(e), x.at(e)));
+}
+
+// Constants on their way into Number; `cause` names the first that has no place there.
+struct Keeper {
+    Cause cause;
+    template <class Number> void operator()(const Scaled<Number>& from, Number& to, const char* quantity) {
+        if (!from.fits(to) && cause.status == Status::ok)
+            cause = {math::finite(from.mantissa) ? Status::overflow : Status::outside_domain, quantity};
+    }
+};
+
+} // namespace resonform
+
+#endif

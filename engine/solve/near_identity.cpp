@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/near_identity.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+std::vector<std::size_t> modes_in(const GradedField& field, const Polynomial& p, std::size_t itself) {
+    std::vector<std::size_t> modes;
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
+        const auto has = [&](const Term& t) {
+            return field.ring->exponent(t.monomial, field.modes[k].z) != 0 ||
+                   field.ring->exponent(t.monomial, field.modes[k].zbar) != 0;
+        };
+        if (k == itself || std::any_of(p.terms().begin(), p.terms().end(), has)) modes.push_back(k);
+    }
+    return modes;
+}
+
+} // namespace
+
+std::vector<MovedVariable> moved_variables(const Solution& solution) {
+    using Of = MovedVariable::Kind;
+    const GradedField& field = *solution.normalization->normal_form.field;
+    const NearIdentityMap& map = solution.normalization->map;
+    std::vector<MovedVariable> moved;
+    const auto add = [&](Of kind, const std::vector<Series>& list, const auto& variables) {
+        for (std::size_t k = 0; k < variables.size(); ++k) {
+            Polynomial added = list[k].total(solution.truncation);
+            if (added.empty()) continue;
+            moved.push_back({kind,
+                             k,
+                             field.system().variables[variables[k].variable].name,
+                             kind == Of::mode ? field.ring->generator(field.modes[k].z).weight : 0,
+                             std::move(added),
+                             {}});
+            if (kind == Of::mode) moved.back().modes = modes_in(field, moved.back().added, k);
+        }
+    };
+    add(Of::mode, map.mode, field.modes);
+    add(Of::slow, map.slow, field.slow);
+    add(Of::angle, map.angle, field.angles);
+    add(Of::drift, map.drift, field.drift);
+    return moved;
+}
+
+} // namespace resonform

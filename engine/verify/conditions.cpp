@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/conditions.hpp"
+
+#include "model/verify_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+// By more than rounding, at this eps.
+bool is_shorter(const Scene& scene, const GiNaC::ex& promised, const Rational& eps) {
+    constexpr double rounding = 1e-12;
+    const GiNaC::ex share = scene.fixed(scene.verify.interval / promised)
+                                .subs(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(eps)))
+                                .evalf();
+    return GiNaC::is_a<GiNaC::numeric>(share) &&
+           GiNaC::ex_to<GiNaC::numeric>(share).to_double() < 1 - rounding;
+}
+
+} // namespace
+
+Conditions conditions_of(const Scene& scene) {
+    const VerifyPlan promised = read_verify(nullptr, scene); // where the scene says nothing
+    Conditions conditions;
+    conditions.interval = scene.verify.interval_text;
+    conditions.promised = promised.interval_text;
+    conditions.shorter_than_promised =
+        std::any_of(scene.verify.eps.begin(), scene.verify.eps.end(),
+                    [&](const Rational& eps) { return is_shorter(scene, promised.interval, eps); });
+    for (const StartValue& value : scene.start) conditions.start.emplace_back(value.name, value.text);
+    return conditions;
+}
+
+std::string shortness(const Conditions& conditions) {
+    if (!conditions.shorter_than_promised) return "";
+    return fmt::format("on t <= {} ONLY, shorter than {} as promised", conditions.interval,
+                       conditions.promised);
+}
+
+} // namespace resonform

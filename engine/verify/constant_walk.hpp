@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The constants of an emitted evaluator as numbers of any range, and which of them an evaluator answers with
+// where it has no place in its real type.
+#pragma once
+
+#include "emit/cpp_plan.hpp"
+#include "runtime/scaled.hpp"
+#include "verify/graph_walk.hpp"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace resonform {
+
+template <class Number> class ConstantWalk {
+public:
+    // `inputs`: eps, parameters and start values by their symbols.
+    ConstantWalk(const CppPlan& plan, const std::map<Graph::Node, Number>& inputs)
+        : plan_(&plan), values_(plan.code.size()) {
+        std::vector<StraightLine::Value> roots;
+        for (const auto& member : plan.members) roots.push_back(member.first);
+        for (const StraightLine::Value v : plan.code.behind(roots, true))
+            values_[static_cast<std::size_t>(v)] = value(plan.code.at(v), inputs);
+    }
+
+    // What construction answers with, as emitted.
+    [[nodiscard]] Cause cause() const {
+        Keeper keep;
+        for (const auto& [v, reader] : plan_->kept) {
+            Number kept;
+            keep(values_[static_cast<std::size_t>(v)], kept, reader.c_str());
+        }
+        return keep.cause;
+    }
+
+private:
+    using Wide = Scaled<Number>;
+
+    Wide value(const StraightLine::Instruction& i, const std::map<Graph::Node, Number>& inputs) const {
+        using namespace resonform::math;
+        const auto x = [&](std::size_t k) { return values_[static_cast<std::size_t>(i.operands[k])]; };
+        const std::size_t positive = i.operands.size() - i.negative;
+        Wide result(i.op == StraightLine::Op::multiply ? 1 : 0);
+        switch (i.op) {
+        case StraightLine::Op::number: return to_number<Wide>(i.number);
+        case StraightLine::Op::symbol: return Wide(inputs.at(i.symbol));
+        case StraightLine::Op::add:
+            for (std::size_t k = 0; k < i.operands.size(); ++k)
+                result = k < positive ? result + x(k) : result - x(k);
+            return result;
+        case StraightLine::Op::multiply:
+            for (std::size_t k = 0; k < i.operands.size(); ++k) result = result * x(k);
+            return result;
+        case StraightLine::Op::reciprocal: return Wide(1) / x(0);
+        case StraightLine::Op::root: return i.index == 2 ? sqrt(x(0)) : root(x(0), i.index);
+        case StraightLine::Op::function: break;
+        }
+        switch (i.function) {
+        case Graph::Op::sin: return sin(x(0));
+        case Graph::Op::cos: return cos(x(0));
+        case Graph::Op::log: return log(x(0));
+        case Graph::Op::exp: return exp(x(0));
+        case Graph::Op::asinh: return asinh(x(0));
+        case Graph::Op::atan2: return atan2(x(0), x(1));
+        default: return hypot(x(0), x(1));
+        }
+    }
+
+    const CppPlan* plan_;
+    std::vector<Wide> values_;
+};
+
+} // namespace resonform

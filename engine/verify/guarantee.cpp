@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/guarantee.hpp"
+
+#include "model/canonical.hpp"
+#include "model/settings.hpp"
+#include "model/start_names.hpp"
+#include "solve/neglected.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace resonform {
+
+namespace {
+
+// The p of an interval that grows as eps^-p, the next whole number above where it grows otherwise; at least
+// what the scene promises.
+int time_power(const Scene& scene) {
+    const auto length = [&](const char* eps) {
+        const GiNaC::ex value =
+            scene.fixed(scene.verify.interval)
+                .subs(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(parse_rational(eps))))
+                .evalf();
+        return GiNaC::is_a<GiNaC::numeric>(value) ? GiNaC::ex_to<GiNaC::numeric>(value).to_double() : 1.0;
+    };
+    constexpr double near_whole = 1e-3;
+    const double power = std::log10(length("1e-12") / length("1e-9")) / 3;
+    return std::max(scene.time_scale.value_or(1), static_cast<int>(std::ceil(power - near_whole)));
+}
+
+std::shared_ptr<const System> with_fix(const Scene& scene) {
+    std::vector<Setting> settings;
+    for (const Parameter& p : scene.system->parameters)
+        if (const auto fixed = scene.fix.find(p.name); fixed != scene.fix.end())
+            settings.push_back({p.name, spell(fixed->second)});
+    return std::make_shared<const System>(with_settings(*scene.system, settings, "[fix]"));
+}
+
+std::string told(const Error& error) {
+    const Diagnostic& d = error.diagnostic();
+    return d.value.empty() ? d.rule : fmt::format("{} ({})", d.rule, d.value);
+}
+
+// Normal form and map through a weight and outputs through eps^order guarantee O(eps^q) on t <= T/eps^p, q -
+// 1 the largest order not above that asks for no larger weight. Errors (refused): those of count_truncation.
+int guaranteed_by_count(const GradedField& field, Scene scene, int order, int truncation, int p) {
+    scene.truncation.reset();
+    scene.time_scale = p;
+    for (scene.order = order; scene.order >= 0; --scene.order)
+        if (count_truncation(field, scene).truncation <= truncation) break;
+    return scene.order + 1;
+}
+
+// Where an interval is longer than the scene promises, the count may not hold. Error: refused.
+void require_count(const Scene& scene, const Solution& solution, int p) {
+    if (p <= scene.time_scale.value_or(1)) return;
+    Scene longer = scene;
+    longer.truncation.reset();
+    longer.time_scale = p;
+    check_time_scale(solution, longer);
+    if (!solution.flow && !solves_by_quadratures(solution.normalization->normal_form, p))
+        refuse({"beyond 1/eps an amplitude in closed form is constant",
+                "powers of eps*t are expanded",
+                "shorten verify.interval",
+                {}});
+}
+
+bool starts_from_constants(const Scene& scene) {
+    return std::any_of(scene.start.begin(), scene.start.end(), [&](const StartValue& start) {
+        return canonical_start(start.name, *scene.system).find('.') != std::string::npos;
+    });
+}
+
+class Search {
+public:
+    Search(const Scene& scene, const Solution& solution, const Derive& derive)
+        : scene_(scene), solution_(solution),
+          derive_(derive), formula_{solution.order, solution.truncation, time_power(scene), scene.oscillating,
+                                    starts_from_constants(scene)} {}
+
+    Guarantees of(const Claims& claims) {
+        Guarantees found;
+        Claims open;
+        try {
+            for (const auto& [name, claim] : claims) {
+                found[name].order = by_count(name);
+                if (claim > *found[name].order) open[name] = claim;
+            }
+            require_count(scene_, solution_, formula_.time_power);
+        } catch (const Error& error) {
+            for (const auto& [name, claim] : claims)
+                found[name] = {{}, false, "no order is guaranteed on this interval: " + told(error)};
+            return found;
+        }
+        try {
+            for (int weight = formula_.truncation + 1; !open.empty(); ++weight) look(weight, found, open);
+        } catch (const Error& error) {
+            for (const auto& [name, claim] : open)
+                found[name].reason = "what comes next cannot be derived: " + told(error);
+        }
+        return found;
+    }
+
+private:
+    [[nodiscard]] int by_count(const std::string& name) const {
+        const int order =
+            counted(*solution_.normalization->normal_form.field, formula_.order, formula_.truncation);
+        if (formula_.oscillating) return order;
+        return std::min(first_oscillation(solution_, name).value_or(order), order);
+    }
+
+    [[nodiscard]] int counted(const GradedField& field, int order, int truncation) const {
+        return guaranteed_by_count(field, scene_, order, truncation, formula_.time_power);
+    }
+
+    // What one more weight shows.
+    void look(int weight, Guarantees& found, Claims& open) {
+        if (!fixed_) fixed_ = with_fix(scene_);
+        const Solution richer = derive_(fixed_, weight, weight);
+        const Neglected neglected(richer, formula_);
+        const int known = counted(*richer.normalization->normal_form.field, weight, weight);
+        for (auto output = open.begin(); output != open.end();) {
+            const auto& [name, claim] = *output;
+            Guarantee& guarantee = found[name];
+            const std::optional<ErrorPower> error = neglected.power(name);
+            const int reached = std::min({error ? error->power : known, known, claim});
+            guarantee.order = std::max(*guarantee.order, reached);
+            const bool stops = reached < known && reached < claim;
+            if (stops) refute(guarantee, error->sure, weight, reached);
+            output = stops || reached == claim ? open.erase(output) : std::next(output);
+        }
+    }
+
+    static void refute(Guarantee& guarantee, bool sure, int weight, int power) {
+        guarantee.refuted = sure;
+        guarantee.reason =
+            !sure ? fmt::format("it is not decided whether what the formula leaves out vanishes at eps^{}",
+                                power)
+                  : fmt::format("what the formula leaves out (normal form and map derived through weight "
+                                "{}) does not vanish at eps^{}",
+                                weight, power);
+    }
+
+    const Scene& scene_;
+    const Solution& solution_;
+    const Derive& derive_;
+    Formula formula_;
+    std::shared_ptr<const System> fixed_;
+};
+
+} // namespace
+
+Guarantees guarantees(const Scene& scene, const Solution& solution, const Claims& claims,
+                      const Derive& derive) {
+    return Search(scene, solution, derive).of(claims);
+}
+
+} // namespace resonform

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An integration that is set up once and run many times: what `compare` measures. All buffers stand before
+// the first run, and only the wanted states are kept.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// The rates of the states, as a function of C.
+struct RightHandSide {
+    void (*call)(const void* context, const double* state, double* rates);
+    const void* context;
+};
+
+// What an integration starts from, and which of its states are wanted.
+struct Start {
+    std::vector<double> state;
+    double tolerance; // relative, and absolute against the scale of each start value (1 where that is zero)
+    std::vector<std::size_t> wanted;
+};
+
+struct Run {
+    std::size_t steps = 0, evaluations = 0;
+    std::string failure; // empty if the method reached the last time
+};
+
+class Integrator {
+public:
+    Integrator() = default;
+    virtual ~Integrator() = default;
+    Integrator(const Integrator&) = delete;
+    Integrator& operator=(const Integrator&) = delete;
+
+    // From t = 0 to the last of ascending times. values[k][i] is wanted state k at time i: as long as
+    // `times`.
+    virtual Run run(const std::vector<double>& times, std::vector<std::vector<double>>& values) = 0;
+};
+
+} // namespace resonform

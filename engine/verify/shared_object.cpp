@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/shared_object.hpp"
+
+#include "algebra/error.hpp"
+#include "verify/cache.hpp"
+#include "verify/child.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* flags = "-O2 -std=gnu++20 -shared -fPIC";
+constexpr std::size_t complaint_length = 800; // bytes of a compiler's complaint that are shown
+
+// Joins every text, and tells of arithmetic that is reckoned anew by the rules of the real numbers, by which
+// it is 0. (clang says nothing of -funsafe-math-optimizations alone: no header can ask for it.)
+constexpr const char* probe_name = "resonform_rounding_error";
+constexpr const char* probe =
+    "\nextern \"C\" double resonform_rounding_error(double a, double b) { return b - ((a + b) - a); }\n";
+
+std::string compiler() {
+    const char* chosen = std::getenv("CXX"); // NOLINT(concurrency-mt-unsafe): nobody sets it here
+    return chosen != nullptr && *chosen != '\0' ? chosen : RESONFORM_CXX_COMPILER;
+}
+
+fs::path engine_folder() { return fs::path(RESONFORM_SOURCE_DIR) / "engine"; }
+
+std::string quoted(const fs::path& path) {
+    std::string out = "'";
+    for (const char c : path.string()) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+// The headers that emitted code includes: a change in them is a change of the code.
+std::string runtime_text() {
+    std::error_code failed;
+    std::vector<fs::path> headers;
+    for (const auto& entry : fs::directory_iterator(engine_folder() / "runtime", failed))
+        if (entry.path().extension() == ".hpp") headers.push_back(entry.path());
+    if (headers.empty())
+        refuse(Reason::compiler, {"emitted code is compiled with the engine's runtime headers",
+                                  (engine_folder() / "runtime").string(),
+                                  "keep the source folder where it was when the engine was built",
+                                  {}});
+    std::sort(headers.begin(), headers.end());
+    std::string text;
+    for (const fs::path& header : headers) text += read_bytes(header).value_or("");
+    return text;
+}
+
+// The signal that ended a command of the shell, or 0.
+int signal_of(int status) {
+    if (WIFSIGNALED(status)) return WTERMSIG(status);
+    return WIFEXITED(status) && WEXITSTATUS(status) > 128 ? WEXITSTATUS(status) - 128 : 0;
+}
+
+// The words of a command that make a compiler reckon without NaN, infinities and rounding errors.
+std::string fast_math_flags(const std::string& command) {
+    std::istringstream words(command);
+    std::string found;
+    for (std::string word; words >> word;)
+        if (word == "-Ofast" || (word.rfind("-f", 0) == 0 && word.rfind("-fno-", 0) != 0 &&
+                                 word.find("-math") != std::string::npos))
+            found += (found.empty() ? "" : " ") + word;
+    return found;
+}
+
+[[noreturn]] void refuse_fast_math(const std::string& found) {
+    refuse(Reason::compiler, {"emitted code is compiled with the arithmetic of IEEE 754: NaN, infinities and "
+                              "rounding errors count",
+                              found,
+                              "leave out -Ofast, -ffast-math and its parts",
+                              {}});
+}
+
+[[noreturn]] void refuse_hidden_fast_math() { refuse_fast_math("a flag that " + compiler() + " adds"); }
+
+// Also where a later flag takes it back: whoever writes it wants it.
+void require_exact_arithmetic(const std::string& command) {
+    const std::string flags_found = fast_math_flags(command);
+    if (!flags_found.empty()) refuse_fast_math(flags_found + " in CXX");
+}
+
+// The compiler writes beside the object, and that file is renamed, so that nobody ever sees half a file.
+void compile(const fs::path& source, const fs::path& object) {
+    fs::path draft = object;
+    draft += fmt::format(".{}.part", getpid());
+    const auto [complaint, result] =
+        run_child(fmt::format("{} {} -I{} {} -o {} 2>&1 >/dev/null", compiler(), flags,
+                              quoted(engine_folder()), quoted(source), quoted(draft)),
+                  {draft});
+    std::error_code failed;
+    if (result == 0) {
+        fs::rename(draft, object, failed);
+        if (!failed) return;
+    }
+    fs::remove(draft, failed);
+    if (WIFEXITED(result) && WEXITSTATUS(result) == 127)
+        refuse(Reason::compiler, {"emitted code is checked by compiling it with a C++20 compiler",
+                                  compiler(),
+                                  "install g++ (Debian: apt install g++) or set CXX to a compiler",
+                                  {}});
+    if (const int signal = signal_of(result); signal != 0)
+        refuse(Reason::compiler, {"the compiler of emitted code runs to its end",
+                                  fmt::format("{} was ended by signal {}", compiler(), signal),
+                                  "run the command again",
+                                  {}});
+    if (complaint.find("evaluators want IEEE arithmetic") != std::string::npos) // said by the runtime
+        refuse_hidden_fast_math();
+    refuse(Reason::compiler, {"emitted code compiles",
+                              complaint.substr(0, complaint_length),
+                              "check the compiler named by CXX, or report this text",
+                              {}});
+}
+
+// The rounding error of 1 + 2^-60, as the shared object reckons it.
+bool keeps_rounding_errors(void* handle) {
+    void* function = dlsym(handle, probe_name);
+    const double small = 0x1p-60;
+    return function != nullptr &&
+           reinterpret_cast<double (*)(double, double)>(function)(1, small) == small; // NOLINT
+}
+
+fs::path checksum_file(const fs::path& object) { return fs::path(object) += ".sum"; }
+
+// Loading a shared object that was cut or changed would be the end of the program.
+bool is_whole(const fs::path& object) {
+    const std::optional<std::string> bytes = read_bytes(object), sum = load_checked(checksum_file(object));
+    return bytes && sum && *sum == content_hash(*bytes);
+}
+
+} // namespace
+
+SharedObject SharedObject::load(const std::string& text, const fs::path& cache,
+                                const std::function<void()>& announce) {
+    require_exact_arithmetic(compiler());
+    const std::string probed = text + probe;
+    const std::string key = content_hash(compiler() + "\n" + flags + "\n" + runtime_text() + "\n" + probed);
+    const fs::path source = fs::absolute(cache) / (key + ".cpp"),
+                   object = fs::absolute(cache) / (key + ".so");
+    // libquadmath is not linked here: the engine has it loaded.
+    const auto open = [&object] { return dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL); };
+    void* handle = is_whole(object) ? open() : nullptr;
+    if (handle == nullptr) { // absent, or damaged
+        remove_abandoned_drafts(fs::absolute(cache));
+        announce();
+        write_atomically(source, probed);
+        compile(source, object);
+        handle = open();
+        if (handle != nullptr && !keeps_rounding_errors(handle)) {
+            dlclose(handle);
+            fs::remove(object);
+            refuse_hidden_fast_math();
+        }
+        store_checked(checksum_file(object), content_hash(read_bytes(object).value_or("")));
+    }
+    if (handle == nullptr) {
+        const char* why = dlerror(); // NOLINT(concurrency-mt-unsafe)
+        refuse(Reason::compiler, {"compiled emitted code can be loaded",
+                                  why == nullptr ? object.string() : why,
+                                  "check the compiler named by CXX",
+                                  {}});
+    }
+    return SharedObject(handle);
+}
+
+SharedObject::SharedObject(void* handle) : handle_(handle, dlclose) {}
+
+void* SharedObject::symbol(const std::string& name) const { return dlsym(handle_.get(), name.c_str()); }
+
+} // namespace resonform

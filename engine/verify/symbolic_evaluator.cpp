@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/symbolic_evaluator.hpp"
+
+#include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
+#include "verify/symbolic_integral.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resonform {
+
+namespace {
+
+using Of = SymbolicVariable::Kind;
+using Numbers = std::vector<Wide>;
+using Moment = SymbolicMoment<Wide>;
+
+bool turns(const SymbolicVariable& v) { return v.kind == Of::mode || v.kind == Of::angle; }
+
+} // namespace
+
+struct SymbolicEvaluator::Impl {
+    // A phase that the flow moves: theta with a frequency that is computed, or what the flow adds to it, as
+    // the argument of a mode or as a shift of an angle.
+    struct MovedPhase {
+        std::size_t variable;
+        bool of_all; // that turn with this theta; else of the variable itself
+    };
+    struct Output {
+        MovingSum<Wide> sum;
+        std::vector<std::vector<int>> turns; // [term][moved phase]
+    };
+
+    // int_0^T of the scale of a rate, by the midpoint rule: three digits of a scale are enough.
+    struct IntegralScale {
+        std::size_t variable;
+        MovingSum<Wide> rate;
+        Wide factor;
+        Numbers sums = {Wide(0)}; // up to the end of each piece
+    };
+
+    Impl(std::shared_ptr<const SymbolicSolution> s, const SymbolicInputs& given, const Wide& wanted)
+        : inputs(given), frame(std::move(s), given), integral(symbolic_integral(frame)) {
+        const Wide least = inputs.slow_time_end / 1024; // t = 0 alone is no interval
+        status = construct(std::min(std::max(wanted, least), inputs.slow_time_end));
+    }
+
+    [[nodiscard]] const SymbolicSolution& solution() const { return *frame.solution; }
+    [[nodiscard]] const std::vector<SymbolicVariable>& variables() const { return solution().variables(); }
+
+    Status construct(const Wide& wanted) {
+        if (const Cause bad = Interval<Wide>::check(inputs.eps, inputs.slow_time_end);
+            bad.status != Status::ok)
+            return bad.status;
+        interval = Interval<Wide>(inputs.eps, inputs.slow_time_end);
+        if (frame.start.status != Status::ok) return frame.start.status;
+        for (const SymbolicCondition& c : solution().conditions()) {
+            const bool keeps = c.kind == SymbolicCondition::Kind::keeps_sign;
+            signs.push_back(keeps ? value_of(c.sum, frame.constants).re : Wide(1));
+        }
+        if (!conditions_hold(frame.constants, false)) return Status::outside_domain;
+        const bool has_layers = !solution().layers().empty();
+        Wide reach = has_layers ? inputs.slow_time_end : wanted;
+        if (const Status built = integral->build_flow(reach); !goes_on(built, reach)) return built;
+        if (has_layers) {
+            if (const Status clear = keep_clear_of_layers(reach); !goes_on(clear, reach)) return clear;
+            reach = std::min(reach, wanted);
+        }
+        if (const Status built = integral->build_along(reach); !goes_on(built, reach)) return built;
+        find_moved_phases();
+        find_integral_scales(reach);
+        for (const SymbolicOutput& output : solution().outputs()) outputs.push_back(prepared(output));
+        return Status::ok;
+    }
+
+    // False: there is no time that can be answered.
+    bool goes_on(Status built, const Wide& reach) {
+        return interval.shorten({built, ""}, reach).status == Status::ok;
+    }
+
+    // Of the conditions those that move, or those that do not.
+    [[nodiscard]] bool conditions_hold(const SymbolicValues<Wide>& values, bool moving) const {
+        for (std::size_t k = 0; k < solution().conditions().size(); ++k)
+            if (frame.any_moves(solution().conditions()[k].sum) == moving && !holds(k, values)) return false;
+        return true;
+    }
+
+    [[nodiscard]] bool holds(std::size_t k, const SymbolicValues<Wide>& values) const {
+        const SymbolicCondition& c = solution().conditions()[k];
+        if (c.kind != SymbolicCondition::Kind::declared) return value_of(c.sum, values).re * signs[k] > 0;
+        std::vector<Float128> slow;
+        for (const SymbolicVariable& v : variables())
+            if (v.kind == Of::slow) slow.push_back(narrowed<Float128>(values[v.id].re));
+        BoundTape<Float128> tape(solution().declared(), solution().parameters(inputs),
+                                 narrowed<Float128>(inputs.eps));
+        std::vector<Float128> found(solution().declared().outputs().size());
+        tape.evaluate(slow.data(), found.data());
+        return found[c.index] > 0;
+    }
+
+    Status keep_clear_of_layers(Wide& reach) {
+        Moment at(frame);
+        const auto margins = [&](const Wide& T) {
+            integral->move_to(T, at);
+            Numbers result;
+            for (const SymbolicLayer& layer : solution().layers()) {
+                const WideComplex divisor = value_of(layer.divisor, at.values),
+                                  rate = value_of(layer.rate, at.values);
+                const Wide square = divisor.re * divisor.re + divisor.im * divisor.im;
+                for (const Wide& part : {rate.re, rate.im}) {
+                    result.push_back(square + part);
+                    result.push_back(square - part);
+                }
+            }
+            return result;
+        };
+        const std::vector<const char*> names(4 * solution().layers().size(), "");
+        return clear_of_layers(margins, names, reach).status;
+    }
+
+    void find_moved_phases() {
+        std::vector<bool> computed(frame.moves.size(), false);
+        const auto sees = [&](const SymbolicSum& sum) {
+            return std::any_of(sum.begin(), sum.end(), [&](const SymbolicTerm& term) {
+                return std::any_of(term.powers.begin(), term.powers.end(), [&](const auto& power) {
+                    return computed[static_cast<std::size_t>(power.first)];
+                });
+            });
+        };
+        for (const SymbolicVariable& v : variables()) // its velocity is known no better than the amplitudes
+            if (v.kind == Of::mode) {
+                computed[static_cast<std::size_t>(v.id)] = true;
+                computed[static_cast<std::size_t>(v.conjugate)] = true;
+            }
+        for (const SymbolicVariable& v : variables())
+            if (v.kind == Of::slow && sees(v.rate)) computed[static_cast<std::size_t>(v.id)] = true;
+        for (const std::size_t k : frame.flow)
+            if (variables()[k].kind == Of::slow) computed[static_cast<std::size_t>(variables()[k].id)] = true;
+        for (const SymbolicRing::Root& root : solution().ring().roots())
+            if (sees(root.radicand)) computed[static_cast<std::size_t>(root.id)] = true;
+        for (const std::size_t k : frame.along)
+            if (variables()[k].kind == Of::phase && sees(variables()[k].rate)) moved.push_back({k, true});
+        for (const std::size_t k : frame.flow)
+            if (turns(variables()[k])) moved.push_back({k, false});
+    }
+
+    void find_integral_scales(const Wide& reach) {
+        for (const std::size_t k : frame.along) {
+            const SymbolicVariable& v = variables()[k];
+            if (v.kind != Of::drift && v.kind != Of::quadrature) continue;
+            integral_scales.push_back({k, MovingSum<Wide>(v.rate, frame.constants, frame.moves),
+                                       1 / math::power(frame.eps, v.power)});
+        }
+        if (integral_scales.empty()) return;
+        piece = reach / pieces;
+        Moment at(frame);
+        for (int i = 0; i < pieces; ++i) {
+            integral->move_to(piece * (i + Wide(0.5)), at);
+            for (IntegralScale& s : integral_scales)
+                s.sums.push_back(s.sums.back() + piece * s.factor * s.rate.scale(at.values));
+        }
+    }
+
+    // Of each of integral_scales, at T.
+    [[nodiscard]] Numbers integral_scales_at(const Wide& T) const {
+        Numbers result;
+        if (integral_scales.empty()) return result;
+        const int whole = std::min(static_cast<int>(static_cast<double>(Wide(T / piece))), pieces);
+        const Wide rest = T - whole * piece;
+        Moment at(frame);
+        integral->move_to(T - rest / 2, at);
+        for (const IntegralScale& s : integral_scales)
+            result.push_back(s.sums[static_cast<std::size_t>(whole)] +
+                             abs(rest) * s.factor * s.rate.scale(at.values));
+        return result;
+    }
+
+    [[nodiscard]] Output prepared(const SymbolicOutput& output) const {
+        std::vector<bool> turning = frame.moves;
+        for (const SymbolicVariable& v : variables()) {
+            if (!turns(v)) continue;
+            turning[static_cast<std::size_t>(v.id)] = true;
+            if (v.conjugate >= 0) turning[static_cast<std::size_t>(v.conjugate)] = true;
+        }
+        Output result{MovingSum<Wide>(output.sum, frame.constants, turning), {}};
+        for (const MovingSum<Wide>::Term& term : result.sum.terms()) {
+            std::vector<int> counts;
+            for (const MovedPhase& phase : moved) counts.push_back(turns_of(term, phase));
+            result.turns.push_back(std::move(counts));
+        }
+        return result;
+    }
+
+    [[nodiscard]] int turns_of(const MovingSum<Wide>::Term& term, const MovedPhase& phase) const {
+        int count = 0;
+        for (std::size_t k = 0; k < variables().size(); ++k) {
+            const SymbolicVariable& v = variables()[k];
+            if (!turns(v) || (phase.of_all ? v.phase != phase.variable : k != phase.variable)) continue;
+            for (const auto& [id, exponent] : term.powers) {
+                if (v.id == id) count += exponent;
+                if (v.conjugate == id) count -= exponent;
+            }
+        }
+        return count;
+    }
+
+    // Modes and angles with their phases.
+    void turn(Moment& at) const {
+        for (std::size_t k = 0; k < variables().size(); ++k) {
+            const SymbolicVariable& v = variables()[k];
+            if (!v.needed || !turns(v)) continue;
+            const Wide& theta = at.now[v.phase].re;
+            if (v.kind == Of::mode)
+                at.put_mode(frame, v, at.now[k] * unit(theta));
+            else
+                at.values.set(v.id, unit(Wide(frame.start.angles[v.start] + at.now[k].re + theta)), Wide(1));
+        }
+    }
+
+    // By how much the flow has turned mode k at T: arguments are added up in steps that leave no doubt.
+    [[nodiscard]] Wide turned(std::size_t k, const Wide& T) const {
+        Moment at(frame);
+        const auto value = [&](const Wide& time) {
+            integral->move_to(time, at);
+            return at.now[k];
+        };
+        const auto angle = [](const WideComplex& from, const WideComplex& to) {
+            const WideComplex ratio = to * from.conjugate();
+            return std::atan2(static_cast<double>(Wide(ratio.im / (ratio.size() + Wide(1e-300)))),
+                              static_cast<double>(Wide(ratio.re / (ratio.size() + Wide(1e-300)))));
+        };
+        double total = 0;
+        const auto add = [&](const auto& again, const Wide& left, const WideComplex& from, const Wide& right,
+                             const WideComplex& to, int depth) -> void {
+            const Wide middle = (left + right) / 2;
+            const WideComplex between = value(middle);
+            const double first = angle(from, between), second = angle(between, to);
+            if (depth == 0 || (depth < most_halvings - 3 && std::abs(first) < 1 && std::abs(second) < 1)) {
+                total += first + second;
+                return;
+            }
+            again(again, left, from, middle, between, depth - 1);
+            again(again, middle, between, right, to, depth - 1);
+        };
+        add(add, Wide(0), frame.variables[k].start, T, value(T), most_halvings);
+        return abs(Wide(total));
+    }
+
+    [[nodiscard]] SymbolicPoint call(const Wide& t) const {
+        SymbolicPoint point;
+        point.status = status;
+        if (status != Status::ok) return point;
+        Wide T = 0;
+        if (point.status = interval.locate(t, T); point.status != Status::ok) return point;
+        Moment at(frame);
+        integral->move_to(T, at);
+        if (!conditions_hold(at.values, true)) {
+            point.status = Status::outside_domain;
+            return point;
+        }
+        Numbers ways;
+        for (const MovedPhase& phase : moved)
+            ways.push_back(variables()[phase.variable].kind == Of::mode
+                               ? turned(phase.variable, T)
+                               : Wide(abs(at.now[phase.variable].re)));
+        turn(at);
+        const Numbers integrals = integral_scales_at(T);
+        for (std::size_t k = 0; k < integrals.size(); ++k)
+            if (const SymbolicVariable& v = variables()[integral_scales[k].variable]; v.id >= 0)
+                at.values.set(v.id, at.values[v.id], integrals[k]);
+        for (std::size_t k = 0; k < outputs.size(); ++k) add_output(k, at, ways, integrals, point);
+        return point;
+    }
+
+    void add_output(std::size_t k, const Moment& at, const Numbers& ways, const Numbers& integrals,
+                    SymbolicPoint& point) const {
+        const Output& output = outputs[k];
+        Wide value = 0, scale = output.sum.scale(at.values), part = 0;
+        Numbers slopes(moved.size(), Wide(0));
+        for (std::size_t i = 0; i < output.sum.terms().size(); ++i) {
+            const WideComplex term = MovingSum<Wide>::value(output.sum.terms()[i], at.values);
+            value += term.re;
+            for (std::size_t p = 0; p < slopes.size(); ++p) slopes[p] -= output.turns[i][p] * term.im;
+        }
+        for (std::size_t p = 0; p < slopes.size(); ++p) part += abs(Wide(slopes[p] * ways[p]));
+        if (const auto drift = solution().outputs()[k].drift) {
+            const SymbolicStart::Sum& constant = frame.start.drifts[variables()[*drift].start];
+            value += constant.value + at.now[*drift].re;
+            scale += constant.scale;
+            if (frame.variables[*drift].motion == SymbolicMotion::uniform) scale += abs(at.now[*drift].re);
+            for (std::size_t i = 0; i < integrals.size(); ++i)
+                if (integral_scales[i].variable == *drift) scale += integrals[i];
+        }
+        point.values.push_back(value);
+        point.scales.push_back(scale + part);
+        point.phase_parts.push_back(part);
+    }
+
+    static constexpr int most_halvings = 16, pieces = 64;
+    SymbolicInputs inputs;
+    SymbolicFrame frame;
+    std::unique_ptr<SymbolicIntegral> integral;
+    std::vector<Wide> signs; // of the conditions at T = 0
+    std::vector<MovedPhase> moved;
+    std::vector<IntegralScale> integral_scales;
+    Wide piece = 0; // of slow time
+    Interval<Wide> interval;
+    std::vector<Output> outputs;
+    Status status = Status::ok;
+};
+
+SymbolicEvaluator::SymbolicEvaluator(std::shared_ptr<const SymbolicSolution> solution,
+                                     const SymbolicInputs& inputs, const Wide& reach)
+    : impl_(std::make_unique<Impl>(std::move(solution), inputs, reach)) {}
+SymbolicEvaluator::~SymbolicEvaluator() = default;
+SymbolicEvaluator::SymbolicEvaluator(SymbolicEvaluator&&) noexcept = default;
+
+SymbolicPoint SymbolicEvaluator::operator()(const Wide& t) const { return impl_->call(t); }
+Status SymbolicEvaluator::construction_status() const { return impl_->status; }
+
+} // namespace resonform

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact solution of a scene at times t, in 50 digits, with the scale that errors of outputs are measured
+// in (docs/theory.md):
+//
+//   const auto solution = std::make_shared<const SymbolicSolution>(solved, scene);
+//   const SymbolicEvaluator at(solution, {eps, {}, {{"psi", 0.3}, ...}, slow_time_end}, reach);
+//   at(t).values[k], .scales[k], .phase_parts[k], .status
+//
+// It answers with the statuses of emitted code, but never with low_precision or overflow.
+#pragma once
+
+#include "verify/symbolic_solution.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace resonform {
+
+struct SymbolicPoint {
+    Status status = Status::ok;
+    std::vector<Wide> values, scales; // of each output; empty unless the status is ok
+    std::vector<Wide> phase_parts;    // of the scales: sum of |du/dtheta| |theta|
+};
+
+class SymbolicEvaluator {
+public:
+    // Quadratures and flow are computed as far as the slow time `reach`, at most inputs.slow_time_end.
+    SymbolicEvaluator(std::shared_ptr<const SymbolicSolution> solution, const SymbolicInputs& inputs,
+                      const Wide& reach);
+    ~SymbolicEvaluator();
+    SymbolicEvaluator(SymbolicEvaluator&&) noexcept;
+
+    [[nodiscard]] SymbolicPoint operator()(const Wide& t) const;
+    // The slow time up to which the solution is known, and whether that is less than was asked for.
+    [[nodiscard]] Status construction_status() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace resonform

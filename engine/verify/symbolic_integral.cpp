@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/symbolic_integral.hpp"
+
+#include "runtime/flow.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace resonform {
+
+namespace {
+
+using Of = SymbolicVariable::Kind;
+
+bool is_complex(const SymbolicVariable& v) { return v.kind == Of::mode; }
+
+template <class Number> class Integral : public SymbolicIntegral {
+public:
+    using Values = std::vector<Number>;
+
+    explicit Integral(const SymbolicFrame& frame)
+        : frame_(frame), rates_(frame.variables.size()), factors_(frame.variables.size()) {
+        for (const auto* stage : {&frame.flow, &frame.along})
+            for (const std::size_t k : *stage) {
+                const SymbolicVariable& v = variable(k);
+                rates_[k] = MovingSum<Number>(v.rate, frame.constants, frame.moves);
+                factors_[k] = narrowed<Number>(Wide(1 / math::power(frame.eps, v.power)));
+            }
+    }
+
+    Status build_flow(Wide& reach) override { return build(frame_.flow, flow_, reach); }
+    Status build_along(Wide& reach) override { return build(frame_.along, along_, reach); }
+
+    void move_to(const Wide& T, SymbolicMoment<Wide>& moment) const override {
+        const Number at = narrowed<Number>(T);
+        if (flow_) take(frame_.flow, (*flow_)(at), moment);
+        if (along_) take(frame_.along, (*along_)(at), moment);
+        moment.move_to(frame_, T);
+    }
+
+private:
+    using Table = std::optional<FlowTable<Values>>;
+
+    [[nodiscard]] const SymbolicVariable& variable(std::size_t k) const {
+        return frame_.solution->variables()[k];
+    }
+
+    template <class Other>
+    void take(const std::vector<std::size_t>& stage, const Values& y, SymbolicMoment<Other>& at) const {
+        const auto as_other = [](const Number& x) {
+            if constexpr (std::is_same_v<Other, Number>)
+                return x;
+            else
+                return widened(x);
+        };
+        std::size_t next = 0;
+        for (const std::size_t k : stage) {
+            at.now[k].re = as_other(y[next++]);
+            if (is_complex(variable(k))) at.now[k].im = as_other(y[next++]);
+        }
+    }
+
+    Status build(const std::vector<std::size_t>& stage, Table& table, Wide& reach) {
+        if (stage.empty()) return Status::ok;
+        Values begin;
+        for (const std::size_t k : stage) {
+            begin.push_back(narrowed<Number>(frame_.variables[k].start.re));
+            if (is_complex(variable(k))) begin.push_back(narrowed<Number>(frame_.variables[k].start.im));
+        }
+        SymbolicMoment<Number> at(frame_);
+        FlowTable<Values> built;
+        Number end = narrowed<Number>(reach);
+        const Status status = built.build(
+            [&](const Number& T, const Values& y) {
+                if (&stage == &frame_.along && flow_) take(frame_.flow, (*flow_)(T), at);
+                take(stage, y, at);
+                at.move_to(frame_, T);
+                Values rates;
+                for (const std::size_t k : stage) {
+                    const ComplexNumber<Number> rate = factors_[k] * rates_[k].value(at.values);
+                    rates.push_back(rate.re);
+                    if (is_complex(variable(k))) rates.push_back(rate.im);
+                }
+                return rates;
+            },
+            begin, end);
+        if (status != Status::ok) reach = widened(end);
+        if (status == Status::ok || end > 0) table.emplace(std::move(built));
+        return status;
+    }
+
+    const SymbolicFrame& frame_;
+    std::vector<MovingSum<Number>> rates_;
+    std::vector<Number> factors_;
+    Table flow_, along_;
+};
+
+} // namespace
+
+SymbolicFrame::SymbolicFrame(std::shared_ptr<const SymbolicSolution> s, const SymbolicInputs& inputs)
+    : solution(std::move(s)), eps(inputs.eps), start(solution->start().at(inputs)),
+      constants(solution->ring().constants(inputs)),
+      moves(static_cast<std::size_t>(solution->ring().ring().size()), false),
+      variables(solution->variables().size()) {
+    for (const SymbolicSolution::Constant& c : solution->constants()) {
+        if (!c.drift)
+            constants.set(c.id, start.amplitude);
+        else
+            constants.set(c.id, {start.drifts[*c.drift].value, 0}, start.drifts[*c.drift].scale);
+    }
+    if (const auto T = solution->slow_time()) {
+        constants.set(*T, Wide(0));
+        moves[static_cast<std::size_t>(*T)] = true;
+    }
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+        const SymbolicVariable& v = solution->variables()[k];
+        if (v.kind == Of::slow) variables[k].start = {start.slow[v.start], 0};
+        if (v.kind == Of::mode) variables[k].start = start.modes[v.start];
+        if (v.id < 0 || v.rate.empty()) continue;
+        moves[static_cast<std::size_t>(v.id)] = true;
+        if (v.conjugate >= 0) moves[static_cast<std::size_t>(v.conjugate)] = true;
+    }
+    for (std::size_t round = 0; round <= moves.size(); ++round) {
+        for (const SymbolicRing::Root& root : solution->ring().roots())
+            if (any_moves(root.radicand)) moves[static_cast<std::size_t>(root.id)] = true;
+        for (const SymbolicPrimitive& p : solution->primitives())
+            if (any_moves(p.argument)) moves[static_cast<std::size_t>(p.id)] = true;
+    }
+    const std::vector<bool> found = moves;
+    moves.assign(moves.size(), true); // everything has a value at T = 0
+    for (Variable& v : variables) v.motion = SymbolicMotion::computed;
+    SymbolicMoment<Wide> beginning(*this);
+    beginning.move_to(*this, Wide(0));
+    constants = beginning.values;
+    moves = found;
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+        const SymbolicVariable& v = solution->variables()[k];
+        variables[k].motion = SymbolicMotion::rests;
+        if (!v.needed || v.rate.empty()) continue;
+        if (any_moves(v.rate)) {
+            variables[k].motion = SymbolicMotion::computed;
+            const bool in_flow = v.kind == Of::slow || v.kind == Of::mode || v.kind == Of::angle;
+            (in_flow ? flow : along).push_back(k);
+        } else {
+            variables[k].motion = SymbolicMotion::uniform;
+            variables[k].speed = (1 / math::power(eps, v.power)) * value_of(v.rate, constants);
+        }
+    }
+}
+
+bool SymbolicFrame::any_moves(const SymbolicSum& sum) const {
+    return std::any_of(sum.begin(), sum.end(), [&](const SymbolicTerm& term) {
+        return std::any_of(term.powers.begin(), term.powers.end(),
+                           [&](const auto& power) { return moves[static_cast<std::size_t>(power.first)]; });
+    });
+}
+
+template <class Number>
+SymbolicMoment<Number>::SymbolicMoment(const SymbolicFrame& frame) : values(frame.constants) {
+    for (const SymbolicFrame::Variable& v : frame.variables)
+        now.push_back({narrowed<Number>(v.start.re), narrowed<Number>(v.start.im)});
+}
+
+template <class Number>
+void SymbolicMoment<Number>::put_mode(const SymbolicFrame& frame, const SymbolicVariable& variable,
+                                      const Complex& a) {
+    const Complex z = narrowed<Number>(math::power(frame.eps, variable.weight)) * a;
+    const Number size = z.size();
+    values.set(variable.id, z, size);
+    values.set(variable.conjugate, z.conjugate(), size);
+}
+
+template <class Number> void SymbolicMoment<Number>::move_to(const SymbolicFrame& frame, const Number& T) {
+    using math::exp;
+    using math::log;
+    const SymbolicSolution& solution = *frame.solution;
+    if (const auto id = solution.slow_time()) values.set(*id, T);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const SymbolicFrame::Variable& v = frame.variables[k];
+        if (v.motion == SymbolicMotion::rests) continue;
+        Number size = math::magnitude(now[k].re);
+        if (v.motion == SymbolicMotion::uniform) {
+            const Number begin = narrowed<Number>(v.start.re), way = T * narrowed<Number>(v.speed.re);
+            now[k] = {begin + way, narrowed<Number>(v.start.im) + T * narrowed<Number>(v.speed.im)};
+            size = math::magnitude(begin) + math::magnitude(way);
+        }
+        const SymbolicVariable& variable = solution.variables()[k];
+        switch (variable.kind) {
+        case Of::slow:
+        case Of::quadrature: values.set(variable.id, {now[k].re, Number(0)}, size); break;
+        case Of::mode: put_mode(frame, variable, now[k]); break;
+        case Of::angle:
+            values.set(variable.id,
+                       unit(Number(narrowed<Number>(frame.start.angles[variable.start]) + now[k].re)),
+                       Number(1));
+            break;
+        case Of::drift:
+        case Of::phase: break;
+        }
+    }
+    for (const SymbolicRing::Root& root : solution.ring().roots())
+        if (frame.moves[static_cast<std::size_t>(root.id)])
+            SymbolicRing::set_root(root, value_of(root.radicand, values).re, values);
+    for (const SymbolicPrimitive& p : solution.primitives()) {
+        if (!frame.moves[static_cast<std::size_t>(p.id)]) continue;
+        const Number argument = value_of(p.argument, values).re;
+        values.set(p.id, p.logarithm ? Number(log(argument)) : Number(exp(argument)));
+    }
+}
+
+template struct SymbolicMoment<Wide>;
+template struct SymbolicMoment<Float128>;
+
+std::unique_ptr<SymbolicIntegral> symbolic_integral(const SymbolicFrame& frame) {
+    if (frame.flow.empty()) return std::make_unique<Integral<Wide>>(frame);
+    return std::make_unique<Integral<Float128>>(frame);
+}
+
+} // namespace resonform

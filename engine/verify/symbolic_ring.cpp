@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/symbolic_ring.hpp"
+
+#include "emit/from_expression.hpp"
+#include "runtime/math.hpp"
+#include "verify/graph_walk.hpp"
+
+#include <limits>
+#include <numeric>
+
+namespace resonform {
+
+Wide SymbolicInputs::start_of(const std::string& canonical) const {
+    const auto found = start.find(canonical);
+    return found == start.end() ? Wide(0) : found->second;
+}
+
+SymbolicInputs SymbolicInputs::blind() const {
+    SymbolicInputs result = *this;
+    for (const std::string& name : untaken) result.start[name] = std::numeric_limits<Wide>::quiet_NaN();
+    return result;
+}
+
+namespace {
+
+std::map<std::string, Rational> rational_part(const SymbolicRing::Fix& fix) {
+    std::map<std::string, Rational> rational;
+    for (const auto& [name, value] : fix)
+        if (GiNaC::is_a<GiNaC::numeric>(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_rational())
+            rational.emplace(name, cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()));
+    return rational;
+}
+
+Wide number_of(const GiNaC::ex& value) {
+    Graph graph;
+    const Graph::Node root = from_expression(graph, value, {});
+    std::vector<Graph::Node> nodes(graph.size()); // operands before their users
+    std::iota(nodes.begin(), nodes.end(), 0);
+    GraphWalk<Wide> walk(graph);
+    walk.compute(nodes);
+    return walk[root];
+}
+
+} // namespace
+
+SymbolicRing::SymbolicRing(RingPtr ring, const Fix& fix)
+    : fix_(fix), fixed_(std::move(ring), rational_part(fix)) {
+    const std::map<std::string, Rational> rational = rational_part(fix);
+    for (const auto& [name, value] : fix)
+        if (rational.count(name) == 0) irrational_.emplace(name, number_of(value));
+    for (GeneratorId id = 0; id < this->ring().size(); ++id) {
+        const Generator& g = this->ring().generator(id);
+        if (g.kind == GeneratorKind::root && !fixed_.is_fixed(id))
+            roots_.push_back({id, g.index, g.index == 1 && !g.positive, fixed_(g.radicand)});
+    }
+}
+
+SymbolicValues<Wide> SymbolicRing::constants(const SymbolicInputs& inputs) const {
+    SymbolicValues<Wide> values(ring().size());
+    values.set(Ring::imaginary_unit, {0, 1}, 1);
+    for (GeneratorId id = 0; id < ring().size(); ++id) {
+        const Generator& g = ring().generator(id);
+        if (g.kind == GeneratorKind::small) values.set(id, inputs.eps);
+        if (g.kind != GeneratorKind::parameter) continue;
+        for (const auto* known : {&inputs.parameters, &irrational_})
+            if (const auto given = known->find(g.name); given != known->end()) values.set(id, given->second);
+        if (g.name == "pi") values.set(id, math::pi<Wide>());
+    }
+    return values;
+}
+
+bool SymbolicRing::set_roots(SymbolicValues<Wide>& values) const {
+    bool defined = true;
+    for (const Root& root : roots_) {
+        const Wide radicand = value_of(root.radicand, values).re;
+        if (!root.divisor && !(radicand > 0)) defined = false;
+        set_root(root, radicand, values);
+    }
+    return defined;
+}
+
+} // namespace resonform

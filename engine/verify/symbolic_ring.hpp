@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The generators of a ring that do not depend on the solution at hand, as numbers: eps, parameters, pi, and
+// the roots, whose radicands must be positive.
+#pragma once
+
+#include "model/system_file.hpp"
+#include "verify/symbolic_terms.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// What an evaluator is given. Start values by canonical name ("xi", "psi'", "amplitude.psi", "constant.x");
+// parameters only where the scene does not fix them.
+struct SymbolicInputs {
+    Wide eps;
+    std::map<std::string, Wide> parameters, start;
+    Wide slow_time_end;                 // times with eps t beyond it have a status
+    std::set<std::string> untaken = {}; // start values that the evaluator does not take: no output needs them
+
+    // 0 where it is not given, as in emitted code.
+    [[nodiscard]] Wide start_of(const std::string& canonical) const;
+    // The same, with no number for what is not taken.
+    [[nodiscard]] SymbolicInputs blind() const;
+};
+
+class SymbolicRing {
+public:
+    using Fix = std::map<std::string, GiNaC::ex>; // of Scene::fix
+    SymbolicRing(RingPtr ring, const Fix& fix);
+
+    [[nodiscard]] const Fix& fix() const { return fix_; }
+
+    [[nodiscard]] const FixedRing& fixed() const { return fixed_; }
+    [[nodiscard]] const Ring& ring() const { return fixed_.ring(); }
+    // i, eps, parameters and pi are set.
+    [[nodiscard]] SymbolicValues<Wide> constants(const SymbolicInputs& inputs) const;
+
+    struct Root {
+        GeneratorId id;
+        int index;
+        bool divisor; // of any sign
+        SymbolicSum radicand;
+    };
+    [[nodiscard]] const std::vector<Root>& roots() const { return roots_; } // those without a fixed value
+    // Precondition: what is under them is set. False: a radicand that has to be positive is not.
+    bool set_roots(SymbolicValues<Wide>& values) const;
+
+    template <class Number>
+    static void set_root(const Root& root, Number radicand, SymbolicValues<Number>& values) {
+        using math::sqrt;
+        int index = root.index;
+        for (; index % 2 == 0; index /= 2) radicand = sqrt(radicand);
+        values.set(root.id, index == 1 ? radicand : math::root(radicand, index));
+    }
+
+private:
+    Fix fix_;
+    std::map<std::string, Wide> irrational_; // of fix
+    FixedRing fixed_;
+    std::vector<Root> roots_;
+};
+
+} // namespace resonform

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/symbolic_solution.hpp"
+
+#include "algebra/error.hpp"
+#include "emit/layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace resonform {
+
+namespace {
+
+using Of = SymbolicVariable::Kind;
+
+std::set<GeneratorId> generators_in(const SymbolicSum& sum) {
+    std::set<GeneratorId> ids;
+    for (const SymbolicTerm& term : sum)
+        for (const auto& power : term.powers) ids.insert(power.first);
+    return ids;
+}
+
+template <class List> const auto& output_of(const List& outputs, const std::string& name) {
+    const auto found =
+        std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == name; });
+    if (found == outputs.end())
+        bad_input({"an output is a variable of the system", name, "remove it from outputs", {}});
+    return *found;
+}
+
+std::string text_of(const SymbolicSum& sum) {
+    std::string text;
+    for (const SymbolicTerm& term : sum) {
+        text += term.coefficient.str();
+        for (const auto& [id, exponent] : term.powers) text += fmt::format(" {}^{}", id, exponent);
+        text += "\n";
+    }
+    return text + ";";
+}
+
+} // namespace
+
+SymbolicSolution::SymbolicSolution(const Solution& solution, const Scene& scene, bool fixed)
+    : solution_(solution), scene_(scene) {
+    if (fixed) fix_ = scene.fix;
+    std::vector<GiNaC::ex> fixed_values;
+    for (const auto& [name, value] : fix_) fixed_values.push_back(value);
+    const Tape tape = Tape::constants(solution.system(), fixed_values);
+    const std::vector<Float128> none(solution.system().parameters.size());
+    const std::vector<Float128> numbers = evaluate_constants(tape, none, Float128(0));
+    std::size_t next = 0;
+    for (const auto& named : fix_) fix_values_.emplace(named.first, numbers[next++]);
+    const RingPtr ring = solution.flow ? solution.normalization->normal_form.field->ring : solution.ring;
+    ring_ = std::make_unique<SymbolicRing>(ring, fix_);
+    if (solution.flow)
+        read_flow();
+    else
+        read_closed();
+    add_conditions();
+    keep_what_is_needed();
+}
+
+std::size_t SymbolicSolution::add(SymbolicVariable variable) {
+    variables_.push_back(std::move(variable));
+    return variables_.size() - 1;
+}
+
+void SymbolicSolution::add_slow(const Variable& variable, GeneratorId id, std::size_t start, SymbolicSum rate,
+                                int power) {
+    SymbolicVariable slow{Of::slow, id};
+    slow.power = power;
+    slow.start = start;
+    slow.rate = std::move(rate);
+    add(std::move(slow));
+    slow_symbols_.push_back(GiNaC::ex_to<GiNaC::symbol>(variable.jet.front()));
+    const SymbolicSum itself{{1, {{id, 1}}}};
+    if (variable.positive)
+        conditions_.push_back({SymbolicCondition::Kind::slow, itself});
+    else if (variable.nonzero)
+        conditions_.push_back({SymbolicCondition::Kind::keeps_sign, itself});
+}
+
+void SymbolicSolution::add_layers(const std::function<Polynomial(const Polynomial&)>& lifted) {
+    for (const MovingDivisor& moving : moving_divisors(*solution_.normalization))
+        layers_.push_back({ring_->fixed()(lifted(moving.divisor)), ring_->fixed()(lifted(moving.rate))});
+    for (const StandingDivisor& standing : standing_divisors(*solution_.normalization))
+        conditions_.push_back({SymbolicCondition::Kind::standing, ring_->fixed()(lifted(standing.margin))});
+}
+
+void SymbolicSolution::read_closed() {
+    const FixedRing& fixed = ring_->fixed();
+    const Ring& ring = ring_->ring();
+    const System& system = solution_.system();
+    start_ = closed_start(solution_, scene_, *ring_);
+    slow_time_ = solution_.slow_time;
+    for (std::size_t k = 0; k < solution_.slow.size(); ++k) {
+        const SlowLaw& law = solution_.slow[k];
+        add_slow(system.variables[law.variable], law.generator, k, fixed(law.rate), 0);
+    }
+    for (const Primitive& p : solution_.primitives) {
+        if (p.kind != PrimitiveKind::quadrature) {
+            primitives_.push_back({p.id, p.kind == PrimitiveKind::logarithm, fixed(p.argument)});
+            continue;
+        }
+        SymbolicVariable quadrature{Of::quadrature, p.id};
+        quadrature.rate =
+            fixed(p.over_slow_time ? p.argument : ring.multiply(p.argument, solution_.slow.front().rate));
+        add(std::move(quadrature));
+    }
+    for (const ModeSolution& mode : solution_.modes) {
+        SymbolicVariable phase{Of::phase};
+        phase.power = 1;
+        phase.rate = fixed(mode.phase_rate.total(mode.phase_rate.through()));
+        SymbolicVariable angle{Of::angle, mode.phase};
+        angle.phase = add(std::move(phase));
+        add(std::move(angle));
+        constants_.push_back({mode.amplitude, std::nullopt});
+    }
+    for (std::size_t k = 0; k < solution_.drift.size(); ++k)
+        constants_.push_back({solution_.drift[k].constant, k});
+    for (const std::string& name : scene_.outputs) {
+        const auto slow = std::find_if(solution_.slow.begin(), solution_.slow.end(), [&](const SlowLaw& law) {
+            return system.variables[law.variable].name == name;
+        });
+        Polynomial all;
+        if (slow != solution_.slow.end()) {
+            all = ring.gen(slow->generator);
+        } else {
+            const Series& series = output_of(solution_.outputs, name).value;
+            all = series.total(series.through());
+        }
+        if (!scene_.oscillating && !solution_.modes.empty()) {
+            std::vector<Term> mean;
+            for (const Term& t : all.terms())
+                if (ring.exponent(t.monomial, solution_.modes.front().phase) == 0) mean.push_back(t);
+            all = Polynomial::from_terms(std::move(mean));
+        }
+        outputs_.push_back({name, fixed.written_out(all), std::nullopt});
+    }
+    add_layers([this](const Polynomial& p) { return (*solution_.from_normal_form)(p); });
+}
+
+void SymbolicSolution::read_flow() {
+    const FixedRing& fixed = ring_->fixed();
+    const GradedField& field = *solution_.normalization->normal_form.field;
+    const SlowFlow& flow = *solution_.flow;
+    start_ = flow_start_finder(solution_, scene_, *ring_);
+    const auto all = [](const Series& series) { return series.total(series.through()); };
+    for (std::size_t k = 0; k < field.slow.size(); ++k)
+        add_slow(field.system().variables[field.slow[k].variable], field.slow[k].generator, k,
+                 fixed(all(flow.slow[k])), 1);
+    const std::size_t phases = variables_.size();
+    for (const Polynomial& rate : flow.phases) {
+        SymbolicVariable phase{Of::phase};
+        phase.power = 1;
+        phase.rate = fixed(rate);
+        add(std::move(phase));
+    }
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
+        SymbolicVariable mode{Of::mode, field.modes[k].z, field.modes[k].zbar};
+        mode.weight = field.ring->generator(mode.id).weight;
+        mode.power = mode.weight + 1;
+        mode.phase = phases + flow.modes[k].phase;
+        mode.start = k;
+        mode.rate = fixed(all(flow.modes[k].rate));
+        add(std::move(mode));
+    }
+    for (std::size_t k = 0; k < field.angles.size(); ++k) {
+        SymbolicVariable angle{Of::angle, field.angles[k].phase};
+        angle.power = 1;
+        angle.phase = phases + flow.angles[k].phase;
+        angle.start = k;
+        angle.rate = fixed(all(flow.angles[k].rate));
+        add(std::move(angle));
+    }
+    const std::size_t drifts = variables_.size();
+    for (std::size_t k = 0; k < field.drift.size(); ++k) {
+        SymbolicVariable drift{Of::drift};
+        drift.power = 1;
+        drift.start = k;
+        drift.rate = fixed(all(flow.drift[k]));
+        add(std::move(drift));
+    }
+    for (const std::string& name : scene_.outputs) {
+        const FlowOutput& output = output_of(flow.outputs, name);
+        Polynomial p = all(output.value);
+        if (!scene_.oscillating) p = mean_part(field, flow, p);
+        outputs_.push_back({name, fixed.written_out(p), std::nullopt});
+        if (output.drift) outputs_.back().drift = drifts + *output.drift;
+    }
+    for (const SymbolicRing::Root& root : ring_->roots())
+        if (root.divisor) conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
+    add_layers([](const Polynomial& p) { return p; });
+}
+
+void SymbolicSolution::add_conditions() {
+    for (const SymbolicRing::Root& root : ring_->roots())
+        if (!root.divisor) conditions_.push_back({SymbolicCondition::Kind::radicand, root.radicand});
+    for (const SymbolicPrimitive& p : primitives_)
+        if (p.logarithm) conditions_.push_back({SymbolicCondition::Kind::radicand, p.argument});
+    const System& system = solution_.system();
+    std::vector<GiNaC::ex> expressions;
+    for (const Declaration& declared : system.positive) {
+        SymbolicCondition condition{SymbolicCondition::Kind::declared, {}, expressions.size()};
+        std::size_t next = 0;
+        for (const SymbolicVariable& v : variables_) // for what it needs
+            if (v.kind == Of::slow && declared.value.has(slow_symbols_[next++]))
+                condition.sum.push_back({1, {{v.id, 1}}});
+        conditions_.push_back(std::move(condition));
+        expressions.push_back(declared.value);
+    }
+    declared_ = std::make_unique<Tape>(Tape::of(system, slow_symbols_, expressions));
+}
+
+void SymbolicSolution::keep_what_is_needed() {
+    std::set<GeneratorId> used;
+    const auto use = [&](const SymbolicSum& sum, const auto& again) -> void {
+        for (const GeneratorId id : generators_in(sum)) {
+            if (!used.insert(id).second) continue;
+            for (const SymbolicRing::Root& root : ring_->roots())
+                if (root.id == id) again(root.radicand, again);
+            for (const SymbolicPrimitive& p : primitives_)
+                if (p.id == id) again(p.argument, again);
+            for (SymbolicVariable& v : variables_) {
+                if (v.id != id && v.conjugate != id) continue;
+                v.needed = true;
+                again(v.rate, again);
+                if (v.kind != Of::mode && v.kind != Of::angle) continue;
+                variables_[v.phase].needed = true;
+                again(variables_[v.phase].rate, again);
+            }
+        }
+    };
+    for (const SymbolicOutput& output : outputs_) {
+        use(output.sum, use);
+        if (!output.drift) continue;
+        variables_[*output.drift].needed = true;
+        use(variables_[*output.drift].rate, use);
+    }
+    std::erase_if(primitives_, [&](const SymbolicPrimitive& p) { return used.count(p.id) == 0; });
+    // What moves and is not known is not asked about.
+    const auto unknown = [&](const SymbolicSum& sum, const auto& again) -> bool {
+        for (const GeneratorId id : generators_in(sum)) {
+            if (used.count(id) > 0) continue;
+            const GeneratorKind kind = ring_->ring().generator(id).kind;
+            if (kind != GeneratorKind::root && kind != GeneratorKind::small &&
+                kind != GeneratorKind::parameter && kind != GeneratorKind::imaginary)
+                return true;
+            for (const SymbolicRing::Root& root : ring_->roots())
+                if (root.id == id && again(root.radicand, again)) return true;
+        }
+        return false;
+    };
+    std::erase_if(conditions_, [&](const SymbolicCondition& c) { return unknown(c.sum, unknown); });
+    std::erase_if(layers_, [&](const SymbolicLayer& layer) {
+        return unknown(layer.divisor, unknown) || unknown(layer.rate, unknown);
+    });
+}
+
+std::vector<Float128> SymbolicSolution::parameters(const SymbolicInputs& inputs) const {
+    std::vector<Float128> values;
+    for (const Parameter& p : solution_.system().parameters) {
+        const auto given = inputs.parameters.find(p.name);
+        const auto fixed = fix_values_.find(p.name);
+        values.push_back(given != inputs.parameters.end() ? narrowed<Float128>(given->second)
+                         : fixed != fix_values_.end()     ? fixed->second
+                                                          : Float128(0));
+    }
+    return values;
+}
+
+std::string SymbolicSolution::text() const {
+    std::string text = "symbolic 1\n";
+    for (const SymbolicRing::Root& root : ring_->roots())
+        text += fmt::format("root {} {} {}", root.id, root.index, text_of(root.radicand));
+    for (const SymbolicVariable& v : variables_)
+        text += fmt::format("variable {} {} {} {} {} {}", static_cast<int>(v.kind), v.id, v.power, v.phase,
+                            v.needed, text_of(v.rate));
+    for (const SymbolicPrimitive& p : primitives_)
+        text += fmt::format("primitive {} {} {}", p.id, p.logarithm, text_of(p.argument));
+    for (const SymbolicOutput& o : outputs_)
+        text += fmt::format("output {} {} {}", o.name, o.drift.value_or(0), text_of(o.sum));
+    for (const SymbolicCondition& c : conditions_)
+        text += fmt::format("condition {} {} {}", static_cast<int>(c.kind), c.index, text_of(c.sum));
+    for (const SymbolicLayer& layer : layers_)
+        text += "layer " + text_of(layer.divisor) + text_of(layer.rate);
+    return text + declared_->text();
+}
+
+} // namespace resonform

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the solution of a scene starts: its constants, from start values as the scene gives them, through the
+// inverse map at its full weight where they are physical ones (solve/initial_values.hpp).
+#pragma once
+
+#include "model/scene_file.hpp"
+#include "runtime/status.hpp"
+#include "solve/solution.hpp"
+#include "verify/symbolic_ring.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace resonform {
+
+struct SymbolicStart {
+    Status status = Status::ok;
+    std::vector<Wide> slow;         // in the order of the solution's slow variables
+    std::vector<WideComplex> modes; // of a slow flow: z_j/eps^weight
+    std::vector<Wide> angles;       // of a slow flow; of a closed solution with an oscillator: theta_0
+    Wide amplitude = 0;             // of that oscillator
+    struct Sum {
+        Wide value = 0, scale = 0;
+    };
+    std::vector<Sum> drifts; // constants of the drifts
+};
+
+class SymbolicStartFinder {
+public:
+    virtual ~SymbolicStartFinder() = default;
+    [[nodiscard]] virtual SymbolicStart at(const SymbolicInputs& inputs) const = 0;
+};
+
+// ring: of the solution; for a slow flow, of the normal form.
+std::unique_ptr<SymbolicStartFinder> closed_start(const Solution& solution, const Scene& scene,
+                                                  const SymbolicRing& ring);
+std::unique_ptr<SymbolicStartFinder> flow_start_finder(const Solution& solution, const Scene& scene,
+                                                       const SymbolicRing& ring);
+
+} // namespace resonform

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/flow_start.hpp"
+#include "normalize/inverse_map.hpp"
+#include "verify/symbolic_map.hpp"
+#include "verify/symbolic_start.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+class FlowStart : public SymbolicStartFinder {
+public:
+    FlowStart(const Solution& solution, const Scene& scene, const SymbolicRing& ring)
+        : field_(*solution.normalization->normal_form.field), truncation_(solution.truncation), ring_(ring),
+          map_(solution, ring) {
+        const Normalization& normalization = *solution.normalization;
+        const System& system = solution.system();
+        for (const std::size_t s : field_.basis.states)
+            if (scene.start_of(name(field_.first_order->states[s].variable)) != nullptr) physical_ = true;
+        physical_ = physical_ || field_.basis.states.empty();
+        for (const DriftVariable& drift : field_.drift)
+            physical_drift_.push_back(scene.start_of(drift.name) != nullptr);
+        if (!physical_) return;
+        inverts_ = starts_by_inverse_map(solution);
+        if (inverts_) inverse_ = map_.shifts(invert(normalization.normal_form, normalization.map));
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            const Place place = place_of(system.equations[field_.modes[k].variable].source);
+            rows_.emplace_back();
+            for (const Complex& entry : field_.basis.modes[k].row)
+                rows_.back().push_back(entry.is_zero()
+                                           ? SymbolicSum{}
+                                           : ring_.fixed()(field_.coefficients->convert(entry, place)));
+        }
+    }
+
+    [[nodiscard]] SymbolicStart at(const SymbolicInputs& inputs) const override {
+        SymbolicMap::Pair pair, blind;
+        SymbolicStart start = found(inputs, pair);
+        if (start.status != Status::ok) return start;
+        if (!inputs.untaken.empty()) found(inputs.blind(), blind);
+        if (!map_.leads_back(inputs.untaken.empty() ? pair : blind, inputs))
+            start.status = Status::outside_domain;
+        return start;
+    }
+
+private:
+    SymbolicStart found(const SymbolicInputs& inputs, SymbolicMap::Pair& pair) const {
+        SymbolicStart start;
+        SymbolicValues<Wide> values = ring_.constants(inputs);
+        SymbolicStartValues &old = pair.old, &now = pair.now;
+        pair.from_constants = !physical_;
+        for (const SlowVariable& slow : field_.slow) old.slow.push_back(inputs.start_of(slow.name));
+        for (const AngleVariable& angle : field_.angles) old.angles.push_back(inputs.start_of(angle.name));
+        const auto put = [&](const SymbolicStartValues& at) {
+            if (!map_.set(values, inputs.eps, at)) start.status = Status::outside_domain;
+        };
+        if (physical_) {
+            old.modes.resize(field_.modes.size());
+            put(old);
+            for (std::size_t k = 0; k < field_.modes.size(); ++k) old.modes[k] = mode(k, inputs, values);
+            put(old);
+        } else {
+            for (const Mode& mode : field_.modes) {
+                const std::string& variable = name(mode.variable);
+                old.modes.push_back(inputs.start_of("amplitude." + variable) *
+                                    unit(inputs.start_of("phase." + variable)));
+            }
+        }
+        if (inverts_) {
+            now = map_.moved(old, inverse_, values, inputs.eps, 1);
+        } else {
+            now = old;
+            for (int step = 0; step <= truncation_ && (physical_ || moves_others()); ++step) {
+                put(now);
+                now = map_.moved(old, map_.map(), values, inputs.eps, -1);
+                if (!physical_) now.modes = old.modes;
+            }
+        }
+        put(now);
+        start.modes = now.modes;
+        start.angles = now.angles;
+        start.slow = now.slow;
+        for (std::size_t k = 0; k < field_.drift.size(); ++k)
+            start.drifts.push_back(drift(k, inputs, values));
+        return start;
+    }
+
+    [[nodiscard]] const std::string& name(std::size_t variable) const {
+        return field_.system().variables[variable].name;
+    }
+
+    // sum of row * state, over eps^weight
+    [[nodiscard]] WideComplex mode(std::size_t k, const SymbolicInputs& inputs,
+                                   const SymbolicValues<Wide>& values) const {
+        WideComplex sum;
+        for (std::size_t s = 0; s < rows_[k].size(); ++s) {
+            if (rows_[k][s].empty()) continue;
+            const std::string& state = field_.first_order->states[field_.basis.states[s]].name;
+            sum = sum + inputs.start_of(state) * value_of(rows_[k][s], values);
+        }
+        return (1 / map_.scale_of_mode(k, inputs.eps)) * sum;
+    }
+
+    [[nodiscard]] bool moves_others() const {
+        const auto moves = [](const SymbolicSum& sum) { return !sum.empty(); };
+        const SymbolicMap::Shifts& map = map_.map();
+        return std::any_of(map.slow.begin(), map.slow.end(), moves) ||
+               std::any_of(map.angle.begin(), map.angle.end(), moves);
+    }
+
+    [[nodiscard]] SymbolicStart::Sum drift(std::size_t k, const SymbolicInputs& inputs,
+                                           const SymbolicValues<Wide>& values) const {
+        const std::string& variable = field_.drift[k].name;
+        const Wide begin = inputs.start_of(physical_drift_[k] ? variable : "constant." + variable);
+        if (!physical_drift_[k]) return {begin, abs(begin)};
+        return {begin - value_of(map_.map().drift[k], values).re,
+                abs(begin) + scale_of(map_.map().drift[k], values)};
+    }
+
+    const GradedField& field_;
+    int truncation_;
+    const SymbolicRing& ring_;
+    bool physical_ = false, inverts_ = false;
+    std::vector<bool> physical_drift_;
+    SymbolicMap map_;
+    SymbolicMap::Shifts inverse_;
+    std::vector<std::vector<SymbolicSum>> rows_;
+};
+
+} // namespace
+
+std::unique_ptr<SymbolicStartFinder> flow_start_finder(const Solution& solution, const Scene& scene,
+                                                       const SymbolicRing& ring) {
+    return std::make_unique<FlowStart>(solution, scene, ring);
+}
+
+} // namespace resonform

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The times at which a formula is compared with direct integration.
+#pragma once
+
+#include "expand/graded_field.hpp"
+#include "model/scene_file.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace resonform {
+
+// Evenly spread over [0, interval], both ends included; points >= 2.
+std::vector<double> even_times(double interval, std::size_t points);
+
+struct SampleTimes {
+    std::vector<double> all;       // ascending, both ends of the interval included
+    std::vector<std::size_t> even; // which of them are evenly spread
+    double first = 0;              // the least above 0
+};
+
+// Half of the points even; a quarter in geometric progression from each end, the first at 10^-3/rate or
+// 10^-9 of the interval, whichever is smaller: an error that lives in a layer at an end is met at every
+// length of the layer. Times that coincide are counted once. points >= 8, rate >= 0.
+SampleTimes crowded_times(double interval, std::size_t points, double rate);
+
+// The largest |lambda| of the linear part, or frequency of an angle, where the motion starts; 0: there is
+// none that is a number. Precondition: [fix] gives every parameter.
+double largest_rate(const GradedField& field, const Scene& scene, const Rational& eps);
+
+} // namespace resonform

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// With --format json an error is a document, whatever is wrong; the text on standard error stays.
+#include "support/command.hpp"
+#include "support/documented.hpp"
+
+namespace resonform::test {
+
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string oscillator =
+    "[system]\nname = \"duffing\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n";
+
+class Errors : public Command {
+protected:
+    Errors() {
+        write(scratch_.path() / "systems/duffing/system.toml", oscillator + "x = \"x'' + x + x^3 = 0\"\n");
+    }
+    // The document of a command that fails, after the text of its message was found on standard error.
+    [[nodiscard]] Json document(const std::string& command, int code = 2) const {
+        const Outcome plain = said(command), outcome = said(command + " --format json");
+        EXPECT_EQ(outcome.code, code) << command << "\n" << outcome.err;
+        EXPECT_EQ(plain.code, code) << command;
+        EXPECT_EQ(plain.out, "") << command;
+        EXPECT_EQ(plain.err, outcome.err) << command;
+        const Json json = Json::parse(outcome.out, nullptr, false);
+        EXPECT_FALSE(json.is_discarded()) << command << "\n" << outcome.out;
+        EXPECT_EQ(json["schema"], "resonform.error/1");
+        EXPECT_EQ(json["exit_code"], code);
+        EXPECT_EQ(keys_of(json), (std::set<std::string>{"schema", "exit_code", "reason", "rule", "found",
+                                                        "hint", "file", "line", "column", "key"}));
+        EXPECT_NE(outcome.err.find(json["rule"].get<std::string>()), std::string::npos);
+        const std::string row =
+            "| `" + json["reason"].get<std::string>() + "` | " + std::to_string(code) + " |";
+        EXPECT_NE(file_formats().find(row), std::string::npos) << "undocumented: " << row;
+        return json;
+    }
+    void equation(const std::string& text) const {
+        write(scratch_.path() / "systems/bad/system.toml",
+              "[system]\nname = \"bad\"\n[parameters]\na = {}\n[variables]\nx = { role = \"fast\" "
+              "}\n[equations]\nx = \"" +
+                  text + "\"\n");
+    }
+};
+
+} // namespace
+
+TEST_F(Errors, HaveTheirParts) {
+    equation("x'' + x + z^3 = 0");
+    const Json json = document("derive bad");
+    EXPECT_EQ(json["reason"], "name");
+    EXPECT_EQ(json["rule"], "a symbol is declared before it is used");
+    EXPECT_EQ(json["found"], "z");
+    EXPECT_EQ(json["hint"], "did you mean 'a'? Known are: a, eps, x");
+    EXPECT_EQ(json["file"], "systems/bad/system.toml");
+    EXPECT_EQ(json["line"], 8);
+    EXPECT_EQ(json["column"], 16);
+    EXPECT_EQ(json["key"], "equations.x");
+}
+
+TEST_F(Errors, WithoutAPlaceHaveNull) {
+    EXPECT_EQ(document("derive")["key"], "SYSTEM");
+    const Json json = document("derve");
+    EXPECT_EQ(json["reason"], "command_line");
+    for (const char* key : {"file", "line", "column", "key"}) EXPECT_TRUE(json[key].is_null()) << key;
+}
+
+// Also where the command line itself cannot be understood, and however the format is written.
+TEST_F(Errors, OfTheCommandLine) {
+    EXPECT_EQ(document("derve duffing")["reason"], "command_line");
+    EXPECT_EQ(document("derive duffing --ordr 3")["found"], "--ordr");
+    EXPECT_EQ(document("derive duffing --order 0")["key"], "--order");
+    EXPECT_EQ(Json::parse(said("derive duffing --ordr 3 --format=json").out)["reason"], "command_line");
+    EXPECT_EQ(Json::parse(said("--format json derive duffing").out)["reason"], "command_line");
+    EXPECT_EQ(said("derive nope --format text").out, "");
+    EXPECT_EQ(said("derive nope --style json").out, "");
+}
+
+TEST_F(Errors, HaveAReasonOfTheList) {
+    EXPECT_EQ(document("derive nope")["reason"], "file");
+    EXPECT_EQ(document("verify no/such.toml")["reason"], "file");
+    EXPECT_EQ(document("derive duffing --set q=1")["reason"], "command_line");
+    equation("x'' + x + = 0");
+    EXPECT_EQ(document("derive bad")["reason"], "syntax");
+    equation("x'' + x + x^2/(x - x) = 0");
+    EXPECT_EQ(document("derive bad")["reason"], "syntax");
+    equation("x'' + x + 1 = 0");
+    EXPECT_EQ(document("derive bad")["reason"], "value");
+    equation("x'' + a*x = 0");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "undecided");
+    equation("x''' + x' + a*x + x^2 = 0");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "eigenvalues");
+    equation("x'' + x + abs(x) = 0");
+    EXPECT_EQ(document("derive bad")["reason"], "name");
+    write(scratch_.path() / "systems/bad/system.toml", "[system\n");
+    EXPECT_EQ(document("derive bad")["reason"], "syntax");
+    write(scratch_.path() / "systems/bad/system.toml", oscillator + "x = \"x'' + x = 0\"\n[domian]\n");
+    EXPECT_EQ(document("derive bad")["reason"], "name");
+    EXPECT_EQ(document("derive duffing --stage manifold", 3)["reason"], "unsupported");
+}
+
+TEST_F(Errors, OfTheLimits) {
+    EXPECT_EQ(document("derive duffing --term-limit 1", 3)["reason"], "terms");
+    // From another thread, which ends the program.
+    const Json json = Json::parse(said("derive duffing --order 61 --time-limit 0.01 --format json").out);
+    EXPECT_EQ(json["reason"], "time");
+    EXPECT_EQ(json["exit_code"], 3);
+    EXPECT_EQ(json["key"], "--time-limit");
+    EXPECT_EQ(Json::parse(said("derive duffing --memory-limit 1 --format json").out)["reason"], "memory");
+}
+
+TEST_F(Errors, OfTheCompiler) {
+    write(scratch_.path() / "systems/duffing/scenes/s.toml",
+          "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\neps = [0.1, 0.05, "
+          "0.02]\n");
+    const Outcome outcome = run(
+        "CXX=no-such-compiler resonform verify systems/duffing/scenes/s.toml --format json", scratch_.path());
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(Json::parse(outcome.out)["reason"], "compiler");
+}
+
+// What cannot be text is replaced, and what is long is cut.
+TEST_F(Errors, AreJsonWhateverTheUserWrote) {
+    const Outcome outcome = said("derive $'n\\xffo' --format json");
+    EXPECT_EQ(Json::parse(outcome.out)["reason"], "file");
+    const Outcome longer =
+        said("evaluate systems/duffing/system.toml --t 1 --eps $(printf 'x%.0s' {1..5000}) --format json");
+    EXPECT_LT(Json::parse(longer.out)["found"].get<std::string>().size(), 500U);
+}
+
+// A report that fails behind the verdicts brings no second document.
+TEST_F(Errors, AreNoSecondDocument) {
+    write(scratch_.path() / "systems/duffing/scenes/s.toml",
+          "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\neps = [0.1, 0.05, "
+          "0.02]\n");
+    // gnuplot is there when it is asked for, and prints nothing when it is to draw.
+    write(scratch_.path() / "bin/gnuplot", "#!/bin/sh\nexit 0\n");
+    const Outcome outcome = run("chmod +x bin/gnuplot; PATH=$PWD/bin:$PATH resonform verify "
+                                "systems/duffing/scenes/s.toml --report here --format json",
+                                scratch_.path());
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["schema"], "resonform.verification/1");
+    EXPECT_NE(outcome.err.find("gnuplot printed no plot"), std::string::npos) << outcome.err;
+}
+
+} // namespace resonform::test

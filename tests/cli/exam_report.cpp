@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// verify --report: whose report may be overwritten, and what becomes of it without gnuplot.
+#include "support/command.hpp"
+
+namespace resonform::test {
+
+namespace {
+
+class SlowReport : public Command {
+protected:
+    SlowReport() {
+        write(scratch_.path() / "systems/spring/system.toml",
+              "[system]\nname = \"spring\"\n[variables]\nx = { role = \"fast\" }\n"
+              "[equations]\nx = \"x'' + x + x^3 = 0\"\n");
+        for (const char* name : {"one", "two"})
+            write(scratch_.path() / "systems/spring/scenes" / (std::string(name) + ".toml"),
+                  "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\n"
+                  "eps = [0.1, 0.05, 0.02]\n");
+        // Everything but gnuplot.
+        run("mkdir bin; for p in sh bash g++ c++ cc gcc as ld rm " RESONFORM_CXX_COMPILER
+            "; do ln -s $(command -v $p) bin/; done",
+            scratch_.path());
+    }
+    [[nodiscard]] Outcome reported(const std::string& scene, const std::string& environment = "") const {
+        return run(environment + " resonform verify systems/spring/scenes/" + scene + ".toml --report here",
+                   scratch_.path());
+    }
+    [[nodiscard]] std::string without_gnuplot() const {
+        return "PATH=" + std::filesystem::path(RESONFORM_COMMAND).parent_path().string() + ":$PWD/bin";
+    }
+};
+
+} // namespace
+
+TEST_F(SlowReport, OfAnotherSceneIsNotOverwritten) {
+    ASSERT_EQ(reported("one", without_gnuplot()).code, 0);
+    const std::string html = read(scratch_.path() / "here/report.html");
+    const Outcome other = reported("two", without_gnuplot());
+    EXPECT_EQ(other.code, 2);
+    EXPECT_EQ(other.out, "");
+    EXPECT_NE(other.err.find("resonform: --report: the folder must not hold the report of another scene\n"
+                             "  found: here/report.md of spring/one\n"
+                             "  mend:  give another folder, or delete that report\n"),
+              std::string::npos)
+        << other.err;
+    EXPECT_EQ(read(scratch_.path() / "here/report.html"), html);
+    EXPECT_EQ(reported("one", without_gnuplot()).code, 0) << "its own is";
+    write(scratch_.path() / "here/report.md", "a report of mine\n");
+    EXPECT_EQ(reported("one", without_gnuplot()).code, 2) << "nor what is no report of ours";
+    EXPECT_EQ(read(scratch_.path() / "here/report.md"), "a report of mine\n");
+}
+
+TEST_F(SlowReport, WithoutGnuplotHasNoFiguresAndSaysSo) {
+    const Outcome outcome = reported("one", without_gnuplot());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    // Before any work.
+    EXPECT_EQ(
+        outcome.err.rfind(
+            "resonform: gnuplot cannot be run, so the report will have no figures (Debian: gnuplot-nox)\n",
+            0),
+        0U)
+        << outcome.err;
+    const std::string page = read(scratch_.path() / "here/report.md");
+    EXPECT_NE(page.find("Figures are missing: gnuplot could not be run."), std::string::npos) << page;
+    EXPECT_NE(page.find("## Order of accuracy"), std::string::npos);
+    EXPECT_EQ(page.find("!["), std::string::npos) << "a figure that is not there";
+    EXPECT_EQ(read(scratch_.path() / "here/report.html").find("<figure>"), std::string::npos);
+}
+
+} // namespace resonform::test

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Emitted code against the exact solution: honest code passes, and liars of every kind are caught.
+#include "verify/cache.hpp"
+#include "verify/emitted_check.hpp"
+#include "verify/emitted_points.hpp"
+#include "verify/interpreter.hpp"
+#include "verify/json.hpp"
+#include "verify/symbolic_evaluator.hpp"
+
+#include "support/compiler.hpp"
+#include "support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace resonform {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path cache() { return fs::path(RESONFORM_BINARY_DIR) / "test_cache"; }
+
+struct Made {
+    Scene scene;
+    Solution solution;
+    Program program;
+};
+
+Made made(Scene scene) {
+    Made m{std::move(scene), {}, {}};
+    m.solution = test::solution_of(m.scene);
+    m.program = build_program(m.solution, m.scene);
+    return m;
+}
+
+Made stiffening() { return made(test::scene_of("slowly_stiffening_oscillator", "third_order")); }
+
+EmittedCheck checked(const Made& m, const fs::path& folder = cache()) {
+    EmittedCheckOptions options;
+    options.cache = folder;
+    options.starts = 10;
+    return check_emitted(m.program, EvaluatorLibrary::build(m.program, folder, {}), m.solution, m.scene,
+                         options);
+}
+
+// Compiled by another compiler, in a folder of its own.
+EmittedCheck checked_with(const std::string& compiler, const std::string& folder) {
+    const fs::path path = fs::path(RESONFORM_BINARY_DIR) / folder;
+    fs::remove_all(path);
+    const test::OtherCompiler chosen(compiler);
+    return checked(stiffening(), path);
+}
+
+fs::path script(const std::string& name) { return fs::path(RESONFORM_BINARY_DIR) / (name + ".sh"); }
+
+EmittedCheck checked_with_edit(const std::string& from, const std::string& to, const std::string& name) {
+    return checked_with(test::editing_compiler(script(name), from, to), name);
+}
+
+void expect_caught(const EmittedCheck& check) {
+    EXPECT_EQ(check.verdict, Verdict::fail);
+    for (const EmittedInType& type : check.types) {
+        EXPECT_FALSE(type.at.empty());
+        EXPECT_EQ(type.points, 200U);
+    }
+    EXPECT_GT(check.worst(), 2 * check.threshold);
+}
+
+TEST(SlowEmittedEqualsSymbolic, HonestCodePassesClosedAndAsAFlow) {
+    for (const Made& m : {stiffening(), made(test::scene_of("van_der_pol", "to_the_cycle")),
+                          made(test::scene_of("driven_duffing", "forced_oscillation"))}) {
+        const EmittedCheck check = checked(m);
+        EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
+        EXPECT_LT(check.worst(), 4) << to_text(check);
+        for (const EmittedInType& type : check.types) EXPECT_EQ(type.compared, 200U);
+    }
+}
+
+// 3/8 of the phase, by 10^-12 of itself; 3/16 of the third order, grossly.
+TEST(SlowEmittedEqualsSymbolic, AnEditedCoefficientIsCaught) {
+    expect_caught(checked_with_edit("Number(3) / Number(8)", "Number(3000000000003) / Number(8000000000000)",
+                                    "edit_1"));
+    expect_caught(checked_with_edit("Number(3) / Number(16)", "Number(5) / Number(16)", "edit_2"));
+}
+
+// What the interpreter of the same graph does not see.
+TEST(SlowEmittedEqualsSymbolic, AnErrorInTheGraphIsCaught) {
+    Made lowered = stiffening();
+    ProgramOutput& x = lowered.program.outputs.front();
+    x.value = lowered.program.graph.multiply(
+        {lowered.program.graph.rational(1 + Rational(1) / Integer("1000000000000")), x.value});
+    expect_caught(checked(lowered));
+
+    Made pruned = stiffening();
+    ProgramPhase& phase = pruned.program.phases.front();
+    phase.rate = pruned.program.graph.at(phase.rate).operands.front(); // of a product the first factor
+    expect_caught(checked(pruned));
+
+    Scene near = test::scene_of("rotating_pendulum", "fast_rotation"); // its resonance surface J = 0
+    near.start.front().value = GiNaC::numeric(1, 20);
+    Made without_domain = made(std::move(near));
+    without_domain.program.layers.clear();
+    without_domain.program.positive.clear();
+    const EmittedCheck check = checked(without_domain);
+    EXPECT_EQ(check.verdict, Verdict::fail);
+    EXPECT_NE(check.types.front().statuses.find("symbolic outside_domain"), std::string::npos)
+        << to_text(check);
+    EXPECT_TRUE(
+        to_json(Verification{"", "", {}, {}, check})["emitted_equals_symbolic"]["real_types"][0]["ulp"]
+            .is_null());
+}
+
+// Programs of which one thing is missing that outputs need.
+std::vector<std::pair<std::string, Program>> pruned_too_far(const Program& whole) {
+    std::vector<std::pair<std::string, Program>> mutants;
+    const auto mutant = [&](const std::string& missing) -> Program& {
+        return mutants.emplace_back(missing, whole).second;
+    };
+    for (std::size_t k = 0; k < whole.tables.size(); ++k) {
+        Program& p = mutant(whole.tables[k].name);
+        p.tables[k].integrand = p.graph.rational(0);
+    }
+    for (std::size_t k = 0; k < whole.flow.size(); ++k) {
+        Program& p = mutant(whole.flow[k].name);
+        p.flow[k].rate = p.graph.rational(0);
+    }
+    for (std::size_t k = 0; k < whole.outputs.size(); ++k) {
+        const Graph::Entry sum = whole.graph.at(whole.outputs[k].value);
+        for (std::size_t j = 0; sum.op == Graph::Op::add && j < sum.operands.size(); ++j) {
+            Program& p = mutant(whole.outputs[k].name + ", term " + std::to_string(j));
+            std::vector<Graph::Node> rest = sum.operands;
+            rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(j));
+            p.outputs[k].value = p.graph.add(std::move(rest));
+        }
+    }
+    return mutants;
+}
+
+TEST(SlowEmittedEqualsSymbolic, WhatIsPrunedThoughItIsNeededIsMissed) {
+    std::size_t missed = 0;
+    for (Made m :
+         {made(test::pendulum_scene("mean_motion")), made(test::scene_of("van_der_pol", "to_the_cycle"))})
+        for (const auto& [missing, program] : pruned_too_far(m.program)) {
+            SCOPED_TRACE(m.scene.name + " without " + missing);
+            m.program = program;
+            expect_caught(checked(m));
+            ++missed;
+        }
+    EXPECT_EQ(missed, 12U) << "a table, a flow of two variables, and terms of sums";
+}
+
+// The divisor 1 - sqrt(1 + s^2) of the forced motion: formed by a subtraction, it had lost 300 ulp at s =
+// 0.04.
+TEST(EmittedEqualsSymbolic, ADivisorThatIsTheDifferenceOfARootKeepsItsDigits) {
+    const fs::path system = cache() / "nearly_resonant";
+    fs::create_directories(system / "scenes");
+    write_atomically(system / "system.toml",
+                     "[system]\nname = \"nearly_resonant\"\n[variables]\nx = { role = \"fast\" }\n"
+                     "s = { role = \"slow\" }\np = { role = \"angle\" }\n[equations]\n"
+                     "x = \"x'' + (1 + s^2)*x + x^3 = eps*cos(p)\"\ns = \"s' = eps*(1 - s/2)\"\n"
+                     "p = \"p' = 1 + s^2\"\n");
+    write_atomically(system / "scenes/s.toml",
+                     "order = 1\n[start]\nx = \"0.3*eps\"\n\"x'\" = \"0.1*eps\"\ns = 0.4\np = 0.5\n"
+                     "[verify]\neps = [0.01, 0.002]\ninterval = \"1\"\n");
+    const Made m = made(read_scene(system / "scenes/s.toml", cache()));
+    const EmittedCheck check =
+        check_emitted(m.program, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
+                      m.solution, m.scene, {cache(), {}, 30});
+    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
+    EXPECT_LT(check.worst(), 4) << to_text(check);
+}
+
+// A condition that holds wherever values are compared, and breaks at some of the starts of which only the
+// status is.
+TEST(EmittedEqualsSymbolic, AConditionThatFewStartsBreakIsCaught) {
+    Made m = stiffening();
+    constexpr std::size_t starts = 10, times = 20;
+    const auto check = [&m] {
+        return check_emitted(m.program,
+                             EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
+                             m.solution, m.scene, {cache(), {}, starts, times});
+    };
+    const EmittedCheck honest = check();
+    EXPECT_EQ(honest.verdict, Verdict::pass) << to_text(honest);
+    long double most = 0;
+    for (const auto& at : emitted_points<double>(m.scene, starts, times, 1))
+        most = std::max(most, static_cast<long double>(at.eps));
+    for (const auto& at : emitted_points<long double>(m.scene, starts, times, 1))
+        most = std::max(most, at.eps);
+    Graph& graph = m.program.graph;
+    const Rational bound = Rational(Integer(static_cast<long>(most * 1e9L) + 1)) / Integer(1'000'000'000L);
+    m.program.positive.push_back({graph.add({graph.rational(bound), graph.negate(m.program.eps)}), "eps"});
+    const EmittedCheck check_of_lie = check();
+    EXPECT_EQ(check_of_lie.verdict, Verdict::fail);
+    const EmittedInType& found = check_of_lie.types.front();
+    EXPECT_EQ(found.statuses, "emitted outside_domain, symbolic ok");
+    EXPECT_EQ(found.at.back(), (std::pair<std::string, double>("t", 0)));
+}
+
+TEST(SlowEmittedEqualsSymbolic, TheThresholdIsThatOfTheSceneAndSaysWhy) {
+    Made m = stiffening();
+    m.scene.verify.ulp = 1;
+    const EmittedCheck strict = checked(m);
+    EXPECT_EQ(strict.verdict, Verdict::fail);
+    EXPECT_FALSE((Verification{"", "", {}, {}, strict}.as_expected())) << "exit code 1";
+    m.scene.verify.ulp = 64;
+    EXPECT_NE(to_text(checked(m)).find("threshold 64 ulp of the output's scale, widened without a reason"),
+              std::string::npos);
+    m.scene.verify.ulp_reason = "because";
+    const EmittedCheck check = checked(m);
+    EXPECT_NE(to_text(check).find("64 ulp of the output's scale, widened: because"), std::string::npos);
+    EXPECT_EQ(check.verdict, Verdict::pass);
+}
+
+SymbolicPoint at_scene(const Scene& scene, const Solution& solution, const Wide& eps,
+                       const std::map<std::string, Wide>& start, const Wide& t) {
+    const auto symbolic = std::make_shared<const SymbolicSolution>(solution, scene);
+    return SymbolicEvaluator(symbolic, {eps, {}, start, 1}, eps * t)(t);
+}
+
+// x = eps C (2 + tau^2)^(-1/4) cos theta: the scale is the amplitude, whatever the cosine.
+TEST(SymbolicEvaluator, ScaleOfOneTermIsItsAmplitude) {
+    Scene scene = test::scene_of("slowly_stiffening_oscillator", "third_order");
+    scene.order = 1;
+    const Solution solution = test::solution_of(scene);
+    for (const double t : {0.0, 3.0, 50.0}) {
+        const SymbolicPoint point = at_scene(scene, solution, Wide(0.01),
+                                             {{"tau", 0.5}, {"amplitude.x", 2}, {"phase.x", 1}}, Wide(t));
+        const Wide tau = Wide(0.5) + Wide(0.01) * Wide(t), amplitude = Wide(0.02) / sqrt(sqrt(2 + tau * tau));
+        EXPECT_EQ(point.status, Status::ok);
+        EXPECT_LT(abs(Wide(point.scales[0] / amplitude - 1)), Wide(1e-45));
+        EXPECT_LE(abs(point.values[0]), point.scales[0]);
+        EXPECT_EQ(point.phase_parts[0], 0);
+    }
+}
+
+// Two routes from the solution to the numbers, the graph and the terms.
+TEST(SymbolicEvaluator, AgreesWithTheInterpreterInFiftyDigits) {
+    const Made m = made(test::scene_of("henon_heiles", "third_order"));
+    const std::map<std::string, Wide> start{{"x", 0.001}, {"y", 0.002}, {"px", -0.0015}, {"py", 0.0005}};
+    std::vector<Wide> given, values;
+    for (const ProgramInput& input : m.program.start) given.push_back(start.at(input.canonical));
+    const Wide eps(0.01), t(70);
+    const Interpreter<Wide> interpreter(std::make_shared<const Program>(m.program), eps, {}, given, Wide(1));
+    ASSERT_EQ(interpreter.call(t, values), Status::ok);
+    const SymbolicPoint point = at_scene(m.scene, m.solution, eps, start, t);
+    for (std::size_t k = 0; k < values.size(); ++k)
+        EXPECT_LT(abs(Wide((values[k] - point.values[k]) / point.scales[k])), Wide(1e-28));
+}
+
+TEST(SlowEmittedEqualsSymbolic, TheCacheAnswersTheSame) {
+    const fs::path folder = fs::path(RESONFORM_BINARY_DIR) / "test_symbolic_cache";
+    fs::remove_all(folder);
+    const Made m = stiffening();
+    const std::string first = to_text(checked(m, folder));
+    EXPECT_EQ(to_text(checked(m, folder)), first);
+}
+
+} // namespace
+} // namespace resonform
