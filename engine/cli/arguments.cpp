@@ -38,15 +38,6 @@ std::vector<std::string> split_at_commas(const std::string& text) {
     return items;
 }
 
-int read_integer(const std::string& option, const std::string& text, int lowest, int highest, int example) {
-    int number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || number < lowest || number > highest)
-        bad_argument(option, fmt::format("must be an integer from {} to {}", lowest, highest), text,
-                     fmt::format("give for example {} {}", option, example));
-    return number;
-}
-
 } // namespace
 
 void bad_argument(const std::string& option, const std::string& rule, const std::string& value,
@@ -56,12 +47,23 @@ void bad_argument(const std::string& option, const std::string& rule, const std:
     bad_input(Reason::command_line, {rule, printable(value), mend, place});
 }
 
+std::uint64_t read_integer(const std::string& option, const std::string& text, std::uint64_t lowest,
+                           std::uint64_t highest, std::uint64_t example) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number < lowest || number > highest)
+        bad_argument(option, fmt::format("must be an integer from {} to {}", lowest, highest), text,
+                     fmt::format("give for example {} {}", option, example));
+    return number;
+}
+
 int read_order(const std::string& option, const std::string& text) {
-    return read_integer(option, text, 1, 99, 3);
+    return static_cast<int>(read_integer(option, text, 1, 99, 3));
 }
 
 int read_digits(const std::string& text) {
-    return text.empty() ? 0 : read_integer("--digits", text, fewest_digits, most_digits, 30);
+    return text.empty() ? 0
+                        : static_cast<int>(read_integer("--digits", text, fewest_digits, most_digits, 30));
 }
 
 Rational read_eps(const std::string& text) {

@@ -7,6 +7,7 @@
 #include "model/settings.hpp"
 #include "model/style.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ template <class Read> auto of_argument(const std::string& option, const Read& re
     }
 }
 
+// lowest ... highest; `example` is for the complaint.
+std::uint64_t read_integer(const std::string& option, const std::string& text, std::uint64_t lowest,
+                           std::uint64_t highest, std::uint64_t example);
 // 1 ... 99.
 int read_order(const std::string& option, const std::string& text);
 // A decimal number or a fraction, exactly, within smallest_eps ... largest_eps: "0.01", "1/100".

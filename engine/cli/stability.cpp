@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform stability SCENE: the emitted evaluator against 50 digits over many decades of its inputs.
+#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
@@ -8,17 +9,26 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <limits>
+
 namespace resonform {
 
 namespace {
 
-int run_stability(const std::string& scene, const DerivationLimits& limits, const std::string& format) {
+constexpr std::uint64_t most_points = 1'000'000;
+
+int run_stability(const std::string& scene, std::size_t points, std::uint64_t seed,
+                  const DerivationLimits& limits, const std::string& format) {
     const Home home = find_home();
     const SceneLine line = solve_scene(scene, home, limits);
     const CacheFolder cache(home);
-    const Stability sweep = stability(line.scene, line.solution, with_progress<StabilityOptions>(cache));
+    auto options = with_progress<StabilityOptions>(cache);
+    options.points = points;
+    options.seed = seed;
+    const Stability sweep = stability(line.scene, line.solution, options);
     put("{}", format == "json" ? to_json(sweep).dump(2) + "\n" : to_text(sweep));
-    return done;
+    return sweep.verdict == Verdict::pass ? done : check_failed;
 }
 
 } // namespace
@@ -27,10 +37,18 @@ void add_stability(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("stability", "rounding of the emitted evaluator over many decades");
     const Text scene = add_required(*command, "SCENE", "", scene_help);
+    const Text points = add_text(*command, "--points", "NUMBER", "points of the sweep, 6 to a start", "300");
+    const Text seed =
+        add_text(*command, "--seed", "NUMBER", "of the points: the same seed, the same points", "2");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, scene, format, limits] {
-        action = [scene, format, limits] { return run_stability(*scene, limits.value(), format.value()); };
+    command->callback([&action, scene, points, seed, format, limits] {
+        action = [scene, points, seed, format, limits] {
+            return run_stability(
+                *scene, read_integer("--points", *points, 1, most_points, 3000),
+                read_integer("--seed", *seed, 0, std::numeric_limits<std::uint64_t>::max(), 3),
+                limits.value(), format.value());
+        };
     });
 }
 

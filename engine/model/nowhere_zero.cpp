@@ -28,6 +28,12 @@ bool SignProver::declared_nonzero(const ex& symbol) const {
 }
 
 bool SignProver::nonzero(const ex& e) const {
+    const auto asked = nonzero_.find(e);
+    if (asked != nonzero_.end()) return asked->second;
+    return nonzero_.emplace(e, find_nonzero(e)).first->second;
+}
+
+bool SignProver::find_nonzero(const ex& e) const {
     if (is_constant(e)) return sign_of_constant(e) != ConstantSign::unknown;
     if (GiNaC::is_a<GiNaC::symbol>(e)) return declared_nonzero(e);
     if (GiNaC::is_a<GiNaC::mul>(e)) {

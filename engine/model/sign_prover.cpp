@@ -134,6 +134,13 @@ bool SignProver::declared_positive(const ex& e) const {
 }
 
 ProvedSign SignProver::sign(const ex& e, int comparisons) const {
+    Known<ProvedSign>& known = signs_[comparisons];
+    const auto asked = known.find(e);
+    if (asked != known.end()) return asked->second;
+    return known.emplace(e, find_sign(e, comparisons)).first->second;
+}
+
+ProvedSign SignProver::find_sign(const ex& e, int comparisons) const {
     if (declared_positive(e)) return ProvedSign::positive;
     if (is_constant(e)) {
         const ConstantSign decided = sign_of_constant(e);

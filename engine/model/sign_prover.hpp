@@ -5,6 +5,8 @@
 
 #include "model/system_file.hpp"
 
+#include <map>
+
 namespace resonform {
 
 // Ordered, so that the weakest of several is their minimum.
@@ -29,6 +31,7 @@ public:
 private:
     // comparisons: how many of them may follow one from another.
     ProvedSign sign(const GiNaC::ex& e, int comparisons) const;
+    ProvedSign find_sign(const GiNaC::ex& e, int comparisons) const;
     bool declared_positive(const GiNaC::ex& e) const;
     ProvedSign by_structure(const GiNaC::ex& e, int comparisons) const;
     ProvedSign of_symbol(const GiNaC::ex& e) const;
@@ -48,12 +51,18 @@ private:
     ProvedSign by_declaration(const GiNaC::ex& e, int comparisons) const;
     ProvedSign by_division(const GiNaC::ex& e, const GiNaC::ex& declared, int comparisons) const;
 
+    bool find_nonzero(const GiNaC::ex& e) const;
     bool declared_nonzero(const GiNaC::ex& symbol) const;
     bool has_no_zero(const GiNaC::ex& e) const;
     bool is_excluded(const GiNaC::ex& e) const;
     bool is_excluded_by(const GiNaC::ex& declared, const GiNaC::ex& e) const;
 
+    template <class Answer> using Known = std::map<GiNaC::ex, Answer, GiNaC::ex_is_less>;
+
     const System& system_;
+    // What was asked before: a proof asks for the same parts on many ways.
+    mutable std::map<int, Known<ProvedSign>> signs_; // by comparisons
+    mutable Known<bool> nonzero_;
 };
 
 } // namespace resonform

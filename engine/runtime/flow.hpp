@@ -22,12 +22,18 @@ template <class Values> class FlowTable {
 public:
     using Real = typename Values::value_type;
 
+    // A flow that takes more panels than this turns too often for a table: at fast rates in slow time.
+    static constexpr std::size_t most_panels = 16384;
+
     // Solves y' = rates(T, y) from y(0) = start. Status: overflow, outside_domain: a rate is infinite, or
-    // not a number, or 512 panels do not resolve the solution (it may be infinite at a finite T); `end`
-    // is drawn back to where the solution is known, 0 if nowhere.
-    template <class Rates> Status build(const Rates& rates, const Values& start, Real& end) {
+    // not a number, or 512 panels do not resolve the solution (it may be infinite at a finite T);
+    // outside_interval: `most` panels end before `end` does. `end` is drawn back to where the solution is
+    // known, 0 if nowhere. If there is a rates.scale(T, y), that is how large the terms of the rates are:
+    // they are known to the last place of this only.
+    template <class Rates>
+    Status build(const Rates& rates, const Values& start, Real& end, std::size_t most = most_panels) {
         FlowPanels<Values> fitted(start);
-        const Status status = fitted.solve(rates, end);
+        const Status status = fitted.solve(rates, end, most);
         start_ = start;
         panels_ = std::move(fitted.panels);
         if (!panels_.empty()) index_ = PanelIndex<Real>(std::move(fitted.lefts), end);
@@ -59,7 +65,7 @@ private:
 template <class Values> class FlowPanels {
 public:
     using Real = typename Values::value_type;
-    static constexpr std::size_t most_panels = 512;
+    static constexpr std::size_t most_halved = 512; // where a step was refused
     struct Panel { // y_k = sum_j coefficient[k][j] x^j, T = middle + half x; of the first panel middle = 0
         Real middle{}, half{};
         std::vector<std::array<Real, Chebyshev<Real>::n + 1>> coefficient;
@@ -69,17 +75,27 @@ public:
 
     explicit FlowPanels(const Values& start)
         : values_(start.size()), scale_(start.size()), at_nodes_(start.size()), rates_(start.size()),
-          coefficients_(start.size()), argument_(start) {
+          coefficients_(start.size()), argument_(start), noise_(start) {
         for (std::size_t k = 0; k < start.size(); ++k) {
             values_[k].add(start[k]);
             scale_[k] = math::magnitude(start[k]);
+            noise_[k] = Real(0);
         }
     }
 
-    template <class Rates> Status solve(const Rates& rates, Real& end) {
+    template <class Rates> Status solve(const Rates& rates, Real& end, std::size_t most) {
         Real left = Real(0), step = end, refused = Real(-1);
         while (left < end) {
+            if (panels.size() == most) {
+                end = left;
+                return Status::outside_interval;
+            }
             if (end - left < step * (Real(1) + Real(64) * math::epsilon<Real>())) step = end - left;
+            if constexpr (requires { rates.scale(left, argument_); }) {
+                for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
+                noise_ = rates.scale(left, argument_);
+                for (Real& x : noise_) x = x * step;
+            }
             const Status tried = iterate(rates, left, step);
             const bool contracts = tried == Status::ok && contracted_;
             const Real rest = contracts ? remainder(step) : Real(-1);
@@ -92,7 +108,7 @@ public:
             }
             refused = rest;
             step = step / Real(2);
-            if (panels.size() < most_panels && step * Real(1e9) > end) continue;
+            if (panels.size() < most_halved && step * Real(1e9) > end) continue;
             end = left;
             return tried == Status::ok ? Status::outside_domain : tried;
         }
@@ -150,7 +166,7 @@ private:
     }
 
     [[nodiscard]] Real size(std::size_t k, const Real& value) const {
-        return std::max(scale_[k], Real(math::magnitude(value)));
+        return std::max(std::max(scale_[k], noise_[k]), Real(math::magnitude(value)));
     }
 
     // What the last coefficients of the rates leave open of the values, in units of the tolerance.
@@ -190,7 +206,7 @@ private:
             coefficient[0] = first ? values_[k].value() : coefficient[0] + values_[k].value();
             panel.coefficient.push_back(coefficient);
             values_[k].add(whole);
-            for (const Real& y : at_nodes_[k]) scale_[k] = size(k, y);
+            for (const Real& y : at_nodes_[k]) scale_[k] = std::max(scale_[k], Real(math::magnitude(y)));
         }
         panels.push_back(std::move(panel));
         lefts.push_back(left);
@@ -211,7 +227,7 @@ private:
     std::vector<CompensatedSum<Real>> values_; // at the left end of what is next
     std::vector<Real> scale_;                  // of each value so far
     std::vector<Nodes> at_nodes_, rates_, coefficients_;
-    Values argument_;
+    Values argument_, noise_;
     bool contracted_ = false;
 };
 

@@ -36,7 +36,7 @@ public:
     // must be positive at every time besides; `results`: what may overflow.
     const char* why(Status status, const char* conditions, const char* results) const noexcept {
         switch (status) {
-        case Status::outside_interval:
+        case Status::outside_interval: return beyond_.status == status ? beyond_.quantity : "t";
         case Status::bad_argument: return "t";
         case Status::outside_domain: return beyond_.status == status ? beyond_.quantity : conditions;
         case Status::overflow: return beyond_.status == status ? beyond_.quantity : results;

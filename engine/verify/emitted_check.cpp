@@ -5,6 +5,7 @@
 #include "verify/emitted_points.hpp"
 #include "verify/interpreter.hpp"
 #include "verify/symbolic_table.hpp"
+#include "verify/ulp.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -107,7 +108,7 @@ private:
             if (exact[i].status != Status::ok || status == Status::low_precision) continue;
             ++result_.compared;
             for (std::size_t k = 0; k < values.size(); ++k)
-                record(ulp(values[k], exact[i].values[k], exact[i].scales[k]),
+                record(in_ulp<Real>(values[k], exact[i].values[k], exact[i].scales[k]),
                        share(exact[i].phase_parts[k], exact[i].scales[k]), program_.outputs[k].name, drawn, t,
                        "");
         }
@@ -115,13 +116,6 @@ private:
 
     static double share(const Wide& part, const Wide& whole) {
         return whole > 0 ? static_cast<double>(Wide(part / whole)) : 0;
-    }
-
-    static double ulp(Real value, const Wide& exact, const Wide& scale) {
-        if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
-        const Wide spacing = scale * Wide(std::numeric_limits<Real>::epsilon()),
-                   least(std::numeric_limits<Real>::denorm_min());
-        return static_cast<double>(Wide(abs(Wide(value) - exact) / (spacing < least ? least : spacing)));
     }
 
     // The symbolic status changes to the emitted one within 4 ulp of t, or a value is beyond the range of

@@ -87,7 +87,8 @@ Json of(const BreakEven& b) {
 Json of(const WorstPoint& w) {
     Json at = Json::object();
     for (const auto& [name, value] : w.at) at[name] = number(value);
-    return {{"output", w.output}, {"ulp", number(w.ulp)}, {"at", at}};
+    return {
+        {"output", w.output}, {"ulp", number(w.ulp)}, {"unavoidable_ulp", number(w.unavoidable)}, {"at", at}};
 }
 
 Json of(const EmittedCheck& check) {
@@ -139,19 +140,28 @@ Json to_json(const Comparison& c) {
 }
 
 Json to_json(const Stability& s) {
-    Json worst = Json::array(), median = Json::object(), refused = Json::object();
+    Json worst = Json::array(), median = Json::object(), refused = Json::object(), ranges = Json::object();
+    for (const SweptInput& input : s.inputs) ranges[input.name] = {number(input.low), number(input.high)};
     for (const WorstPoint& w : s.worst) worst.push_back(of(w));
     for (const auto& [name, ulp] : s.median) median[name] = number(ulp);
     for (const auto& [status, count] : s.refused_by) refused[status] = count;
-    return {{"schema", "resonform.stability/1"},
-            {"system", s.system},
-            {"scene", s.scene},
-            {"cases", s.cases},
-            {"refused", s.refused},
-            {"worst", worst},
-            {"refused_by", refused},
-            {"beyond_reference", s.beyond_reference},
-            {"median_ulp", median}};
+    Json json{{"schema", "resonform.stability/1"},
+              {"system", s.system},
+              {"scene", s.scene},
+              {"seed", s.seed},
+              {"verdict", to_string(s.verdict)},
+              {"threshold_ulp", s.threshold},
+              {"ranges", ranges},
+              {"cases", s.cases},
+              {"compared", s.compared},
+              {"refused", s.refused},
+              {"unexplained", s.unexplained},
+              {"worst", worst},
+              {"refused_by", refused},
+              {"beyond_reference", s.beyond_reference},
+              {"median_ulp", median}};
+    if (!s.reason.empty()) json["reason"] = s.reason;
+    return json;
 }
 
 } // namespace resonform

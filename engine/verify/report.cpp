@@ -177,24 +177,37 @@ Section speed(const Findings& f, const Figures& figures) {
 }
 
 Section rounding(const Findings& f) {
-    Table worst{"Worst points", {"output", "ulp", "at"}, {}};
+    Table worst{"Worst points", {"output", "ulp", "unavoidable", "at"}, {}};
     for (const WorstPoint& point : f.stability.worst) {
         std::vector<std::string> at;
         for (const auto& [name, value] : point.at)
             at.push_back(fmt::format("{} = {}", pretty(name), short_number(value)));
-        worst.rows.push_back(
-            {pretty(point.output), short_number(point.ulp), fmt::format("{}", fmt::join(at, ", "))});
+        worst.rows.push_back({pretty(point.output), short_number(point.ulp), short_number(point.unavoidable),
+                              fmt::format("{}", fmt::join(at, ", "))});
     }
     Table median{"Median", {"output", "ulp"}, {}};
     for (const auto& [name, ulp] : f.stability.median)
         median.rows.push_back({pretty(name), short_number(ulp)});
-    return {"Stability of the emitted code",
-            {Paragraph{fmt::format(
-                 "Double against 50 digits at {} points over many decades of every input; {} were "
-                 "answered with a status, at {} the reference itself was not enough. Errors in ulp "
-                 "of the output's scale, the sum of its terms' magnitudes.",
-                 f.stability.cases, f.stability.refused, f.stability.beyond_reference)},
-             median, worst}};
+    Table swept{"Swept", {"input", "from", "to"}, {}};
+    for (const SweptInput& input : f.stability.inputs) {
+        const std::string unit = input.weight == 0   ? ""
+                                 : input.weight == 1 ? " ε"
+                                                     : fmt::format(" ε^{}", input.weight);
+        swept.rows.push_back({pretty(input.name),
+                              (input.negative ? "± " : "") + short_number(input.low) + unit,
+                              short_number(input.high) + unit});
+    }
+    return {
+        "Stability of the emitted code",
+        {Paragraph{fmt::format(
+             "Verdict: {}. Double against 50 digits at {} points over many decades of every input; {} were "
+             "answered with a status, of them {} that nothing explains (at most {:.0f} % may be); {} are "
+             "beyond the reference. Errors in ulp of the output's scale, the sum of its terms' magnitudes; "
+             "the threshold is {:g}, and as many times more as one last bit of all inputs makes "
+             "unavoidable.",
+             to_string(f.stability.verdict), f.stability.cases, f.stability.refused, f.stability.unexplained,
+             100 * unexplained_share, f.stability.beyond_reference, f.stability.threshold)},
+         swept, median, worst}};
 }
 
 // The law, and how it looks.

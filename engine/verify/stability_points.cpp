@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/stability_points.hpp"
 
-#include "emit/identifier.hpp"
 #include "verify/interpreter.hpp"
+#include "verify/start_scaling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,23 +14,8 @@ namespace {
 
 constexpr double default_eps = 0.01;
 constexpr double corner_probability = 0.4;
-
-struct Range {
-    double low, high; // of the magnitude
-    bool both_signs;
-};
-
-Range range(InputKind kind) {
-    switch (kind) {
-    case InputKind::eps: return {smallest_eps, largest_eps, false};
-    case InputKind::positive: return {1e-12, 1e12, false};
-    case InputKind::real: return {1e-12, 1e12, true};
-    case InputKind::amplitude: return {1e-12, 1e3, true};
-    case InputKind::slow: return {1e-150, 1e150, true};
-    case InputKind::phase: return {1e-3, 1e14, true};
-    }
-    return {1, 1, false};
-}
+constexpr int most_draws = 20;
+constexpr double parameter_decades = 1e12, start_decades = 1e3;
 
 // All inputs as one vector: eps, parameters, start.
 using Inputs = std::vector<double>;
@@ -41,95 +26,109 @@ SweepPoint unpack(const Program& program, const Inputs& inputs) {
     return {inputs.front(), {parameters, start}, {start, inputs.end()}};
 }
 
-Inputs defaults(const Program& program) {
-    Inputs inputs{default_eps};
-    std::vector<double> parameters = default_parameters<double>(program, default_eps);
+Inputs defaults(const Program& program, double eps) {
+    Inputs inputs{eps};
+    std::vector<double> parameters = default_parameters<double>(program, eps);
     for (double& p : parameters)
         if (std::isnan(p)) p = 1; // the scene gives none
-    const std::vector<double> start = default_start<double>(program, default_eps, parameters);
+    const std::vector<double> start = default_start<double>(program, eps, parameters);
     inputs.insert(inputs.end(), parameters.begin(), parameters.end());
     inputs.insert(inputs.end(), start.begin(), start.end());
     return inputs;
 }
 
-class Dice {
+class Draws {
 public:
-    explicit Dice(std::uint64_t seed) : random_(seed) {}
+    Draws(const Program& program, const System& system, std::uint64_t seed)
+        : program_(program), inputs_(swept_inputs(program, system)), random_(seed) {}
 
-    double value(InputKind kind) {
-        if (uniform() < corner_probability) {
-            const std::vector<double> list = corners(kind);
-            return list[std::min(list.size() - 1,
-                                 static_cast<std::size_t>(uniform() * static_cast<double>(list.size())))];
-        }
-        const Range r = range(kind);
-        const double size = r.low * std::pow(r.high / r.low, uniform());
-        return r.both_signs && uniform() < 0.5 ? -size : size;
+    [[nodiscard]] Inputs of_scene() const { return defaults(program_, default_eps); }
+
+    Inputs one_corner() {
+        const std::size_t i = below(inputs_.size());
+        if (i == 0) return defaults(program_, corner(inputs_.front(), default_eps));
+        Inputs inputs = of_scene();
+        inputs[i] = corner(inputs_[i], default_eps);
+        return inputs;
     }
-    double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+    Inputs all() {
+        Inputs inputs(inputs_.size());
+        for (std::size_t i = 0; i < inputs_.size(); ++i)
+            inputs[i] = uniform() < corner_probability ? corner(inputs_[i], inputs.front())
+                                                       : anywhere(inputs_[i], inputs.front());
+        return inputs;
+    }
 
 private:
+    double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+    std::size_t below(std::size_t n) {
+        return std::min(n - 1, static_cast<std::size_t>(uniform() * static_cast<double>(n)));
+    }
+    double signed_value(const SweptInput& input, double eps, double size) {
+        const bool turned = input.negative && uniform() < 0.5;
+        return (turned ? -1 : 1) * size * std::pow(eps, input.weight);
+    }
+    double corner(const SweptInput& input, double eps) {
+        const std::size_t which = below(input.zero ? 4 : 3);
+        if (which == 3) return 0;
+        return signed_value(input, eps, which == 0 ? input.low : which == 1 ? middle(input) : input.high);
+    }
+    double anywhere(const SweptInput& input, double eps) {
+        return signed_value(input, eps, input.low * std::pow(input.high / input.low, uniform()));
+    }
+    static double middle(const SweptInput& input) { return std::sqrt(input.low) * std::sqrt(input.high); }
+
+    const Program& program_;
+    std::vector<SweptInput> inputs_;
     std::mt19937_64 random_;
 };
 
-} // namespace
-
-std::vector<double> corners(InputKind kind) {
-    const Range r = range(kind);
-    switch (kind) {
-    case InputKind::eps: return {r.low, 1e-6, 1e-3, 0.1, r.high};
-    case InputKind::positive: return {r.low, 1, r.high};
-    case InputKind::real:
-    case InputKind::amplitude: return {-r.high, -1, r.low, 1, r.high};
-    case InputKind::slow: return {0, -r.high, -1, -r.low, r.low, 1, r.high};
-    case InputKind::phase: return {0, -r.high, 1, r.high};
-    }
-    return {};
+SweptInput of_parameter(const ProgramInput& input, const System& system) {
+    const auto named = [&](const Parameter& p) { return input.meaning == "parameter " + p.name; };
+    const auto found = std::find_if(system.parameters.begin(), system.parameters.end(), named);
+    const bool positive = found != system.parameters.end() && found->positive;
+    return {input.name, 1 / parameter_decades, parameter_decades, !positive};
 }
 
-namespace {
-
-InputKind start_kind(const ProgramInput& input, const Program& program, const System& system) {
-    for (const ProgramOutput& slow : program.slow)
-        if (input.name == identifier(slow.name + "_0")) return InputKind::slow;
-    for (const Variable& variable : system.variables) {
-        if (input.name == identifier(system.constant_name("phase", variable.name))) return InputKind::phase;
-        if (input.name == identifier(system.constant_name("amplitude", variable.name)))
-            return InputKind::amplitude;
-    }
-    return InputKind::real;
+SweptInput of_start(const ProgramInput& input, const System& system) {
+    const Variable* variable = system.variable(input.canonical);
+    const bool slow = variable != nullptr && variable->role == Role::slow;
+    return {input.name,
+            1 / start_decades,
+            start_decades,
+            !(slow && variable->positive),
+            !(slow && (variable->positive || variable->nonzero)),
+            start_weight(system, input.canonical)};
 }
 
 } // namespace
 
-std::vector<InputKind> input_kinds(const Program& program, const System& system) {
-    std::vector<InputKind> kinds{InputKind::eps};
-    for (const ProgramInput& input : program.parameters) {
-        const auto named = [&](const Parameter& p) { return input.meaning == "parameter " + p.name; };
-        const auto found = std::find_if(system.parameters.begin(), system.parameters.end(), named);
-        const bool positive = found != system.parameters.end() && found->positive;
-        kinds.push_back(positive ? InputKind::positive : InputKind::real);
-    }
-    for (const ProgramInput& input : program.start) kinds.push_back(start_kind(input, program, system));
-    return kinds;
+std::vector<SweptInput> swept_inputs(const Program& program, const System& system) {
+    std::vector<SweptInput> inputs{{"eps", smallest_eps, largest_eps}};
+    for (const ProgramInput& input : program.parameters) inputs.push_back(of_parameter(input, system));
+    for (const ProgramInput& input : program.start) inputs.push_back(of_start(input, system));
+    return inputs;
 }
 
-std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t random_points,
-                                     std::uint64_t seed) {
-    const std::vector<InputKind> kinds = input_kinds(program, system);
-    const Inputs base = defaults(program);
-    std::vector<SweepPoint> points{unpack(program, base)};
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-        for (const double first : corners(kinds[i])) {
-            Inputs inputs = base;
-            inputs[i] = first;
-            points.push_back(unpack(program, inputs));
+std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t count,
+                                     std::uint64_t seed,
+                                     const std::function<bool(const SweepPoint&)>& inside) {
+    Draws draws(program, system, seed);
+    std::vector<SweepPoint> points;
+    while (points.size() < count) {
+        if (points.empty()) {
+            points.push_back(unpack(program, draws.of_scene()));
+            continue;
         }
-    Dice dice(seed);
-    for (std::size_t n = 0; n < random_points; ++n) {
-        Inputs inputs = base;
-        for (std::size_t i = 0; i < kinds.size(); ++i) inputs[i] = dice.value(kinds[i]);
-        points.push_back(unpack(program, inputs));
+        const bool corner = points.size() % 2 == 1;
+        SweepPoint drawn;
+        for (int n = 0; n < most_draws; ++n) {
+            drawn = unpack(program, corner ? draws.one_corner() : draws.all());
+            const bool is_new = std::find(points.begin(), points.end(), drawn) == points.end();
+            if (is_new && inside(drawn)) break;
+        }
+        points.push_back(std::move(drawn));
     }
     return points;
 }

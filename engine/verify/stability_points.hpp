@@ -1,39 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of a stability sweep: every corner of every input alone, then random mixtures.
+// The inputs of a stability sweep: how far each is driven, and the starts that are drawn.
 #pragma once
 
 #include "emit/program.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace resonform {
 
-// What an input means decides how far it is driven.
-enum class InputKind {
-    eps,       // 1e-12 ... 0.5
-    positive,  // 1e-12 ... 1e12
-    real,      // the same of both signs: parameters, constants
-    amplitude, // 1e-12 ... 1e3 of both signs; eps times more than that is in the reach of no expansion
-    slow,      // 0, and 1e-150 ... 1e150 of both signs
-    phase,     // 0 ... 1e14 of both signs
+// |value| = eps^weight * (low ... high)
+struct SweptInput {
+    std::string name; // as the evaluator's constructor calls it
+    double low, high;
+    bool negative = false; // of both signs
+    bool zero = false;     // and 0
+    int weight = 0;        // of a start value
 };
 
-// The corners of a kind, extremes included.
-std::vector<double> corners(InputKind kind);
+// In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
+// they are declared positive), start values eps^weight * (1e-3 ... 1e3).
+std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
 
 struct SweepPoint {
     double eps = 0;
     std::vector<double> parameters, start; // in the order of the program
+
+    friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
-// The inputs of a program in the order eps, parameters, start.
-std::vector<InputKind> input_kinds(const Program& program, const System& system);
-
-// Every corner alone (the rest at the scene's defaults), then `random_points` log-uniform ones of which
-// each input is at a corner with probability 0.4: pairs and triples of corners are among them. Same seed,
-// same points.
-std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t random_points,
-                                     std::uint64_t seed);
+// The scene's own, then points of which every other one has one input at a corner, with the rest as in the
+// scene, and all inputs are drawn in the others: log-uniform, each at a corner with probability 0.4. What
+// lies not `inside`, or was drawn before, is drawn again, 20 times at most. Same seed, same points.
+std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t count,
+                                     std::uint64_t seed,
+                                     const std::function<bool(const SweepPoint&)>& inside);
 
 } // namespace resonform

@@ -16,16 +16,16 @@ bool scales(const GiNaC::ex& value, const GiNaC::symbol& eps, int weight) {
     return true;
 }
 
-int weight_of(const System& system, const std::string& name) {
+} // namespace
+
+int start_weight(const System& system, const std::string& name) {
     const Variable* variable = system.variable(name.substr(0, name.find('\'')));
     return variable != nullptr && variable->role == Role::fast ? variable->weight : 0;
 }
 
-} // namespace
-
 std::string start_scaling_complaint(const Scene& scene) {
     for (const StartValue& start : scene.start) {
-        const int weight = weight_of(*scene.system, start.name);
+        const int weight = start_weight(*scene.system, start.name);
         if (scales(start.value, scene.system->eps, weight)) continue;
         return fmt::format(
             "{} starts at {}, which is not {}a constant: along a ladder of eps the error has no order",

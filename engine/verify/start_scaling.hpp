@@ -8,6 +8,10 @@
 
 namespace resonform {
 
+// The weight k by which a start value of [start] scales, as eps^k: that of a fast variable; 0 of the others
+// and of constants of the solution.
+int start_weight(const System& system, const std::string& name);
+
 // A variable of weight k must start at eps^k times a constant: fast variables at eps * constant, the
 // others and the constants of the solution free of eps (design 2.5). Returns the complaint, or "".
 std::string start_scaling_complaint(const Scene& scene);

@@ -40,8 +40,9 @@ struct SymbolicEvaluator::Impl {
         Numbers sums = {Wide(0)}; // up to the end of each piece
     };
 
-    Impl(std::shared_ptr<const SymbolicSolution> s, const SymbolicInputs& given, const Wide& wanted)
-        : inputs(given), frame(std::move(s), given), integral(symbolic_integral(frame)) {
+    Impl(std::shared_ptr<const SymbolicSolution> s, const SymbolicInputs& given, const Wide& wanted,
+         std::size_t most_panels)
+        : inputs(given), frame(std::move(s), given), integral(symbolic_integral(frame, most_panels)) {
         const Wide least = inputs.slow_time_end / 1024; // t = 0 alone is no interval
         status = construct(std::min(std::max(wanted, least), inputs.slow_time_end));
     }
@@ -62,12 +63,16 @@ struct SymbolicEvaluator::Impl {
         if (!conditions_hold(frame.constants, false)) return Status::outside_domain;
         const bool has_layers = !solution().layers().empty();
         Wide reach = has_layers ? inputs.slow_time_end : wanted;
-        if (const Status built = integral->build_flow(reach); !goes_on(built, reach)) return built;
+        const auto tabulate = [&](Status built) {
+            if (built != Status::ok) tabulated = std::min(tabulated, reach);
+            return goes_on(built, reach);
+        };
+        if (const Status built = integral->build_flow(reach); !tabulate(built)) return built;
         if (has_layers) {
             if (const Status clear = keep_clear_of_layers(reach); !goes_on(clear, reach)) return clear;
             reach = std::min(reach, wanted);
         }
-        if (const Status built = integral->build_along(reach); !goes_on(built, reach)) return built;
+        if (const Status built = integral->build_along(reach); !tabulate(built)) return built;
         find_moved_phases();
         find_integral_scales(reach);
         for (const SymbolicOutput& output : solution().outputs()) outputs.push_back(prepared(output));
@@ -89,14 +94,10 @@ struct SymbolicEvaluator::Impl {
     [[nodiscard]] bool holds(std::size_t k, const SymbolicValues<Wide>& values) const {
         const SymbolicCondition& c = solution().conditions()[k];
         if (c.kind != SymbolicCondition::Kind::declared) return value_of(c.sum, values).re * signs[k] > 0;
-        std::vector<Float128> slow;
+        std::vector<Wide> slow;
         for (const SymbolicVariable& v : variables())
-            if (v.kind == Of::slow) slow.push_back(narrowed<Float128>(values[v.id].re));
-        BoundTape<Float128> tape(solution().declared(), solution().parameters(inputs),
-                                 narrowed<Float128>(inputs.eps));
-        std::vector<Float128> found(solution().declared().outputs().size());
-        tape.evaluate(slow.data(), found.data());
-        return found[c.index] > 0;
+            if (v.kind == Of::slow) slow.push_back(values[v.id].re);
+        return solution().declared_at(slow, inputs)[c.index] > 0;
     }
 
     Status keep_clear_of_layers(Wide& reach) {
@@ -247,7 +248,23 @@ struct SymbolicEvaluator::Impl {
         return abs(Wide(total));
     }
 
-    [[nodiscard]] SymbolicPoint call(const Wide& t) const {
+    [[nodiscard]] std::vector<Wide> phases(const Wide& t) const {
+        Moment at(frame);
+        integral->move_to(inputs.eps * t, at);
+        std::vector<Wide> theta;
+        for (std::size_t k = 0; k < variables().size(); ++k)
+            if (variables()[k].kind == Of::phase) theta.push_back(at.now[k].re);
+        return theta;
+    }
+
+    void hold(const std::vector<Wide>& theta, Moment& at) const {
+        std::size_t next = 0;
+        for (std::size_t k = 0; k < variables().size(); ++k)
+            if (variables()[k].kind == Of::phase) at.now[k].re = theta[next++];
+    }
+
+    // held: or nullptr
+    [[nodiscard]] SymbolicPoint call(const Wide& t, const std::vector<Wide>* held) const {
         SymbolicPoint point;
         point.status = status;
         if (status != Status::ok) return point;
@@ -264,6 +281,7 @@ struct SymbolicEvaluator::Impl {
             ways.push_back(variables()[phase.variable].kind == Of::mode
                                ? turned(phase.variable, T)
                                : Wide(abs(at.now[phase.variable].re)));
+        if (held != nullptr) hold(*held, at);
         turn(at);
         const Numbers integrals = integral_scales_at(T);
         for (std::size_t k = 0; k < integrals.size(); ++k)
@@ -305,18 +323,24 @@ struct SymbolicEvaluator::Impl {
     std::vector<MovedPhase> moved;
     std::vector<IntegralScale> integral_scales;
     Wide piece = 0; // of slow time
+    Wide tabulated = inputs.slow_time_end;
     Interval<Wide> interval;
     std::vector<Output> outputs;
     Status status = Status::ok;
 };
 
 SymbolicEvaluator::SymbolicEvaluator(std::shared_ptr<const SymbolicSolution> solution,
-                                     const SymbolicInputs& inputs, const Wide& reach)
-    : impl_(std::make_unique<Impl>(std::move(solution), inputs, reach)) {}
+                                     const SymbolicInputs& inputs, const Wide& reach, std::size_t most_panels)
+    : impl_(std::make_unique<Impl>(std::move(solution), inputs, reach, most_panels)) {}
 SymbolicEvaluator::~SymbolicEvaluator() = default;
 SymbolicEvaluator::SymbolicEvaluator(SymbolicEvaluator&&) noexcept = default;
 
-SymbolicPoint SymbolicEvaluator::operator()(const Wide& t) const { return impl_->call(t); }
+SymbolicPoint SymbolicEvaluator::operator()(const Wide& t) const { return impl_->call(t, nullptr); }
+std::vector<Wide> SymbolicEvaluator::phases(const Wide& t) const { return impl_->phases(t); }
+SymbolicPoint SymbolicEvaluator::with_phases(const Wide& t, const std::vector<Wide>& theta) const {
+    return impl_->call(t, &theta);
+}
 Status SymbolicEvaluator::construction_status() const { return impl_->status; }
+const Wide& SymbolicEvaluator::tabulated() const { return impl_->tabulated; }
 
 } // namespace resonform

@@ -9,6 +9,7 @@
 // It answers with the statuses of emitted code, but never with low_precision or overflow.
 #pragma once
 
+#include "runtime/flow.hpp"
 #include "verify/symbolic_solution.hpp"
 
 #include <memory>
@@ -24,15 +25,21 @@ struct SymbolicPoint {
 
 class SymbolicEvaluator {
 public:
-    // Quadratures and flow are computed as far as the slow time `reach`, at most inputs.slow_time_end.
+    // Quadratures and flow are computed as far as the slow time `reach`, at most inputs.slow_time_end, and no
+    // farther than `most_panels` of their tables lead: outside_interval beyond.
     SymbolicEvaluator(std::shared_ptr<const SymbolicSolution> solution, const SymbolicInputs& inputs,
-                      const Wide& reach);
+                      const Wide& reach, std::size_t most_panels = FlowTable<std::vector<Wide>>::most_panels);
     ~SymbolicEvaluator();
     SymbolicEvaluator(SymbolicEvaluator&&) noexcept;
 
     [[nodiscard]] SymbolicPoint operator()(const Wide& t) const;
+    // The phases theta at t, and what the outputs are with other phases in their place.
+    [[nodiscard]] std::vector<Wide> phases(const Wide& t) const;
+    [[nodiscard]] SymbolicPoint with_phases(const Wide& t, const std::vector<Wide>& theta) const;
     // The slow time up to which the solution is known, and whether that is less than was asked for.
     [[nodiscard]] Status construction_status() const;
+    // The slow time that the tables cover: beyond, a status may say that there are no numbers, or none found.
+    [[nodiscard]] const Wide& tabulated() const;
 
 private:
     struct Impl;

@@ -18,8 +18,9 @@ template <class Number> class Integral : public SymbolicIntegral {
 public:
     using Values = std::vector<Number>;
 
-    explicit Integral(const SymbolicFrame& frame)
-        : frame_(frame), rates_(frame.variables.size()), factors_(frame.variables.size()) {
+    Integral(const SymbolicFrame& frame, std::size_t most_panels)
+        : frame_(frame), most_panels_(most_panels), rates_(frame.variables.size()),
+          factors_(frame.variables.size()) {
         for (const auto* stage : {&frame.flow, &frame.along})
             for (const std::size_t k : *stage) {
                 const SymbolicVariable& v = variable(k);
@@ -60,6 +61,39 @@ private:
         }
     }
 
+    // Of the variables of a stage, in slow time.
+    struct Rates {
+        const Integral& integral;
+        const std::vector<std::size_t>& stage;
+        mutable SymbolicMoment<Number> at;
+
+        void move_to(const Number& T, const Values& y) const {
+            const SymbolicFrame& frame = integral.frame_;
+            if (&stage == &frame.along && integral.flow_) integral.take(frame.flow, (*integral.flow_)(T), at);
+            integral.take(stage, y, at);
+            at.move_to(frame, T);
+        }
+        Values operator()(const Number& T, const Values& y) const {
+            move_to(T, y);
+            Values rates;
+            for (const std::size_t k : stage) {
+                const ComplexNumber<Number> rate = integral.factors_[k] * integral.rates_[k].value(at.values);
+                rates.push_back(rate.re);
+                if (is_complex(integral.variable(k))) rates.push_back(rate.im);
+            }
+            return rates;
+        }
+        [[nodiscard]] Values scale(const Number& T, const Values& y) const {
+            move_to(T, y);
+            Values scales;
+            for (const std::size_t k : stage) {
+                scales.push_back(integral.factors_[k] * integral.rates_[k].scale(at.values));
+                if (is_complex(integral.variable(k))) scales.push_back(scales.back());
+            }
+            return scales;
+        }
+    };
+
     Status build(const std::vector<std::size_t>& stage, Table& table, Wide& reach) {
         if (stage.empty()) return Status::ok;
         Values begin;
@@ -67,29 +101,17 @@ private:
             begin.push_back(narrowed<Number>(frame_.variables[k].start.re));
             if (is_complex(variable(k))) begin.push_back(narrowed<Number>(frame_.variables[k].start.im));
         }
-        SymbolicMoment<Number> at(frame_);
         FlowTable<Values> built;
         Number end = narrowed<Number>(reach);
-        const Status status = built.build(
-            [&](const Number& T, const Values& y) {
-                if (&stage == &frame_.along && flow_) take(frame_.flow, (*flow_)(T), at);
-                take(stage, y, at);
-                at.move_to(frame_, T);
-                Values rates;
-                for (const std::size_t k : stage) {
-                    const ComplexNumber<Number> rate = factors_[k] * rates_[k].value(at.values);
-                    rates.push_back(rate.re);
-                    if (is_complex(variable(k))) rates.push_back(rate.im);
-                }
-                return rates;
-            },
-            begin, end);
+        const Status status =
+            built.build(Rates{*this, stage, SymbolicMoment<Number>(frame_)}, begin, end, most_panels_);
         if (status != Status::ok) reach = widened(end);
         if (status == Status::ok || end > 0) table.emplace(std::move(built));
         return status;
     }
 
     const SymbolicFrame& frame_;
+    std::size_t most_panels_;
     std::vector<MovingSum<Number>> rates_;
     std::vector<Number> factors_;
     Table flow_, along_;
@@ -172,7 +194,6 @@ void SymbolicMoment<Number>::put_mode(const SymbolicFrame& frame, const Symbolic
 
 template <class Number> void SymbolicMoment<Number>::move_to(const SymbolicFrame& frame, const Number& T) {
     using math::exp;
-    using math::log;
     const SymbolicSolution& solution = *frame.solution;
     if (const auto id = solution.slow_time()) values.set(*id, T);
     for (std::size_t k = 0; k < now.size(); ++k) {
@@ -204,16 +225,16 @@ template <class Number> void SymbolicMoment<Number>::move_to(const SymbolicFrame
     for (const SymbolicPrimitive& p : solution.primitives()) {
         if (!frame.moves[static_cast<std::size_t>(p.id)]) continue;
         const Number argument = value_of(p.argument, values).re;
-        values.set(p.id, p.logarithm ? Number(log(argument)) : Number(exp(argument)));
+        values.set(p.id, p.logarithm ? logarithm(argument) : Number(exp(argument)));
     }
 }
 
 template struct SymbolicMoment<Wide>;
 template struct SymbolicMoment<Float128>;
 
-std::unique_ptr<SymbolicIntegral> symbolic_integral(const SymbolicFrame& frame) {
-    if (frame.flow.empty()) return std::make_unique<Integral<Wide>>(frame);
-    return std::make_unique<Integral<Float128>>(frame);
+std::unique_ptr<SymbolicIntegral> symbolic_integral(const SymbolicFrame& frame, std::size_t most_panels) {
+    if (frame.flow.empty()) return std::make_unique<Integral<Wide>>(frame, most_panels);
+    return std::make_unique<Integral<Float128>>(frame, most_panels);
 }
 
 } // namespace resonform

@@ -55,6 +55,7 @@ public:
 };
 
 // In 50 digits; with a flow in 33, of which about 30 are right while neighbouring solutions do not part.
-std::unique_ptr<SymbolicIntegral> symbolic_integral(const SymbolicFrame& frame);
+// most_panels: of a FlowTable.
+std::unique_ptr<SymbolicIntegral> symbolic_integral(const SymbolicFrame& frame, std::size_t most_panels);
 
 } // namespace resonform

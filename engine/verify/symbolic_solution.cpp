@@ -259,6 +259,7 @@ void SymbolicSolution::keep_what_is_needed() {
     });
 }
 
+// All of the system, in its order.
 std::vector<Float128> SymbolicSolution::parameters(const SymbolicInputs& inputs) const {
     std::vector<Float128> values;
     for (const Parameter& p : solution_.system().parameters) {
@@ -269,6 +270,16 @@ std::vector<Float128> SymbolicSolution::parameters(const SymbolicInputs& inputs)
                                                           : Float128(0));
     }
     return values;
+}
+
+std::vector<Float128> SymbolicSolution::declared_at(const std::vector<Wide>& slow,
+                                                    const SymbolicInputs& inputs) const {
+    std::vector<Float128> states;
+    for (const Wide& x : slow) states.push_back(narrowed<Float128>(x));
+    BoundTape<Float128> tape(*declared_, parameters(inputs), narrowed<Float128>(inputs.eps));
+    std::vector<Float128> found(declared_->outputs().size());
+    tape.evaluate(states.data(), found.data());
+    return found;
 }
 
 std::string SymbolicSolution::text() const {

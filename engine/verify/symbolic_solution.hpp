@@ -76,11 +76,9 @@ public:
     [[nodiscard]] const std::vector<SymbolicOutput>& outputs() const { return outputs_; }
     [[nodiscard]] const std::vector<SymbolicCondition>& conditions() const { return conditions_; }
     [[nodiscard]] const std::vector<SymbolicLayer>& layers() const { return layers_; }
-    // The declared domain, in parameters (of Scene::fix where they are fixed) and slow variables, which are
-    // the states of the tape in the order of `variables`.
-    [[nodiscard]] const Tape& declared() const { return *declared_; }
-    // All of the system, in its order.
-    [[nodiscard]] std::vector<Float128> parameters(const SymbolicInputs& inputs) const;
+    // What is declared positive, where the slow variables, in the order of `variables`, have these values.
+    [[nodiscard]] std::vector<Float128> declared_at(const std::vector<Wide>& slow,
+                                                    const SymbolicInputs& inputs) const;
     [[nodiscard]] const SymbolicStartFinder& start() const { return *start_; }
     // Generators with a constant value that the start gives: amplitude and constants of a closed solution.
     struct Constant {
@@ -100,6 +98,7 @@ private:
     void add_layers(const std::function<Polynomial(const Polynomial&)>& lifted);
     void add_conditions();
     void keep_what_is_needed();
+    [[nodiscard]] std::vector<Float128> parameters(const SymbolicInputs& inputs) const;
 
     const Solution& solution_;
     const Scene& scene_;
@@ -112,7 +111,7 @@ private:
     std::vector<SymbolicOutput> outputs_;
     std::vector<SymbolicCondition> conditions_;
     std::vector<SymbolicLayer> layers_;
-    std::unique_ptr<Tape> declared_;
+    std::unique_ptr<Tape> declared_; // in parameters; its states are the slow variables
     std::unique_ptr<SymbolicStartFinder> start_;
     std::vector<Constant> constants_;
     std::optional<GeneratorId> slow_time_;

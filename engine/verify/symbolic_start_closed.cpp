@@ -147,7 +147,7 @@ private:
             Wide value = 0;
             if (p.kind != PrimitiveKind::quadrature) {
                 const Wide argument = value_of(arguments_[k], own).re;
-                value = p.kind == PrimitiveKind::logarithm ? Wide(log(argument)) : Wide(exp(argument));
+                value = p.kind == PrimitiveKind::logarithm ? logarithm(argument) : Wide(exp(argument));
             }
             own.set(p.id, value);
         }

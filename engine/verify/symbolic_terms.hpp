@@ -49,6 +49,13 @@ template <class Number> ComplexNumber<Number> unit(const Number& angle) {
     return {cos(angle), sin(angle)};
 }
 
+// 0 of a number that is 1 but for rounding: what vanishes at the start does so exactly.
+template <class Number> Number logarithm(const Number& x) {
+    using math::log;
+    const Number off = math::magnitude(Number(x - Number(1)));
+    return off < Number(16) * math::epsilon<Number>() ? Number(0) : Number(log(x));
+}
+
 // From one type to another, beyond the range of double as well.
 template <class To> To narrowed(const Wide& x);
 template <> inline Wide narrowed(const Wide& x) { return x; }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 
@@ -20,6 +22,8 @@ namespace resonform::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double idle = 20; // times as long may a process take that does not get its processor
 
 nlohmann::json packed(const SceneResult& r) {
     return {r.seed, r.roles,        r.order,  r.refused, r.reason,    r.wrong,          r.points,
@@ -44,8 +48,11 @@ void write_line(int file, const std::string& text) {
 }
 
 // What is under way, line by line; the last line is the result.
-[[noreturn]] void answer(int file, std::uint64_t seed, TrialOptions options) {
+[[noreturn]] void answer(int file, std::uint64_t seed, TrialOptions options, double seconds) {
     setpgid(0, 0); // with what it starts
+    const auto limit = static_cast<rlim_t>(std::ceil(seconds));
+    const rlimit of_processor{limit, limit};
+    setrlimit(RLIMIT_CPU, &of_processor);
     options.enter = [file](const std::string& what) { write_line(file, what); };
     SceneResult result;
     try {
@@ -88,17 +95,19 @@ SceneResult tried_apart(std::uint64_t seed, const TrialOptions& options, double 
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) return result;
     const pid_t child = fork();
-    if (child == 0) answer(ends[1], seed, options);
+    if (child == 0) answer(ends[1], seed, options, seconds);
     close(ends[1]);
     if (child > 0) {
         std::string text;
-        const auto end = Clock::now() + std::chrono::milliseconds(static_cast<long long>(1000 * seconds));
-        const bool ended = read_until(ends[0], end, text);
+        const auto longest = std::chrono::milliseconds(static_cast<long long>(1000 * idle * seconds));
+        const bool ended = read_until(ends[0], Clock::now() + longest, text);
         if (!ended) kill(-child, SIGKILL);
         int status = 0;
         while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
         }
-        if (!ended) {
+        const bool spent =
+            WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGXCPU);
+        if (!ended || spent) {
             result.wrong = too_long;
             result.reason = last_line(text);
             result.seconds = seconds;

@@ -12,7 +12,7 @@ namespace resonform::test {
 
 struct RunOptions {
     std::vector<std::uint64_t> seeds;
-    double seconds = 60;          // of a scene: what takes longer is ended
+    double seconds = 60;          // of processor time, of a scene: what takes longer is ended
     std::size_t starts = 50;      // of emitted = symbolic
     std::uint64_t compiled = 0;   // every so many scenes are compiled; 0: none
     std::filesystem::path folder; // for a folder of each scene, which is removed

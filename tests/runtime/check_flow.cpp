@@ -88,6 +88,41 @@ TYPED_TEST(Flow, EndsWhereTheSolutionDoes) {
 }
 
 // The same whether the number of values is known to the compiler or not.
+TYPED_TEST(Flow, EndsWhereItHasTooManyPanels) {
+    using Real = TypeParam;
+    using math::cos;
+    FlowTable<std::array<Real, 1>> flow;
+    Real end(1);
+    const auto rates = [](const Real& T, const std::array<Real, 1>&) {
+        return std::array<Real, 1>{Real(Real(1000) * cos(Real(Real(1000) * T)))};
+    };
+    ASSERT_EQ(flow.build(rates, {Real(0)}, end, 8), Status::outside_interval);
+    EXPECT_EQ(flow.panels(), 8U);
+    EXPECT_GT(end, Real(0));
+    EXPECT_LT(end, Real(1));
+    using math::sin;
+    EXPECT_LT(ulps<Real>(flow(end)[0], sin(Real(Real(1000) * end))), Real(1000));
+}
+
+// The rate is the difference of two large terms: it has no more digits than they leave it.
+TYPED_TEST(Flow, KnowsHowLargeTheTermsOfItsRatesAre) {
+    using Real = TypeParam;
+    using Values = std::array<Real, 1>;
+    using math::cos;
+    struct Rates {
+        Real large = Real(1) / (math::epsilon<Real>() * Real(1024));
+        Values operator()(const Real& T, const Values&) const { return {Real((large + cos(T)) - large)}; }
+        [[nodiscard]] Values scale(const Real&, const Values&) const { return {Real(2 * large)}; }
+    };
+    const Rates rates;
+    FlowTable<Values> flow, blind;
+    Real end(1), nowhere(1);
+    EXPECT_EQ(flow.build(rates, {Real(0)}, end), Status::ok);
+    EXPECT_NEAR(static_cast<double>(flow(Real(1))[0]), std::sin(1.0), 0.01);
+    const auto only_rates = [&](const Real& T, const Values& y) { return rates(T, y); };
+    EXPECT_EQ(blind.build(only_rates, {Real(0)}, nowhere), Status::outside_domain);
+}
+
 TEST(FlowOfVectors, AgreesWithThatOfArrays) {
     const auto rate = [](double T, double y) { return std::cos(T) * y - y * y; };
     FlowTable<std::array<double, 1>> fixed;

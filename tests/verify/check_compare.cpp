@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The comparison of run times and the stability sweep: what must hold on any machine.
+// The comparison of run times: what must hold on any machine.
 #include "scene_line.hpp"
 #include "support/documented.hpp"
 #include "verify/json.hpp"
-#include "verify/stability_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -110,61 +109,6 @@ TEST(CompareText, SaysThatTheEvaluatorLosesWhereItDoes) {
         << text;
     EXPECT_NE(text.find("Taylor 4 s (2 times); the emitted evaluator is the fastest\n"), std::string::npos)
         << text;
-}
-
-Stability swept(std::size_t random_points) {
-    const test::SceneLine line = test::pendulum("third_order");
-    StabilityOptions options;
-    static_cast<VerifyOptions&>(options) = test::options();
-    options.random_points = random_points;
-    return stability(line.scene, line.solution, options);
-}
-
-TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
-    const Stability s = swept(10);
-    EXPECT_GT(s.cases, 300U);
-    EXPECT_LT(s.refused, s.cases / 2);
-    EXPECT_EQ(s.beyond_reference, 0U);
-    ASSERT_EQ(s.median.size(), 3U);
-    EXPECT_EQ(s.worst.size(), 15U);
-    for (const auto& [name, ulp] : s.median) EXPECT_LT(ulp, 1) << name;
-    for (const WorstPoint& w : s.worst) {
-        EXPECT_LT(w.ulp, 64) << w.output << " at t = " << w.at.back().second;
-        EXPECT_EQ(w.at.front().first, "eps");
-        EXPECT_EQ(w.at.back().first, "t");
-    }
-    const auto json = to_json(s);
-    EXPECT_EQ(json["schema"], "resonform.stability/1");
-    EXPECT_EQ(test::undocumented(json, test::file_formats()), std::set<std::string>());
-    for (const char* key : {"cases", "refused", "worst"}) EXPECT_TRUE(json.contains(key)) << key;
-    for (const char* key : {"output", "ulp", "at"}) EXPECT_TRUE(json["worst"][0].contains(key)) << key;
-    EXPECT_EQ(to_text(swept(10)), to_text(s)) << "no times, nothing that varies";
-}
-
-TEST(Stability, KindsFollowFromTheSystemNotFromNames) {
-    const test::SceneLine line = test::pendulum("third_order");
-    const Program program = build_program(line.solution, line.scene, {false, false});
-    using enum InputKind;
-    EXPECT_EQ(input_kinds(program, *line.system->system),
-              (std::vector<InputKind>{eps, positive, positive, real, slow, amplitude, phase, real, real}));
-    for (const InputKind kind : {eps, positive, real, amplitude, slow, phase})
-        EXPECT_GE(corners(kind).size(), 3U);
-}
-
-TEST(Stability, SamePointsForTheSameSeed) {
-    const test::SceneLine line = test::pendulum("third_order");
-    const Program program = build_program(line.solution, line.scene, {false, false});
-    const auto draw = [&](std::uint64_t seed) {
-        std::vector<double> all;
-        for (const SweepPoint& p : sweep_points(program, *line.system->system, 30, seed)) {
-            all.push_back(p.eps);
-            all.insert(all.end(), p.parameters.begin(), p.parameters.end());
-            all.insert(all.end(), p.start.begin(), p.start.end());
-        }
-        return all;
-    };
-    EXPECT_EQ(draw(2), draw(2));
-    EXPECT_NE(draw(2), draw(3));
 }
 
 } // namespace

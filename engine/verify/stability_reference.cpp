@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/stability_reference.hpp"
+
+#include "model/start_names.hpp"
+#include "verify/ulp.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resonform {
+
+namespace {
+
+constexpr std::size_t most_panels = 16;
+constexpr double edge_ulp = 4;
+const Wide last_bit = 0x1p-52;
+
+std::vector<GiNaC::ex> values_of_starts(const Scene& scene) {
+    std::vector<GiNaC::ex> values;
+    for (const StartValue& start : scene.start) values.push_back(start.value);
+    return values;
+}
+
+// The parameters of a system, in its order; 1 where the scene fixes none.
+std::vector<Float128> values_of_parameters(const System& system, const Scene& scene) {
+    std::vector<GiNaC::ex> values;
+    for (const Parameter& p : system.parameters) {
+        const auto fixed = scene.fix.find(p.name);
+        values.push_back(fixed == scene.fix.end() ? GiNaC::ex(1) : fixed->second);
+    }
+    return evaluate_constants(Tape::constants(system, values), std::vector<Float128>(values.size()),
+                              Float128(0));
+}
+
+} // namespace
+
+StabilityReference::StabilityReference(const Program& program, const Solution& solution, const Scene& scene)
+    : program_(program), scene_(scene), start_(Tape::constants(*scene.system, values_of_starts(scene))),
+      solution_(std::make_shared<const SymbolicSolution>(solution, scene, false)),
+      parameters_(values_of_parameters(*scene.system, scene)) {}
+
+SymbolicInputs StabilityReference::inputs_at(const SweepPoint& at, double end) const {
+    const System& system = *scene_.system;
+    SymbolicInputs inputs{Wide(at.eps), {}, {}, Wide(end), {}};
+    std::vector<Float128> parameters = parameters_;
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        const std::string& name = system.parameters[k].name;
+        for (std::size_t i = 0; i < at.parameters.size(); ++i)
+            if (program_.parameters[i].meaning == "parameter " + name) parameters[k] = at.parameters[i];
+        inputs.parameters.emplace(name, widened(parameters[k]));
+    }
+    const std::vector<Float128> of_scene = evaluate_constants(start_, parameters, Float128(at.eps));
+    for (std::size_t k = 0; k < of_scene.size(); ++k) {
+        const std::string name = canonical_start(scene_.start[k].name, system);
+        inputs.start.emplace(name, widened(of_scene[k]));
+        inputs.untaken.insert(name);
+    }
+    for (std::size_t i = 0; i < at.start.size(); ++i) {
+        inputs.start[program_.start[i].canonical] = at.start[i];
+        inputs.untaken.erase(program_.start[i].canonical);
+    }
+    return inputs;
+}
+
+bool StabilityReference::inside(const SweepPoint& at) const {
+    const SymbolicInputs inputs = inputs_at(at, 1);
+    const std::vector<Float128> declared = solution_->declared_at(solution_->start().at(inputs).slow, inputs);
+    return std::all_of(declared.begin(), declared.end(), [](Float128 value) { return value > 0; });
+}
+
+StabilityReference::From::From(const StabilityReference& reference, const SweepPoint& at, double end)
+    : reference_(reference), inputs_(reference.inputs_at(at, end)),
+      exact_(reference.solution_, inputs_, Wide(end), most_panels) {}
+
+const SymbolicPoint& StabilityReference::From::at(double t) {
+    const auto known = known_.find(t);
+    if (known != known_.end()) return known->second;
+    SymbolicPoint point = exact_(Wide(t));
+    if (!(inputs_.eps * t < exact_.tabulated())) point = {Status::outside_interval, {}, {}, {}};
+    return known_.emplace(t, std::move(point)).first->second;
+}
+
+std::vector<double> StabilityReference::From::unavoidable(double t, const std::vector<Wide>& scales) {
+    const SymbolicPoint& here = at(t);
+    const std::size_t outputs = reference_.program_.outputs.size();
+    const std::vector<double> none(outputs, std::numeric_limits<double>::infinity());
+    const Wide step = Wide(edge_ulp) * last_bit * Wide(t);
+    for (const Wide& beside : {Wide(t) + step, Wide(t) - step})
+        if (exact_(beside).status != here.status) return none;
+    std::vector<double> sum(outputs, 0.0);
+    const bool numbers = here.status == Status::ok;
+    const std::vector<Wide> theta = numbers ? exact_.phases(Wide(t)) : std::vector<Wide>{};
+    SymbolicInputs changed = inputs_;
+    changed.slow_time_end *= 1 + 4 * last_bit;
+    const auto add = [&](Wide& input) {
+        const Wide before = input;
+        input *= 1 + last_bit;
+        const SymbolicEvaluator beside(reference_.solution_, changed, changed.slow_time_end, most_panels);
+        const SymbolicPoint moved = numbers ? beside.with_phases(Wide(t), theta) : beside(Wide(t));
+        input = before;
+        if (moved.status != here.status) return false;
+        for (std::size_t k = 0; numbers && k < outputs; ++k)
+            sum[k] += in_ulp<double>(moved.values[k], here.values[k], scales[k]);
+        return true;
+    };
+    if (!add(changed.eps)) return none;
+    for (auto* list : {&changed.parameters, &changed.start})
+        for (auto& named : *list)
+            if (named.second != 0 && changed.untaken.count(named.first) == 0 && !add(named.second))
+                return none;
+    return sum;
+}
+
+} // namespace resonform

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact solution behind a stability sweep: parameters are inputs, those of [fix] included.
+#pragma once
+
+#include "verify/stability_points.hpp"
+#include "verify/symbolic_evaluator.hpp"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace resonform {
+
+class StabilityReference {
+public:
+    // program: with parameters as inputs. All three must outlive it.
+    StabilityReference(const Program& program, const Solution& solution, const Scene& scene);
+
+    // Where the declared domain is not left at once.
+    [[nodiscard]] bool inside(const SweepPoint& at) const;
+
+    // The exact solution from one start. A slow flow is followed as far as a few tables lead:
+    // outside_interval beyond.
+    class From {
+    public:
+        From(const StabilityReference& reference, const SweepPoint& at, double end);
+
+        [[nodiscard]] const SymbolicPoint& at(double t);
+        // What a change of every input but t by its last bit does to each output at t, with the phases as
+        // they are, in ulp of `scales`, added up: no code that takes its inputs in double could be asked for
+        // less. Infinite where the status is another one for a start that close, or within 4 ulp of t.
+        [[nodiscard]] std::vector<double> unavoidable(double t, const std::vector<Wide>& scales);
+
+    private:
+        const StabilityReference& reference_;
+        SymbolicInputs inputs_;
+        SymbolicEvaluator exact_;
+        std::map<double, SymbolicPoint> known_;
+    };
+
+private:
+    [[nodiscard]] SymbolicInputs inputs_at(const SweepPoint& at, double end) const;
+
+    const Program& program_;
+    const Scene& scene_;
+    Tape start_; // of the scene
+    std::shared_ptr<const SymbolicSolution> solution_;
+    std::vector<Float128> parameters_; // of the scene
+};
+
+} // namespace resonform

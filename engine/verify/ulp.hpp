@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The unit in which emitted code is judged.
+#pragma once
+
+#include "verify/symbolic_terms.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace resonform {
+
+// |value - exact| over the spacing of Real at the scale of an output (docs/theory.md); infinite if there is
+// no value.
+template <class Real, class Value> double in_ulp(const Value& value, const Wide& exact, const Wide& scale) {
+    const Wide spacing = scale * Wide(std::numeric_limits<Real>::epsilon()),
+               least(std::numeric_limits<Real>::denorm_min());
+    const Wide error = abs(Wide(Wide(value) - exact)) / (spacing < least ? least : spacing);
+    return isfinite(error) ? static_cast<double>(error) : std::numeric_limits<double>::infinity();
+}
+
+} // namespace resonform

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verdict of `resonform stability`, and what makes it another one.
+#include "support/command.hpp"
+#include "support/compiler.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace resonform::test {
+
+namespace {
+
+class StabilityCommand : public Command {
+protected:
+    StabilityCommand() {
+        write(scratch_.path() / "systems/edge/system.toml",
+              "[system]\nname = \"edge\"\n[parameters]\na = { positive = true }\n[variables]\n"
+              "x = { role = \"fast\" }\ntau = { role = \"slow\" }\n[domain]\npositive = [\"a - tau\"]\n"
+              "[equations]\nx = \"x'' + (a - tau)*x = 0\"\ntau = \"tau' = eps\"\n");
+        write(scratch_.path() / "systems/edge/scenes/s.toml",
+              "order = 1\n[fix]\na = 2\n[start]\ntau = 0\namplitude.x = 1\nphase.x = 0\n");
+    }
+    [[nodiscard]] Outcome swept(const std::string& options = "") const {
+        return said("stability systems/edge/scenes/s.toml --points 60 " + options);
+    }
+    [[nodiscard]] nlohmann::json json(int code, const std::string& options = "") const {
+        const Outcome outcome = swept("--format json " + options);
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    }
+};
+
+} // namespace
+
+TEST_F(StabilityCommand, PassesAndSaysWhatItSwept) {
+    const Outcome outcome = swept();
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    for (const char* part :
+         {"edge / s: pass, double against 50 digits, threshold 16 ulp of the output's scale\n",
+          "  60 points (seed 2), ", "; 0 without an explanation (at most 10 %)",
+          "  a            1e-12 ... 1e+12 (24 decades)\n",
+          "  tau_0        +-0.001 ... 1000 and 0 (6 decades)\n"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+    EXPECT_EQ(json(0, "--seed 3")["seed"], 3);
+    EXPECT_EQ(json(0, "--seed 3")["worst"], json(0, "--seed 3")["worst"]);
+    EXPECT_NE(json(0, "--seed 3")["worst"], json(0)["worst"]);
+    EXPECT_EQ(said("stability systems/edge/scenes/s.toml --points 7 --format json").code, 0);
+}
+
+// Of the amplitude, by 10^-12 of itself.
+TEST_F(StabilityCommand, AWrongNumberIsAFailure) {
+    const OtherCompiler liar(
+        editing_compiler(scratch_.path() / "liar.sh", "values.x = ", "values.x = Real(1.000000000002) * "));
+    const nlohmann::json found = json(1);
+    EXPECT_EQ(found["verdict"], "fail");
+    EXPECT_EQ(found["unexplained"], 0);
+    EXPECT_GT(found["worst"][0]["ulp"], 100);
+}
+
+// e^(-600): a last bit of eps makes an exponent of 600 differ by 600 ulp of the result.
+TEST_F(StabilityCommand, WhatTheInputsLeaveOpenIsNoFault) {
+    write(scratch_.path() / "systems/edge/system.toml",
+          "[system]\nname = \"edge\"\n[variables]\nx = { role = \"fast\" }\n"
+          "[equations]\nx = \"x'' + 2*eps*x' + x = 0\"\n");
+    write(scratch_.path() / "systems/edge/scenes/s.toml",
+          "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = \"600/eps\"\n");
+    const nlohmann::json found = json(0);
+    EXPECT_EQ(found["verdict"], "pass");
+    double largest = 0, unavoidable = 0;
+    for (const auto& point : found["worst"]) {
+        largest = std::max(largest, point["ulp"].get<double>());
+        unavoidable = std::max(unavoidable, point["unavoidable_ulp"].get<double>());
+    }
+    EXPECT_GT(largest, 16);
+    EXPECT_GT(unavoidable, 100);
+    EXPECT_LT(unavoidable, 1000);
+    EXPECT_NE(swept().out.find(" (a last bit of the inputs: "), std::string::npos);
+}
+
+// a - tau > 1 is no domain that the file declares.
+TEST_F(StabilityCommand, AStatusThatNothingExplainsIsAFailure) {
+    const OtherCompiler liar(
+        editing_compiler(scratch_.path() / "liar.sh", "(!(s > Real(0)))", "(!(s > Real(1e300)))"));
+    const nlohmann::json found = json(1);
+    EXPECT_EQ(found["verdict"], "fail");
+    EXPECT_EQ(found["compared"], 0);
+    EXPECT_GT(found["unexplained"], 30);
+}
+
+// The map leads back from hardly any start: all is explained, and nothing compared.
+TEST_F(StabilityCommand, WithoutNumbersThereIsNoVerdict) {
+    write(scratch_.path() / "systems/edge/system.toml",
+          "[system]\nname = \"edge\"\n[variables]\nx = { role = \"fast\" }\n"
+          "[equations]\nx = \"x'' + x + 10^18*x^2 = 0\"\n");
+    write(scratch_.path() / "systems/edge/scenes/s.toml", "order = 1\n[start]\nx = \"eps\"\n\"x'\" = 0\n");
+    const nlohmann::json found = json(1, "--seed 3");
+    EXPECT_EQ(found["verdict"], "undecided") << found;
+    EXPECT_EQ(found["unexplained"], 0);
+    EXPECT_EQ(found["refused_by"].size(), 1U);
+}
+
+TEST_F(StabilityCommand, PointsAndSeedAreWholeNumbers) {
+    for (const auto& [options, found] : {std::pair("--points 0", "0"), std::pair("--points 1e3", "1e3"),
+                                         std::pair("--points 1000001", "1000001"),
+                                         std::pair("--seed -1", "-1"), std::pair("--seed x", "x")}) {
+        const Outcome outcome = said(std::string("stability systems/edge/scenes/s.toml ") + options);
+        EXPECT_EQ(outcome.code, 2) << options;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err.find("must be an integer from "), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find(std::string("\n  found: ") + found + "\n"), std::string::npos)
+            << outcome.err;
+    }
+}
+
+} // namespace resonform::test

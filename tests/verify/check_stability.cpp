@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stability sweep: which points it draws, and what makes its verdict.
+#include "verify/stability.hpp"
+
+#include "scene_line.hpp"
+#include "support/documented.hpp"
+#include "verify/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace resonform {
+namespace {
+
+Stability swept(const test::SceneLine& line, std::size_t points) {
+    StabilityOptions options;
+    static_cast<VerifyOptions&>(options) = test::options();
+    options.points = points;
+    return stability(line.scene, line.solution, options);
+}
+
+TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
+    test::SceneLine line = test::pendulum("third_order");
+    const Stability s = swept(line, 48);
+    EXPECT_EQ(s.verdict, Verdict::pass);
+    EXPECT_EQ(s.cases, 48U);
+    EXPECT_GT(s.compared, 30U);
+    EXPECT_LE(s.compared + s.refused, s.cases);
+    EXPECT_EQ(s.unexplained, 0U);
+    EXPECT_LT(s.beyond_reference, 10U);
+    ASSERT_EQ(s.median.size(), 3U);
+    EXPECT_EQ(s.worst.size(), 15U);
+    for (const auto& [name, ulp] : s.median) EXPECT_LT(ulp, 1) << name;
+    for (const WorstPoint& w : s.worst) {
+        EXPECT_LT(w.ulp, 8) << w.output << " at t = " << w.at.back().second;
+        EXPECT_EQ(w.at.front().first, "eps");
+        EXPECT_EQ(w.at.back().first, "t");
+    }
+    const auto json = to_json(s);
+    EXPECT_EQ(json["schema"], "resonform.stability/1");
+    EXPECT_EQ(test::undocumented(json, test::file_formats()), std::set<std::string>());
+    for (const char* key : {"seed", "verdict", "threshold_ulp", "ranges", "cases", "refused", "worst"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json["ranges"]["g"], nlohmann::ordered_json({1e-12, 1e12}));
+    for (const char* key : {"output", "ulp", "unavoidable_ulp", "at"})
+        EXPECT_TRUE(json["worst"][0].contains(key)) << key;
+
+    EXPECT_EQ(to_text(swept(line, 48)), to_text(s)) << "no times, nothing that varies";
+
+    line.scene.verify.ulp = 1e-3;
+    EXPECT_EQ(swept(line, 6).verdict, Verdict::fail) << "one threshold for all that is emitted";
+}
+
+TEST(Stability, StartsFollowTheGrading) {
+    const test::SceneLine line = test::pendulum("third_order");
+    const Program program = build_program(line.solution, line.scene, {false, false});
+    const System& system = *line.scene.system;
+    std::vector<std::string> names;
+    for (const SweptInput& input : swept_inputs(program, system)) {
+        names.push_back(input.name);
+        const bool is_parameter = names.size() > 1 && names.size() <= 4;
+        if (is_parameter) {
+            EXPECT_EQ(input.high, 1e12) << input.name;
+        } else if (names.size() > 4) {
+            EXPECT_EQ(input.high, 1e3) << input.name;
+        }
+        EXPECT_EQ(input.negative, names.size() > 3) << input.name << ": g, r are positive";
+        EXPECT_EQ(input.zero, names.size() > 4) << input.name;
+        EXPECT_EQ(input.weight, 0) << "amplitudes are divided by eps already";
+    }
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"eps", "g", "r", "v", "xi_0", "C_delta", "theta_0", "C_X", "C_Y"}));
+}
+
+TEST(Stability, PhysicalStartsAreAsSmallAsTheirVariables) {
+    const test::SceneLine line = test::line_of(test::scene_of("henon_heiles", "third_order"));
+    const Program program = build_program(line.solution, line.scene, {false, false});
+    const auto points =
+        sweep_points(program, *line.scene.system, 40, 5, [](const SweepPoint&) { return true; });
+    ASSERT_EQ(points.size(), 40U);
+    bool small = false, large = false, none = false;
+    for (std::size_t k = 1; k < points.size(); ++k)
+        for (const double start : points[k].start) {
+            const double size = std::abs(start) / points[k].eps;
+            none = none || size == 0;
+            if (size == 0) continue;
+            EXPECT_GE(size, 0.999e-3);
+            EXPECT_LE(size, 1.001e3);
+            small = small || size < 0.01;
+            large = large || size > 100;
+        }
+    EXPECT_TRUE(small && large && none);
+}
+
+TEST(Stability, SamePointsForTheSameSeedInsideTheDomain) {
+    const test::SceneLine line = test::pendulum("third_order");
+    const Program program = build_program(line.solution, line.scene, {false, false});
+    int asked = 0;
+    const auto draw = [&](std::uint64_t seed) {
+        std::vector<double> all;
+        const auto inside = [&](const SweepPoint& p) { return ++asked, p.parameters.front() > 1e-3; };
+        for (const SweepPoint& p : sweep_points(program, *line.scene.system, 30, seed, inside)) {
+            EXPECT_GT(p.parameters.front(), 1e-3);
+            all.push_back(p.eps);
+            all.insert(all.end(), p.parameters.begin(), p.parameters.end());
+            all.insert(all.end(), p.start.begin(), p.start.end());
+        }
+        return all;
+    };
+    const std::vector<double> first = draw(2);
+    EXPECT_GT(asked, 29) << "some were drawn again";
+    EXPECT_EQ(draw(2), first);
+    EXPECT_NE(draw(3), first);
+    const auto nowhere = [&](const SweepPoint&) { return ++asked, false; };
+    asked = 0;
+    EXPECT_EQ(sweep_points(program, *line.scene.system, 3, 2, nowhere).size(), 3U);
+    EXPECT_EQ(asked, 40) << "twenty times each, but for the scene's own";
+}
+
+} // namespace
+} // namespace resonform
