@@ -125,8 +125,7 @@ std::vector<SweepPoint> sweep_points(const Program& program, const System& syste
         SweepPoint drawn;
         for (int n = 0; n < most_draws; ++n) {
             drawn = unpack(program, corner ? draws.one_corner() : draws.all());
-            const bool is_new = std::find(points.begin(), points.end(), drawn) == points.end();
-            if (is_new && inside(drawn)) break;
+            if (inside(drawn) && std::find(points.begin(), points.end(), drawn) == points.end()) break;
         }
         points.push_back(std::move(drawn));
     }
