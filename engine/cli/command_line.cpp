@@ -66,9 +66,8 @@ void refuse_swallowed(const CLI::App& app, const CLI::Option& missing) {
     for (const CLI::Option* option : chosen.get_options())
         if (option->get_expected_max() > 1 && option->count() > 0)
             bad_argument(one_name(*option),
-                         fmt::format("{} takes all words that follow it, and {} needs {}: {}",
-                                     option->get_name(), chosen.get_name(), missing.get_name(),
-                                     missing.get_description()),
+                         fmt::format("takes all words that follow it, and {} needs {}: {}", chosen.get_name(),
+                                     missing.get_name(), missing.get_description()),
                          fmt::format("{} {}", option->get_name(), fmt::join(option->results(), " ")),
                          fmt::format("write {} {} {} ...", full_name(app, chosen), missing.get_name(),
                                      option->get_name()));

@@ -3,9 +3,9 @@
 // where it has no place in its real type.
 #pragma once
 
-#include "emit/cpp_plan.hpp"
 #include "runtime/scaled.hpp"
 #include "verify/graph_walk.hpp"
+#include "verify/interpretation.hpp"
 
 #include <functional>
 #include <map>
@@ -16,12 +16,12 @@ namespace resonform {
 template <class Number> class ConstantWalk {
 public:
     // `inputs`: eps, parameters and start values by their symbols.
-    ConstantWalk(const CppPlan& plan, const std::map<Graph::Node, Number>& inputs)
-        : plan_(&plan), values_(plan.code.size()) {
+    ConstantWalk(const Interpretation& shared, const std::map<Graph::Node, Number>& inputs)
+        : plan_(&shared.plan), numbers_(&shared.plan_numbers), values_(shared.plan.code.size()) {
         std::vector<StraightLine::Value> roots;
-        for (const auto& member : plan.members) roots.push_back(member.first);
-        for (const StraightLine::Value v : plan.code.behind(roots, true))
-            values_[static_cast<std::size_t>(v)] = value(plan.code.at(v), inputs);
+        for (const auto& member : plan_->members) roots.push_back(member.first);
+        for (const StraightLine::Value v : plan_->code.behind(roots, true))
+            values_[static_cast<std::size_t>(v)] = value(v, inputs);
     }
 
     // What construction answers with, as emitted.
@@ -37,13 +37,14 @@ public:
 private:
     using Wide = Scaled<Number>;
 
-    Wide value(const StraightLine::Instruction& i, const std::map<Graph::Node, Number>& inputs) const {
+    Wide value(StraightLine::Value v, const std::map<Graph::Node, Number>& inputs) const {
         using namespace resonform::math;
+        const StraightLine::Instruction& i = plan_->code.at(v);
         const auto x = [&](std::size_t k) { return values_[static_cast<std::size_t>(i.operands[k])]; };
         const std::size_t positive = i.operands.size() - i.negative;
         Wide result(i.op == StraightLine::Op::multiply ? 1 : 0);
         switch (i.op) {
-        case StraightLine::Op::number: return to_number<Wide>(i.number);
+        case StraightLine::Op::number: return to_number<Wide>((*numbers_)[static_cast<std::size_t>(v)]);
         case StraightLine::Op::symbol: return Wide(inputs.at(i.symbol));
         case StraightLine::Op::add:
             for (std::size_t k = 0; k < i.operands.size(); ++k)
@@ -68,6 +69,7 @@ private:
     }
 
     const CppPlan* plan_;
+    const std::vector<BinaryParts>* numbers_;
     std::vector<Wide> values_;
 };
 

@@ -67,7 +67,8 @@ EvaluatorLibrary::build(const Program& program, const std::filesystem::path& cac
 
 std::shared_ptr<const EvaluatorLibrary>
 EvaluatorLibrary::interpreted(std::shared_ptr<const Program> program) {
-    return std::make_shared<const EvaluatorLibrary>(std::move(program));
+    return std::make_shared<const EvaluatorLibrary>(
+        std::make_shared<const Interpretation>(std::move(program)));
 }
 
 template <class Real>
@@ -103,7 +104,7 @@ void Evaluator<Real>::interpreted(Real eps, const std::vector<Real>& parameters,
     call_ = Its::call;
     state_ = Its::state;
     batch_ = Its::batch;
-    object_ = {new Interpreter<Real>(library_->program(), eps, parameters, start, slow_time_end),
+    object_ = {new Interpreter<Real>(library_->interpretation(), eps, parameters, start, slow_time_end),
                Its::remove};
 }
 

@@ -2,8 +2,8 @@
 // Emitted code at work: the text of emit_library, compiled and called; or the same program interpreted.
 #pragma once
 
-#include "emit/program.hpp"
 #include "runtime/status.hpp"
+#include "verify/interpretation.hpp"
 #include "verify/real.hpp"
 #include "verify/shared_object.hpp"
 
@@ -28,14 +28,17 @@ public:
     static std::shared_ptr<const EvaluatorLibrary> interpreted(std::shared_ptr<const Program> program);
 
     explicit EvaluatorLibrary(SharedObject object) : object_(std::move(object)) {}
-    explicit EvaluatorLibrary(std::shared_ptr<const Program> program) : program_(std::move(program)) {}
+    explicit EvaluatorLibrary(std::shared_ptr<const Interpretation> shared)
+        : interpretation_(std::move(shared)) {}
 
     [[nodiscard]] const std::optional<SharedObject>& object() const { return object_; }
-    [[nodiscard]] const std::shared_ptr<const Program>& program() const { return program_; }
+    [[nodiscard]] const std::shared_ptr<const Interpretation>& interpretation() const {
+        return interpretation_;
+    }
 
 private:
     std::optional<SharedObject> object_; // none: interpreted
-    std::shared_ptr<const Program> program_;
+    std::shared_ptr<const Interpretation> interpretation_;
 };
 
 // An emitted evaluator with numbers put in. Real: double, long double, Float128. Calls are

@@ -13,14 +13,18 @@
 namespace resonform {
 
 // An exact rational, correctly rounded in double.
-template <class Number> Number to_number(const Rational& value) {
-    const BinaryParts binary = binary_parts(value);
+template <class Number> Number to_number(const BinaryParts& binary) {
     return math::number<Number>(binary.parts, binary.exponent);
+}
+template <class Number> Number to_number(const Rational& value) {
+    return to_number<Number>(binary_parts(value));
 }
 
 template <class Number> class GraphWalk {
 public:
-    explicit GraphWalk(const Graph& graph) : graph_(&graph), values_(graph.size(), Number(0)) {}
+    // numbers: of the nodes, if they are known; they must outlive it.
+    explicit GraphWalk(const Graph& graph, const std::vector<BinaryParts>* numbers = nullptr)
+        : graph_(&graph), numbers_(numbers), values_(graph.size(), Number(0)) {}
 
     // Takes over what is constant; the constant factors or terms of a node that varies become one number, as
     // in emitted code: together they may have a place in Number where each alone has none.
@@ -71,7 +75,9 @@ private:
             gathered ? gathered_[static_cast<std::size_t>(n)] : Number(e.op == Graph::Op::multiply ? 1 : 0);
         switch (e.op) {
         case Graph::Op::symbol: break;
-        case Graph::Op::rational: return to_number<Number>(e.value);
+        case Graph::Op::rational:
+            return numbers_ == nullptr ? to_number<Number>(e.value)
+                                       : to_number<Number>((*numbers_)[static_cast<std::size_t>(n)]);
         case Graph::Op::add:
             for (std::size_t k = 0; k < e.operands.size(); ++k)
                 if (own(k)) result = result + x(k);
@@ -115,6 +121,7 @@ private:
     }
 
     const Graph* graph_;
+    const std::vector<BinaryParts>* numbers_;
     std::vector<Number> values_, gathered_;
     std::vector<bool> varying_; // empty: nothing is gathered
 };

@@ -54,12 +54,10 @@ template <class Real> bool all_finite(const std::vector<Real>& values) {
 template <class Real> struct Interpreter<Real>::Impl {
     using Wide = typename Phase<Real>::Wide;
 
-    Impl(std::shared_ptr<const Program> p, const Real& eps_value, std::vector<Real> parameter_values,
+    Impl(std::shared_ptr<const Interpretation> s, const Real& eps_value, std::vector<Real> parameter_values,
          std::vector<Real> start_values, const Real& slow_time_end)
-        : program(std::move(p)), plan(*program),
-          changes(depending(program->graph, varying_symbols(*program))), constants(program->graph),
-          eps(eps_value), parameters(std::move(parameter_values)), start(std::move(start_values)),
-          end(slow_time_end) {
+        : shared(std::move(s)), constants(program->graph, &shared->numbers), eps(eps_value),
+          parameters(std::move(parameter_values)), start(std::move(start_values)), end(slow_time_end) {
         if (parameters.empty()) parameters = default_parameters<Real>(*program, eps);
         if (start.empty()) start = default_start<Real>(*program, eps, parameters);
         cause = construct();
@@ -104,7 +102,7 @@ template <class Real> struct Interpreter<Real>::Impl {
 
     // Constants in Number, by way of numbers of any range.
     template <class Number> Cause set_constants(GraphWalk<Number>& walk) const {
-        GraphWalk<Scaled<Number>> scaled(program->graph);
+        GraphWalk<Scaled<Number>> scaled(program->graph, &shared->numbers);
         std::map<Graph::Node, Number> inputs;
         for (const auto& [symbol, argument] : arguments()) {
             inputs[symbol] = Number(argument.first);
@@ -118,7 +116,7 @@ template <class Real> struct Interpreter<Real>::Impl {
             if (!varies(condition) && !(scaled[condition.value] > Scaled<Number>(0)))
                 return {Status::outside_domain, condition.quantity.c_str()};
         walk.keep(scaled, changes);
-        return plan.range.native ? Cause{} : ConstantWalk<Number>(plan, inputs).cause();
+        return plan.range.native ? Cause{} : ConstantWalk<Number>(*shared, inputs).cause();
     }
 
     [[nodiscard]] bool varies(const ProgramCondition& condition) const {
@@ -194,7 +192,7 @@ template <class Real> struct Interpreter<Real>::Impl {
     }
 
     Cause build_phases() {
-        GraphWalk<Wide> walk(program->graph);
+        GraphWalk<Wide> walk(program->graph, &shared->numbers);
         if (program->phases.empty()) return {};
         if (const Cause lost = set_constants(walk); lost.status != Status::ok) return lost;
         for (std::size_t k = 0; k < program->phases.size(); ++k) {
@@ -314,13 +312,13 @@ template <class Real> struct Interpreter<Real>::Impl {
         if (status == Status::low_precision)
             for (std::size_t k = 0; k < phases.size(); ++k)
                 if (!phases[k].precise()) return plan.phase_names[k].c_str();
-        return interval.why(status, conditions.c_str(), results.c_str());
+        return interval.why(status, shared->conditions.c_str(), shared->results.c_str());
     }
 
-    std::shared_ptr<const Program> program;
-    CppPlan plan;
-    std::vector<bool> changes; // of the nodes, those that are computed at each call
-    std::string conditions = plan.conditions_text(), results = plan.results_text();
+    std::shared_ptr<const Interpretation> shared;
+    const Program* program = shared->program.get();
+    const CppPlan& plan = shared->plan;
+    const std::vector<bool>& changes = shared->changes;
     GraphWalk<Real> constants;
     Real eps;
     std::vector<Real> parameters, start;
@@ -335,7 +333,12 @@ template <class Real> struct Interpreter<Real>::Impl {
 template <class Real>
 Interpreter<Real>::Interpreter(std::shared_ptr<const Program> program, Real eps, std::vector<Real> parameters,
                                std::vector<Real> start, Real slow_time_end)
-    : impl_(std::make_unique<Impl>(std::move(program), eps, std::move(parameters), std::move(start),
+    : Interpreter(std::make_shared<const Interpretation>(std::move(program)), eps, std::move(parameters),
+                  std::move(start), slow_time_end) {}
+template <class Real>
+Interpreter<Real>::Interpreter(std::shared_ptr<const Interpretation> shared, Real eps,
+                               std::vector<Real> parameters, std::vector<Real> start, Real slow_time_end)
+    : impl_(std::make_unique<Impl>(std::move(shared), eps, std::move(parameters), std::move(start),
                                    slow_time_end)) {}
 template <class Real> Interpreter<Real>::~Interpreter() = default;
 template <class Real> Interpreter<Real>::Interpreter(Interpreter&&) noexcept = default;

@@ -3,8 +3,8 @@
 // what emitted code is compared with, and what `resonform evaluate` uses.
 #pragma once
 
-#include "emit/program.hpp"
 #include "runtime/status.hpp"
+#include "verify/interpretation.hpp"
 
 #include <memory>
 #include <string>
@@ -17,6 +17,9 @@ template <class Real> class Interpreter {
 public:
     // parameters, start: values in the order of program.parameters / program.start; empty: defaults.
     Interpreter(std::shared_ptr<const Program> program, Real eps, std::vector<Real> parameters,
+                std::vector<Real> start, Real slow_time_end);
+    // The same, for many of one program.
+    Interpreter(std::shared_ptr<const Interpretation> shared, Real eps, std::vector<Real> parameters,
                 std::vector<Real> start, Real slow_time_end);
     ~Interpreter();
     Interpreter(Interpreter&&) noexcept;

@@ -122,7 +122,8 @@ void compile(const fs::path& source, const fs::path& object) {
     if (complaint.find("evaluators want IEEE arithmetic") != std::string::npos) // said by the runtime
         refuse_hidden_fast_math();
     refuse(Reason::compiler, {"emitted code compiles",
-                              complaint.substr(0, complaint_length),
+                              complaint.empty() ? compiler() + " says nothing and makes nothing"
+                                                : complaint.substr(0, complaint_length),
                               "check the compiler named by CXX, or report this text",
                               {}});
 }

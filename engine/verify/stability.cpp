@@ -67,8 +67,9 @@ private:
                                        [&](const WorstPoint& w) { return w.is_wrong(result_.threshold); });
         if (wrong || static_cast<double>(result_.unexplained) > unexplained_share * cases)
             return Verdict::fail;
-        return static_cast<double>(result_.compared) < compared_share * cases ? Verdict::undecided
-                                                                              : Verdict::pass;
+        const bool seen = static_cast<double>(result_.compared) >= compared_share * cases &&
+                          result_.compared >= result_.beyond_reference;
+        return seen ? Verdict::pass : Verdict::undecided;
     }
 
     void compare(Status status, const std::vector<double>& values, StabilityReference::From& from,
@@ -81,9 +82,7 @@ private:
         if (status != Status::ok) {
             ++result_.refused;
             ++result_.refused_by[to_string(status)];
-            const bool explained = !known || exact.status != Status::ok || status == Status::low_precision ||
-                                   is_beyond_double(exact);
-            if (!explained && std::isfinite(from.unavoidable(t, largest_).front())) ++result_.unexplained;
+            if (!explains(status, exact, from, t)) ++result_.unexplained;
             return;
         }
         if (!known) return;
@@ -96,6 +95,12 @@ private:
         if (std::any_of(ulp.begin(), ulp.end(), [&](double u) { return !(u <= result_.threshold); }))
             unavoidable = from.unavoidable(t, largest_);
         for (std::size_t k = 0; k < values.size(); ++k) record(k, ulp[k], unavoidable[k], at, t);
+    }
+
+    bool explains(Status status, const SymbolicPoint& exact, StabilityReference::From& from, double t) const {
+        if (exact.status != Status::ok || is_beyond_double(exact)) return true;
+        if (status == Status::low_precision && from.has_large_phase(t)) return true;
+        return std::isinf(from.unavoidable(t, largest_).front());
     }
 
     // The table of a slow flow is as good as its largest values so far.

@@ -51,8 +51,8 @@ constexpr double unexplained_share = 0.1; // with more of the points there is so
 // Sweeps what the program of the scene takes, [fix] values included as free parameters. Verdict: fail, where
 // a threshold (1 + unavoidable) is exceeded, or more than a tenth of the points have a status that nothing
 // explains: neither the exact solution (the declared domain, a radicand, a divisor, a start to which the map
-// does not lead back) nor a value beyond double nor a phase beyond 10^14; undecided, where less than a tenth
-// of them are compared.
+// does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth
+// of them are compared, or fewer than lie beyond the reference.
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options);
 
 std::string to_text(const Stability& stability);

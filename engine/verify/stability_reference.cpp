@@ -80,6 +80,12 @@ const SymbolicPoint& StabilityReference::From::at(double t) {
     return known_.emplace(t, std::move(point)).first->second;
 }
 
+bool StabilityReference::From::has_large_phase(double t) const {
+    const std::vector<Wide> theta = exact_.phases(Wide(t));
+    return std::any_of(theta.begin(), theta.end(),
+                       [](const Wide& phase) { return abs(phase) * 16 * last_bit > Wide(1e-9); });
+}
+
 std::vector<double> StabilityReference::From::unavoidable(double t, const std::vector<Wide>& scales) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();

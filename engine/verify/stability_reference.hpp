@@ -26,6 +26,8 @@ public:
         From(const StabilityReference& reference, const SweepPoint& at, double end);
 
         [[nodiscard]] const SymbolicPoint& at(double t);
+        // 16 ulp of a phase at t are more than the 10^-9 radians that evaluators answer for.
+        [[nodiscard]] bool has_large_phase(double t) const;
         // What a change of every input but t by its last bit does to each output at t, with the phases as
         // they are, in ulp of `scales`, added up: no code that takes its inputs in double could be asked for
         // less. Infinite where the status is another one for a start that close, or within 4 ulp of t.

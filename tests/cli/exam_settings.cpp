@@ -125,7 +125,7 @@ TEST_F(Settings, ThatDivideByZeroInAModeNameItsEntry) {
 TEST_F(Settings, TakeAllWordsBehindThem) {
     const Outcome outcome = said("derive --set p=1 q=2 two --order 2");
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("--set takes all words that follow it, and derive needs SYSTEM"),
+    EXPECT_NE(outcome.err.find("--set: takes all words that follow it, and derive needs SYSTEM"),
               std::string::npos)
         << outcome.err;
     EXPECT_NE(

@@ -100,7 +100,7 @@ std::pair<Node, std::string> changed(Graph& graph, const Graph::Entry& e, std::v
     std::string what;
     switch (draw.pick(6)) {
     case 0:
-        if (operands.size() > 1) {
+        if (e.op == Op::add || e.op == Op::multiply) { // a function needs all it has
             operands.erase(operands.begin() + static_cast<std::ptrdiff_t>(k));
             what = "dropped";
             break;

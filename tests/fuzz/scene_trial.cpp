@@ -89,11 +89,11 @@ std::vector<EmittedPoints<double>> points_of_effect(const Derived& d) {
     return emitted_points<double>(d.scene, starts_of_effect, 20, seed_of_effect);
 }
 
-Interpreter<double> interpreter(const std::shared_ptr<const Program>& program,
+Interpreter<double> interpreter(const std::shared_ptr<const Interpretation>& shared,
                                 const EmittedPoints<double>& at) {
     std::vector<double> start;
-    for (const ProgramInput& input : program->start) start.push_back(at.start_of(input.canonical));
-    return {program, at.eps, {}, start, at.end};
+    for (const ProgramInput& input : shared->program->start) start.push_back(at.start_of(input.canonical));
+    return {shared, at.eps, {}, start, at.end};
 }
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
@@ -173,7 +173,7 @@ EmittedCheck SceneTrial::checked(const Derived& d, const Program& program, std::
 // The truth at the 10^4 points, in double, with what it adds up: of the scale that counts, at most as much.
 const std::vector<SceneTrial::Answer>& SceneTrial::truth(const Derived& d, const Program& program) {
     if (!truth_.empty()) return truth_;
-    const auto shared = std::make_shared<const Program>(program);
+    const auto shared = std::make_shared<const Interpretation>(std::make_shared<const Program>(program));
     for (const auto& points : points_of_effect(d)) {
         const Interpreter<double> at = interpreter(shared, points);
         for (const double t : points.times) {
@@ -189,7 +189,7 @@ const std::vector<SceneTrial::Answer>& SceneTrial::truth(const Derived& d, const
 // Whether a lie moves an output by more than twice the threshold, or a status.
 bool SceneTrial::seems_to_have_effect(const Derived& d, const Program& program, const Program& lie) {
     const double allowed = 2 * d.scene.verify.ulp * std::numeric_limits<double>::epsilon();
-    const auto shared = std::make_shared<const Program>(lie);
+    const auto shared = std::make_shared<const Interpretation>(std::make_shared<const Program>(lie));
     auto right = truth(d, program).begin();
     std::vector<double> values;
     for (const auto& points : points_of_effect(d)) {

@@ -84,6 +84,9 @@ TEST(EvaluatorLibrary, TellsAnInterruptionFromAComplaint) {
     const Diagnostic complains = refusal_with("sh -c 'echo no such thing >&2; exit 1' --", cache);
     EXPECT_EQ(complains.rule, "emitted code compiles");
     EXPECT_EQ(complains.value, "no such thing\n");
+    const Diagnostic silent = refusal_with("true", cache);
+    EXPECT_EQ(silent.rule, "emitted code compiles");
+    EXPECT_EQ(silent.value, "true says nothing and makes nothing");
     const Diagnostic absent = refusal_with("no-such-compiler", cache);
     EXPECT_EQ(absent.rule, "emitted code is checked by compiling it with a C++20 compiler");
     EXPECT_TRUE(files_of_kind(cache, ".part").empty());

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all interpreters of one program share: it is as much work as a thousand calls.
+#pragma once
+
+#include "algebra/binary_parts.hpp"
+#include "emit/cpp_plan.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+struct Interpretation {
+    explicit Interpretation(std::shared_ptr<const Program> p);
+
+    std::shared_ptr<const Program> program;
+    CppPlan plan;
+    std::vector<bool> changes;             // of the nodes, those that are computed at each call
+    std::string conditions, results;       // what is behind a status
+    std::vector<BinaryParts> numbers;      // of the graph, by node
+    std::vector<BinaryParts> plan_numbers; // of plan.code, by value
+};
+
+} // namespace resonform
