@@ -43,7 +43,8 @@ void require_values(const Program& program, const Scene& scene) {
 
 Values evaluate_program(const std::shared_ptr<const Program>& program, double eps, std::vector<double> t) {
     // A time such as 1/eps may round to just beyond the interval that the scene asks for.
-    const double end = program->interval_slow_time * (1 + 4 * std::numeric_limits<double>::epsilon());
+    const double end =
+        default_slow_time_end<double>(*program, eps, {}) * (1 + 4 * std::numeric_limits<double>::epsilon());
     const Interpreter<double> evaluator(program, eps, {}, {}, end);
     Values values{eps, std::move(t), {}, {}, {}};
     for (const double time : values.t) {

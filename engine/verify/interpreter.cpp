@@ -39,12 +39,6 @@ Nodes values_of(const std::vector<ProgramOutput>& results) {
     return nodes;
 }
 
-template <class Number, class Real>
-void set_inputs(GraphWalk<Number>& walk, const std::vector<ProgramInput>& inputs,
-                const std::vector<Real>& values) {
-    for (std::size_t k = 0; k < inputs.size(); ++k) walk.set(inputs[k].symbol, Number(values[k]));
-}
-
 template <class Real> bool all_finite(const std::vector<Real>& values) {
     return std::all_of(values.begin(), values.end(), [](const Real& x) { return math::finite(x); });
 }
@@ -355,39 +349,10 @@ template <class Real> Status Interpreter<Real>::scale(Real t, std::vector<Real>&
 template <class Real> Status Interpreter<Real>::construction_status() const { return impl_->cause.status; }
 template <class Real> const char* Interpreter<Real>::why(Status status) const { return impl_->why(status); }
 
-template <class Real> std::vector<Real> default_parameters(const Program& program, Real) {
-    std::vector<Real> values;
-    for (const ProgramInput& input : program.parameters)
-        values.push_back(input.default_value < 0
-                             ? math::not_a_number<Real>()
-                             : to_number<Real>(program.graph.at(input.default_value).value));
-    return values;
-}
-
-template <class Real>
-std::vector<Real> default_start(const Program& program, Real eps, const std::vector<Real>& parameters) {
-    GraphWalk<Scaled<Real>> walk(program.graph);
-    walk.set(program.eps, Scaled<Real>(eps));
-    set_inputs(walk, program.parameters, parameters);
-    Nodes roots;
-    for (const ProgramInput& input : program.start) roots.push_back(input.default_value);
-    walk.compute(Plan(program, roots).constant);
-    std::vector<Real> values;
-    for (const Graph::Node n : roots) values.push_back(walk[n].value());
-    return values;
-}
-
-#define RESONFORM_INSTANTIATE(Real)                                                                          \
-    template class Interpreter<Real>;                                                                        \
-    template std::vector<Real> default_parameters(const Program&, Real);                                     \
-    template std::vector<Real> default_start(const Program&, Real, const std::vector<Real>&);
-
-RESONFORM_INSTANTIATE(double)
-RESONFORM_INSTANTIATE(long double)
-RESONFORM_INSTANTIATE(Float128)
-RESONFORM_INSTANTIATE(boost::multiprecision::cpp_bin_float_50)
-RESONFORM_INSTANTIATE(boost::multiprecision::cpp_bin_float_100)
-
-#undef RESONFORM_INSTANTIATE
+template class Interpreter<double>;
+template class Interpreter<long double>;
+template class Interpreter<Float128>;
+template class Interpreter<boost::multiprecision::cpp_bin_float_50>;
+template class Interpreter<boost::multiprecision::cpp_bin_float_100>;
 
 } // namespace resonform

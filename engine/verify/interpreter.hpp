@@ -5,6 +5,7 @@
 
 #include "runtime/status.hpp"
 #include "verify/interpretation.hpp"
+#include "verify/program_defaults.hpp"
 
 #include <memory>
 #include <string>
@@ -37,10 +38,5 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-// The defaults of parameters and start values at a given eps; NaN where a parameter has no default.
-template <class Real> std::vector<Real> default_parameters(const Program& program, Real eps);
-template <class Real>
-std::vector<Real> default_start(const Program& program, Real eps, const std::vector<Real>& parameters);
 
 } // namespace resonform

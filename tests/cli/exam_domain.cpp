@@ -53,6 +53,20 @@ TEST_F(DomainOfASystem, EvaluateAnswersPointByPoint) {
     EXPECT_NE(outcome.out.find("\n25,,outside_domain\n"), std::string::npos) << outcome.out;
 }
 
+// Not where that of the smallest eps of the ladder does.
+TEST_F(DomainOfASystem, EvaluateEndsWithTheIntervalOfItsEps) {
+    for (const auto& [interval, times] :
+         {std::pair("2", "1.875,2.125"), std::pair("0.01/eps^2", "0.875,1.125")}) {
+        const Outcome outcome =
+            said("evaluate", scene_of("0.5", interval), std::string("--eps 0.1 --t ") + times);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const std::string inside = std::string(times).substr(0, 5), beyond = std::string(times).substr(6);
+        EXPECT_NE(outcome.out.find(",ok\n" + beyond + ",,outside_interval\n"), std::string::npos)
+            << outcome.out;
+        EXPECT_NE(outcome.out.find("\n" + inside + ","), std::string::npos) << outcome.out;
+    }
+}
+
 TEST_F(DomainOfASystem, VerifySaysWhereTheMotionLeaves) {
     for (const char* command : {"verify", "compare"}) {
         const Outcome outcome = said(command, scene_of("0.5", "3/eps"));

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/program_defaults.hpp"
+
+#include "emit/prune.hpp"
+#include "verify/graph_walk.hpp"
+#include "verify/real.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+namespace resonform {
+
+namespace {
+
+// Of nodes in eps and parameters.
+template <class Real>
+std::vector<Real> values_of(const std::vector<Graph::Node>& roots, const Program& program, const Real& eps,
+                            const std::vector<Real>& parameters) {
+    GraphWalk<Scaled<Real>> walk(program.graph);
+    walk.set(program.eps, Scaled<Real>(eps));
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        walk.set(program.parameters[k].symbol, Scaled<Real>(parameters[k]));
+    const std::vector<bool> used = reachable(program.graph, roots);
+    std::vector<Graph::Node> nodes;
+    for (std::size_t n = 0; n < used.size(); ++n)
+        if (used[n]) nodes.push_back(static_cast<Graph::Node>(n));
+    walk.compute(nodes);
+    std::vector<Real> values;
+    for (const Graph::Node n : roots) values.push_back(walk[n].value());
+    return values;
+}
+
+} // namespace
+
+template <class Real> std::vector<Real> default_parameters(const Program& program, Real) {
+    std::vector<Real> values;
+    for (const ProgramInput& input : program.parameters)
+        values.push_back(input.default_value < 0
+                             ? math::not_a_number<Real>()
+                             : to_number<Real>(program.graph.at(input.default_value).value));
+    return values;
+}
+
+template <class Real>
+std::vector<Real> default_start(const Program& program, Real eps, const std::vector<Real>& parameters) {
+    std::vector<Graph::Node> roots;
+    for (const ProgramInput& input : program.start) roots.push_back(input.default_value);
+    return values_of(roots, program, eps, parameters);
+}
+
+template <class Real>
+Real default_slow_time_end(const Program& program, Real eps, const std::vector<Real>& parameters) {
+    return values_of({program.slow_time_end}, program, eps, parameters).front();
+}
+
+#define RESONFORM_INSTANTIATE(Real)                                                                          \
+    template std::vector<Real> default_parameters(const Program&, Real);                                     \
+    template std::vector<Real> default_start(const Program&, Real, const std::vector<Real>&);                \
+    template Real default_slow_time_end(const Program&, Real, const std::vector<Real>&);
+
+RESONFORM_INSTANTIATE(double)
+RESONFORM_INSTANTIATE(long double)
+RESONFORM_INSTANTIATE(Float128)
+RESONFORM_INSTANTIATE(boost::multiprecision::cpp_bin_float_50)
+RESONFORM_INSTANTIATE(boost::multiprecision::cpp_bin_float_100)
+
+#undef RESONFORM_INSTANTIATE
+
+} // namespace resonform
