@@ -89,7 +89,7 @@ bool StabilityReference::From::has_large_phase(double t) const {
 std::vector<double> StabilityReference::From::unavoidable(double t, const std::vector<Wide>& scales) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
-    const std::vector<double> none(outputs, std::numeric_limits<double>::infinity());
+    std::vector<double> none(outputs, std::numeric_limits<double>::infinity());
     const Wide step = Wide(edge_ulp) * last_bit * Wide(t);
     for (const Wide& beside : {Wide(t) + step, Wide(t) - step})
         if (exact_(beside).status != here.status) return none;
