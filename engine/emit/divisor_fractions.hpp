@@ -17,7 +17,8 @@ namespace resonform {
 // Their factors are powers of divisors.
 std::vector<Fraction> divisor_fractions(const Ring& ring, const Polynomial& p);
 
-// The same, roots and monomials factored out, and all common factors cancelled: what is lowered.
+// The same with roots and monomials factored out and common factors cancelled: emitted code is made from
+// these.
 std::vector<Fraction> reduced_fractions(const Ring& ring, const Polynomial& p);
 
 } // namespace resonform

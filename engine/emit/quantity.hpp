@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an evaluator names what is behind a status: short enough for a line, the same in emitted code and in
-// the interpreter.
+// The text that why(status) of an evaluator gives, such as "r^2 - xi^2": at most a line, and the same in
+// emitted code and in the interpreter.
 #pragma once
 
 #include "algebra/ring.hpp"

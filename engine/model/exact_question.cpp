@@ -19,7 +19,7 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr double most_terms_in_a_question = 1000; // of what is asked: every step of a derivation may ask
+constexpr double most_terms_in_a_question = 1000; // larger ones take too long: a derivation asks often
 
 bool is_worth_converting(const ex& e) {
     return holds_functions_or_roots(e) && terms_in_exact_form(e) <= most_terms_in_a_question;
@@ -109,7 +109,7 @@ Zero vanishes(const ex& e, const System& system) {
     if (zero != Zero::unknown || !is_worth_converting(e)) return zero;
     try {
         return form_of(system).vanishes(e) == Zero::yes ? Zero::yes : Zero::unknown;
-    } catch (const Error&) { // a root of what is not proved positive
+    } catch (const Error&) { // exact form has no root of something that may be negative
         return Zero::unknown;
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions about expressions of a system that are answered in exact form (exact_form.hpp): what is equal is
-// one polynomial there, whatever the spelling of functions and roots in it.
+// Is an expression zero, or positive, in the domain of a system? Asked once more in exact form
+// (exact_form.hpp), where two spellings of the same functions and roots become the same polynomial.
 //
 //   is (1 - w)^(3/2) - (1 - w)^(1/2) + w*(1 - w)^(1/2) zero?           yes
 //   is 1 - tau^2*(4*cos(tau)^3 - 3*cos(tau)) positive?                 as 1 - tau^2*cos(3*tau) is, if

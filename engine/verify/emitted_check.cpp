@@ -19,7 +19,6 @@ namespace resonform {
 
 namespace {
 
-constexpr double edge_ulp = 4;
 constexpr std::size_t starts_only = 10; // times as many starts, of which the status at t = 0 is compared
 constexpr double compared_share = 0.1;  // with fewer points in numbers there is no verdict
 
@@ -127,8 +126,9 @@ private:
                 if (abs(value) > Wide(std::numeric_limits<Real>::max())) return true;
         if (!beside)
             beside = std::make_unique<SymbolicEvaluator>(symbolic_, asked.inputs, asked.inputs.slow_time_end);
-        const Wide step = Wide(edge_ulp) * Wide(std::numeric_limits<Real>::epsilon()) * Wide(t);
-        return (*beside)(Wide(t) + step).status == status || (*beside)(Wide(t) - step).status == status;
+        const auto times = times_at_edge(t);
+        return std::any_of(times.begin(), times.end(),
+                           [&](const Wide& time) { return (*beside)(time).status == status; });
     }
 
     void record(double ulp, double phase_share, const std::string& output, const Points& drawn, Real t,

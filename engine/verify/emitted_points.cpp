@@ -2,7 +2,7 @@
 #include "verify/emitted_points.hpp"
 
 #include "model/start_names.hpp"
-#include "verify/tape.hpp"
+#include "verify/scene_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,14 +38,6 @@ Tape interval_and_starts(const Scene& scene) {
     return Tape::constants(*scene.system, expressions);
 }
 
-template <class Real> std::vector<Real> fixed_values(const Scene& scene) {
-    const System& system = *scene.system;
-    std::vector<GiNaC::ex> values;
-    for (const Parameter& p : system.parameters) values.push_back(scene.fix.at(p.name));
-    return evaluate_constants<Real>(Tape::constants(system, values), std::vector<Real>(values.size()),
-                                    Real(0));
-}
-
 } // namespace
 
 template <class Real>
@@ -54,7 +46,7 @@ std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t 
     const auto eps_of = [](const Rational& r) { return static_cast<Real>(from_rational<Float128>(r)); };
     const Real high = eps_of(scene.verify.eps.front());
     const Real low = std::max(eps_of(scene.verify.eps.back()) * Real(decades_below), Real(smallest_eps));
-    const std::vector<Real> parameters = fixed_values<Real>(scene);
+    const std::vector<Real> parameters = parameter_values<Real>(scene);
     const Tape expressions = interval_and_starts(scene);
     Dice<Real> dice(seed);
     std::vector<EmittedPoints<Real>> drawn;

@@ -2,17 +2,16 @@
 #include "verify/stability_reference.hpp"
 
 #include "model/start_names.hpp"
+#include "verify/scene_values.hpp"
 #include "verify/ulp.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace resonform {
 
 namespace {
 
 constexpr std::size_t most_panels = 16;
-constexpr double edge_ulp = 4;
 const Wide last_bit = 0x1p-52;
 
 std::vector<GiNaC::ex> values_of_starts(const Scene& scene) {
@@ -21,23 +20,12 @@ std::vector<GiNaC::ex> values_of_starts(const Scene& scene) {
     return values;
 }
 
-// The parameters of a system, in its order; 1 where the scene fixes none.
-std::vector<Float128> values_of_parameters(const System& system, const Scene& scene) {
-    std::vector<GiNaC::ex> values;
-    for (const Parameter& p : system.parameters) {
-        const auto fixed = scene.fix.find(p.name);
-        values.push_back(fixed == scene.fix.end() ? GiNaC::ex(1) : fixed->second);
-    }
-    return evaluate_constants(Tape::constants(system, values), std::vector<Float128>(values.size()),
-                              Float128(0));
-}
-
 } // namespace
 
 StabilityReference::StabilityReference(const Program& program, const Solution& solution, const Scene& scene)
     : program_(program), scene_(scene), start_(Tape::constants(*scene.system, values_of_starts(scene))),
       solution_(std::make_shared<const SymbolicSolution>(solution, scene, false)),
-      parameters_(values_of_parameters(*scene.system, scene)) {}
+      parameters_(parameter_values<Float128>(scene)) {}
 
 SymbolicInputs StabilityReference::inputs_at(const SweepPoint& at, double end) const {
     const System& system = *scene_.system;
@@ -90,8 +78,7 @@ std::vector<double> StabilityReference::From::unavoidable(double t, const std::v
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
     std::vector<double> none(outputs, std::numeric_limits<double>::infinity());
-    const Wide step = Wide(edge_ulp) * last_bit * Wide(t);
-    for (const Wide& beside : {Wide(t) + step, Wide(t) - step})
+    for (const Wide& beside : times_at_edge<double>(t))
         if (exact_(beside).status != here.status) return none;
     std::vector<double> sum(outputs, 0.0);
     const bool numbers = here.status == Status::ok;

@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 #include "verify/cache.hpp"
 #include "verify/interpreter.hpp"
+#include "verify/scene_values.hpp"
 
 #include <fmt/format.h>
 
@@ -24,19 +25,14 @@ constexpr std::size_t points_per_step = 8;
 constexpr double longest_interval = 1e200; // its square and more are still numbers
 constexpr std::size_t least_points = 2000, most_points = 200'000;
 
-std::vector<Float128> parameter_values(const System& system, const Scene& scene) {
-    std::vector<GiNaC::ex> values;
-    for (const Parameter& p : system.parameters) {
-        const auto fixed = scene.fix.find(p.name);
-        if (fixed == scene.fix.end())
+std::vector<Float128> required_values(const Scene& scene) {
+    for (const Parameter& p : scene.system->parameters)
+        if (scene.fix.count(p.name) == 0)
             bad_input({"verification needs a value for every parameter",
                        p.name,
                        fmt::format("add {} = ... under [fix]", p.name),
                        {scene.file.string(), 0, 0, "fix", ""}});
-        values.push_back(fixed->second);
-    }
-    const std::vector<Float128> none(values.size());
-    return evaluate_constants(Tape::constants(system, values), none, Float128(0));
+    return parameter_values<Float128>(scene);
 }
 
 // The state does not come from the formula: the scene gives it, or it is slow or an angle (0 if not given).
@@ -92,7 +88,7 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
     : system_(std::move(system)), options_(options),
       program_(std::make_shared<const Program>(build_program(solution, scene, {true, true}))),
       tape_(Tape::rates(*system_)), start_tape_(Tape::constants(*system_->system, {scene.verify.interval})),
-      parameters_(parameter_values(*system_->system, scene)), domain_(*system_, scene),
+      parameters_(required_values(scene)), domain_(*system_, scene),
       interval_place_(place_of_interval(scene)) {
     for (const Rational& eps : scene.verify.eps) domain_.require(eps);
     std::vector<GiNaC::ex> expressions{scene.verify.interval};

@@ -4,6 +4,7 @@
 
 #include "verify/symbolic_terms.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,12 @@ template <class Real, class Value> double in_ulp(const Value& value, const Wide&
                least(std::numeric_limits<Real>::denorm_min());
     const Wide error = abs(Wide(Wide(value) - exact)) / (spacing < least ? least : spacing);
     return isfinite(error) ? static_cast<double>(error) : std::numeric_limits<double>::infinity();
+}
+
+// t by 4 ulp of Real later, and earlier: a status may be another one that close to where it changes.
+template <class Real> std::array<Wide, 2> times_at_edge(const Real& t) {
+    const Wide step = 4 * Wide(std::numeric_limits<Real>::epsilon()) * Wide(t);
+    return {Wide(t) + step, Wide(t) - step};
 }
 
 } // namespace resonform
