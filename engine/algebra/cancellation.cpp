@@ -151,7 +151,54 @@ bool cancel_once(const Ring& ring, GeneratorId root, Fraction& f) {
     return true;
 }
 
+// Whether terms are known to have the same sign.
+bool keeps_clear_of_zero(const Ring& ring, const Polynomial& p) {
+    const auto positive = [&](const Monomial& m) {
+        for (GeneratorId id = 0; id < ring.size(); ++id)
+            if (ring.exponent(m, id) % 2 != 0 && !ring.generator(id).positive) return false;
+        return true;
+    };
+    return std::all_of(p.terms().begin(), p.terms().end(), [&](const Term& t) {
+        return positive(t.monomial) && (t.coefficient > 0) == (p.terms().front().coefficient > 0);
+    });
+}
+
+// p = sum of outer * radicand^power * rest, with the highest powers that there are, where outer holds none of
+// the generators of the radicand.
+Polynomial powers_apart(const Ring& ring, const Polynomial& p, GeneratorId root) {
+    const Generator& g = ring.generator(root);
+    const Polynomial radicand = written_out(ring, g.radicand);
+    const Rational number = content(radicand);
+    const auto [inside, outside] = divided_by_occurrence(ring, radicand);
+    const Translation translation(ring, inside);
+    const std::optional<Packed> divisor = translation.packed(1 / number * radicand);
+    std::vector<Term> terms;
+    for (const auto& [outer, coefficient] : ring.collect(p, outside)) {
+        auto rest = coefficient.size() > 1 && divisor ? translation.packed(coefficient) : std::nullopt;
+        int power = 0;
+        for (auto next = rest; rest && (next = rest->quotient_by(*divisor)); ++power) rest = next;
+        if (power == 0) {
+            for (const Term& t : coefficient.terms()) terms.push_back({outer + t.monomial, t.coefficient});
+            continue;
+        }
+        const Rational scale = cln::expt(number, -power) / Translation::denominator(coefficient);
+        const Monomial beside = outer + ring.monomial(root, g.index * power);
+        const Polynomial part = translation.unpacked(*rest);
+        for (const Term& t : part.terms()) terms.push_back({beside + t.monomial, scale * t.coefficient});
+    }
+    return Polynomial::from_terms(std::move(terms));
+}
+
 } // namespace
+
+Polynomial radicands_apart(const Ring& ring, Polynomial numerator) {
+    for (GeneratorId id = ring.size() - 1; id > 0; --id) {
+        const Generator& g = ring.generator(id);
+        if (g.kind == GeneratorKind::root && g.radicand.size() > 1 && !keeps_clear_of_zero(ring, g.radicand))
+            numerator = powers_apart(ring, numerator, id);
+    }
+    return numerator;
+}
 
 Fraction cancelled(const Ring& ring, const Monomial& factor, Polynomial numerator) {
     Fraction result{factor, std::move(numerator), {}};

@@ -23,6 +23,12 @@ struct Fraction {
 // divisible by none of which any power does. Precondition: exponents of the numerator >= 0.
 Fraction cancelled(const Ring& ring, const Monomial& factor, Polynomial numerator);
 
+// The same value for evaluation: a radicand that comes close to zero, for its terms have different signs, is
+// taken out of what stands beside each monomial in other generators, as a power of its root. Written out, it
+// would lose there as many digits as it has leading zeros.
+//   (8 + 12 tau + 6 tau^2 + tau^3) z,  s^2 = 2 + tau   ->   s^6 z
+Polynomial radicands_apart(const Ring& ring, Polynomial numerator);
+
 // The same value, in a ring whose forms are not canonical with common factors cancelled as far as the ring
 // holds the result.
 Polynomial cancelled(const Ring& ring, const Polynomial& p);

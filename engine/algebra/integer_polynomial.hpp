@@ -7,6 +7,9 @@
 
 #include <flint/fmpz_mpoly.h>
 
+#include <optional>
+#include <utility>
+
 namespace resonform {
 
 struct NoQuotient {}; // thrown where an expression is no quotient of polynomials, or too large for FLINT
@@ -110,13 +113,19 @@ public:
         if (fmpz_mpoly_pow_ui(power.value_, value_, n, context_->get()) == 0) throw NoQuotient{};
         return power;
     }
+    // nullopt: it does not divide.
+    [[nodiscard]] std::optional<Packed> quotient_by(const Packed& divisor) const {
+        Packed quotient(*context_);
+        if (fmpz_mpoly_divides(quotient.value_, value_, divisor.value_, context_->get()) == 0)
+            return std::nullopt;
+        return quotient;
+    }
     // Of a divisor.
     [[nodiscard]] Packed divided_by(const Packed& divisor) const {
         if (divisor.is_one()) return *this;
-        Packed quotient(*context_);
-        if (fmpz_mpoly_divides(quotient.value_, value_, divisor.value_, context_->get()) == 0)
-            throw NoQuotient{};
-        return quotient;
+        auto quotient = quotient_by(divisor);
+        if (!quotient) throw NoQuotient{};
+        return *std::move(quotient);
     }
     friend Packed common_divisor(const Packed& a, const Packed& b) {
         if (a.is_one() || b.is_one()) return Packed(*a.context_, 1);

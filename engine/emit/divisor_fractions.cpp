@@ -116,6 +116,7 @@ std::vector<Fraction> reduced_fractions(const Ring& ring, const Polynomial& p) {
             Fraction f = cancelled(ring, outer, above);
             f.factor = f.factor + part.factor;
             f.divisors.insert(f.divisors.end(), part.divisors.begin(), part.divisors.end());
+            f.numerator = radicands_apart(ring, std::move(f.numerator));
             reduced.push_back(std::move(f));
         }
     return reduced;

@@ -17,8 +17,8 @@ namespace resonform {
 // Their factors are powers of divisors.
 std::vector<Fraction> divisor_fractions(const Ring& ring, const Polynomial& p);
 
-// The same with roots and monomials factored out and common factors cancelled: emitted code is made from
-// these.
+// The same with roots and monomials factored out, common factors cancelled and radicands apart: emitted code
+// is made from these.
 std::vector<Fraction> reduced_fractions(const Ring& ring, const Polynomial& p);
 
 } // namespace resonform

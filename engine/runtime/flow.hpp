@@ -5,7 +5,8 @@
 //   y' = -y, y(0) = 1   ->   exp(-T) to about the precision of Real, in any real type
 //
 // In each panel y is the fixed point of y(T) = y(left) + int f(T', y(T')) dT' at Chebyshev nodes; a panel
-// is halved until the iteration contracts and the coefficients of f decay to the precision of Real.
+// is halved until the iteration contracts and the coefficients of f decay to the precision of Real, each
+// value measured by its size within the panel: what falls by 1e-30 and rises again keeps its digits.
 // For slow flows, which are smooth and not stiff. Errors of the panels add up, and the flow carries them
 // on: where neighbouring solutions separate by a factor, digits are lost by that factor.
 #ifndef RESONFORM_RUNTIME_FLOW
@@ -26,10 +27,11 @@ public:
     static constexpr std::size_t most_panels = 16384;
 
     // Solves y' = rates(T, y) from y(0) = start. Status: overflow, outside_domain: a rate is infinite, or
-    // not a number, or 512 panels do not resolve the solution (it may be infinite at a finite T);
-    // outside_interval: `most` panels end before `end` does. `end` is drawn back to where the solution is
-    // known, 0 if nowhere. If there is a rates.scale(T, y), that is how large the terms of the rates are:
-    // they are known to the last place of this only.
+    // not a number, or 4096 panels do not resolve the solution (it may be infinite at a finite T); overflow
+    // too where a value that fell below the range of Real would rise above it again; outside_interval:
+    // `most` panels end before `end` does. `end` is drawn back to where the solution is known, 0 if nowhere.
+    // Rates are known to what the last places of T and y make of them and, if there is a rates.scale(T, y),
+    // how large their terms are, to the last place of this.
     template <class Rates>
     Status build(const Rates& rates, const Values& start, Real& end, std::size_t most = most_panels) {
         FlowPanels<Values> fitted(start);
@@ -65,7 +67,7 @@ private:
 template <class Values> class FlowPanels {
 public:
     using Real = typename Values::value_type;
-    static constexpr std::size_t most_halved = 512; // where a step was refused
+    static constexpr std::size_t most_halved = 4096; // where a step was refused
     struct Panel { // y_k = sum_j coefficient[k][j] x^j, T = middle + half x; of the first panel middle = 0
         Real middle{}, half{};
         std::vector<std::array<Real, Chebyshev<Real>::n + 1>> coefficient;
@@ -74,13 +76,10 @@ public:
     std::vector<Real> lefts;
 
     explicit FlowPanels(const Values& start)
-        : values_(start.size()), scale_(start.size()), at_nodes_(start.size()), rates_(start.size()),
-          coefficients_(start.size()), argument_(start), noise_(start) {
-        for (std::size_t k = 0; k < start.size(); ++k) {
-            values_[k].add(start[k]);
-            scale_[k] = math::magnitude(start[k]);
-            noise_[k] = Real(0);
-        }
+        : values_(start.size()), size_(start.size()), blur_(start.size()), at_nodes_(start.size()),
+          rates_(start.size()), coefficients_(start.size()), argument_(start),
+          seen_(start.size(), Seen::never) {
+        for (std::size_t k = 0; k < start.size(); ++k) values_[k].add(start[k]);
     }
 
     template <class Rates> Status solve(const Rates& rates, Real& end, std::size_t most) {
@@ -91,19 +90,22 @@ public:
                 return Status::outside_interval;
             }
             if (end - left < step * (Real(1) + Real(64) * math::epsilon<Real>())) step = end - left;
-            if constexpr (requires { rates.scale(left, argument_); }) {
-                for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
-                noise_ = rates.scale(left, argument_);
-                for (Real& x : noise_) x = x * step;
-            }
             const Status tried = iterate(rates, left, step);
             const bool contracts = tried == Status::ok && contracted_;
             const Real rest = contracts ? remainder(step) : Real(-1);
-            if (contracts && accepted(rest, refused)) {
+            // Where halving gains nothing close to the tolerance, the rounding of the rates itself is seen.
+            const bool rounding =
+                Real(1) < rest && rest < Real(1000) && Real(0) < refused && refused < Real(4) * rest;
+            if (contracts && (rounding || !(Real(1) < rest)) && resolves_lost(rates, left, step)) {
+                if (Real(0) < rise_of_lost_) {
+                    end = left;
+                    return Status::overflow;
+                }
                 append(left, step);
                 left = end - left > step ? left + step : end;
                 refused = Real(-1);
-                if (rest < Real(1) / Real(4096)) step = step * Real(2);
+                // Among rounding the next panel would be halved again: this one is not for good.
+                if (rounding || rest < Real(1) / Real(4096)) step = step * Real(2);
                 continue;
             }
             refused = rest;
@@ -119,17 +121,18 @@ private:
     using Nodes = typename Chebyshev<Real>::Values;
     static constexpr std::size_t n = Chebyshev<Real>::n;
     static constexpr int most_iterations = 100;
+    enum class Seen : unsigned char { never, now, before };
 
     // The fixed point on [left, left + step]; contracted_ says whether it was reached.
     template <class Rates> Status iterate(const Rates& rates, const Real& left, const Real& step) {
         const Real half = step / Real(2);
+        estimate_blur(rates, Real(left + half));
         for (std::size_t k = 0; k < values_.size(); ++k) at_nodes_[k].fill(values_[k].value());
         Real before = Real(-1);
         contracted_ = false;
         for (int i = 0; i < most_iterations && !contracted_; ++i) {
             for (std::size_t j = 0; j < n; ++j) {
-                for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = at_nodes_[k][j];
-                const Values f = rates(Real(left + half * (Real(1) + chebyshev_.node(j))), argument_);
+                const Values f = at_node(rates, j, left, half);
                 for (std::size_t k = 0; k < values_.size(); ++k) {
                     if (math::is_not_a_number(f[k])) return Status::outside_domain;
                     if (!math::finite(f[k])) return Status::overflow;
@@ -147,26 +150,51 @@ private:
         return Status::ok;
     }
 
-    // New values at the nodes from the rates there; the largest change in units of the last place.
+    template <class Rates>
+    Values at_node(const Rates& rates, std::size_t j, const Real& left, const Real& half) {
+        for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = at_nodes_[k][j];
+        return rates(Real(left + half * (Real(1) + chebyshev_.node(j))), argument_);
+    }
+
+    // blur_: what the last places of T and of all values make of each rate, over epsilon; seen where this
+    // panel begins and, halved from one to the next, where others did.
+    template <class Rates> void estimate_blur(const Rates& rates, const Real& T) {
+        const Real ulp = math::epsilon<Real>();
+        for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
+        const Values f = rates(T, argument_);
+        Values terms = f;
+        for (Real& x : terms) x = Real(0);
+        if constexpr (requires { rates.scale(T, argument_); }) terms = rates.scale(T, argument_);
+        // Each moves by another number of places, so that what cancels among them is seen.
+        for (std::size_t k = 0; k < values_.size(); ++k)
+            argument_[k] = argument_[k] + argument_[k] * ulp * Real(static_cast<int>(1 + k % 7));
+        const Values moved = rates(Real(T + T * ulp), argument_);
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            const Real seen = math::magnitude(Real(moved[k] - f[k])) / ulp;
+            blur_[k] = std::max(Real(blur_[k] / Real(2)), terms[k]);
+            if (math::finite(seen)) blur_[k] = std::max(blur_[k], seen);
+        }
+    }
+
+    // New values at the nodes from the rates there, and how large each value is within the panel, to the last
+    // place of which it is known; the largest change in units of this place.
     Real update(const Real& half) {
         Real change = Real(0);
         for (std::size_t k = 0; k < values_.size(); ++k) {
             const Real start = values_[k].value();
+            Real moved = Real(0);
+            size_[k] = std::max(std::max(math::magnitude(start), Real(blur_[k] * half * Real(2))), least());
             for (std::size_t j = 0; j < n; ++j) {
                 Real integral = Real(0);
                 for (std::size_t m = 0; m < n; ++m) integral = integral + integration_[j][m] * rates_[k][m];
                 const Real next = start + half * integral;
-                const Real unit = size(k, next) * math::epsilon<Real>();
-                if (Real(0) < unit)
-                    change = std::max(change, Real(math::magnitude(Real(next - at_nodes_[k][j])) / unit));
+                size_[k] = std::max(size_[k], Real(math::magnitude(next)));
+                moved = std::max(moved, Real(math::magnitude(Real(next - at_nodes_[k][j]))));
                 at_nodes_[k][j] = next;
             }
+            change = std::max(change, Real(moved / (size_[k] * math::epsilon<Real>())));
         }
         return change;
-    }
-
-    [[nodiscard]] Real size(std::size_t k, const Real& value) const {
-        return std::max(std::max(scale_[k], noise_[k]), Real(math::magnitude(value)));
     }
 
     // What the last coefficients of the rates leave open of the values, in units of the tolerance.
@@ -174,19 +202,70 @@ private:
         Real worst = Real(0);
         for (std::size_t k = 0; k < values_.size(); ++k) {
             coefficients_[k] = chebyshev_.coefficients(rates_[k]);
-            Real largest = Real(0);
-            for (const Real& y : at_nodes_[k]) largest = std::max(largest, size(k, y));
             const Real last = math::magnitude(coefficients_[k].back());
             const Real before = math::magnitude(coefficients_[k][n - 2]) / Real(8);
-            const Real tolerance = Real(8) * math::epsilon<Real>() * largest;
-            if (Real(0) < tolerance) worst = std::max(worst, Real(std::max(last, before) * step / tolerance));
+            const Real tolerance = Real(8) * math::epsilon<Real>() * size_[k];
+            worst = std::max(worst, Real(std::max(last, before) * step / tolerance));
         }
         return worst;
     }
 
-    // Where halving gains nothing close to the tolerance, the rounding of the rates themselves is seen.
-    static bool accepted(const Real& rest, const Real& refused) {
-        return !(Real(1) < rest) || (rest < Real(1000) && Real(0) < refused && refused < Real(4) * rest);
+    // Below this, values and what rates make of them lose digits to the end of the range of Real.
+    static Real least() {
+        const Real ulp = math::epsilon<Real>();
+        return math::smallest<Real>() / (ulp * ulp);
+    }
+
+    // Values that were there and have fallen below the range of Real: their digits are gone, which matters
+    // where they would rise again. rise_of_lost_ is the exponent by which they
+    // have risen at most since they fell. False: the panel is too long to tell.
+    template <class Rates> bool resolves_lost(const Rates& rates, const Real& left, const Real& step) {
+        std::vector<std::size_t> lost;
+        bool more = false;
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            if (size_[k] > least()) seen_[k] = Seen::now;
+            if (!(size_[k] > least()) && seen_[k] == Seen::now) {
+                seen_[k] = Seen::before;
+                more = true;
+            }
+            if (seen_[k] == Seen::before) lost.push_back(k);
+        }
+        if (more || lost.empty()) rise_of_lost_ = std::max(rise_of_lost_, Real(0));
+        if (lost.empty()) return true;
+        Real fastest = growth(rates, lost, 0, left, step);
+        for (const std::size_t j : {n / 2, n - 1})
+            fastest = std::max(fastest, growth(rates, lost, j, left, step));
+        const Real rise = fastest * step;
+        if (!(math::magnitude(rise) < Real(4))) return false;
+        rise_of_lost_ = rise_of_lost_ + rise;
+        return true;
+    }
+
+    // How fast some values grow by themselves at a node, at most: by rows of the symmetric part of their
+    // d rates/d values.
+    template <class Rates>
+    Real growth(const Rates& rates, const std::vector<std::size_t>& some, std::size_t j, const Real& left,
+                const Real& step) {
+        using math::sqrt;
+        const Real half = step / Real(2), push = sqrt(math::smallest<Real>());
+        const Values f = at_node(rates, j, left, half);
+        std::vector<Values> moved;
+        for (const std::size_t k : some) {
+            const Real before = std::exchange(at_nodes_[k][j], Real(at_nodes_[k][j] + push));
+            moved.push_back(at_node(rates, j, left, half));
+            at_nodes_[k][j] = before;
+        }
+        const auto slope = [&](std::size_t a, std::size_t b) {
+            return (moved[b][some[a]] - f[some[a]]) / push;
+        };
+        Real fastest = slope(0, 0);
+        for (std::size_t a = 0; a < some.size(); ++a) {
+            Real row = slope(a, a);
+            for (std::size_t b = 0; b < some.size(); ++b)
+                if (b != a) row = row + math::magnitude(Real(slope(a, b) + slope(b, a))) / Real(2);
+            fastest = std::max(fastest, row);
+        }
+        return fastest;
     }
 
     void append(const Real& left, const Real& step) {
@@ -195,6 +274,10 @@ private:
         const bool first = panels.empty();
         panel.middle = first ? left : left + panel.half;
         for (std::size_t k = 0; k < values_.size(); ++k) {
+            if (seen_[k] == Seen::before) { // garbage would rise by itself
+                values_[k] = CompensatedSum<Real>();
+                coefficients_[k].fill(Real(0));
+            }
             auto coefficient = Chebyshev<Real>::primitive(coefficients_[k]);
             Real whole = Real(0);
             for (Real& x : coefficient) {
@@ -206,7 +289,6 @@ private:
             coefficient[0] = first ? values_[k].value() : coefficient[0] + values_[k].value();
             panel.coefficient.push_back(coefficient);
             values_[k].add(whole);
-            for (const Real& y : at_nodes_[k]) scale_[k] = std::max(scale_[k], Real(math::magnitude(y)));
         }
         panels.push_back(std::move(panel));
         lefts.push_back(left);
@@ -225,9 +307,11 @@ private:
     const Chebyshev<Real>& chebyshev_ = chebyshev();
     const std::array<Nodes, n>& integration_ = integration();
     std::vector<CompensatedSum<Real>> values_; // at the left end of what is next
-    std::vector<Real> scale_;                  // of each value so far
+    std::vector<Real> size_, blur_;            // of each value within the panel; of each rate
     std::vector<Nodes> at_nodes_, rates_, coefficients_;
-    Values argument_, noise_;
+    Values argument_;
+    std::vector<Seen> seen_;
+    Real rise_of_lost_{};
     bool contracted_ = false;
 };
 

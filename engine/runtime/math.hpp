@@ -53,6 +53,12 @@ template <class Real> constexpr Real power(Real x, int exponent) {
 // The distance from 1 to the next number, 2^(1 - digits).
 template <class Real> Real epsilon() { return power(Real(Real(1) / Real(2)), digits<Real> - 1); }
 
+// The least number > 0 with all its digits.
+template <class Real> Real smallest() { return std::numeric_limits<Real>::min(); }
+#ifdef RESONFORM_FLOAT128
+template <> inline Float128 smallest<Float128>() { return power(Float128(0.5), 16382); }
+#endif
+
 // False for NaN and infinities.
 // NOLINTNEXTLINE(misc-redundant-expression): inf - inf is not a number
 template <class Real> bool finite(const Real& x) { return x - x == Real(0); }

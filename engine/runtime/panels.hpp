@@ -136,18 +136,25 @@ private:
     std::array<Number, n + 1> quadrant_{};
 };
 
-// A sum with its rounding errors carried along (Neumaier).
+// A sum with its rounding errors carried along (Neumaier), each addition beginning with what is left of them:
+// a sum that falls by any factor loses digits no faster than its addends.
 template <class Number> class CompensatedSum {
 public:
     void add(const Number& x) {
-        const Number next = sum_ + x;
-        const bool larger = math::magnitude(sum_) < math::magnitude(x);
-        carry_ = carry_ + (larger ? (x - next) + sum_ : (sum_ - next) + x);
-        sum_ = next;
+        const Number rounded = split(sum_, x, sum_);
+        carry_ = split(sum_, Number(carry_ + rounded), sum_);
     }
     [[nodiscard]] Number value() const { return sum_ + carry_; }
 
 private:
+    // sum = a + b rounded; the rest of it.
+    static Number split(const Number& a, const Number& b, Number& sum) {
+        const Number large = math::magnitude(a) < math::magnitude(b) ? b : a;
+        const Number small = math::magnitude(a) < math::magnitude(b) ? a : b;
+        sum = large + small;
+        return (large - sum) + small;
+    }
+
     Number sum_ = Number(0), carry_ = Number(0);
 };
 

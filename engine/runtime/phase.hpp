@@ -25,8 +25,9 @@ public:
     using Wide = typename PhaseNumber<Real>::type;
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
-    // Real only (it contains tables). Status as fit_panels; if that is not ok, `end` is drawn back to where
-    // the rate is defined, 0 if nowhere.
+    // Real only (it contains tables). Status as fit_panels, or outside_interval: the phase gets so large that
+    // it is known to no radian. If it is not ok, `end` is drawn back to where the phase is known, 0 if
+    // nowhere.
     template <class Rate>
     Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
         eps_ = eps;
@@ -40,12 +41,20 @@ public:
         const Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end), tolerance);
         end = narrow(fitted.end);
         rows_.clear();
-        if (fitted.panels.empty()) return fitted.status;
         std::vector<Real> lefts;
         for (const Panel<Wide, 1>& panel : fitted.panels) divide(panel, start, lefts);
+        Status status = fitted.status;
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            if (rows_[k].known) continue;
+            status = Status::outside_interval;
+            end = k == 0 ? Real(0) : lefts[k];
+            rows_.resize(k);
+            lefts.resize(k);
+        }
+        if (rows_.empty()) return status;
         choose_lengths();
         index_ = PanelIndex<Real>(std::move(lefts), end);
-        return fitted.status;
+        return status;
     }
 
     // low_precision: theta may exceed 10^14 or be wrong by more than 10^-9 radians, as estimated from
@@ -87,7 +96,7 @@ private:
         Real middle{}, scale{};
         Coefficients coefficient{};    // the constant term without whole turns
         std::array<Real, terms> low{}; // the same, rounded
-        bool precise = true;
+        bool precise = true, known = true;
     };
 
     static Real narrow(const Wide& x) { return static_cast<Real>(x); }
@@ -165,6 +174,7 @@ private:
         }
         const Real radians = largest * narrow(turn_);
         result.precise = radians <= Real(1e14) && radians * resolution_ <= Real(1e-9);
+        result.known = radians * resolution_ <= Real(1);
         using math::floor;
         result.coefficient[0] = result.coefficient[0] - Wide(floor(narrow(result.coefficient[0])));
         for (std::size_t j = 0; j < terms; ++j) result.low[j] = narrow(result.coefficient[j]);

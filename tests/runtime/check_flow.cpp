@@ -123,6 +123,67 @@ TYPED_TEST(Flow, KnowsHowLargeTheTermsOfItsRatesAre) {
     EXPECT_EQ(blind.build(only_rates, {Real(0)}, nowhere), Status::outside_domain);
 }
 
+// s' = s (200 - 400 T) rises to exp(25)^2 and falls again, an amplitude falls to exp(-37) and rises again:
+// each keeps its digits, measured by itself where it is, not by the largest that was.
+TYPED_TEST(Flow, WhatFallsAndRisesKeepsItsDigits) {
+    using Real = TypeParam;
+    using math::cos;
+    using math::exp;
+    using math::sin;
+    FlowTable<std::array<Real, 4>> flow;
+    Real end(1);
+    const auto rates = [](const Real& T, const std::array<Real, 4>& y) {
+        const Real damping = Real(300) * (T - Real(1) / Real(2));
+        return std::array<Real, 4>{Real(y[0] * (Real(200) - Real(400) * T)),
+                                   Real(damping * y[1] - Real(5) * y[2]),
+                                   Real(damping * y[2] + Real(5) * y[1]), Real(1)};
+    };
+    ASSERT_EQ(flow.build(rates, {Real(1), Real(1), Real(0), Real(0)}, end), Status::ok);
+    for (int i = 0; i <= 100; ++i) {
+        const Real T = Real(i) / Real(100), x = T * (Real(1) - T);
+        const auto y = flow(T);
+        const Real peak = exp(Real(Real(200) * x)), dip = exp(Real(Real(-150) * x));
+        EXPECT_LT(ulps<Real>(y[0] / peak, Real(1)), Real(20000)) << i;
+        EXPECT_LT(ulps<Real>(y[1] / dip, cos(Real(Real(5) * T))), Real(20000)) << i;
+        EXPECT_LT(ulps<Real>(y[2] / dip, sin(Real(Real(5) * T))), Real(20000)) << i;
+    }
+}
+
+// What falls below the range of the type has lost its digits. While it stays there zero is right; it ends
+// where it would rise again.
+TEST(FlowOfNothing, WhatIsLostDoesNotRiseAgain) {
+    const auto solve = [](double speed, double& end) {
+        FlowTable<std::array<double, 2>> flow;
+        const Status status = flow.build(
+            [speed](double T, const std::array<double, 2>& y) {
+                const double growth = speed * (T - 0.5);
+                return std::array{growth * y[0] - y[1], growth * y[1] + y[0]};
+            },
+            {1.0, 0.0}, end);
+        return std::pair(status, end > 0 ? flow(end)[0] : 0.0);
+    };
+    double end = 1;
+    EXPECT_EQ(solve(4000, end).first, Status::ok); // exp(-500) at T = 1/2
+    EXPECT_NEAR(solve(4000, end).second, std::cos(1.0), 1e-10);
+    EXPECT_EQ(solve(8000, end).first, Status::overflow);
+    EXPECT_GT(end, 0.5);
+    EXPECT_LT(end, 0.9); // exp(-360) there
+    end = 0.5;
+    EXPECT_EQ(solve(8000, end), std::pair(Status::ok, 0.0));
+}
+
+// A value that is fed by what cancels is known to what the last places of the others make of it.
+TEST(FlowOfNothing, WhatCancelsIsNoSize) {
+    FlowTable<std::array<double, 3>> flow;
+    double end = 50;
+    const auto rates = [](double, const std::array<double, 3>& y) {
+        return std::array{y[1] * y[1] + y[2] * y[2] - 1, -y[2], y[1]};
+    };
+    ASSERT_EQ(flow.build(rates, {0.0, 1.0, 0.0}, end), Status::ok);
+    EXPECT_NEAR(flow(50)[0], 0, 1e-11);
+    EXPECT_LT(flow.panels(), 300U);
+}
+
 TEST(FlowOfVectors, AgreesWithThatOfArrays) {
     const auto rate = [](double T, double y) { return std::cos(T) * y - y * y; };
     FlowTable<std::array<double, 1>> fixed;
