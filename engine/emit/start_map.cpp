@@ -17,6 +17,9 @@ public:
 
     [[nodiscard]] Real number(int n) const { return graph().rational(n); }
     [[nodiscard]] Real little() const { return graph().power(program_.eps, 2 * truncation_); }
+    [[nodiscard]] Real gained(Real x) const {
+        return graph().multiply({graph().rational(cln::expt(Rational(4), 1 - truncation_)), x});
+    }
     [[nodiscard]] Real sum(std::vector<Real> terms) const { return graph().add(std::move(terms)); }
     [[nodiscard]] Real times(int n, Real x) const { return graph().multiply({number(n), x}); }
     [[nodiscard]] Real square(const Complex& x) const {
@@ -51,7 +54,11 @@ public:
     void require() {
         pair_up();
         FlowMoment now(program_, real_, surroundings_, start_.now, false);
-        for (const MovedVariable& v : moved_) at_.of(v).added = added(now, v);
+        for (const MovedVariable& v : moved_) {
+            at_.of(v).added = added(now, v);
+            for (const Polynomial& harmonic : v.forced)
+                at_.of(v).forced.push_back(now.value(harmonic, v.weight, false));
+        }
         if (start_.from_constants) add_to_old();
         NearIdentity(algebra_).require(moved_, at_, start_.from_constants);
     }

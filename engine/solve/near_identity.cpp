@@ -19,6 +19,19 @@ std::vector<std::size_t> modes_in(const GradedField& field, const Polynomial& p,
     return modes;
 }
 
+// The coefficients of the products of angles in the terms without a mode.
+std::vector<Polynomial> harmonics_without_modes(const GradedField& field, const Polynomial& p) {
+    std::vector<GeneratorId> modes, angles;
+    for (const Mode& mode : field.modes) modes.insert(modes.end(), {mode.z, mode.zbar});
+    for (const AngleVariable& angle : field.angles) angles.push_back(angle.phase);
+    std::vector<Polynomial> coefficients;
+    for (const auto& [product, rest] : field.ring->collect(p, modes))
+        if (product == Monomial())
+            for (const auto& [turns, coefficient] : field.ring->collect(rest, angles))
+                coefficients.push_back(coefficient);
+    return coefficients;
+}
+
 } // namespace
 
 std::vector<MovedVariable> moved_variables(const Solution& solution) {
@@ -35,8 +48,11 @@ std::vector<MovedVariable> moved_variables(const Solution& solution) {
                              field.system().variables[variables[k].variable].name,
                              kind == Of::mode ? field.ring->generator(field.modes[k].z).weight : 0,
                              std::move(added),
+                             {},
                              {}});
-            if (kind == Of::mode) moved.back().modes = modes_in(field, moved.back().added, k);
+            MovedVariable& v = moved.back();
+            if (kind == Of::mode) v.modes = modes_in(field, v.added, k);
+            if (kind != Of::drift) v.forced = harmonics_without_modes(field, v.added);
         }
     };
     add(Of::mode, map.mode, field.modes);

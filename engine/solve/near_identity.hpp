@@ -5,8 +5,11 @@
 //   from constants w_0         h(z_0) misses h(w_0), z_0 = w_0 + h(w_0), by less than a half of |w_0| and
 //                              |h(w_0)|: z_0 - h(z_0) leads back
 //
-// or by less than eps^M/2. Slow variables, angles and drifts have physical values. Written once for emitted
-// code, whose numbers are nodes of a graph, and for what it is held against.
+// or by less than eps^M/2. Slow variables, angles and drifts have physical values; where slow variables and
+// drifts begin to count says nothing, so that they are missed by less than 2^-M |h(w_0)|: each of M steps of
+// the inversion has gained a half. What of h has no mode in it drops out of these differences: its harmonics
+// together are less than twice the start value, or than 2 eps^weight (of a slow variable or angle, than 2).
+// Written once for emitted code, whose numbers are nodes of a graph, and for what it is held against.
 #pragma once
 
 #include "solve/solution.hpp"
@@ -26,6 +29,7 @@ struct MovedVariable {
     int weight;                     // of a mode
     Polynomial added;               // through weight M
     std::vector<std::size_t> modes; // of a mode: itself, and those that are in `added`
+    std::vector<Polynomial> forced; // what of `added` has no mode in it: the coefficient of each harmonic
 };
 std::vector<MovedVariable> moved_variables(const Solution& solution);
 
@@ -33,6 +37,7 @@ std::vector<MovedVariable> moved_variables(const Solution& solution);
 template <class Complex> struct StartShift {
     Complex old, now, added; // added: by the map to the new variables
     Complex added_to_old;    // by the map to the old ones; of modes that start from constants
+    std::vector<Complex> forced = {};
 };
 template <class Complex> struct StartShifts {
     std::vector<StartShift<Complex>> modes, slow, angles, drift;
@@ -48,9 +53,9 @@ template <class Complex> struct StartShifts {
     }
 };
 
-// Algebra has the types Real and Complex, number(int), little() = eps^(2M), sum(list of Real),
-// square(Complex) = |z|^2, plus and minus of Complex, times(int, Real), and require(Real, name): that it is
-// positive.
+// Algebra has the types Real and Complex, number(int), little() = eps^(2M), gained(Real x) = 4^(1 - M) x,
+// sum(list of Real), square(Complex) = |z|^2, plus and minus of Complex, times(int, Real), and require(Real,
+// name): that it is positive.
 template <class Algebra> class NearIdentity {
 public:
     using Real = typename Algebra::Real;
@@ -63,6 +68,7 @@ public:
                 require_way_back(v, at);
             else
                 require_reproduced(v, at.of(v));
+            if (!v.forced.empty()) require_moderate(v, at.of(v), from_constants);
         }
     }
     // What is 1 but for small terms: a factor of an amplitude.
@@ -80,9 +86,20 @@ private:
         const Complex found = algebra_.plus(s.now, s.added);
         if (v.kind == MovedVariable::Kind::angle) // half a radian
             require_half(found, {algebra_.number(1)}, v.name);
-        else
+        else if (v.kind == MovedVariable::Kind::mode)
             require_half(algebra_.minus(found, s.old),
                          {algebra_.little(), algebra_.square(s.old), algebra_.square(s.added)}, v.name);
+        else
+            require_half(algebra_.minus(found, s.old),
+                         {algebra_.little(), algebra_.gained(algebra_.square(s.added))}, v.name);
+    }
+    void require_moderate(const MovedVariable& v, const StartShift<Complex>& s, bool from_constants) {
+        const bool constant = v.kind == MovedVariable::Kind::mode && from_constants;
+        std::vector<Real> terms{algebra_.number(4),
+                                algebra_.times(4, algebra_.square(constant ? s.now : s.old))};
+        for (const Complex& harmonic : s.forced)
+            terms.push_back(algebra_.times(-1, algebra_.square(harmonic)));
+        algebra_.require(algebra_.sum(std::move(terms)), v.name);
     }
     void require_way_back(const MovedVariable& v, const StartShifts<Complex>& at) {
         std::vector<Real> squares{algebra_.little()};

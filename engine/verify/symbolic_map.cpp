@@ -19,6 +19,7 @@ public:
 
     [[nodiscard]] static Wide number(int n) { return n; }
     [[nodiscard]] Wide little() const { return math::power(eps_, 2 * truncation_); }
+    [[nodiscard]] Wide gained(const Wide& x) const { return x / math::power(Wide(4), truncation_ - 1); }
     [[nodiscard]] static Wide sum(const std::vector<Wide>& terms) {
         Wide total = 0;
         for (const Wide& term : terms) total += term;
@@ -43,7 +44,12 @@ private:
 
 SymbolicMap::SymbolicMap(const Solution& solution, const SymbolicRing& ring)
     : field_(*solution.normalization->normal_form.field), truncation_(solution.truncation), ring_(ring),
-      moved_(moved_variables(solution)), map_(shifts(solution.normalization->map)) {}
+      moved_(moved_variables(solution)), map_(shifts(solution.normalization->map)) {
+    for (const MovedVariable& v : moved_) {
+        forced_.emplace_back();
+        for (const Polynomial& harmonic : v.forced) forced_.back().push_back(ring_.fixed()(harmonic));
+    }
+}
 
 SymbolicMap::Shifts SymbolicMap::shifts(const NearIdentityMap& map) const {
     const auto sums = [&](const std::vector<Series>& list) {
@@ -111,8 +117,15 @@ StartShifts<WideComplex> SymbolicMap::shifts_at(const Pair& pair, const Symbolic
         return v.kind == MovedVariable::Kind::mode ? (1 / scale_of_mode(v.index, inputs.eps)) * sum
                                                    : WideComplex{sum.re, 0};
     };
-    for (const MovedVariable& v : moved_)
-        if (v.kind != MovedVariable::Kind::drift || !at.drift.empty()) at.of(v).added = added(v);
+    for (std::size_t k = 0; k < moved_.size(); ++k) {
+        const MovedVariable& v = moved_[k];
+        if (v.kind == MovedVariable::Kind::drift && at.drift.empty()) continue;
+        at.of(v).added = added(v);
+        const bool mode = v.kind == MovedVariable::Kind::mode;
+        const Wide unit = mode ? 1 / scale_of_mode(v.index, inputs.eps) : Wide(1);
+        for (const SymbolicSum& harmonic : forced_[k])
+            at.of(v).forced.push_back(unit * value_of(harmonic, values));
+    }
     if (!pair.from_constants) return at;
     SymbolicStartValues old = pair.old;
     old.modes.clear();

@@ -58,6 +58,7 @@ private:
     int truncation_;
     const SymbolicRing& ring_;
     std::vector<MovedVariable> moved_;
+    std::vector<std::vector<SymbolicSum>> forced_; // of each
     Shifts map_;
 };
 

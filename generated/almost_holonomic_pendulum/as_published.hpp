@@ -181,7 +181,7 @@ private:
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
-    template <class Number> static std::array<Number, 1> start_conditions(
+    template <class Number> static std::array<Number, 2> start_conditions(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
         const Number xi_0 = Number(start.xi_0);
         const Number C_delta = Number(start.C_delta);
@@ -197,43 +197,48 @@ private:
         const Number k_8 = k_5 * k_6 * k_7;
         const Number k_9 = cos(theta_0);
         const Number k_10 = k_9 * k_9;
-        const Number k_11 = sin(theta_0);
-        const Number k_12 = k_11 * k_11;
-        const Number k_13 = k_2 * eps;
-        const Number k_14 = k_7 * k_7;
-        const Number k_15 = k_14 * k_7;
-        const Number k_16 = sqrt(k_6);
-        const Number k_17 = k_5 * k_6 * k_16 * k_7;
-        const Number k_18 = k_4 * k_5;
-        const Number k_19 = k_8 * (Number(5) / Number(192)) * k_1 * k_10 + k_8 * (Number(3) / Number(64)) * k_1 * k_12;
-        const Number k_20 = Number(1) / Number(32) * k_3;
-        const Number k_21 = k_17 * eps * C_delta * k_9 * (Number(1) / Number(16) + k_18 * k_19 - k_20);
-        const Number k_22 = k_5 * k_16;
-        const Number k_23 = xi_0 * (Number(1) + k_22 * (Number(1) / Number(8)) * C_delta * k_11);
-        const Number k_24 = k_21 + k_23;
-        const Number k_25 = -k_8 * (Number(5) / Number(64)) * k_1 * k_10 - k_8 * (Number(1) / Number(64)) * k_1 * k_12;
-        const Number k_26 = k_22 * C_delta * k_11 * (k_18 * k_25 + k_20 - Number(1) / Number(16));
-        const Number k_27 = Number(2) * k_3;
-        const Number k_28 = k_4 * k_6 * k_16 * (Number(1) / Number(8)) * xi_0 * C_delta * k_9;
-        const Number k_29 = eps * (k_26 + k_27 - Number(1)) + k_28;
-        const Number k_30 = k_5 * k_14;
-        const Number k_31 = k_30 * eps * k_24;
-        const Number k_32 = k_17 * C_delta * k_9 + k_31;
-        const Number k_33 = k_32 * k_32;
-        const Number k_34 = k_5 * k_6 * k_15;
-        const Number k_35 = k_34 * eps * k_29;
-        const Number k_36 = k_17 * C_delta * k_11 + k_35;
-        const Number k_37 = k_36 * k_36;
-        const Number k_38 = k_18 * (Number(5) / Number(192) * k_33 + Number(3) / Number(64) * k_37);
-        const Number k_39 = k_5 * k_6;
-        const Number k_40 = eps * k_32 * (Number(1) / Number(16) + k_38 - k_20) + xi_0 * (Number(1) + k_39 * (Number(1) / Number(8)) * k_36);
-        const Number k_41 = k_30 * eps * k_40 - k_31;
-        const Number k_42 = k_18 * (-Number(5) / Number(64) * k_33 - Number(1) / Number(64) * k_37);
-        const Number k_43 = k_27 + k_39 * k_36 * (k_20 + k_42 - Number(1) / Number(16)) - Number(1);
-        const Number k_44 = k_34 * eps * (eps * k_43 + k_18 * (Number(1) / Number(8)) * xi_0 * k_32);
-        const Number k_45 = k_44 - k_35;
-        const Number k_46 = k_8 * k_1 * k_10 + k_8 * k_1 * k_12 + k_13 * k_13 + k_2 * k_15 * (k_24 * k_24) + k_5 * (k_14 * k_14 * k_7) * k_2 * (k_29 * k_29) - Number(4) * (k_41 * k_41 + k_45 * k_45);
-        return {Number(k_46)};
+        const Number k_11 = k_8 * k_1 * k_10;
+        const Number k_12 = sin(theta_0);
+        const Number k_13 = k_12 * k_12;
+        const Number k_14 = k_8 * k_1 * k_13;
+        const Number k_15 = k_2 * eps;
+        const Number k_16 = k_7 * k_7;
+        const Number k_17 = k_16 * k_7;
+        const Number k_18 = sqrt(k_6);
+        const Number k_19 = k_5 * k_6 * k_18 * k_7;
+        const Number k_20 = k_4 * k_5;
+        const Number k_21 = k_8 * (Number(5) / Number(192)) * k_1 * k_10 + k_8 * (Number(3) / Number(64)) * k_1 * k_13;
+        const Number k_22 = Number(1) / Number(32) * k_3;
+        const Number k_23 = k_19 * eps * C_delta * k_9 * (Number(1) / Number(16) + k_20 * k_21 - k_22);
+        const Number k_24 = k_5 * k_18;
+        const Number k_25 = xi_0 * (Number(1) + k_24 * (Number(1) / Number(8)) * C_delta * k_12);
+        const Number k_26 = k_23 + k_25;
+        const Number k_27 = k_5 * (k_16 * k_16 * k_7);
+        const Number k_28 = -k_8 * (Number(5) / Number(64)) * k_1 * k_10 - k_8 * (Number(1) / Number(64)) * k_1 * k_13;
+        const Number k_29 = k_24 * C_delta * k_12 * (k_20 * k_28 + k_22 - Number(1) / Number(16));
+        const Number k_30 = Number(2) * k_3;
+        const Number k_31 = k_4 * k_6 * k_18 * (Number(1) / Number(8)) * xi_0 * C_delta * k_9;
+        const Number k_32 = eps * (k_29 + k_30 - Number(1)) + k_31;
+        const Number k_33 = k_5 * k_16;
+        const Number k_34 = k_33 * eps * k_26;
+        const Number k_35 = k_19 * C_delta * k_9 + k_34;
+        const Number k_36 = k_35 * k_35;
+        const Number k_37 = k_5 * k_6 * k_17;
+        const Number k_38 = k_37 * eps * k_32;
+        const Number k_39 = k_19 * C_delta * k_12 + k_38;
+        const Number k_40 = k_39 * k_39;
+        const Number k_41 = k_20 * (Number(5) / Number(192) * k_36 + Number(3) / Number(64) * k_40);
+        const Number k_42 = k_5 * k_6;
+        const Number k_43 = eps * k_35 * (Number(1) / Number(16) + k_41 - k_22) + xi_0 * (Number(1) + k_42 * (Number(1) / Number(8)) * k_39);
+        const Number k_44 = k_33 * eps * k_43 - k_34;
+        const Number k_45 = k_20 * (-Number(5) / Number(64) * k_36 - Number(1) / Number(64) * k_40);
+        const Number k_46 = k_30 + k_42 * k_39 * (k_22 + k_45 - Number(1) / Number(16)) - Number(1);
+        const Number k_47 = k_37 * eps * (eps * k_46 + k_20 * (Number(1) / Number(8)) * xi_0 * k_35);
+        const Number k_48 = k_47 - k_38;
+        const Number k_49 = k_11 + k_14 + k_15 * k_15 + k_2 * k_17 * (k_26 * k_26) + k_27 * k_2 * (k_32 * k_32) - Number(4) * (k_44 * k_44 + k_48 * k_48);
+        const Number k_50 = k_30 - Number(1);
+        const Number k_51 = Number(4) + Number(4) * (k_11 + k_14) - (k_2 * k_3 * k_17 + k_27 * (k_2 * k_2) * (k_50 * k_50));
+        return {Number(k_49), Number(k_51)};
     }
 
     // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
@@ -351,6 +356,7 @@ private:
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
+        if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },

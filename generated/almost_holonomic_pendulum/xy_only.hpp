@@ -166,7 +166,7 @@ private:
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
-    template <class Number> static std::array<Number, 2> start_conditions(
+    template <class Number> static std::array<Number, 3> start_conditions(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start) {
         const Number xi_0 = Number(start.xi_0);
         const Number C_delta = Number(start.C_delta);
@@ -188,65 +188,72 @@ private:
         const Number k_14 = k_9 * k_9;
         const Number k_15 = cos(theta_0);
         const Number k_16 = k_15 * k_15;
-        const Number k_17 = sin(theta_0);
-        const Number k_18 = k_17 * k_17;
-        const Number k_19 = k_2 * k_2;
-        const Number k_20 = k_7 * k_6;
-        const Number k_21 = sqrt(k_11);
-        const Number k_22 = k_11 * k_21 * k_7;
-        const Number k_23 = k_13 * (Number(5) / Number(64)) * k_1 * k_14 * k_16;
-        const Number k_24 = k_13 * (Number(9) / Number(64)) * k_1 * k_14 * k_18;
-        const Number k_25 = k_13 * (Number(5) / Number(192)) * k_1 * k_14 * k_16;
-        const Number k_26 = k_13 * (Number(3) / Number(64)) * k_1 * k_14 * k_18;
-        const Number k_27 = k_8 * (Number(1) / Number(32));
-        const Number k_28 = k_22 * C_delta * k_9 * k_15 * (k_23 + k_24 + k_3 * (k_3 * (k_25 + k_26) + k_23 + k_24) - k_27);
-        const Number k_29 = k_21 * k_6;
-        const Number k_30 = -Number(4) - k_29 * (Number(7) / Number(512)) * C_delta * k_9 * k_17;
-        const Number k_31 = k_5 * k_11;
-        const Number k_32 = k_13 * (Number(1) / Number(256)) * k_1 * k_14 * k_16 + k_13 * (Number(5) / Number(256)) * k_1 * k_14 * k_18;
-        const Number k_33 = k_22 * (Number(1) / Number(3)) * C_delta * k_9 * k_17;
-        const Number k_34 = k_22 * C_delta * k_9 * k_17 * (k_31 * k_32 + k_33) + k_13 * (Number(1) / Number(6)) * k_1 * k_14 * k_16;
-        const Number k_35 = k_31 * k_34 + k_22 * (Number(1) / Number(8)) * C_delta * k_9 * k_17;
-        const Number k_36 = xi_0 * (k_28 + eps * xi_0 * k_30) + eps * (k_31 * k_35 + Number(8));
-        const Number k_37 = k_8 * (Number(1) / Number(16));
-        const Number k_38 = eps * (xi_0 * k_36 + k_22 * C_delta * k_9 * k_15 * (k_25 + k_26 + k_37));
-        const Number k_39 = Number(1) + k_29 * (Number(1) / Number(8)) * C_delta * k_9 * k_17;
-        const Number k_40 = k_38 + k_8 * xi_0 * k_39;
-        const Number k_41 = k_13 * (Number(3) / Number(128)) * k_1 * k_14 * k_16 - k_13 * (Number(1) / Number(128)) * k_1 * k_14 * k_18;
-        const Number k_42 = Number(7) / Number(512) * k_3;
-        const Number k_43 = k_22 * eps * C_delta * k_9 * k_15 * (Number(1) / Number(8) + k_31 * (k_31 * k_41 - k_33) - k_42);
-        const Number k_44 = Number(2) + k_29 * (Number(1) / Number(32)) * C_delta * k_9 * k_17;
-        const Number k_45 = k_8 * (-k_23 - k_13 * (Number(1) / Number(64)) * k_1 * k_14 * k_18);
-        const Number k_46 = xi_0 * (k_43 + xi_0 * k_44) + k_29 * C_delta * k_9 * k_17 * (k_45 - Number(1) / Number(16)) - Number(1);
-        const Number k_47 = k_5 * k_11 * k_21 * k_6 * (Number(1) / Number(8)) * xi_0 * C_delta * k_9 * k_15;
-        const Number k_48 = eps * k_46 + k_47;
-        const Number k_49 = eps * k_20 * k_40;
-        const Number k_50 = k_22 * C_delta * k_9 * k_15 + k_49;
-        const Number k_51 = k_50 * k_50;
-        const Number k_52 = Number(5) / Number(64) * k_51;
-        const Number k_53 = k_5 * k_11 * k_20;
-        const Number k_54 = k_53 * eps * k_48;
-        const Number k_55 = k_22 * C_delta * k_9 * k_17 + k_54;
-        const Number k_56 = k_55 * k_55;
-        const Number k_57 = Number(9) / Number(64) * k_56;
-        const Number k_58 = Number(5) / Number(192) * k_51;
-        const Number k_59 = Number(3) / Number(64) * k_56;
-        const Number k_60 = k_50 * (k_52 + k_57 + k_3 * (k_3 * (k_58 + k_59) + k_52 + k_57) - k_27);
-        const Number k_61 = eps * xi_0 * (-Number(4) - k_31 * (Number(7) / Number(512)) * k_55);
-        const Number k_62 = k_31 * (Number(1) / Number(256) * k_51 + Number(5) / Number(256) * k_56);
-        const Number k_63 = Number(1) / Number(3) * k_55;
-        const Number k_64 = k_31 * (k_55 * (k_62 + k_63) + Number(1) / Number(6) * k_51) + Number(1) / Number(8) * k_55;
-        const Number k_65 = xi_0 * (xi_0 * (k_60 + k_61) + eps * (Number(8) + k_31 * k_64)) + k_50 * (k_37 + k_58 + k_59);
-        const Number k_66 = eps * k_65 + k_8 * xi_0 * (Number(1) + k_31 * (Number(1) / Number(8)) * k_55);
-        const Number k_67 = eps * k_20 * k_66 - k_49;
-        const Number k_68 = k_31 * (Number(3) / Number(128) * k_51 - Number(1) / Number(128) * k_56);
-        const Number k_69 = eps * k_50 * (Number(1) / Number(8) + k_31 * (k_68 - k_63) - k_42);
-        const Number k_70 = k_69 + xi_0 * (Number(2) + k_31 * (Number(1) / Number(32)) * k_55);
-        const Number k_71 = k_8 * (-k_52 - Number(1) / Number(64) * k_56) - Number(1) / Number(16);
-        const Number k_72 = eps * (xi_0 * k_70 + k_31 * k_55 * k_71 - Number(1)) + k_8 * (Number(1) / Number(8)) * xi_0 * k_50;
-        const Number k_73 = k_53 * eps * k_72 - k_54;
-        const Number k_74 = k_13 * k_1 * k_14 * k_16 + k_13 * k_1 * k_14 * k_18 + k_19 * k_19 + k_2 * (k_20 * k_20) * (k_40 * k_40) + k_5 * (k_12 * k_6) * k_2 * (k_48 * k_48) - Number(4) * (k_67 * k_67 + k_73 * k_73);
-        return {Number(Number(1) - Number(4) * (k_10 * k_10)), Number(k_74)};
+        const Number k_17 = k_13 * k_1 * k_14 * k_16;
+        const Number k_18 = sin(theta_0);
+        const Number k_19 = k_18 * k_18;
+        const Number k_20 = k_13 * k_1 * k_14 * k_19;
+        const Number k_21 = k_2 * k_2;
+        const Number k_22 = k_7 * k_6;
+        const Number k_23 = k_22 * k_22;
+        const Number k_24 = sqrt(k_11);
+        const Number k_25 = k_11 * k_24 * k_7;
+        const Number k_26 = k_13 * (Number(5) / Number(64)) * k_1 * k_14 * k_16;
+        const Number k_27 = k_13 * (Number(9) / Number(64)) * k_1 * k_14 * k_19;
+        const Number k_28 = k_13 * (Number(5) / Number(192)) * k_1 * k_14 * k_16;
+        const Number k_29 = k_13 * (Number(3) / Number(64)) * k_1 * k_14 * k_19;
+        const Number k_30 = k_8 * (Number(1) / Number(32));
+        const Number k_31 = k_25 * C_delta * k_9 * k_15 * (k_26 + k_27 + k_3 * (k_3 * (k_28 + k_29) + k_26 + k_27) - k_30);
+        const Number k_32 = k_24 * k_6;
+        const Number k_33 = -Number(4) - k_32 * (Number(7) / Number(512)) * C_delta * k_9 * k_18;
+        const Number k_34 = k_5 * k_11;
+        const Number k_35 = k_13 * (Number(1) / Number(256)) * k_1 * k_14 * k_16 + k_13 * (Number(5) / Number(256)) * k_1 * k_14 * k_19;
+        const Number k_36 = k_25 * (Number(1) / Number(3)) * C_delta * k_9 * k_18;
+        const Number k_37 = k_25 * C_delta * k_9 * k_18 * (k_34 * k_35 + k_36) + k_13 * (Number(1) / Number(6)) * k_1 * k_14 * k_16;
+        const Number k_38 = k_34 * k_37 + k_25 * (Number(1) / Number(8)) * C_delta * k_9 * k_18;
+        const Number k_39 = xi_0 * (k_31 + eps * xi_0 * k_33) + eps * (k_34 * k_38 + Number(8));
+        const Number k_40 = k_8 * (Number(1) / Number(16));
+        const Number k_41 = eps * (xi_0 * k_39 + k_25 * C_delta * k_9 * k_15 * (k_28 + k_29 + k_40));
+        const Number k_42 = Number(1) + k_32 * (Number(1) / Number(8)) * C_delta * k_9 * k_18;
+        const Number k_43 = k_41 + k_8 * xi_0 * k_42;
+        const Number k_44 = k_5 * (k_12 * k_6);
+        const Number k_45 = k_13 * (Number(3) / Number(128)) * k_1 * k_14 * k_16 - k_13 * (Number(1) / Number(128)) * k_1 * k_14 * k_19;
+        const Number k_46 = Number(7) / Number(512) * k_3;
+        const Number k_47 = k_25 * eps * C_delta * k_9 * k_15 * (Number(1) / Number(8) + k_34 * (k_34 * k_45 - k_36) - k_46);
+        const Number k_48 = Number(2) + k_32 * (Number(1) / Number(32)) * C_delta * k_9 * k_18;
+        const Number k_49 = k_8 * (-k_26 - k_13 * (Number(1) / Number(64)) * k_1 * k_14 * k_19);
+        const Number k_50 = xi_0 * (k_47 + xi_0 * k_48) + k_32 * C_delta * k_9 * k_18 * (k_49 - Number(1) / Number(16)) - Number(1);
+        const Number k_51 = k_5 * k_11 * k_24 * k_6 * (Number(1) / Number(8)) * xi_0 * C_delta * k_9 * k_15;
+        const Number k_52 = eps * k_50 + k_51;
+        const Number k_53 = eps * k_22 * k_43;
+        const Number k_54 = k_25 * C_delta * k_9 * k_15 + k_53;
+        const Number k_55 = k_54 * k_54;
+        const Number k_56 = Number(5) / Number(64) * k_55;
+        const Number k_57 = k_5 * k_11 * k_22;
+        const Number k_58 = k_57 * eps * k_52;
+        const Number k_59 = k_25 * C_delta * k_9 * k_18 + k_58;
+        const Number k_60 = k_59 * k_59;
+        const Number k_61 = Number(9) / Number(64) * k_60;
+        const Number k_62 = Number(5) / Number(192) * k_55;
+        const Number k_63 = Number(3) / Number(64) * k_60;
+        const Number k_64 = k_54 * (k_56 + k_61 + k_3 * (k_3 * (k_62 + k_63) + k_56 + k_61) - k_30);
+        const Number k_65 = eps * xi_0 * (-Number(4) - k_34 * (Number(7) / Number(512)) * k_59);
+        const Number k_66 = k_34 * (Number(1) / Number(256) * k_55 + Number(5) / Number(256) * k_60);
+        const Number k_67 = Number(1) / Number(3) * k_59;
+        const Number k_68 = k_34 * (k_59 * (k_66 + k_67) + Number(1) / Number(6) * k_55) + Number(1) / Number(8) * k_59;
+        const Number k_69 = xi_0 * (xi_0 * (k_64 + k_65) + eps * (Number(8) + k_34 * k_68)) + k_54 * (k_40 + k_62 + k_63);
+        const Number k_70 = eps * k_69 + k_8 * xi_0 * (Number(1) + k_34 * (Number(1) / Number(8)) * k_59);
+        const Number k_71 = eps * k_22 * k_70 - k_53;
+        const Number k_72 = k_34 * (Number(3) / Number(128) * k_55 - Number(1) / Number(128) * k_60);
+        const Number k_73 = eps * k_54 * (Number(1) / Number(8) + k_34 * (k_72 - k_67) - k_46);
+        const Number k_74 = k_73 + xi_0 * (Number(2) + k_34 * (Number(1) / Number(32)) * k_59);
+        const Number k_75 = k_8 * (-k_56 - Number(1) / Number(64) * k_60) - Number(1) / Number(16);
+        const Number k_76 = eps * (xi_0 * k_74 + k_34 * k_59 * k_75 - Number(1)) + k_8 * (Number(1) / Number(8)) * xi_0 * k_54;
+        const Number k_77 = k_57 * eps * k_76 - k_58;
+        const Number k_78 = k_17 + k_20 + k_21 * k_21 + k_2 * k_23 * (k_43 * k_43) + k_44 * k_2 * (k_52 * k_52) - Number(4) * (k_71 * k_71 + k_77 * k_77);
+        const Number k_79 = k_8 + k_2 * (Number(8) - Number(4) * k_3);
+        const Number k_80 = Number(2) * k_3 - Number(1);
+        const Number k_81 = Number(4) + Number(4) * (k_17 + k_20) - (k_2 * k_3 * k_23 * (k_79 * k_79) + k_44 * k_21 * (k_80 * k_80));
+        return {Number(Number(1) - Number(4) * (k_10 * k_10)), Number(k_78), Number(k_81)};
     }
 
     // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
@@ -352,6 +359,7 @@ private:
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
         if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
+        if (!(holds[2] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },

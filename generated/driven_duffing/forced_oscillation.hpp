@@ -134,6 +134,7 @@ private:
         Number c_14{};
         Number c_15{};
         Number c_16{};
+        Number c_17{};
     };
 
     template <class Number> static void compute_constants(
@@ -190,26 +191,29 @@ private:
         const Number k_29 = Number(1) / Number(40) * v_phi * k_1 - Number(1) / Number(2) * u_phi;
         c.c_14 = c.eps * k_29;
         c.c_15 = Number(0);
-        const Number k_30 = k_1 * k_1;
-        const Number k_31 = k_30 * c.eps;
-        const Number k_32 = c.u_x * c.u_x;
-        const Number k_33 = c.v_x * c.v_x;
-        const Number k_34 = Number(25) / Number(256) * k_32 + Number(43) / Number(128) * k_33;
-        const Number k_35 = c.u_x * k_34 - Number(3) / Number(320) * c.v_x - Number(33) / Number(256) * u_phi;
-        const Number k_36 = k_33 * c.v_x;
-        const Number k_37 = Number(65) / Number(256) * k_36 - Number(15) / Number(128) * v_phi;
-        const Number k_38 = -Number(3) / Number(64) * c.v_x - Number(63) / Number(256) * u_phi;
-        const Number k_39 = c.u_x * (-Number(5) / Number(32) * k_32 - Number(9) / Number(32) * k_33);
-        const Number k_40 = k_1 * (c.u_x * (c.u_x * k_35 + c.v_x * k_37) + k_33 * k_38) + k_39 + Number(1) / Number(20) * c.v_x + k_14;
-        const Number k_41 = -Number(89) / Number(256) * c.u_x * c.v_x - Number(9) / Number(160);
-        const Number k_42 = c.u_x * k_41 + Number(81) / Number(256) * v_phi - Number(61) / Number(128) * k_36;
-        const Number k_43 = Number(3) / Number(160) * c.v_x + Number(33) / Number(128) * u_phi;
-        const Number k_44 = Number(15) / Number(256) * v_phi - Number(13) / Number(256) * k_36;
-        const Number k_45 = c.u_x * (Number(1) / Number(20) + Number(15) / Number(32) * c.u_x * c.v_x);
-        const Number k_46 = k_1 * (c.u_x * (c.u_x * k_42 + c.v_x * k_43) + k_33 * k_44) + k_45 + Number(3) / Number(32) * k_36 - k_26;
-        const Number k_47 = k_16 + k_1 * k_40;
-        const Number k_48 = k_28 + k_1 * k_46;
-        c.c_16 = k_2 * k_3 + k_2 * k_4 + k_31 * k_31 + k_30 * (k_40 * k_40) + k_30 * (k_46 * k_46) - Number(4) * (k_47 * k_47 + k_48 * k_48);
+        const Number k_30 = k_2 * k_3;
+        const Number k_31 = k_2 * k_4;
+        const Number k_32 = k_1 * k_1;
+        const Number k_33 = k_32 * c.eps;
+        const Number k_34 = c.u_x * c.u_x;
+        const Number k_35 = c.v_x * c.v_x;
+        const Number k_36 = Number(25) / Number(256) * k_34 + Number(43) / Number(128) * k_35;
+        const Number k_37 = c.u_x * k_36 - Number(3) / Number(320) * c.v_x - Number(33) / Number(256) * u_phi;
+        const Number k_38 = k_35 * c.v_x;
+        const Number k_39 = Number(65) / Number(256) * k_38 - Number(15) / Number(128) * v_phi;
+        const Number k_40 = -Number(3) / Number(64) * c.v_x - Number(63) / Number(256) * u_phi;
+        const Number k_41 = c.u_x * (-Number(5) / Number(32) * k_34 - Number(9) / Number(32) * k_35);
+        const Number k_42 = k_1 * (c.u_x * (c.u_x * k_37 + c.v_x * k_39) + k_35 * k_40) + k_41 + Number(1) / Number(20) * c.v_x + k_14;
+        const Number k_43 = -Number(89) / Number(256) * c.u_x * c.v_x - Number(9) / Number(160);
+        const Number k_44 = c.u_x * k_43 + Number(81) / Number(256) * v_phi - Number(61) / Number(128) * k_38;
+        const Number k_45 = Number(3) / Number(160) * c.v_x + Number(33) / Number(128) * u_phi;
+        const Number k_46 = Number(15) / Number(256) * v_phi - Number(13) / Number(256) * k_38;
+        const Number k_47 = c.u_x * (Number(1) / Number(20) + Number(15) / Number(32) * c.u_x * c.v_x);
+        const Number k_48 = k_1 * (c.u_x * (c.u_x * k_44 + c.v_x * k_45) + k_35 * k_46) + k_47 + Number(3) / Number(32) * k_38 - k_26;
+        const Number k_49 = k_16 + k_1 * k_42;
+        const Number k_50 = k_28 + k_1 * k_48;
+        c.c_16 = k_30 + k_31 + k_33 * k_33 + k_32 * (k_42 * k_42) + k_32 * (k_48 * k_48) - Number(4) * (k_49 * k_49 + k_50 * k_50);
+        c.c_17 = Number(4) + Number(4) * (k_30 + k_31) - Number(1) / Number(16) * k_32;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -239,6 +243,7 @@ private:
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
         if (!(scaled.c_16 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;

@@ -61,6 +61,27 @@ TEST(Phase, BeyondTenToThe14ItSaysSo) {
     }
 }
 
+// Beyond that not even a radian is known, and the phase ends: where, or before it begins.
+TEST(Phase, EndsWhereNoRadianOfItIsKnown) {
+    using Wide = Phase<double>::Wide;
+    const auto end_of = [](double rate, double end) {
+        Phase<double> phase;
+        const auto status = phase.build(
+            [&](const Wide& T) { return std::array<Wide, 1>{Wide(rate) * T * T}; }, Wide(1), 1e-3, end);
+        EXPECT_EQ(status, Status::outside_interval) << rate;
+        if (end > 0) {
+            double cosine = 0, sine = 0;
+            EXPECT_EQ(phase(end / 1e-3, cosine, sine), Status::low_precision) << rate;
+            EXPECT_NEAR(cosine * cosine + sine * sine, 1, 0.01) << rate;
+        }
+        return end;
+    };
+    const double end = end_of(1, 1e12); // 1e36/3 radians, known to 5e-32 of them
+    EXPECT_GT(end, 1e9);
+    EXPECT_LT(end, 1e11);
+    EXPECT_EQ(end_of(1e300, 1), 0);
+}
+
 // A rate known to double's precision only: theta is good to 10^-9 up to some 10^6 radians.
 TEST(Phase, OfARoundedRateLosesDigitsEarlier) {
     const auto status = [](double eps) {

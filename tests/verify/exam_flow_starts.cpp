@@ -86,6 +86,33 @@ TEST_F(FlowFrom, ADivisorTooSmallForEpsHasAStatus) {
     EXPECT_EQ(status(close, 1e-9), Status::ok);
 }
 
+// 1 - 10003/10000 stands still between 1e-4 eps and eps: what is forced is many amplitudes, and so much the
+// more if the cubic term sees it; as long as it is small against eps nothing is wrong with it.
+TEST_F(FlowFrom, AForcedMotionOfManyAmplitudesHasAStatus) {
+    const std::string system = "[variables]\nx = { role = \"fast\" }\nphi = { role = \"angle\" }\n"
+                               "[equations]\nx = \"x'' + x + 5*x^3 = eps^2*cos(phi)\"\n"
+                               "phi = \"phi' = 10003/10000\"\n";
+    for (const std::string start : {"x = \"eps\"\n\"x'\" = 0\n", "\"amplitude.x\" = 1\n\"phase.x\" = 0\n"})
+        for (const std::string turned : {"0", "1.5707963267948966"}) {
+            const auto forced =
+                program(system, "order = 2\noutputs = [\"x\"]\n[start]\n" + start + "phi = " + turned + "\n");
+            EXPECT_EQ(status(forced, 0.01), Status::outside_domain) << start << turned;
+            EXPECT_EQ(status(forced, 1e-4), Status::ok) << start << turned;
+        }
+}
+
+// w_y - w_x = 2e-4 sqrt(s) at eps = 0.01: s would start 4 % beside its start value.
+TEST_F(FlowFrom, ASlowVariableThatIsNotGivenBackHasAStatus) {
+    const auto close =
+        program("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n"
+                "s = { role = \"slow\", positive = true }\n[equations]\nx = \"x'' + s*x = 0\"\n"
+                "y = \"y'' + s*(1 + 2/10000)^2*y = 0\"\ns = \"s' = x*y\"\n",
+                "order = 2\noutputs = [\"s\"]\n[start]\nx = \"eps\"\n\"x'\" = 0\n"
+                "y = 0\n\"y'\" = \"eps\"\ns = 1\n");
+    EXPECT_EQ(status(close, 0.01), Status::outside_domain);
+    EXPECT_NEAR(values(close, 1e-4, 0)[0], 1, 1e-9);
+}
+
 // At rest nothing is added and nothing is missed.
 TEST_F(FlowFrom, RestIsAStart) {
     const auto rest = program("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
