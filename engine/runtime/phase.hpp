@@ -26,7 +26,7 @@ public:
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
     // Real only (it contains tables). Status as fit_panels, or outside_interval: the phase gets so large that
-    // it is known to no radian. If it is not ok, `end` is drawn back to where the phase is known, 0 if
+    // it is not known to 10^-3 radians. If it is not ok, `end` is drawn back to where the phase is known, 0 if
     // nowhere.
     template <class Rate>
     Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
@@ -38,22 +38,16 @@ public:
             tolerance.relative = Wide(Real(64) * math::epsilon<Real>());
             resolution_ = math::epsilon<Real>();
         }
-        const Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end), tolerance);
-        end = narrow(fitted.end);
-        rows_.clear();
-        std::vector<Real> lefts;
-        for (const Panel<Wide, 1>& panel : fitted.panels) divide(panel, start, lefts);
-        Status status = fitted.status;
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            if (rows_[k].known) continue;
-            status = Status::outside_interval;
-            end = k == 0 ? Real(0) : lefts[k];
-            rows_.resize(k);
-            lefts.resize(k);
+        // Of an interval that is far too long even the first row may be unknown as a whole.
+        const Real asked = end;
+        Status status = tabulate(rate, start, tolerance, end);
+        for (Real shorter = asked;
+             status == Status::outside_interval && rows_.empty() && shorter > Real(1e-250);) {
+            shorter = shorter / Real(1048576);
+            end = shorter;
+            status = tabulate(rate, start, tolerance, end);
+            if (status == Status::ok) status = Status::outside_interval;
         }
-        if (rows_.empty()) return status;
-        choose_lengths();
-        index_ = PanelIndex<Real>(std::move(lefts), end);
         return status;
     }
 
@@ -134,6 +128,28 @@ private:
         }
     }
 
+    // The rows up to `end`, which is drawn back to where they are known.
+    template <class Rate>
+    Status tabulate(const Rate& rate, const Wide& start, const FitTolerance<Wide>& tolerance, Real& end) {
+        const Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end), tolerance);
+        Status status = fitted.status;
+        end = narrow(fitted.end);
+        rows_.clear();
+        std::vector<Real> lefts;
+        for (const Panel<Wide, 1>& panel : fitted.panels) divide(panel, start, lefts);
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            if (rows_[k].known) continue;
+            status = Status::outside_interval;
+            end = k == 0 ? Real(0) : lefts[k];
+            rows_.resize(k);
+            lefts.resize(k);
+        }
+        if (rows_.empty()) return status;
+        choose_lengths();
+        index_ = PanelIndex<Real>(std::move(lefts), end);
+        return status;
+    }
+
     // Cuts a panel into 2^k rows in which the terms from the second on are below 1/4 of a turn, so that
     // few of them have to be evaluated in Wide, and few at all.
     void divide(const Panel<Wide, 1>& panel, const Wide& start, std::vector<Real>& lefts) {
@@ -174,7 +190,7 @@ private:
         }
         const Real radians = largest * narrow(turn_);
         result.precise = radians <= Real(1e14) && radians * resolution_ <= Real(1e-9);
-        result.known = radians * resolution_ <= Real(1);
+        result.known = radians * resolution_ <= Real(1e-3);
         using math::floor;
         result.coefficient[0] = result.coefficient[0] - Wide(floor(narrow(result.coefficient[0])));
         for (std::size_t j = 0; j < terms; ++j) result.low[j] = narrow(result.coefficient[j]);
