@@ -117,7 +117,9 @@ Rational content(const Polynomial& p) {
 Polynomial written_out(const Ring& ring, Polynomial p) {
     for (GeneratorId id = ring.size() - 1; id > 0; --id) {
         const Generator& g = ring.generator(id);
-        if (g.kind != GeneratorKind::root) continue;
+        const auto whole = [&](const Term& t) { return ring.exponent(t.monomial, id) >= g.index; };
+        if (g.kind != GeneratorKind::root || std::none_of(p.terms().begin(), p.terms().end(), whole))
+            continue;
         std::vector<Polynomial> parts;
         for (auto& [power, part] : ring.collect(p, {id})) {
             int exponent = ring.exponent(power, id);
@@ -163,39 +165,116 @@ bool keeps_clear_of_zero(const Ring& ring, const Polynomial& p) {
     });
 }
 
-// p = sum of outer * radicand^power * rest, with the highest powers that there are, where outer holds none of
-// the generators of the radicand.
-Polynomial powers_apart(const Ring& ring, const Polynomial& p, GeneratorId root) {
-    const Generator& g = ring.generator(root);
-    const Polynomial radicand = written_out(ring, g.radicand);
-    const Rational number = content(radicand);
-    const auto [inside, outside] = divided_by_occurrence(ring, radicand);
-    const Translation translation(ring, inside);
-    const std::optional<Packed> divisor = translation.packed(1 / number * radicand);
-    std::vector<Term> terms;
-    for (const auto& [outer, coefficient] : ring.collect(p, outside)) {
-        auto rest = coefficient.size() > 1 && divisor ? translation.packed(coefficient) : std::nullopt;
-        int power = 0;
-        for (auto next = rest; rest && (next = rest->quotient_by(*divisor)); ++power) rest = next;
-        if (power == 0) {
-            for (const Term& t : coefficient.terms()) terms.push_back({outer + t.monomial, t.coefficient});
-            continue;
+// Generators in p, and in what those of them that are roots are roots of.
+Ids written_out_of(const Ring& ring, const Polynomial& p) {
+    Ids ids = divided_by_occurrence(ring, p).first;
+    for (std::size_t k = 0; k < ids.size(); ++k)
+        if (const Generator& g = ring.generator(ids[k]); g.kind == GeneratorKind::root) {
+            const Ids more = divided_by_occurrence(ring, g.radicand).first;
+            ids.insert(ids.end(), more.begin(), more.end());
         }
-        const Rational scale = cln::expt(number, -power) / Translation::denominator(coefficient);
-        const Monomial beside = outer + ring.monomial(root, g.index * power);
-        const Polynomial part = translation.unpacked(*rest);
-        for (const Term& t : part.terms()) terms.push_back({beside + t.monomial, scale * t.coefficient});
-    }
-    return Polynomial::from_terms(std::move(terms));
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    return ids;
 }
+
+using Split = std::vector<std::pair<Monomial, Term>>; // outer and inner part, sorted by the outer one
+
+Split split(const Ring& ring, const Polynomial& p, const Ids& inside) {
+    Split terms;
+    for (const Term& t : p.terms()) {
+        const Monomial inner = ring.restricted(t.monomial, inside);
+        terms.push_back({t.monomial - inner, {inner, t.coefficient}});
+    }
+    std::stable_sort(terms.begin(), terms.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    return terms;
+}
+
+// Whether a group of terms with one outer part may be a multiple of the radicand: of two terms at least, and
+// in no generator with a smaller difference of exponents.
+bool may_hold(const Ring& ring, const Split& terms, const Ids& inside, const Polynomial& radicand) {
+    const auto width = [&](auto begin, auto end, GeneratorId id, const auto& monomial) {
+        int low = ring.exponent(monomial(*begin), id), high = low;
+        for (auto t = begin; t != end; ++t) {
+            low = std::min(low, ring.exponent(monomial(*t), id));
+            high = std::max(high, ring.exponent(monomial(*t), id));
+        }
+        return high - low;
+    };
+    const auto of_term = [](const Term& t) { return t.monomial; };
+    const auto of_pair = [](const auto& t) { return t.second.monomial; };
+    for (auto group = terms.begin(); group != terms.end();) {
+        const auto end =
+            std::find_if(group, terms.end(), [&](const auto& t) { return !(t.first == group->first); });
+        if (end - group > 1 && std::all_of(inside.begin(), inside.end(), [&](GeneratorId id) {
+                return width(group, end, id, of_pair) >=
+                       width(radicand.terms().begin(), radicand.terms().end(), id, of_term);
+            }))
+            return true;
+        group = end;
+    }
+    return false;
+}
+
+// Takes the powers of one radicand out of what stands beside each monomial in other generators.
+class PowersApart {
+public:
+    PowersApart(const Ring& ring, GeneratorId root, Ids inside)
+        : ring_(ring), root_(root), inside_(std::move(inside)) {}
+
+    Polynomial operator()(const Polynomial& p, const Split& terms) {
+        bool found = false;
+        for (auto group = terms.begin(); group != terms.end();) {
+            const auto end =
+                std::find_if(group, terms.end(), [&](const auto& t) { return !(t.first == group->first); });
+            std::vector<Term> inner;
+            for (auto t = group; t != end; ++t) inner.push_back(t->second);
+            found = take_out(group->first, std::move(inner)) || found;
+            group = end;
+        }
+        return found ? Polynomial::from_terms(std::move(result_)) : p;
+    }
+
+private:
+    // Adds the group to the result, the radicand to its highest power out of it. False: as it was.
+    bool take_out(const Monomial& outer, std::vector<Term> inner) {
+        int power = 0;
+        Monomial beside = outer;
+        if (inner.size() > 1 && divisor_) {
+            const Polynomial group = Polynomial::from_terms(inner);
+            std::optional<Packed> rest = translation_.packed(group);
+            for (auto next = rest; rest && (next = rest->quotient_by(*divisor_)); ++power) rest = next;
+            if (power > 0) {
+                const Rational scale = cln::expt(number_, -power) / Translation::denominator(group);
+                beside = outer + ring_.monomial(root_, ring_.generator(root_).index * power);
+                inner = (scale * translation_.unpacked(*rest)).terms();
+            }
+        }
+        for (const Term& t : inner) result_.push_back({beside + t.monomial, t.coefficient});
+        return power > 0;
+    }
+
+    const Ring& ring_;
+    GeneratorId root_;
+    Ids inside_;
+    Polynomial radicand_ = written_out(ring_, ring_.generator(root_).radicand);
+    Rational number_ = content(radicand_);
+    Translation translation_{ring_, inside_};
+    std::optional<Packed> divisor_ = translation_.packed(1 / number_ * radicand_);
+    std::vector<Term> result_;
+};
 
 } // namespace
 
 Polynomial radicands_apart(const Ring& ring, Polynomial numerator) {
-    for (GeneratorId id = ring.size() - 1; id > 0; --id) {
+    for (GeneratorId id = ring.size() - 1; id > 0 && numerator.size() > 1; --id) {
         const Generator& g = ring.generator(id);
-        if (g.kind == GeneratorKind::root && g.radicand.size() > 1 && !keeps_clear_of_zero(ring, g.radicand))
-            numerator = powers_apart(ring, numerator, id);
+        if (g.kind != GeneratorKind::root || g.radicand.size() < 2) continue;
+        const Ids inside = written_out_of(ring, g.radicand);
+        const Split terms = split(ring, numerator, inside);
+        if (may_hold(ring, terms, inside, g.radicand) && !keeps_clear_of_zero(ring, g.radicand))
+            numerator = PowersApart(ring, id, inside)(numerator, terms);
     }
     return numerator;
 }

@@ -32,6 +32,7 @@ struct FlowSum {
     std::vector<Fraction> re, im;
     std::vector<Harmonic> harmonics; // if it is not multiplied out
 };
+using FlowSums = std::map<const Series*, FlowSum>;
 FlowSum flow_sum(const RealForm& real_form, const Polynomial& p, int power, bool real);
 
 class FlowMoment {

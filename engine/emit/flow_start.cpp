@@ -46,7 +46,8 @@ public:
             if (physical || moves_slow_or_angles())
                 for (int step = 0; step <= solution_.truncation; ++step) substitute(physical);
         }
-        require_near_identity(program_, solution_, real_, surroundings_, {given_, new_, turns_, !physical});
+        require_near_identity(program_, solution_, real_, surroundings_,
+                              {given_, new_, turns_, !physical, &sums_});
         for (std::size_t k = 0; k < field_.drift.size(); ++k) new_.drift.push_back(drift(k));
         name_units();
         return std::move(new_);
@@ -86,8 +87,8 @@ private:
     const GradedField& field_;
     const NearIdentityMap& map_;
     FlowValues given_, new_; // old and new variables at t = 0 (of modes given by constants, the new ones)
-    std::vector<Graph::Node> turns_;        // of the angles from the old to the new
-    std::map<const Series*, FlowSum> sums_; // of the map, which is lowered at each substitution
+    std::vector<Graph::Node> turns_; // of the angles from the old to the new
+    FlowSums sums_;                  // of the map, which is lowered at each substitution
 };
 
 void FlowStart::read_slow_and_angles() {

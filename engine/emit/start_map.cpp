@@ -66,8 +66,11 @@ public:
 private:
     [[nodiscard]] FlowUnit real(Graph::Node x) const { return {x, algebra_.number(0)}; }
     [[nodiscard]] FlowUnit added(FlowMoment& at, const MovedVariable& v) const {
-        if (v.kind == MovedVariable::Kind::mode) return at.value(v.added, v.weight, false);
-        return real(at.value(v.added, 0, true).u);
+        const bool mode = v.kind == MovedVariable::Kind::mode;
+        const bool known = start_.sums != nullptr && start_.sums->contains(v.series);
+        const FlowUnit value =
+            at.value(known ? start_.sums->at(v.series) : flow_sum(real_, v.added, v.weight, !mode));
+        return mode ? value : real(value.u);
     }
     void pair_up();
     void add_to_old();

@@ -14,6 +14,7 @@ struct StartPair {
     FlowValues old, now;            // `drift` of both: of drifts that are checked, else -1, or empty
     std::vector<Graph::Node> turns; // of the angles, from the old to the new
     bool from_constants = false;
+    const FlowSums* sums = nullptr; // of series of the map, if some are known
 };
 
 void require_near_identity(Program& program, const Solution& solution, const RealForm& real,

@@ -158,8 +158,9 @@ private:
     Number sum_ = Number(0), carry_ = Number(0);
 };
 
-// The last coefficient that a panel may have: relative to the size of the integrand, or absolute, whichever
-// is larger. What is cut off is about 1/16 of it.
+// The last coefficient that a panel may have: relative to the size of the integrand, in the panel or on the
+// average before it, or absolute, whichever is larger. What is cut off is about 1/16 of it. What comes after
+// does not count: an integral has all its digits before its integrand becomes large.
 template <class Number> struct FitTolerance {
     Number relative = Number(16) * math::epsilon<Number>();
     Number absolute = Number(0);
@@ -174,25 +175,12 @@ public:
         : integrand_(integrand), end_(end), tolerance_(tolerance) {}
 
     Panels<Number, Count> fit() {
-        find_mean();
         Number no_parent = Number(-1);
         result_.status = divide(Number(0), end_, no_parent, 0);
         return std::move(result_);
     }
 
 private:
-    // Of the sizes at the nodes of the whole interval, where they are finite.
-    void find_mean() {
-        for (std::size_t j = 0; j < Chebyshev<Number>::n; ++j) {
-            const Number half = end_ / Number(2);
-            const std::array<Number, Count> value = integrand_(Number(half + half * chebyshev_.node(j)));
-            for (std::size_t k = 0; k < Count; ++k)
-                if (math::finite(value[k]))
-                    mean_[k] =
-                        mean_[k] + math::magnitude(value[k]) / Number(static_cast<int>(Chebyshev<Number>::n));
-        }
-    }
-
     // Values of the integrands at the nodes of [left, right].
     Status sample(const Number& left, const Number& right) {
         const Number middle = (left + right) / Number(2), half = (right - left) / Number(2);
@@ -209,10 +197,11 @@ private:
 
     // The last coefficient of each integrand, or 1/8 of the one before where parity makes it vanish, in
     // units of the tolerance; at most 1 is converged.
-    [[nodiscard]] Number remainder(const std::array<typename Chebyshev<Number>::Values, Count>& c) const {
+    [[nodiscard]] Number remainder(const std::array<typename Chebyshev<Number>::Values, Count>& c,
+                                   const Number& right) const {
         Number worst = Number(0);
         for (std::size_t k = 0; k < Count; ++k) {
-            Number scale = mean_[k];
+            Number scale = sizes_[k] / right;
             for (const Number& x : c[k]) scale = std::max(scale, Number(math::magnitude(x)));
             const Number last = math::magnitude(c[k].back());
             const Number before = math::magnitude(c[k][c[k].size() - 2]) / Number(8);
@@ -235,7 +224,7 @@ private:
         if (sampled == Status::ok) {
             std::array<typename Chebyshev<Number>::Values, Count> c;
             for (std::size_t k = 0; k < Count; ++k) c[k] = chebyshev_.coefficients(values_[k]);
-            rest = remainder(c);
+            rest = remainder(c, right);
             if (converged(rest, parent)) {
                 append(left, right, c);
                 return Status::ok;
@@ -264,6 +253,8 @@ private:
             }
             coefficient[0] = coefficient[0] + sums_[k].value();
             sums_[k].add(whole);
+            const Number share = (right - left) / Number(static_cast<int>(Chebyshev<Number>::n));
+            for (const Number& x : values_[k]) sizes_[k] = sizes_[k] + share * math::magnitude(x);
         }
         result_.panels.push_back(panel);
         result_.end = right;
@@ -274,7 +265,7 @@ private:
     FitTolerance<Number> tolerance_;
     Chebyshev<Number> chebyshev_;
     std::array<typename Chebyshev<Number>::Values, Count> values_{};
-    std::array<Number, Count> mean_{};
+    std::array<Number, Count> sizes_{}; // int |f_k| so far
     std::array<CompensatedSum<Number>, Count> sums_{};
     Panels<Number, Count> result_;
 };

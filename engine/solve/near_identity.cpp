@@ -47,6 +47,7 @@ std::vector<MovedVariable> moved_variables(const Solution& solution) {
                              k,
                              field.system().variables[variables[k].variable].name,
                              kind == Of::mode ? field.ring->generator(field.modes[k].z).weight : 0,
+                             &list[k],
                              std::move(added),
                              {},
                              {}});

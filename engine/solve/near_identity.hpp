@@ -27,7 +27,8 @@ struct MovedVariable {
     std::size_t index;              // into GradedField::modes, slow, angles, drift
     std::string name;               // of the user's variable
     int weight;                     // of a mode
-    Polynomial added;               // through weight M
+    const Series* series;           // of the map
+    Polynomial added;               // it through weight M
     std::vector<std::size_t> modes; // of a mode: itself, and those that are in `added`
     std::vector<Polynomial> forced; // what of `added` has no mode in it: the coefficient of each harmonic
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace resonform {
@@ -14,11 +15,13 @@ namespace {
 
 constexpr double default_eps = 0.01;
 constexpr double corner_probability = 0.4;
-constexpr int most_draws = 20;
+constexpr int most_draws = 20, most_ways_out = 6;
+constexpr double edge_decades = 6;
 constexpr double parameter_decades = 1e12, start_decades = 1e3;
 
 // All inputs as one vector: eps, parameters, start.
 using Inputs = std::vector<double>;
+using Inside = std::function<bool(const SweepPoint&)>;
 
 SweepPoint unpack(const Program& program, const Inputs& inputs) {
     const auto parameters = inputs.begin() + 1,
@@ -39,8 +42,8 @@ Inputs defaults(const Program& program, double eps) {
 
 class Draws {
 public:
-    Draws(const Program& program, const System& system, std::uint64_t seed)
-        : program_(program), inputs_(swept_inputs(program, system)), random_(seed) {}
+    Draws(const Program& program, const System& system, std::uint64_t seed, const Inside& inside)
+        : program_(program), inputs_(swept_inputs(program, system)), random_(seed), inside_(inside) {}
 
     [[nodiscard]] Inputs of_scene() const { return defaults(program_, default_eps); }
 
@@ -60,7 +63,32 @@ public:
         return inputs;
     }
 
+    // All drawn, then one of them moved close to where the domain ends, if there is a way out.
+    Inputs near_edge() {
+        Inputs within = all();
+        if (inputs_.size() == 1 || !inside_(unpack(program_, within))) return within;
+        for (int n = 0; n < most_ways_out; ++n) {
+            const std::size_t i = 1 + below(inputs_.size() - 1);
+            Inputs beyond = within;
+            beyond[i] = anywhere(inputs_[i], within.front());
+            if (inside_(unpack(program_, beyond))) continue;
+            const double begin = within[i], way = edge(within, i, beyond[i]) - begin;
+            within[i] = begin + way * (1 - std::pow(10, -edge_decades * uniform()));
+            break;
+        }
+        return within;
+    }
+
 private:
+    // The last value of an input inside on the way to one outside.
+    double edge(Inputs at, std::size_t i, double outside) const {
+        double last = at[i];
+        for (int halvings = 0; halvings < std::numeric_limits<double>::digits; ++halvings) {
+            at[i] = last + (outside - last) / 2;
+            (inside_(unpack(program_, at)) ? last : outside) = at[i];
+        }
+        return last;
+    }
     double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
     std::size_t below(std::size_t n) {
         return std::min(n - 1, static_cast<std::size_t>(uniform() * static_cast<double>(n)));
@@ -82,6 +110,7 @@ private:
     const Program& program_;
     std::vector<SweptInput> inputs_;
     std::mt19937_64 random_;
+    const Inside& inside_;
 };
 
 SweptInput of_parameter(const ProgramInput& input, const System& system) {
@@ -112,19 +141,18 @@ std::vector<SweptInput> swept_inputs(const Program& program, const System& syste
 }
 
 std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t count,
-                                     std::uint64_t seed,
-                                     const std::function<bool(const SweepPoint&)>& inside) {
-    Draws draws(program, system, seed);
+                                     std::uint64_t seed, const Inside& inside) {
+    Draws draws(program, system, seed, inside);
     std::vector<SweepPoint> points;
     while (points.size() < count) {
         if (points.empty()) {
             points.push_back(unpack(program, draws.of_scene()));
             continue;
         }
-        const bool corner = points.size() % 2 == 1;
+        const bool corner = points.size() % 2 == 1, edge = points.size() % 4 == 2;
         SweepPoint drawn;
         for (int n = 0; n < most_draws; ++n) {
-            drawn = unpack(program, corner ? draws.one_corner() : draws.all());
+            drawn = unpack(program, corner ? draws.one_corner() : edge ? draws.near_edge() : draws.all());
             if (inside(drawn) && std::find(points.begin(), points.end(), drawn) == points.end()) break;
         }
         points.push_back(std::move(drawn));

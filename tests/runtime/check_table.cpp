@@ -84,6 +84,20 @@ TEST(TableOfPeaks, NarrowPeaksAreResolved) {
         EXPECT_NEAR(table(T)[0], std::atan((T - 0.3) / width) + std::atan(0.3 / width), 1e-14) << T;
 }
 
+// An integrand that grows by e^100: the integral has its digits from the beginning.
+TYPED_TEST(Table, WhatComesLaterTakesNoDigits) {
+    using Real = TypeParam;
+    using math::exp;
+    PrimitiveTable<Real, 1> table;
+    const auto growing = [](const Real& T) { return std::array<Real, 1>{Real(exp(Real(Real(100) * T)))}; };
+    Real end(1);
+    ASSERT_EQ(table.build(growing, end), Status::ok);
+    for (int i = 1; i <= 20; ++i) {
+        const Real T = Real(i) / Real(20), value = (exp(Real(Real(100) * T)) - Real(1)) / Real(100);
+        EXPECT_LT(math::magnitude(Real(table(T)[0] - value)), Real(100) * math::epsilon<Real>() * value) << i;
+    }
+}
+
 // Rounding noise of the integrand (here 100 ulp) is no lack of smoothness.
 TEST(TableOfPeaks, NoiseOfTheIntegrandIsTolerated) {
     PrimitiveTable<double, 1> table;
