@@ -156,31 +156,31 @@ private:
         const Number k_25 = c.per_J_mean * c.per_J_mean;
         const Number k_26 = k_25 * c.per_J_mean;
         c.c_3 = Number(1) / Number(4) * k_26;
-        const Number k_27 = c.eps * c.eps;
-        const Number k_28 = k_27 * k_27;
-        const Number k_29 = k_26 * k_26 * c.per_J_mean;
-        const Number k_30 = c.u_phi * c.u_phi;
-        const Number k_31 = c.v_phi * c.v_phi;
-        const Number k_32 = Number(1) / Number(64) * k_31;
-        const Number k_33 = c.eps * (k_32 - Number(1) / Number(8) - Number(3) / Number(32) * k_30);
-        const Number k_34 = c.J_mean * c.J_mean;
-        const Number k_35 = Number(1) / Number(16) * c.v_phi * k_34;
-        const Number k_36 = c.v_phi * (k_33 + k_35) + k_34 * (-Number(3) / Number(16) * k_30 - Number(5) / Number(16));
-        const Number k_37 = Number(1) / Number(64) * k_30;
-        const Number k_38 = c.eps * (c.v_phi * k_36 + c.eps * k_30 * (k_37 + Number(1) / Number(8)));
-        const Number k_39 = k_34 * k_34;
-        const Number k_40 = k_39 * (Number(1) / Number(4) * k_31 - Number(1) / Number(4) * k_30);
-        const Number k_41 = k_34 * c.J_mean;
+        const Number k_27 = c.J_mean * c.J_mean;
+        const Number k_28 = c.eps * c.eps;
+        c.c_4 = k_27 - Number(1) / Number(100000000) * k_28;
+        const Number k_29 = k_28 * k_28;
+        const Number k_30 = k_26 * k_26 * c.per_J_mean;
+        const Number k_31 = c.u_phi * c.u_phi;
+        const Number k_32 = c.v_phi * c.v_phi;
+        const Number k_33 = Number(1) / Number(64) * k_32;
+        const Number k_34 = c.eps * (k_33 - Number(1) / Number(8) - Number(3) / Number(32) * k_31);
+        const Number k_35 = Number(1) / Number(16) * c.v_phi * k_27;
+        const Number k_36 = c.v_phi * (k_34 + k_35) + k_27 * (-Number(3) / Number(16) * k_31 - Number(5) / Number(16));
+        const Number k_37 = Number(1) / Number(64) * k_31;
+        const Number k_38 = c.eps * (c.v_phi * k_36 + c.eps * k_31 * (k_37 + Number(1) / Number(8)));
+        const Number k_39 = k_27 * k_27;
+        const Number k_40 = k_39 * (Number(1) / Number(4) * k_32 - Number(1) / Number(4) * k_31);
+        const Number k_41 = k_27 * c.J_mean;
         const Number k_42 = k_41 * k_41;
         const Number k_43 = c.eps * (k_38 + k_40) + c.v_phi * k_42;
-        const Number k_44 = k_17 + c.eps * k_29 * k_43;
-        c.c_4 = k_10 + k_28 * k_28 + k_27 * (k_29 * k_29) * (k_43 * k_43) - Number(4) * (k_44 * k_44);
+        const Number k_44 = k_17 + c.eps * k_30 * k_43;
+        c.c_5 = k_10 + k_29 * k_29 + k_28 * (k_30 * k_30) * (k_43 * k_43) - Number(4) * (k_44 * k_44);
         const Number k_45 = k_25 * k_25;
-        const Number k_46 = c.v_phi * (c.eps * (k_37 + Number(1) / Number(8) - k_32) - k_35) + k_34 * (Number(1) / Number(48) * k_30 + Number(5) / Number(16));
+        const Number k_46 = c.v_phi * (c.eps * (k_37 + Number(1) / Number(8) - k_33) - k_35) + k_27 * (Number(1) / Number(48) * k_31 + Number(5) / Number(16));
         const Number k_47 = c.eps * (c.eps * k_46 - Number(1) / Number(4) * c.v_phi * k_39) - k_42;
         const Number k_48 = k_22 + c.eps * c.u_phi * (k_45 * k_45) * k_47;
-        c.c_5 = Number(1) - Number(4) * (k_48 * k_48);
-        c.c_6 = k_34 - Number(1) / Number(100000000) * k_27;
+        c.c_6 = Number(1) - Number(4) * (k_48 * k_48);
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -199,10 +199,10 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_4 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
         if (!(scaled.J_mean > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_6 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_4 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_6 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
