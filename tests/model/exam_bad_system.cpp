@@ -178,24 +178,6 @@ const BadInput bad_systems[] = {
      "    ^\n"
      "  found: g-1\n"
      "  mend:  choose such a name, in ASCII"},
-    {"DefinedTwice", "v = { unit", "g = { unit",
-     "2 system.toml:9:1: parameters.g: a key is given once, a table too\n"
-     "    g = { unit = \"m/s\" }\n"
-     "    ^\n"
-     "  found: g = { unit = \"m/s\" }\n"
-     "  mend:  remove one of the two"},
-    {"DefinedTwiceInside", "v = { unit = \"m/s\" }", "v = { unit = \"m/s\", unit = \"m\" }",
-     "2 system.toml:9:21: parameters.v.unit: a key is given once, a table too\n"
-     "    v = { unit = \"m/s\", unit = \"m\" }\n"
-     "                        ^\n"
-     "  found: v = { unit = \"m/s\", unit = \"m\" }\n"
-     "  mend:  remove one of the two"},
-    {"TableTwice", "[notation]", "[variables]",
-     "2 system.toml:23:2: variables: a key is given once, a table too\n"
-     "    [variables] # the paper's names for the constants of the solution\n"
-     "     ^\n"
-     "  found: [variables] # the paper's names for the constants of the sol...\n"
-     "  mend:  remove one of the two"},
     {"ParameterNamedAsVariable", "v = { unit", "psi = { unit",
      "2 system.toml:12:1: variables.psi: a name is used once\n"
      "    psi = { role = \"fast\" }\n"
