@@ -18,12 +18,33 @@ namespace resonform {
 
 namespace {
 
-// The whole text as a number; from_chars knows no locale. A value beyond the range of double is
-// infinite or zero, as its reader decides.
-std::optional<double> read_double(std::string_view text) {
+[[noreturn]] void beyond_double(const std::string& option, const std::string& text) {
+    bad_argument(option, "a number is 0, or of size 1e-307 ... 1e308, as a double can be", text,
+                 "give a number of moderate size");
+}
+
+// A fraction, rounded once.
+std::optional<double> read_fraction(const std::string& option, const std::string& text) {
+    std::optional<Rational> exact;
+    try {
+        exact = parse_rational(text);
+    } catch (const Error&) { // the caller knows what the option may be
+        return std::nullopt;
+    }
+    const double value = to_double(*exact);
+    if (!std::isfinite(value) || (value == 0) != cln::zerop(*exact)) beyond_double(option, text);
+    return value;
+}
+
+// The whole text as a decimal number or a fraction; also nan and inf, as its reader decides. from_chars
+// knows no locale.
+std::optional<double> read_double(const std::string& option, const std::string& text) {
+    if (text.find('/') != std::string::npos) return read_fraction(option, text);
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, value);
+    if (end != last || error == std::errc::invalid_argument) return std::nullopt;
+    if (error == std::errc::result_out_of_range) beyond_double(option, text);
     return value;
 }
 
@@ -96,16 +117,16 @@ std::vector<Rational> read_eps_list(const std::string& text) {
 
 double read_limit(const std::string& option, const std::string& text) {
     if (text == "none") return std::numeric_limits<double>::infinity();
-    const auto limit = read_double(text);
+    const auto limit = read_double(option, text);
     if (!limit || !std::isfinite(*limit) || *limit <= 0)
-        bad_argument(option, "must be a decimal number > 0, or none", text,
+        bad_argument(option, "must be a decimal number or a fraction > 0, or none", text,
                      fmt::format("give for example {} 600", option));
     return *limit;
 }
 
 double read_count_limit(const std::string& option, const std::string& text) {
     if (text == "none") return std::numeric_limits<double>::infinity();
-    const double limit = read_double(text).value_or(0);
+    const double limit = read_double(option, text).value_or(0);
     if (!std::isfinite(limit) || limit < 1 || limit != std::floor(limit))
         bad_argument(option, "must be a whole number >= 1, or none", text,
                      fmt::format("give for example {} 1000000", option));
@@ -115,10 +136,10 @@ double read_count_limit(const std::string& option, const std::string& text) {
 std::vector<double> read_times(const std::string& text) {
     std::vector<double> times;
     for (const std::string& item : split_at_commas(text)) {
-        const auto t = read_double(item);
+        const auto t = read_double("--t", item);
         if (!t)
-            bad_argument("--t", "times must be decimal numbers separated by commas",
-                         item.empty() ? text : item, "give for example --t 0,0.5,10");
+            bad_argument("--t", "times must be decimal numbers or fractions, separated by commas",
+                         item.empty() ? text : item, "give for example --t 0,1/3,10.5");
         times.push_back(*t);
     }
     return times;

@@ -65,7 +65,7 @@ int run_certify(const std::string& argument, const std::string& order, const Sys
     const auto normalization = checked(argument, read_order("--order", order), changes, limits);
     const System& system = normalization->normal_form.field->system();
     if (format == "json")
-        put("{}\n", to_json(system, normalization->certificate).dump(2));
+        put("{}", document_text(to_json(system, normalization->certificate)));
     else
         print_text(system, normalization->certificate);
     return normalization->certificate.holds ? done : check_failed;

@@ -22,7 +22,7 @@ int run_compare(const std::string& scene, const std::string& eps, const Derivati
     auto options = with_progress<CompareOptions>(cache);
     if (!asked.empty()) options.eps = asked;
     const Comparison comparison = compare(line.expanded.first_order, line.scene, line.solution, options);
-    put("{}", format == "json" ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
+    put("{}", format == "json" ? document_text(to_json(comparison)) : to_text(comparison));
     return done;
 }
 

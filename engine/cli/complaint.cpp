@@ -30,8 +30,7 @@ std::string document(const Error& error) {
                     {"line", count_or_null(d.place.line)},
                     {"column", count_or_null(d.place.column)},
                     {"key", text_or_null(d.place.key)}};
-    // What the user wrote need not be UTF-8.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return document_text(json);
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "verify/interpreter.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -33,12 +32,7 @@ void require_values(const Program& program, const Scene& scene) {
     if (program.parameters.empty()) return; // those that [fix] gives are folded in
     std::vector<std::string> missing;
     for (const ProgramInput& parameter : program.parameters) missing.push_back(parameter.name);
-    Place place;
-    place.file = scene.file.string();
-    place.key = "fix";
-    bad_input({"evaluation needs a value for every parameter that the outputs depend on",
-               fmt::format("no value of {}", fmt::join(missing, ", ")),
-               fmt::format("add {} = ... under [fix]", missing.front()), place});
+    not_fixed(scene, "evaluation needs a value for every parameter that the outputs depend on", missing);
 }
 
 Values evaluate_program(const std::shared_ptr<const Program>& program, double eps, std::vector<double> t) {
@@ -76,7 +70,7 @@ void print_json(const Program& program, const Values& values) {
                         {"outputs", outputs},
                         {"status", status},
                         {"why", why}};
-    put("{}\n", document.dump(2));
+    put("{}", document_text(document));
 }
 
 void print_csv(const Program& program, const Values& values) {

@@ -64,7 +64,7 @@ int run_generate(const GenerateRequest& request) {
             document["header"] = header;
         else
             document["file"] = request.output;
-        put("{}\n", document.dump(2));
+        put("{}", document_text(document));
         return done;
     }
     if (request.output.empty()) put("{}", header);

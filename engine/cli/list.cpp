@@ -48,7 +48,7 @@ Listing list_all(const Home& home) {
     for (const SystemFiles& files : list_systems(home)) {
         try {
             const Heading system = read_heading_of_system(files.system);
-            require_name_of_folder(system.name, files.system);
+            require_name_of_folder(system.name, system.name_place);
             listing.systems.push_back({{"name", system.name},
                                        {"title", system.title},
                                        {"file", files.system.string()},
@@ -71,7 +71,7 @@ void print_text(const Json& systems) {
 int list(const std::string& format) {
     const Listing listing = list_all(find_home());
     if (format == "json")
-        put("{}\n", Json{{"schema", "resonform.list/1"}, {"systems", listing.systems}}.dump(2));
+        put("{}", document_text(Json{{"schema", "resonform.list/1"}, {"systems", listing.systems}}));
     else
         print_text(listing.systems);
     return listing.code;

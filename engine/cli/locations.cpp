@@ -4,7 +4,7 @@
 #include "algebra/error.hpp"
 #include "cli/output.hpp"
 #include "model/names.hpp"
-#include "verify/child.hpp"
+#include "verify/drafts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,7 +26,7 @@ namespace {
     Place place;
     place.file = file.string();
     bad_input(Reason::file, {"the output must be a file in a folder that exists and can be written", reason,
-                             "make the folder, or give another path", place});
+                             "make the folder, free space, or give another path", place});
 }
 
 [[noreturn]] void cannot_write_into(const fs::path& folder, const std::string& reason) {
@@ -85,6 +85,41 @@ std::vector<std::string> scenes_like(const std::string& argument, const Home& ho
     return found;
 }
 
+// What is still empty of it is gone with the object.
+class NewFolders {
+public:
+    NewFolders() = default;
+    ~NewFolders() {
+        std::error_code ignored;
+        for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
+    }
+    NewFolders(const NewFolders&) = delete;
+    NewFolders& operator=(const NewFolders&) = delete;
+
+    void make(const fs::path& folder) {
+        std::error_code ignored;
+        std::vector<fs::path> missing; // the deepest first
+        for (fs::path f = fs::absolute(folder).lexically_normal();
+             !fs::exists(f, ignored) && f.has_relative_path(); f = f.parent_path())
+            missing.push_back(f);
+        made_.insert(made_.end(), missing.rbegin(), missing.rend());
+        make_folder(folder);
+    }
+
+private:
+    std::vector<fs::path> made_; // each before those in it
+};
+
+void write_draft(Drafts& drafts, const TextFile& file) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(file.path, error); // a link is followed, not replaced
+    if (error) cannot_write(file.path, error.message());
+    if (fs::exists(target, error) && !fs::is_regular_file(target, error))
+        cannot_write(file.path, "the path exists and is not a regular file");
+    if (const std::error_code failed = drafts.write(target, file.content))
+        cannot_write(file.path, failed.message());
+}
+
 } // namespace
 
 Home find_home() {
@@ -120,27 +155,25 @@ std::vector<SystemFiles> list_systems(const Home& home) {
     return systems;
 }
 
-void require_name_of_folder(const std::string& name, const fs::path& file) {
-    const std::string folder = fs::absolute(file).parent_path().filename().string();
+void require_name_of_folder(const std::string& name, const Place& place) {
+    const std::string folder = fs::absolute(place.file).parent_path().filename().string();
     if (folder == name) return;
-    Place place;
-    place.file = file.string();
-    place.key = "system.name";
     const std::string rename = "rename the folder to " + name;
     bad_input({fmt::format("a system in systems/ must have the name of its folder, '{}'", folder), name,
                is_identifier(folder) ? fmt::format("write name = \"{}\", or {}", folder, rename) : rename,
                place});
 }
 
-void check_name_of_folder(const std::string& name, const fs::path& file, const Home& home) {
+void check_name_of_folder(const System& system, const Home& home) {
+    const fs::path& file = system.file;
     if (file.filename() != "system.toml") return; // a file by itself, in any folder
     const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
     std::error_code ignored;
     if (fs::equivalent(folder.parent_path(), home.systems(), ignored))
-        return require_name_of_folder(name, file);
-    if (folder.filename() == name) return;
-    say(fmt::format("resonform: {} calls the system '{}', though its folder is '{}'", file.string(), name,
-                    folder.filename().string()));
+        return require_name_of_folder(system.name, system.name_place);
+    if (folder.filename() == system.name) return;
+    say(fmt::format("resonform: {} calls the system '{}', though its folder is '{}'", file.string(),
+                    system.name, folder.filename().string()));
 }
 
 fs::path find_scene(const std::string& argument, const Home& home) {
@@ -148,10 +181,10 @@ fs::path find_scene(const std::string& argument, const Home& home) {
     if (fs::is_regular_file(argument, ignored)) return argument;
     const auto like = scenes_like(argument, home);
     bad_input(Reason::file, {"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
-                             excerpt(argument),
+                             fs::exists(argument, ignored) ? "no regular file" : "no such file",
                              (like.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(like, " or "))) +
                                  "All scenes: resonform list",
-                             {}});
+                             whole_file(argument)});
 }
 
 std::string read_file(const fs::path& file) {
@@ -162,26 +195,20 @@ std::string read_file(const fs::path& file) {
 }
 
 void write_file(const fs::path& file, const std::string& content) {
-    const Uninterrupted until_done;
-    std::error_code error;
-    const fs::path target = fs::weakly_canonical(file, error); // a link is followed, not replaced
-    if (error) cannot_write(file, error.message());
-    if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-        cannot_write(file, "the path exists and is not a regular file");
-    const fs::path temporary = target.string() + fmt::format(".{}.tmp", getpid());
-    {
-        std::ofstream out(temporary, std::ios::binary);
-        if (!out) cannot_write(file, "the folder does not exist or is not writable");
-        out << content;
-        out.flush();
-        if (!out) error = std::make_error_code(std::errc::no_space_on_device);
+    Drafts drafts;
+    write_draft(drafts, {file, content});
+    if (const std::error_code error = drafts.put_in_place()) cannot_write(file, error.message());
+}
+
+void write_files(const std::vector<TextFile>& files) {
+    NewFolders folders;
+    Drafts drafts; // gone before the folders
+    for (const TextFile& file : files) {
+        folders.make(file.path.parent_path());
+        write_draft(drafts, file);
     }
-    if (!error) fs::rename(temporary, target, error);
-    if (error) {
-        const std::string reason = error.message();
-        fs::remove(temporary, error);
-        cannot_write(file, reason);
-    }
+    if (const std::error_code error = drafts.put_in_place())
+        cannot_write(files.front().path, error.message());
 }
 
 void require_other_file(const fs::path& output, const std::vector<fs::path>& were_read) {
@@ -202,27 +229,11 @@ void make_folder(const fs::path& folder) {
 }
 
 void require_writable_folder(const fs::path& folder) {
-    const Uninterrupted until_done;
-    std::error_code ignored;
-    std::vector<fs::path> made; // those that are missing, the deepest first
-    for (fs::path f = fs::absolute(folder).lexically_normal();
-         !fs::exists(f, ignored) && f.has_relative_path(); f = f.parent_path())
-        made.push_back(f);
-    const auto restore = [&] {
-        for (const fs::path& f : made) fs::remove(f, ignored); // nothing that is not empty
-    };
-    try {
-        make_folder(folder);
-        const fs::path probe = folder / fmt::format(".resonform.{}.tmp", getpid());
-        const bool written = static_cast<bool>(std::ofstream(probe) << "probe" << std::flush);
-        const int reason = errno;
-        fs::remove(probe, ignored);
-        if (!written) cannot_write_into(folder, std::generic_category().message(reason));
-    } catch (...) {
-        restore();
-        throw;
-    }
-    restore();
+    NewFolders folders;
+    Drafts drafts;
+    folders.make(folder);
+    if (const std::error_code error = drafts.write(folder / ".resonform", "probe"))
+        cannot_write_into(folder, error.message());
 }
 
 CacheFolder::CacheFolder(const Home& home) : path_(home.cache()) {

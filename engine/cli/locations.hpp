@@ -39,9 +39,9 @@ std::vector<SystemFiles> list_systems(const Home& home);
 
 // A system in systems/ has the name of its folder: generated/ is laid out by names, and two of one name
 // would overwrite each other. Errors (bad_input): it has not.
-void require_name_of_folder(const std::string& name, const std::filesystem::path& file);
+void require_name_of_folder(const std::string& name, const Place& place);
 // The same of a system.toml anywhere: outside of systems/ another name is only said, on standard error.
-void check_name_of_folder(const std::string& name, const std::filesystem::path& file, const Home& home);
+void check_name_of_folder(const System& system, const Home& home);
 
 // SCENE of the command line, a path. Errors (bad_input): no file; scenes of a similar name are suggested.
 std::filesystem::path find_scene(const std::string& argument, const Home& home);
@@ -52,6 +52,13 @@ std::string read_file(const std::filesystem::path& file);
 // Errors (bad_input): the folder is absent or not writable, the target is no regular file.
 // An interruption (Ctrl-C) waits until it is done.
 void write_file(const std::filesystem::path& file, const std::string& content);
+
+struct TextFile {
+    std::filesystem::path path;
+    std::string content;
+};
+// The same of several: all of them or none. Their folders are made.
+void write_files(const std::vector<TextFile>& files);
 
 // What was read is never overwritten, whatever the name by which it is called. Errors (bad_input).
 void require_other_file(const std::filesystem::path& output,

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 
@@ -24,6 +25,8 @@ namespace {
 } // namespace
 
 void hold_streams() {
+    // A file that grows too large is an error of the write that meets it, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN); // NOLINT(cert-err33-c): without it all is as it was
     // open() takes the lowest free number, which is the one that is closed. Reading from standard error
     // and writing to the others fails, as with the closed stream.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

@@ -26,6 +26,11 @@ template <class... Arguments> void put(fmt::format_string<Arguments...> format, 
     print_result(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
+// A JSON document as it is printed. What the user wrote, or called a file, need not be UTF-8.
+template <class Json> std::string document_text(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 // What a long command is doing.
 void show_progress(const std::string& line);
 

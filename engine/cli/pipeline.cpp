@@ -44,7 +44,7 @@ Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
 
 System changed_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home) {
     System system = with_settings(read_system(file), changes.settings, "--set");
-    check_name_of_folder(system.name, file, home);
+    check_name_of_folder(system, home);
     if (changes.style) system.style = *changes.style;
     system.digits = changes.digits;
     return system;
@@ -136,7 +136,7 @@ Scene read_scene_of(const std::string& argument, const Home& home) {
     Scene scene = read_scene(find_scene(argument, home), home.systems());
     if (scene.file.parent_path().parent_path() != scene.system->file.parent_path())
         say_if_of_source_tree(home, scene.system->file);
-    check_name_of_folder(scene.system->name, scene.system->file, home);
+    check_name_of_folder(*scene.system, home);
     return scene;
 }
 

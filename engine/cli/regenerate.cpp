@@ -71,8 +71,10 @@ std::string regenerate_scene(const fs::path& scene, const fs::path& file, const 
 
 // The headers of one system. A broken file is said, and hides none of the others.
 void regenerate_system(const SystemFiles& files, const RegenerateRequest& request, Regeneration& result) {
-    const auto read =
-        result.attempt([&] { require_name_of_folder(read_system(files.system).name, files.system); });
+    const auto read = result.attempt([&] {
+        const System system = read_system(files.system);
+        require_name_of_folder(system.name, system.name_place);
+    });
     for (const fs::path& scene : files.scenes) {
         const fs::path name = files.system.parent_path().filename() / (scene.stem().string() + ".hpp");
         const fs::path file = request.home.generated() / name;
@@ -103,9 +105,9 @@ void print(const Regeneration& result, const std::string& format) {
         if (format == "text") put("{:<64}{}\n", entry.file.string(), entry.state);
     }
     if (format == "json")
-        put("{}\n",
-            Json{{"schema", "resonform.regeneration/1"}, {"good", result.code == done}, {"files", files}}
-                .dump(2));
+        put("{}",
+            document_text(Json{
+                {"schema", "resonform.regeneration/1"}, {"good", result.code == done}, {"files", files}}));
 }
 
 int run_regenerate(const RegenerateRequest& request, const std::string& format) {

@@ -27,7 +27,7 @@ int run_stability(const std::string& scene, std::size_t points, std::uint64_t se
     options.points = points;
     options.seed = seed;
     const Stability sweep = stability(line.scene, line.solution, options);
-    put("{}", format == "json" ? to_json(sweep).dump(2) + "\n" : to_text(sweep));
+    put("{}", format == "json" ? document_text(to_json(sweep)) : to_text(sweep));
     return sweep.verdict == Verdict::pass ? done : check_failed;
 }
 

@@ -21,17 +21,16 @@ namespace resonform {
 
 namespace {
 
-// report.html; report.md with figures/*.svg.
+// report.html; report.md with figures/*.svg, if there are any.
 void write_report(const std::filesystem::path& folder, const report::Page& page) {
-    make_folder(folder);
-    write_file(folder / "report.html", report::to_html(page));
-    write_file(folder / "report.md", report::to_markdown(page));
-    make_folder(folder / "figures");
+    std::vector<TextFile> files{{folder / "report.html", report::to_html(page)},
+                                {folder / "report.md", report::to_markdown(page)}};
     for (const report::Section& section : page.sections)
         for (const report::Block& block : section.blocks)
             if (const auto* gallery = std::get_if<report::Gallery>(&block))
                 for (const report::Figure& figure : gallery->figures)
-                    write_file(folder / "figures" / (figure.name + ".svg"), figure.svg);
+                    files.push_back({folder / "figures" / (figure.name + ".svg"), figure.svg});
+    write_files(files);
     show_progress(fmt::format("report: {}", (folder / "report.html").string()));
 }
 
@@ -77,7 +76,7 @@ Guarantees guarantees_apart(const Scene& scene, const Solution& solution, const 
 
 // A report is replaced by a newer one of the same scene, and by nothing else.
 void require_same_subject(const std::filesystem::path& folder, const Scene& scene) {
-    const std::string own = scene.system->name + "/" + scene.name;
+    const std::string own = report::escaped(scene.system->name + "/" + scene.name);
     for (const char* name : {"report.md", "report.html"}) { // names are spelled in full in the first
         std::error_code ignored;
         if (!std::filesystem::exists(folder / name, ignored)) continue;
@@ -105,8 +104,9 @@ SceneLine solve_for(const VerifyRequest& request, const Home& home) {
 }
 
 bool figures_can_be_drawn() {
-    if (can_plot()) return true;
-    say("resonform: gnuplot cannot be run, so the report will have no figures (Debian: gnuplot-nox)");
+    const std::string why_not = why_no_plots();
+    if (why_not.empty()) return true;
+    say(fmt::format("resonform: {}, so the report will have no figures (Debian: gnuplot-nox)", why_not));
     return false;
 }
 
@@ -135,7 +135,7 @@ int run_verify(const VerifyRequest& request) {
         return guarantees_apart(s, solution, claims, request.limits);
     };
     const Verification verification = verify(system, line.scene, line.solution, options);
-    put("{}", request.format == "json" ? to_json(verification).dump(2) + "\n" : to_text(verification));
+    put("{}", request.format == "json" ? document_text(to_json(verification)) : to_text(verification));
     finish_results(); // the verdicts are there while the report is still being made
     const int verdict = verification.as_expected() ? done : check_failed;
     if (!reported) return verdict;

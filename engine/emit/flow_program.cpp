@@ -133,10 +133,14 @@ void FlowProgram::keep_signs() {
     const FlowMoment at_start(program_, real_, surroundings_, start_, false);
     for (GeneratorId id = 0; id < real_.ring()->size(); ++id) {
         const Generator& g = real_.ring()->generator(id);
-        if (g.kind == GeneratorKind::root && g.index == 1 && !g.positive && frame_->lowering.varying(id))
-            program_.positive.push_back(
-                {program_.graph.multiply({at_start.lowering.node(id), frame_->lowering.node(id)}),
-                 quantity(*real_.ring(), g.radicand)});
+        if (g.kind != GeneratorKind::root || g.index != 1 || g.positive || !frame_->lowering.varying(id))
+            continue;
+        const Graph::Node begin = at_start.lowering.node(id);
+        const std::string name = quantity(*real_.ring(), g.radicand);
+        // None to begin with: known before the start is put into the map.
+        if (sign_of(program_.graph, begin, surroundings_.positive) != Sign::positive)
+            program_.positive.push_back({program_.graph.power(begin, 2), name});
+        program_.positive.push_back({program_.graph.multiply({begin, frame_->lowering.node(id)}), name});
     }
 }
 

@@ -57,6 +57,7 @@ struct ProgramOutput {
 struct ProgramCondition {
     Graph::Node value;
     std::string quantity;
+    bool of_start_map = false; // that the near-identity map leads back to the start
 };
 
 // Operations of one call; a power x^n counts as its multiplications.
@@ -78,7 +79,7 @@ struct Program {
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
-    std::vector<ProgramCondition> positive; // > 0 at every call, else status outside_domain
+    std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first
     std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (emit/layers.hpp); no tables
     std::vector<ProgramOutput> names;       // sub-expressions that a reader knows by name: "psi_2", "rho_8"
     // The horizon in slow time that the scene asks for, verify.interval * eps: in eps and parameters, and

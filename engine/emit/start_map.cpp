@@ -31,7 +31,9 @@ public:
     [[nodiscard]] Complex minus(const Complex& a, const Complex& b) const {
         return {graph().add({a.u, graph().negate(b.u)}), graph().add({a.v, graph().negate(b.v)})};
     }
-    void require(Real positive, const std::string& name) { program_.positive.push_back({positive, name}); }
+    void require(Real positive, const std::string& name) {
+        program_.positive.push_back({positive, name, true});
+    }
 
 private:
     [[nodiscard]] Graph& graph() const { return program_.graph; }

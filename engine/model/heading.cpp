@@ -11,7 +11,7 @@ namespace {
 
 std::string text_or(const TomlNode& table, const std::string& key, const std::string& standard) {
     const TomlNode* node = table.find(key);
-    const std::string text = node == nullptr ? "" : string_of(*node);
+    const std::string text = node == nullptr ? "" : line_of(*node);
     return text.empty() ? standard : text;
 }
 
@@ -50,6 +50,7 @@ Heading heading_of_system(const TomlNode& root, const std::filesystem::path& fil
     Heading heading;
     heading.name = string_of(*name);
     if (!is_identifier(heading.name)) bad_value(*name, identifier_rule("a system's name"), identifier_mend());
+    heading.name_place = place_of(name->source);
     heading.title = text_or(*header, "title", heading.name);
     heading.source = text_or(*header, "source", "");
     return heading;
@@ -64,7 +65,7 @@ Heading heading_of_scene(const TomlNode& root, const std::filesystem::path& file
     Heading heading;
     heading.name = file.stem().string();
     const TomlNode* title = root.find("title");
-    heading.title = title == nullptr ? heading.name : string_of(*title);
+    heading.title = title == nullptr ? heading.name : line_of(*title);
     return heading;
 }
 

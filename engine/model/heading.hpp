@@ -13,6 +13,7 @@ namespace resonform {
 struct Heading {
     std::string name, title;
     std::string source; // of a system: where its equations come from
+    Place name_place;   // of a system: where its name stands
 };
 
 // The keys at the top of the two kinds of file.

@@ -58,6 +58,15 @@ Estimate Scene::estimate(const GiNaC::ex& value) const {
     return std::isfinite(ball.radius) ? Estimate::unknown : Estimate::unbounded;
 }
 
+void not_fixed(const Scene& scene, const std::string& rule, const std::vector<std::string>& missing) {
+    std::string names, values;
+    for (const std::string& name : missing) {
+        names += (names.empty() ? "" : ", ") + name;
+        values += (values.empty() ? "" : " and ") + name + " = ...";
+    }
+    bad_input({rule, "no value of " + names, "add " + values + " under [fix]", scene.fix_place});
+}
+
 Scene read_scene(const std::filesystem::path& file, const std::filesystem::path& systems) {
     return read_scene_text(read_text(file), file, systems);
 }

@@ -63,6 +63,7 @@ struct Scene {
     bool oscillating = true;
     std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
     std::vector<StartValue> start;        // in the order of the file
+    Place fix_place, start_place;         // of the tables, else of the file: for what is missing there
     VerifyPlan verify;
 
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
@@ -74,6 +75,10 @@ struct Scene {
     [[nodiscard]] GiNaC::ex fixed(const GiNaC::ex& value) const;
     [[nodiscard]] Estimate estimate(const GiNaC::ex& value) const;
 };
+
+// Errors: values of parameters are missing under [fix]; the rule says who needs them.
+[[noreturn]] void not_fixed(const Scene& scene, const std::string& rule,
+                            const std::vector<std::string>& missing);
 
 // The system is the one in the scene's parent's parent folder (systems/x/scenes/s.toml), else by the
 // name it gives, in `systems`.

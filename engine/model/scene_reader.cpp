@@ -33,6 +33,14 @@ SceneReader::SceneReader(TomlNode root, const std::filesystem::path& file,
     : root_(std::move(root)), systems_(systems) {
     scene_.file = file;
     scene_.name = file.stem().string();
+    const auto place_of_table = [&](const char* key) {
+        const TomlNode* table = root_.find(key);
+        Place place = table == nullptr ? whole_file(file) : place_of(table->source);
+        place.key = key;
+        return place;
+    };
+    scene_.fix_place = place_of_table("fix");
+    scene_.start_place = place_of_table("start");
 }
 
 Scene SceneReader::read() {

@@ -141,8 +141,7 @@ void StartReader::complain_missing(const std::string& rule, const std::string& c
     const std::string name = user_start(canonical, system_);
     const bool bare = is_identifier(name);
     bad_input({rule, "no value of " + in_quotes(name),
-               "write " + (bare ? name : "\"" + name + "\"") + " = ... under [start]",
-               whole_file(scene_.file)});
+               "write " + (bare ? name : "\"" + name + "\"") + " = ... under [start]", scene_.start_place});
 }
 
 void StartReader::complain_both(const StartValue& one, const StartValue& other) {

@@ -119,6 +119,7 @@ struct ParameterRelation {
 
 struct System {
     std::string name, title, source;
+    Place name_place;
     std::filesystem::path file; // system.toml; its folder holds scenes/
     std::vector<Parameter> parameters;
     std::vector<Parameter>

@@ -102,6 +102,7 @@ System SystemReader::read() {
 void SystemReader::read_header() {
     const Heading heading = heading_of_system(root_, system_.file);
     system_.name = heading.name;
+    system_.name_place = heading.name_place;
     system_.title = heading.title;
     system_.source = heading.source;
 }

@@ -44,6 +44,14 @@ public:
         return byte;
     }
 
+    // And back: the character of a byte, from 1.
+    [[nodiscard]] static toml::source_index character(std::string_view text, std::size_t byte) {
+        const auto* const end = text.begin() + static_cast<std::ptrdiff_t>(byte);
+        return static_cast<toml::source_index>(1 + std::count_if(text.begin(), end, [](char c) {
+                                                   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+                                               }));
+    }
+
     [[nodiscard]] SourceText source(const toml::source_position& at, std::string key) const {
         SourceText source;
         source.file = file_;
@@ -58,6 +66,11 @@ private:
     std::string file_;
     std::vector<std::string_view> lines_;
 };
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+    return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
 
 // A string's text begins behind its quotes, on the next line if they are three and the line ends.
 void locate_string(TomlNode& node, const Lines& lines, const toml::source_region& region) {
@@ -163,6 +176,48 @@ void check_dotted_keys(const Lines& lines, std::string_view text) {
     }
 }
 
+// The table that a line stands in: the words of the last [header] above it.
+std::string table_above(const Lines& lines, toml::source_index line) {
+    while (line > 1) {
+        --line;
+        std::string_view text = trimmed(lines.line({line, 1}));
+        if (text.empty() || text.front() != '[') continue;
+        text = text.substr(text.find_first_not_of('['));
+        const std::size_t end = text.find(']');
+        const bool header = end != std::string_view::npos && text.find_first_of(",\"'=") >= end;
+        if (header) return std::string(trimmed(text.substr(0, end)));
+    }
+    return "";
+}
+
+// The parser points behind a key that is given twice, or before a table; here is its own place, and its path.
+Place place_of_second(const Lines& lines, toml::source_position at, const std::string& key) {
+    const std::string_view line = lines.line(at);
+    const bool table = trimmed(line).substr(0, 1) == "[";
+    const std::size_t found = table ? line.find(key) : line.rfind(key, lines.byte(at));
+    if (found != std::string_view::npos) at.column = Lines::character(line, found);
+    if (table) return place_of(lines.source(at, key));
+    std::string path = table_above(lines, at.line);
+    const auto go_into = [&](std::string_view part) { path.append(path.empty() ? "" : ".").append(part); };
+    if (line.find('{') < lines.byte(at)) go_into(trimmed(line.substr(0, line.find('='))));
+    go_into(key);
+    return place_of(lines.source(at, path));
+}
+
+[[noreturn]] void not_toml(const Lines& lines, const toml::parse_error& failure) {
+    const toml::source_position at = failure.source().begin;
+    const std::string_view reason = failure.description();
+    constexpr std::string_view twice = "cannot redefine existing";
+    const std::size_t end = reason.rfind('\''), begin = reason.find('\'', std::min(reason.find(twice), end));
+    if (reason.find(twice) != std::string_view::npos && begin < end)
+        bad_input(Reason::syntax,
+                  {"a key is given once, a table too", excerpt(lines.line(at)), "remove one of the two",
+                   place_of_second(lines, at, std::string(reason.substr(begin + 1, end - begin - 1)))});
+    bad_input(Reason::syntax,
+              {"the file is TOML", excerpt(lines.line(at)),
+               "the TOML parser says: " + printable(reason.substr(0, 300)), place_of(lines.source(at, ""))});
+}
+
 } // namespace
 
 const TomlNode* TomlNode::find(std::string_view key) const {
@@ -207,10 +262,7 @@ TomlNode read_toml(std::string_view text, const std::filesystem::path& file) {
         const toml::table table = toml::parse(text, file.string());
         return convert(table, lines, "", 0);
     } catch (const toml::parse_error& failure) {
-        const toml::source_position at = failure.source().begin;
-        bad_input(Reason::syntax, {"the file is TOML", excerpt(lines.line(at)),
-                                   "the TOML parser says: " + printable(failure.description().substr(0, 300)),
-                                   place_of(lines.source(at, ""))});
+        not_toml(lines, failure);
     }
 }
 

@@ -62,6 +62,13 @@ std::string string_of(const TomlNode& node) {
     return node.text;
 }
 
+std::string line_of(const TomlNode& node) {
+    std::string text = string_of(node);
+    for (char& c : text)
+        if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+    return printable(text);
+}
+
 bool boolean_of(const TomlNode& node) {
     if (node.type != TomlNode::Type::boolean) {
         bad_value(node, "'" + node.source.key + "' is true or false", "write true or false, without quotes");

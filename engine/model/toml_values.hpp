@@ -16,6 +16,8 @@ void check_keys(const TomlNode& table, const std::vector<std::string>& known);
 void check_table(const TomlNode& node);
 
 std::string string_of(const TomlNode& node);
+// Words for a reader, as one line fit to be printed: in a terminal, a comment, a page.
+std::string line_of(const TomlNode& node);
 bool boolean_of(const TomlNode& node);
 int integer_of(const TomlNode& node, int lowest, int highest);
 // Exact: a TOML number as it is spelled, or a string such as "1/3".

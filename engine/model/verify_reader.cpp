@@ -74,7 +74,7 @@ void read_ulp(const TomlNode& verify, VerifyPlan& plan) {
     }
     const TomlNode* reason = verify.find("ulp_reason");
     if (reason == nullptr) return;
-    plan.ulp_reason = string_of(*reason);
+    plan.ulp_reason = line_of(*reason);
     if (plan.ulp <= default_ulp)
         bad_value(*reason, "'verify.ulp_reason' says why 'verify.ulp' is above 16", "remove it");
 }

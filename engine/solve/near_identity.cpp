@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/near_identity.hpp"
 
+#include "model/first_order_system.hpp"
+
 #include <algorithm>
 
 namespace resonform {
@@ -32,12 +34,29 @@ std::vector<Polynomial> harmonics_without_modes(const GradedField& field, const 
     return coefficients;
 }
 
+// Of an equation that is of the first degree in the fast variables forced motion is a solution by itself.
+bool feels_what_is_forced(const FirstOrderSystem& equations) {
+    const auto is_fast = [&](const State& s) {
+        return equations.system->variables[s.variable].role == Role::fast;
+    };
+    const auto bends = [&](const State& rated, const State& by) {
+        const GiNaC::ex slope = rated.rate.diff(by.symbol);
+        return std::any_of(equations.states.begin(), equations.states.end(),
+                           [&](const State& s) { return is_fast(s) && slope.has(s.symbol); });
+    };
+    return std::any_of(equations.states.begin(), equations.states.end(), [&](const State& rated) {
+        return std::any_of(equations.states.begin(), equations.states.end(),
+                           [&](const State& by) { return is_fast(by) && bends(rated, by); });
+    });
+}
+
 } // namespace
 
 std::vector<MovedVariable> moved_variables(const Solution& solution) {
     using Of = MovedVariable::Kind;
     const GradedField& field = *solution.normalization->normal_form.field;
     const NearIdentityMap& map = solution.normalization->map;
+    const bool bends = feels_what_is_forced(*field.first_order);
     std::vector<MovedVariable> moved;
     const auto add = [&](Of kind, const std::vector<Series>& list, const auto& variables) {
         for (std::size_t k = 0; k < variables.size(); ++k) {
@@ -53,7 +72,8 @@ std::vector<MovedVariable> moved_variables(const Solution& solution) {
                              {}});
             MovedVariable& v = moved.back();
             if (kind == Of::mode) v.modes = modes_in(field, v.added, k);
-            if (kind != Of::drift) v.forced = harmonics_without_modes(field, v.added);
+            if (kind == Of::drift || (kind == Of::mode && !bends)) continue;
+            v.forced = harmonics_without_modes(field, v.added);
         }
     };
     add(Of::mode, map.mode, field.modes);

@@ -8,7 +8,8 @@
 // or by less than eps^M/2. Slow variables, angles and drifts have physical values; where slow variables and
 // drifts begin to count says nothing, so that they are missed by less than 2^-M |h(w_0)|: each of M steps of
 // the inversion has gained a half. What of h has no mode in it drops out of these differences: its harmonics
-// together are less than twice the start value, or than 2 eps^weight (of a slow variable or angle, than 2).
+// together are less than twice the start value, or than 2 eps^weight (of a slow variable or angle, than 2;
+// modes of equations of the first degree are forced as far as they like).
 // Written once for emitted code, whose numbers are nodes of a graph, and for what it is held against.
 #pragma once
 

@@ -2,7 +2,7 @@
 #include "verify/cache.hpp"
 
 #include "algebra/error.hpp"
-#include "verify/child.hpp"
+#include "verify/drafts.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -26,13 +26,6 @@ std::string header(std::string_view payload) {
     return fmt::format("{} {} {}\n", magic, payload.size(), content_hash(payload));
 }
 
-[[noreturn]] void not_writable(const std::filesystem::path& file) {
-    bad_input(Reason::file, {"the folder of cached results can be written",
-                             file.parent_path().string(),
-                             "make it writable, free space, or set RESONFORM_CACHE to another folder",
-                             {}});
-}
-
 } // namespace
 
 std::string content_hash(std::string_view bytes) {
@@ -46,23 +39,26 @@ std::string content_hash(std::string_view bytes) {
                        static_cast<std::uint64_t>(hash));
 }
 
+void cache_not_writable(const std::filesystem::path& file, const std::error_code& error) {
+    Place place;
+    place.file = file.parent_path().string();
+    bad_input(Reason::file,
+              {"the folder of cached results can be written", error.message(),
+               "make it writable, free space, or set RESONFORM_CACHE to another folder", place});
+}
+
 void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
     std::error_code failed;
     std::filesystem::create_directories(file.parent_path(), failed);
-    std::filesystem::path draft = file;
-    draft += fmt::format(".{}.part", getpid());
-    const Uninterrupted until_done;
-    {
-        std::ofstream out(draft, std::ios::binary);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        out.close();
-        if (!out) {
-            std::filesystem::remove(draft, failed);
-            not_writable(file);
-        }
-    }
-    std::filesystem::rename(draft, file, failed);
-    if (failed) not_writable(file);
+    Drafts drafts;
+    if (!failed) failed = drafts.write(file, bytes);
+    if (!failed) failed = drafts.put_in_place();
+    if (failed) cache_not_writable(file, failed);
+}
+
+std::error_code room_beside(const std::filesystem::path& file) {
+    constexpr std::size_t room = 1 << 20;
+    return Drafts().write(std::filesystem::path(file) += ".room", std::string(room, '\0'));
 }
 
 void remove_abandoned_drafts(const std::filesystem::path& folder) {

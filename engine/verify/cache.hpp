@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace resonform {
 
@@ -15,6 +16,12 @@ std::string content_hash(std::string_view bytes);
 // Written beside its place and renamed, so that nobody ever sees half a file. Makes the folder.
 // Errors: bad_input, the folder or the file cannot be written.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
+
+// That error; `file` is in the folder.
+[[noreturn]] void cache_not_writable(const std::filesystem::path& file, const std::error_code& error);
+
+// Tries to write a megabyte more beside the file, and leaves nothing. Error: why it cannot be.
+std::error_code room_beside(const std::filesystem::path& file);
 
 // Drafts, <file>.<pid>.part, of programs that run no more.
 void remove_abandoned_drafts(const std::filesystem::path& folder);

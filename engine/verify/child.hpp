@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,16 @@ private:
 struct Finished {
     std::string output; // standard output of the command
     int status = -1;    // as waitpid gives it; -1: not started
+    bool late = false;  // ended because its time was over
 };
 
 // Runs a command of the shell to its end, in a process group of its own. A signal that ends this program
-// meanwhile (SIGINT, SIGTERM, SIGHUP) first ends the whole group and removes `drafts`.
-Finished run_child(const std::string& command, const std::vector<std::filesystem::path>& drafts);
+// meanwhile (SIGINT, SIGTERM, SIGHUP), or the end of its time, first ends the whole group and removes
+// `drafts`.
+Finished run_child(const std::string& command, const std::vector<std::filesystem::path>& drafts,
+                   double seconds = std::numeric_limits<double>::infinity());
+
+// A path as one word of such a command.
+std::string shell_quoted(const std::filesystem::path& path);
 
 } // namespace resonform

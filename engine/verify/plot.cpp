@@ -2,6 +2,7 @@
 #include "verify/plot.hpp"
 
 #include "algebra/error.hpp"
+#include "verify/cache.hpp"
 #include "verify/child.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 namespace resonform {
 
@@ -80,15 +80,21 @@ std::string script(const Plot& plot) {
     return text + draw + "\n";
 }
 
+constexpr double longest_question = 10, longest_drawing = 60; // seconds
+
 [[noreturn]] void cannot_plot(const std::string& reason) {
     bad_input({"the plots of a report are drawn by gnuplot",
                reason,
-               "install the Debian package gnuplot-nox, or leave the report out",
+               "install the Debian package gnuplot-nox, check the gnuplot in PATH, or leave the report out",
                {}});
 }
 
 std::string run_gnuplot(const fs::path& script_file) {
-    const Finished gnuplot = run_child(fmt::format("gnuplot '{}'", script_file.string()), {script_file});
+    const Finished gnuplot =
+        run_child("gnuplot " + shell_quoted(script_file), {script_file}, longest_drawing);
+    std::error_code ignored;
+    fs::remove(script_file, ignored);
+    if (gnuplot.late) cannot_plot(fmt::format("no plot within {} s", longest_drawing));
     if (gnuplot.output.find("</svg>") == std::string::npos) cannot_plot("gnuplot printed no plot");
     return gnuplot.output;
 }
@@ -100,15 +106,16 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 } // namespace
 
-bool can_plot() { return run_child("gnuplot -e 'set terminal svg' >/dev/null 2>&1", {}).status == 0; }
+std::string why_no_plots() {
+    const Finished asked = run_child("gnuplot -e 'set terminal svg' >/dev/null 2>&1", {}, longest_question);
+    if (asked.late) return fmt::format("gnuplot does not answer within {} s", longest_question);
+    return asked.status == 0 ? "" : "gnuplot cannot be run";
+}
 
 std::string to_svg(const Plot& plot, const fs::path& scratch) {
-    std::error_code error;
-    fs::create_directories(scratch, error);
     const fs::path file = scratch / fmt::format("{}.{}.gnuplot", plot.name, getpid());
-    std::ofstream(file) << script(plot);
+    write_atomically(file, script(plot));
     std::string svg = run_gnuplot(file);
-    fs::remove(file, error);
     svg.erase(0, svg.find("<svg")); // the prolog has no place inside a page
     // Marks are shared by id: without a prefix the plots of one page would share each other's.
     replace_all(svg, " id=\"", " id=\"" + plot.name + "-");

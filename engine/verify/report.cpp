@@ -238,7 +238,7 @@ Section operations(const Findings& f) {
 
 std::string subject_of(const std::string& page) {
     std::smatch found;
-    const std::regex subtitle("System ([A-Za-z0-9_]+), scene ([^;\n]+); order [0-9]+");
+    const std::regex subtitle("System ([A-Za-z0-9_]+), scene ([^\n]+?); order [0-9]+");
     return std::regex_search(page, found, subtitle) ? found[1].str() + "/" + found[2].str() : "";
 }
 

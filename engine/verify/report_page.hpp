@@ -55,6 +55,9 @@ std::string to_markdown(const Page& page);
 // 0.00253 -> "2.53·10⁻³", 12.5 -> "12.5"; three significant digits.
 std::string short_number(double value);
 
+// A text that HTML takes as text, inside of Markdown too.
+std::string escaped(const std::string& text);
+
 // A name as it is read: "psi'" -> "ψ'", "xi_0" -> "ξ_0", "x" -> "x".
 std::string pretty(const std::string& name);
 

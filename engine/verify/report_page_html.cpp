@@ -36,20 +36,6 @@ summary { font-weight: 600; font-size: .92rem; cursor: pointer; color: var(--blu
 @media print { nav { display: none; } }
 )";
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&': result += "&amp;"; break;
-        case '<': result += "&lt;"; break;
-        case '>': result += "&gt;"; break;
-        case '"': result += "&quot;"; break;
-        default: result += c;
-        }
-    }
-    return result;
-}
-
 struct HtmlWriter {
     std::string html;
 

@@ -11,7 +11,7 @@ std::string row(const std::vector<std::string>& cells) {
     std::string line = "|";
     for (const std::string& cell : cells) {
         line += ' ';
-        for (const char c : cell) line += c == '|' ? std::string("\\|") : std::string(1, c);
+        for (const char c : escaped(cell)) line += c == '|' ? std::string("\\|") : std::string(1, c);
         line += " |";
     }
     return line + "\n";
@@ -20,7 +20,7 @@ std::string row(const std::vector<std::string>& cells) {
 struct MarkdownWriter {
     std::string text;
 
-    void operator()(const Paragraph& paragraph) { text += paragraph.text + "\n\n"; }
+    void operator()(const Paragraph& paragraph) { text += escaped(paragraph.text) + "\n\n"; }
 
     void operator()(const Preformatted& block) {
         text += "```\n" + block.text;
@@ -29,7 +29,7 @@ struct MarkdownWriter {
     }
 
     void operator()(const Table& table) {
-        if (!table.caption.empty()) text += "**" + table.caption + "**\n\n";
+        if (!table.caption.empty()) text += "**" + escaped(table.caption) + "**\n\n";
         text += row(table.header) + "|";
         for (std::size_t i = 0; i < table.header.size(); ++i) text += i == 0 ? " --- |" : " ---: |";
         text += '\n';
@@ -39,16 +39,16 @@ struct MarkdownWriter {
 
     void operator()(const Gallery& gallery) {
         for (const Figure& figure : gallery.figures)
-            text += fmt::format("![{0}](figures/{1}.svg)\n\n", figure.caption, figure.name);
+            text += fmt::format("![{0}](figures/{1}.svg)\n\n", escaped(figure.caption), figure.name);
     }
 };
 
 } // namespace
 
 std::string to_markdown(const Page& page) {
-    MarkdownWriter writer{fmt::format("# {}\n\n{}\n\n", page.title, page.subtitle)};
+    MarkdownWriter writer{fmt::format("# {}\n\n{}\n\n", escaped(page.title), escaped(page.subtitle))};
     for (const Section& section : page.sections) {
-        writer.text += "## " + section.title + "\n\n";
+        writer.text += "## " + escaped(section.title) + "\n\n";
         for (const Block& block : section.blocks) std::visit(writer, block);
     }
     return writer.text;

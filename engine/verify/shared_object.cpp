@@ -4,11 +4,11 @@
 #include "algebra/error.hpp"
 #include "verify/cache.hpp"
 #include "verify/child.hpp"
+#include "verify/drafts.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -38,12 +38,6 @@ std::string compiler() {
 }
 
 fs::path engine_folder() { return fs::path(RESONFORM_SOURCE_DIR) / "engine"; }
-
-std::string quoted(const fs::path& path) {
-    std::string out = "'";
-    for (const char c : path.string()) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-}
 
 // The headers that emitted code includes: a change in them is a change of the code.
 std::string runtime_text() {
@@ -97,18 +91,19 @@ void require_exact_arithmetic(const std::string& command) {
 
 // The compiler writes beside the object, and that file is renamed, so that nobody ever sees half a file.
 void compile(const fs::path& source, const fs::path& object) {
-    fs::path draft = object;
-    draft += fmt::format(".{}.part", getpid());
-    const auto [complaint, result] =
+    const fs::path draft = draft_of(object);
+    const auto [complaint, result, late] =
         run_child(fmt::format("{} {} -I{} {} -o {} 2>&1 >/dev/null", compiler(), flags,
-                              quoted(engine_folder()), quoted(source), quoted(draft)),
+                              shell_quoted(engine_folder()), shell_quoted(source), shell_quoted(draft)),
                   {draft});
-    std::error_code failed;
-    if (result == 0) {
+    std::error_code failed, ignored;
+    if (result == 0)
         fs::rename(draft, object, failed);
-        if (!failed) return;
-    }
-    fs::remove(draft, failed);
+    else
+        failed = room_beside(object); // the compiler had none either
+    if (result == 0 && !failed) return;
+    fs::remove(draft, ignored);
+    if (failed) cache_not_writable(object, failed);
     if (WIFEXITED(result) && WEXITSTATUS(result) == 127)
         refuse(Reason::compiler, {"emitted code is checked by compiling it with a C++20 compiler",
                                   compiler(),

@@ -26,12 +26,10 @@ constexpr double longest_interval = 1e200; // its square and more are still numb
 constexpr std::size_t least_points = 2000, most_points = 200'000;
 
 std::vector<Float128> required_values(const Scene& scene) {
+    std::vector<std::string> missing;
     for (const Parameter& p : scene.system->parameters)
-        if (scene.fix.count(p.name) == 0)
-            bad_input({"verification needs a value for every parameter",
-                       p.name,
-                       fmt::format("add {} = ... under [fix]", p.name),
-                       {scene.file.string(), 0, 0, "fix", ""}});
+        if (scene.fix.count(p.name) == 0) missing.push_back(p.name);
+    if (!missing.empty()) not_fixed(scene, "verification needs a value for every parameter", missing);
     return parameter_values<Float128>(scene);
 }
 

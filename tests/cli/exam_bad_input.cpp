@@ -98,6 +98,14 @@ TEST(BadInput, EpsAndTimes) {
     for (const char* times : {"''", "1,,2", "1,two", "'1;2'", ","})
         EXPECT_SAYS(complaint("resonform evaluate " + scene + " --eps 0.1 --t " + times),
                     {"--t", "separated by commas"});
+    for (const char* beyond : {"1e400", "-1e400", "1e-400", "1e5000", "1e400/1", "1/0"})
+        complaint("resonform evaluate " + scene + " --eps 0.1 --t 1," + beyond);
+    EXPECT_EQ(complaint("resonform evaluate " + scene + " --eps 0.1 --t 1,1e400"),
+              "resonform: --t: a number is 0, or of size 1e-307 ... 1e308, as a double can be\n"
+              "  found: 1e400\n"
+              "  mend:  give a number of moderate size\n");
+    EXPECT_SAYS(complaint("resonform derive henon_heiles --time-limit 1e400"),
+                {"--time-limit: a number is 0, or of size", "1e400"});
 }
 
 TEST(BadInput, MissingFiles) {
@@ -210,9 +218,18 @@ TEST(BadInput, EvaluationNeedsEveryParameter) {
     ASSERT_EQ(run("sed -i '/^g *=/d' " + scene, scratch.path()).code, 0);
     const Outcome outcome = run("resonform evaluate " + scene + " --eps 0.1 --t 1", scratch.path());
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.err, "resonform: " + scene +
-                               ": fix: evaluation needs a value for every parameter that the outputs depend "
-                               "on\n  found: no value of g\n  mend:  add g = ... under [fix]\n");
+    EXPECT_EQ(outcome.err,
+              "resonform: " + scene +
+                  ":7:1: fix: evaluation needs a value for every parameter that the outputs depend "
+                  "on\n    [fix]\n    ^\n  found: no value of g\n  mend:  add g = ... under [fix]\n");
+    ASSERT_EQ(run("sed -i '/^[rv] *=/d' " + scene, scratch.path()).code, 0);
+    for (const char* command : {"evaluate --eps 0.1 --t 1 ", "verify ", "compare "}) {
+        const std::string said = run(std::string("resonform ") + command + scene, scratch.path()).err;
+        EXPECT_SAYS(said, {scene + ":7:1: fix: ", "  found: no value of g, r, v\n",
+                           "  mend:  add g = ... and r = ... and v = ... under [fix]\n"});
+    }
+    ASSERT_EQ(run("sed -i '/^.fix/d' " + scene, scratch.path()).code, 0);
+    EXPECT_SAYS(run("resonform verify " + scene, scratch.path()).err, {scene + ": fix: ", "g, r, v"});
 }
 
 } // namespace resonform::test

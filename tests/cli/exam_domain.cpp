@@ -108,4 +108,27 @@ TEST_F(DomainOfASystem, AMotionStartsWithin) {
     expect(scene_of("1", "0.1/eps", "1"), "3:5: fix.k", "k - 1", "k = 1");
 }
 
+// At a resonance the map that was divided by zero leads nowhere: what is named is the divisor.
+TEST_F(DomainOfASystem, AVanishingDivisorIsNamed) {
+    const auto outcome = [&](const std::string& declared, const std::string& rates, const std::string& at) {
+        write(scratch_.path() / "systems/resonant/system.toml",
+              "[system]\nname = \"resonant\"\n" + declared +
+                  "[equations]\nx = \"x'' + x + x*y = 0\"\ny = " + "\"y'' + (2*s)^2*y + x^2 = 0\"\n" + rates);
+        write(scratch_.path() / "systems/resonant/scenes/s.toml",
+              "order = 2\n" + at + "x = \"eps\"\n\"x'\" = 0\ny = \"eps/2\"\n\"y'\" = 0\n");
+        return run("resonform evaluate systems/resonant/scenes/s.toml --eps 0.1 --t 0,1", scratch_.path());
+    };
+    const std::string fast = "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n";
+    const std::string slow = fast + "s = { role = \"slow\", positive = true }\n";
+    EXPECT_EQ(outcome(slow, "s = \"s' = eps\"\n", "[start]\ns = 1\n").err,
+              "resonform: outside_domain: -(s - 1)\n");
+    EXPECT_EQ(outcome("[parameters]\ns = { positive = true }\n" + fast, "",
+                      "[fix]\ns = \"1 + 1/10000000\"\n[start]\n")
+                  .err,
+              "resonform: outside_domain: -2*(s - 1)\n");
+    // Away from it, a start that is too large is named by its variable.
+    EXPECT_EQ(outcome(slow, "s = \"s' = eps\"\n", "[start]\ns = 1.001\n").err,
+              "resonform: outside_domain: x\n");
+}
+
 } // namespace resonform::test

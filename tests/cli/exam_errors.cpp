@@ -80,6 +80,8 @@ TEST_F(Errors, OfTheCommandLine) {
 TEST_F(Errors, HaveAReasonOfTheList) {
     EXPECT_EQ(document("derive nope")["reason"], "file");
     EXPECT_EQ(document("verify no/such.toml")["reason"], "file");
+    EXPECT_EQ(document("evaluate nothing.toml --eps 0.1 --t 1")["file"], "nothing.toml");
+    EXPECT_EQ(document("verify systems")["found"], "no regular file");
     EXPECT_EQ(document("derive duffing --set q=1")["reason"], "command_line");
     equation("x'' + x + = 0");
     EXPECT_EQ(document("derive bad")["reason"], "syntax");
@@ -124,6 +126,10 @@ TEST_F(Errors, OfTheCompiler) {
 TEST_F(Errors, AreJsonWhateverTheUserWrote) {
     const Outcome outcome = said("derive $'n\\xffo' --format json");
     EXPECT_EQ(Json::parse(outcome.out)["reason"], "file");
+    write(scratch_.path() / "systems/duffing/scenes/\xff.toml", "title = \"named as no text can be\"\n");
+    EXPECT_EQ(Json::parse(printed("list --format json"))["systems"][0]["scenes"][0]["title"],
+              "named as no text can be");
+    std::filesystem::remove(scratch_.path() / "systems/duffing/scenes/\xff.toml");
     const Outcome longer =
         said("evaluate systems/duffing/system.toml --t 1 --eps $(printf 'x%.0s' {1..5000}) --format json");
     EXPECT_LT(Json::parse(longer.out)["found"].get<std::string>().size(), 500U);

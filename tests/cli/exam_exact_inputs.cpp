@@ -49,6 +49,17 @@ TEST_F(ExactInputs, EpsIsAFraction) {
     EXPECT_EQ(values("1/30"), values("0.033333333333333333333"));
 }
 
+TEST_F(ExactInputs, TimesAreFractions) {
+    oscillators("w^2*x", "v*y");
+    scene("w = 2\nv = 3.5");
+    const auto at = [&](const std::string& times) {
+        return Json::parse(printed("evaluate systems/s/scenes/a.toml --eps 0.1 --format json --t " + times));
+    };
+    const Json exact = at("1/3,20/10,0/7"), decimal = at("0.33333333333333333333,2,0");
+    EXPECT_EQ(exact["t"], Json({1.0 / 3, 2, 0}));
+    EXPECT_EQ(exact["outputs"], decimal["outputs"]);
+}
+
 TEST_F(ExactInputs, FixedValuesAreRootsAndFunctionsOfNumbers) {
     oscillators("w*x", "v*y");
     scene("w = 2\nv = 3");

@@ -193,8 +193,9 @@ TEST(Limits, AreNumbersOrNone) {
             const Outcome outcome =
                 derive(with_equation("x'' + x = 0"), std::string(option) + " " + value).outcome;
             EXPECT_EQ(outcome.code, 2) << option << " " << value;
-            const std::string rule =
-                option == std::string("--term-limit") ? "whole number >= 1" : "decimal number > 0";
+            const std::string rule = option == std::string("--term-limit")
+                                         ? "whole number >= 1"
+                                         : "decimal number or a fraction > 0";
             EXPECT_NE(outcome.err.find("must be a " + rule + ", or none"), std::string::npos) << outcome.err;
         }
     EXPECT_EQ(derive(with_equation("x'' + x = 0"), "--time-limit none --memory-limit none --term-limit none")

@@ -30,8 +30,8 @@ TEST(Locations, ASystemHasTheNameOfItsFolder) {
     write_system(scratch.path(), "swing");
     write_system(scratch.path(), "swing_copy");
     const std::string message =
-        "resonform: systems/swing_copy/system.toml: system.name: a system in systems/ must have the name of "
-        "its folder, 'swing_copy'\n  found: swing\n"
+        "resonform: systems/swing_copy/system.toml:2:9: system.name: a system in systems/ must have the name "
+        "of its folder, 'swing_copy'\n    name = \"swing\"\n            ^\n  found: swing\n"
         "  mend:  write name = \"swing_copy\", or rename the folder to swing\n";
     const Outcome list = run("resonform list", scratch.path());
     EXPECT_EQ(list.code, 2);

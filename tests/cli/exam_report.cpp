@@ -65,6 +65,31 @@ TEST_F(SlowReport, WithoutGnuplotHasNoFiguresAndSaysSo) {
     EXPECT_NE(page.find("## Order of accuracy"), std::string::npos);
     EXPECT_EQ(page.find("!["), std::string::npos) << "a figure that is not there";
     EXPECT_EQ(read(scratch_.path() / "here/report.html").find("<figure>"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "here/figures")) << "a folder of nothing";
+}
+
+// A gnuplot that never ends is as good as none.
+TEST_F(SlowReport, WithAGnuplotThatHangs) {
+    write(scratch_.path() / "bin/gnuplot", "#!/bin/sh\nexec sleep 300\n");
+    const Outcome outcome = run("chmod +x bin/gnuplot; ln -s $(command -v sleep) bin/; " + without_gnuplot() +
+                                    " resonform verify systems/spring/scenes/one.toml --report here",
+                                scratch_.path());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("resonform: gnuplot does not answer within 10 s, so the report will have no "
+                                "figures (Debian: gnuplot-nox)\n",
+                                0),
+              0U)
+        << outcome.err;
+}
+
+// What is written of a report stands or falls together.
+TEST_F(SlowReport, IsWholeOrNotThere) {
+    ASSERT_EQ(reported("one", without_gnuplot()).code, 0); // what is kept needs no more room
+    std::filesystem::remove_all(scratch_.path() / "here");
+    const Outcome outcome = reported("one", "ulimit -f 4; " + without_gnuplot());
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("File too large"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "here"));
 }
 
 } // namespace resonform::test

@@ -165,19 +165,29 @@ const BadInput bad_scenes[] = {
      "  found: 'constant.x' and 'C_X'\n"
      "  mend:  remove one of the two"},
     {"NoStartOfDrift", "C_X = 1\n", "",
-     "2 scene.toml: an output starts from its value or its constant\n"
+     "2 scene.toml:12:1: start: an output starts from its value or its constant\n"
+     "    [start]\n"
+     "    ^\n"
      "  found: no value of 'C_X'\n"
      "  mend:  write C_X = ... under [start]"},
     {"NoStartOfFast", "C_delta = 1\n", "",
-     "2 scene.toml: a fast variable starts from its amplitude and phase, or from its value and derivatives\n"
+     "2 scene.toml:12:1: start: a fast variable starts from its amplitude and phase, or from its value and "
+     "derivatives\n"
+     "    [start]\n"
+     "    ^\n"
      "  found: no value of 'C_delta'\n"
      "  mend:  write C_delta = ... under [start]"},
     {"NoStartOfVelocity", "C_delta = 1\ntheta_0 = 0", "psi = \"0.3*eps\"",
-     "2 scene.toml: a fast variable starts from its amplitude and phase, or from its value and derivatives\n"
+     "2 scene.toml:12:1: start: a fast variable starts from its amplitude and phase, or from its value and "
+     "derivatives\n"
+     "    [start]\n"
+     "    ^\n"
      "  found: no value of 'psi''\n"
      "  mend:  write \"psi'\" = ... under [start]"},
     {"NoStartOfSlow", "xi = 0\n", "",
-     "2 scene.toml: a slow variable has a start value\n"
+     "2 scene.toml:12:1: start: a slow variable has a start value\n"
+     "    [start]\n"
+     "    ^\n"
      "  found: no value of 'xi'\n"
      "  mend:  write xi = ... under [start]"},
     {"StartInAVariable", "xi = 0", "xi = \"x\"",

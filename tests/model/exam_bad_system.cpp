@@ -178,12 +178,6 @@ const BadInput bad_systems[] = {
      "    ^\n"
      "  found: g-1\n"
      "  mend:  choose such a name, in ASCII"},
-    {"DefinedTwice", "v = { unit", "g = { unit",
-     "2 system.toml:9:5: the file is TOML\n"
-     "    g = { unit = \"m/s\" }\n"
-     "        ^\n"
-     "  found: g = { unit = \"m/s\" }\n"
-     "  mend:  the TOML parser says: Error while parsing key-value pair: cannot redefine existing table 'g'"},
     {"ParameterNamedAsVariable", "v = { unit", "psi = { unit",
      "2 system.toml:12:1: variables.psi: a name is used once\n"
      "    psi = { role = \"fast\" }\n"

@@ -65,7 +65,7 @@ TEST(Cache, SaysThatItCannotWrite) {
         FAIL() << "wrote below a file";
     } catch (const Error& error) {
         EXPECT_EQ(error.diagnostic().rule, "the folder of cached results can be written");
-        EXPECT_EQ(error.diagnostic().value, blocked.string());
+        EXPECT_EQ(error.diagnostic().place.file, blocked.string());
     }
 }
 

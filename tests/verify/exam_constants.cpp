@@ -234,7 +234,7 @@ TEST_F(ConstantsOf, NearAResonanceThatStandsStill) {
     for (const std::string& start : {constants, physical}) {
         const auto near = close("1e-12", start);
         expect_reason(near, library(near), 0.01, {}, default_start<double>(*near, 0.01, {}), 0,
-                      Status::outside_domain, "x");
+                      Status::outside_domain, "d");
         std::vector<double> values;
         EXPECT_EQ(Interpreter<double>(close("1e-3", start), 0.01, {}, {}, 1).call(0, values),
                   Status::outside_domain)

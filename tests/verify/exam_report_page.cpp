@@ -40,7 +40,7 @@ TEST(ReportPage, HtmlStandsAlone) {
 }
 
 TEST(ReportPage, MarkdownRefersToItsFigures) {
-    EXPECT_EQ(to_markdown(page()), "# A < B\n\na & b\n\n## First\n\ntext\n\n```\nz' = \"w\"\n```\n\n"
+    EXPECT_EQ(to_markdown(page()), "# A &lt; B\n\na &amp; b\n\n## First\n\ntext\n\n```\nz' = \"w\"\n```\n\n"
                                    "**caption**\n\n| output | verdict |\n| --- | ---: |\n| x\\|y | pass |\n"
                                    "| z | fail |\n\n![what it shows](figures/name.svg)\n\n");
 }
