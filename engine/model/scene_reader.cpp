@@ -116,7 +116,7 @@ void SceneReader::read_outputs() {
         const std::string name = string_of(item);
         const Variable* variable = scene_.system->variable(name);
         if (variable == nullptr) {
-            bad_input(Reason::name, {"an output is a variable of the system", in_quotes(name),
+            bad_input(Reason::name, {"an output is a variable of the system", "\"" + excerpt(name) + "\"",
                                      suggest(name, known), place_of(item.source)});
         }
         if (variable->role == Role::angle) {
