@@ -5,6 +5,7 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "model/interval_length.hpp"
 #include "verify/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -92,13 +93,15 @@ void print_csv(const Program& program, const Values& values) {
 
 int run_evaluate(const std::string& scene, const std::string& eps_text, const std::string& times,
                  const DerivationLimits& limits, const std::string& format) {
-    const double eps = to_double(read_eps(eps_text));
+    const Rational asked = read_eps(eps_text);
+    const double eps = to_double(asked);
     std::vector<double> t = read_times(times);
     const Home home = find_home();
     const auto program = watched(limits, [&](Watch& watch) {
         const SceneLine line = solve_scene(scene, home, watch);
         auto built = std::make_shared<const Program>(program_of(line, watch));
         require_values(*built, line.scene);
+        (void)bounded_interval_length(line.scene, asked);
         return built;
     });
     const Values values = evaluate_program(program, eps, std::move(t));

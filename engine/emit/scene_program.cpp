@@ -5,10 +5,12 @@
 #include "emit/from_expression.hpp"
 #include "emit/identifier.hpp"
 #include "emit/quantity.hpp"
+#include "model/interval_length.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace resonform {
 
@@ -86,22 +88,16 @@ Graph::Node SceneProgram::by_powers_of_eps(const Ring& ring, GeneratorId eps, co
     return graph.multiply({graph.power(program_.eps, above), sum});
 }
 
-// The value of an expression in eps and fixed parameters, at the smallest eps of the ladder if it
-// depends on eps.
-double SceneProgram::number_of(const GiNaC::ex& e) const {
-    GiNaC::exmap values;
-    for (const Parameter& parameter : solution_.system().parameters)
-        if (const auto fixed = scene_.fix.find(parameter.name); fixed != scene_.fix.end())
-            values[parameter.symbol] = fixed->second;
-    if (!scene_.verify.eps.empty())
-        values[solution_.system().eps] = GiNaC::numeric(cln::cl_N(scene_.verify.eps.back()));
-    const GiNaC::ex value = e.subs(values).evalf();
-    if (!GiNaC::is_a<GiNaC::numeric>(value))
-        bad_input({"the interval of a scene is a number once [fix] and eps are put in",
-                   scene_.verify.interval_text,
-                   "give the parameters in it under [fix]",
-                   {}});
-    return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+// The slow time of the interval at the smallest eps of the ladder; infinite or 0 where double cannot hold it.
+double SceneProgram::interval_slow_time() const {
+    const Rational eps = scene_.verify.eps.empty() ? Rational(1) / Rational(100) : scene_.verify.eps.back();
+    const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
+    const double end = length_at(scene_, slow_time, eps);
+    if (std::isnan(end))
+        bad_input({"the interval of a scene is a positive number once [fix] and eps are put in",
+                   scene_.verify.interval_text, "give the parameters in it under [fix]",
+                   scene_.verify.interval_source ? place_of(*scene_.verify.interval_source) : Place()});
+    return end;
 }
 
 void SceneProgram::close() {
@@ -116,7 +112,7 @@ void SceneProgram::close() {
     std::stable_partition(program_.positive.begin(), program_.positive.end(),
                           [](const ProgramCondition& c) { return !c.of_start_map; });
     const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
-    program_.interval_slow_time = number_of(slow_time);
+    program_.interval_slow_time = interval_slow_time();
     program_.slow_time_end =
         from_expression(program_.graph, slow_time, names_,
                         scene_.verify.interval_source ? place_of(*scene_.verify.interval_source) : Place());

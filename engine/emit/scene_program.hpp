@@ -39,7 +39,7 @@ protected:
 
 private:
     void define_parameters();
-    [[nodiscard]] double number_of(const GiNaC::ex& e) const;
+    [[nodiscard]] double interval_slow_time() const;
 };
 
 // An argument of the evaluator's constructor that [start] of the scene may give.

@@ -231,8 +231,8 @@ std::size_t MechanismReader::index_of(const TomlEntry& entry, const std::string&
     if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
     std::vector<std::string> names;
     for (const Coordinate& c : all) names.push_back(c.name);
-    bad_input(
-        {what + " belongs to a coordinate", in_quotes(entry.key), suggest(entry.key, names), entry.place});
+    bad_input(Reason::name, {what + " belongs to a coordinate", in_quotes(entry.key),
+                             suggest(entry.key, names), entry.place});
 }
 
 void MechanismReader::read_forces() {

@@ -138,7 +138,8 @@ private:
 
     GivenMode::Entry entry_of(const TomlEntry& given) {
         if (std::find(states_.begin(), states_.end(), given.key) == states_.end())
-            bad_input({"a column has entries for fast variables and their derivatives below the highest",
+            bad_input(Reason::name,
+                      {"a column has entries for fast variables and their derivatives below the highest",
                        in_quotes(given.key), suggest(given.key, states_), given.place});
         const auto [name, primes] = without_primes(given.key);
         const auto variable = std::find_if(system_.variables.begin(), system_.variables.end(),

@@ -124,7 +124,8 @@ void SceneReader::read_outputs() {
         const std::string name = string_of(item);
         const Variable* variable = scene_.system->variable(name);
         if (variable == nullptr) {
-            bad_value(item, "an output is a variable of the system", suggest(name, known));
+            bad_input(Reason::name, {"an output is a variable of the system", "\"" + excerpt(name) + "\"",
+                                     suggest(name, known), place_of(item.source)});
         }
         if (variable->role == Role::angle) {
             bad_value(item, "an output is no angle, which is known by its sine and cosine",
@@ -170,8 +171,8 @@ void SceneReader::read_fix() {
     for (const TomlEntry& entry : fix->entries) {
         const Parameter* parameter = scene_.system->declared_parameter(entry.key);
         if (parameter == nullptr) {
-            bad_input({"[fix] gives values of parameters", in_quotes(entry.key), suggest(entry.key, known),
-                       entry.place});
+            bad_input(Reason::name, {"[fix] gives values of parameters", in_quotes(entry.key),
+                                     suggest(entry.key, known), entry.place});
         }
         scene_.fix.emplace(entry.key, fixed_value(entry.value, *parameter));
     }

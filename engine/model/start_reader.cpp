@@ -66,8 +66,8 @@ const StartValue* StartReader::find(const std::string& canonical) const {
 void StartReader::add(const TomlEntry& entry) {
     const std::string canonical = canonical_start(entry.key, system_);
     if (canonical.empty()) {
-        bad_input({"[start] gives variables or constants of the solution", in_quotes(entry.key),
-                   suggest(entry.key, start_names(system_)), entry.place});
+        bad_input(Reason::name, {"[start] gives variables or constants of the solution", in_quotes(entry.key),
+                                 suggest(entry.key, start_names(system_)), entry.place});
     }
     if (const StartValue* earlier = find(canonical)) {
         bad_input({"a start value is given once", in_quotes(entry.key) + " and " + in_quotes(earlier->name),

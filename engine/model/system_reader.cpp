@@ -213,8 +213,8 @@ void SystemReader::read_equation_texts() {
                                     : table("equations", "write one equation per variable under [equations]");
     for (const TomlEntry& entry : equations.entries) {
         if (system_.variable(entry.key) != nullptr) continue;
-        bad_input({"an equation belongs to a variable", in_quotes(entry.key),
-                   suggest(entry.key, variable_names()), entry.place});
+        bad_input(Reason::name, {"an equation belongs to a variable", in_quotes(entry.key),
+                                 suggest(entry.key, variable_names()), entry.place});
     }
     for (const Variable& variable : system_.variables) {
         const TomlNode* node = equations.find(variable.name);

@@ -91,8 +91,8 @@ std::vector<GivenRelation> SystemReader::relation_values() const {
     for (const TomlEntry& entry : relations->entries) {
         const Parameter* parameter = system_.parameter(entry.key);
         if (parameter == nullptr)
-            bad_input({"a relation gives a parameter by others", in_quotes(entry.key),
-                       suggest(entry.key, names), entry.place});
+            bad_input(Reason::name, {"a relation gives a parameter by others", in_quotes(entry.key),
+                                     suggest(entry.key, names), entry.place});
         const std::string text = string_of(entry.value);
         values.push_back(
             {parameter, {read_expression(text, scope, entry.value.source), text, entry.value.source}});

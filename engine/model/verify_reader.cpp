@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/verify_reader.hpp"
 
+#include "model/interval_length.hpp"
 #include "model/toml_values.hpp"
 
 #include <algorithm>
@@ -66,6 +67,15 @@ void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
     }
 }
 
+// At every eps of the ladder, once [fix] gives every parameter in it.
+void check_lengths(Scene scene, const VerifyPlan& plan) {
+    const GiNaC::ex fixed = scene.fixed(plan.interval);
+    for (const Parameter& p : scene.system->parameters)
+        if (fixed.has(p.symbol)) return;
+    scene.verify = plan;
+    for (const Rational& eps : plan.eps) (void)interval_length(scene, eps);
+}
+
 void read_ulp(const TomlNode& verify, VerifyPlan& plan) {
     if (const TomlNode* node = verify.find("ulp")) {
         plan.ulp = to_double(number_of(*node));
@@ -82,8 +92,8 @@ void read_ulp(const TomlNode& verify, VerifyPlan& plan) {
 void check_output(const TomlEntry& entry, const Scene& scene) {
     const std::vector<std::string>& outputs = scene.outputs;
     if (std::find(outputs.begin(), outputs.end(), entry.key) != outputs.end()) return;
-    bad_input({"claims and expectations are about outputs of the scene", in_quotes(entry.key),
-               suggest(entry.key, outputs), entry.place});
+    bad_input(Reason::name, {"claims and expectations are about outputs of the scene", in_quotes(entry.key),
+                             suggest(entry.key, outputs), entry.place});
 }
 
 Verdict verdict_of(const TomlNode& node) {
@@ -106,6 +116,7 @@ VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
     const TomlNode* ladder = verify.find("eps");
     plan.eps_given = ladder != nullptr;
     plan.eps = ladder == nullptr ? default_ladder() : read_ladder(*ladder);
+    check_lengths(scene, plan);
     for (const std::string& output : scene.outputs) {
         plan.expect[output] = Verdict::pass;
     }

@@ -20,13 +20,16 @@ template <class Real> struct PhaseNumber {
 template <> struct PhaseNumber<Float128> { using type = Twice<Float128>; };
 #endif
 
+// What a phase is known to in radians, or it ends.
+inline constexpr double known_radians = 1e-3;
+
 template <class Real> class Phase {
 public:
     using Wide = typename PhaseNumber<Real>::type;
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
     // Real only (it contains tables). Status as fit_panels, or outside_interval: the phase gets so large that
-    // it is not known to 10^-3 radians. If it is not ok, `end` is drawn back to where the phase is known, 0 if
+    // it is not known to known_radians. If it is not ok, `end` is drawn back to where the phase is known, 0 if
     // nowhere.
     template <class Rate>
     Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
@@ -190,7 +193,7 @@ private:
         }
         const Real radians = largest * narrow(turn_);
         result.precise = radians <= Real(1e14) && radians * resolution_ <= Real(1e-9);
-        result.known = radians * resolution_ <= Real(1e-3);
+        result.known = radians * resolution_ <= Real(known_radians);
         using math::floor;
         result.coefficient[0] = result.coefficient[0] - Wide(floor(narrow(result.coefficient[0])));
         for (std::size_t j = 0; j < terms; ++j) result.low[j] = narrow(result.coefficient[j]);

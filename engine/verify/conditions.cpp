@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/conditions.hpp"
 
+#include "model/interval_length.hpp"
 #include "model/verify_reader.hpp"
 
 #include <fmt/format.h>
@@ -14,11 +15,7 @@ namespace {
 // By more than rounding, at this eps.
 bool is_shorter(const Scene& scene, const GiNaC::ex& promised, const Rational& eps) {
     constexpr double rounding = 1e-12;
-    const GiNaC::ex share = scene.fixed(scene.verify.interval / promised)
-                                .subs(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(eps)))
-                                .evalf();
-    return GiNaC::is_a<GiNaC::numeric>(share) &&
-           GiNaC::ex_to<GiNaC::numeric>(share).to_double() < 1 - rounding;
+    return length_at(scene, scene.verify.interval / promised, eps) < 1 - rounding;
 }
 
 } // namespace

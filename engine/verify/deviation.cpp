@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/deviation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -32,7 +34,21 @@ void fill(const Evaluator<Real>& evaluator, const Reference& reference, Errors& 
     }
 }
 
-template <class Real> Errors errors_in(const Trial& trial, const TrialPoint& at, const Reference& reference) {
+// The status of the first time without numbers, and what is behind it; "" where all have them.
+template <class Real>
+std::string first_refusal(const Evaluator<Real>& evaluator, const Reference& reference, const Errors& error) {
+    const auto refused =
+        std::find_if(error.front().begin(), error.front().end(), [](double e) { return !std::isfinite(e); });
+    if (refused == error.front().end()) return "";
+    const double t = reference.times[static_cast<std::size_t>(refused - error.front().begin())];
+    std::vector<Real> values(reference.values.size());
+    const Status status = evaluator.call(static_cast<Real>(t), values.data());
+    if (status == Status::ok) return "";
+    return fmt::format("{} at t = {:.3g}", told(status, evaluator.why(status)), t);
+}
+
+template <class Real>
+Errors errors_in(const Trial& trial, const TrialPoint& at, const Reference& reference, std::string& refusal) {
     const std::size_t points = reference.times.size();
     const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
     const Evaluator<Real> evaluator = trial.evaluator<Real>(at);
@@ -43,6 +59,7 @@ template <class Real> Errors errors_in(const Trial& trial, const TrialPoint& at,
             fill(evaluator, reference, error, points * j / threads, points * (j + 1) / threads);
         }));
     for (auto& w : work) w.get();
+    refusal = first_refusal(evaluator, reference, error);
     return error;
 }
 
@@ -81,12 +98,12 @@ Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& r
     Deviation result;
     result.floor = long_double_floor(trial, at, reference);
     result.digits = RealTraits<long double>::digits;
-    result.error = errors_in<long double>(trial, at, reference);
+    result.error = errors_in<long double>(trial, at, reference, result.refusal);
     bool clear = true;
     for (std::size_t k = 0; k < result.floor.size(); ++k)
         clear = clear && largest(result.error[k]) >= clear_of_floor * result.floor[k];
     if (clear) return result;
-    result.error = errors_in<Float128>(trial, at, reference);
+    result.error = errors_in<Float128>(trial, at, reference, result.refusal);
     result.digits = RealTraits<DoubleDouble>::digits; // the reference has fewer than Float128
     for (double& f : result.floor)
         f *= RealTraits<Float128>::roundoff() / RealTraits<long double>::roundoff();

@@ -4,6 +4,7 @@
 
 #include "verify/trial.hpp"
 
+#include <string>
 #include <vector>
 
 namespace resonform {
@@ -12,6 +13,7 @@ struct Deviation {
     std::vector<std::vector<double>> error; // [output][point]; infinite where the evaluator refuses
     int digits = 0;                         // of the arithmetic that was needed
     std::vector<double> floor;              // its rounding, per output
+    std::string refusal;                    // the first one, with its cause and time
 };
 
 // Long double where its rounding is a hundred times below the largest errors, otherwise Float128.

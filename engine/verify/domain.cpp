@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/domain.hpp"
 
+#include "model/interval_length.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,8 +22,7 @@ std::string line_of(const std::string& file, int line) { return fmt::format("{}:
 } // namespace
 
 Domain::Domain(const FirstOrderSystem& system, const Scene& scene)
-    : system_(*system.system), interval_(scene.fixed(scene.verify.interval)),
-      interval_text_(scene.verify.interval_text) {
+    : system_(*system.system), scene_(scene), interval_text_(scene.verify.interval_text) {
     place_.file = scene.file.string();
     place_.key = "verify.interval";
     if (scene.verify.interval_source) place_ = place_of(*scene.verify.interval_source);
@@ -74,7 +75,7 @@ double Domain::number(const GiNaC::ex& value, const Rational& eps, double t) con
 }
 
 void Domain::require(const Rational& eps) const {
-    const double end = number(interval_, eps, 0);
+    const double end = std::min(interval_length(scene_, eps), longest_interval);
     for (const Condition& condition : conditions_)
         for (int i = 0; i <= samples; ++i) {
             double outside = end * i / samples;

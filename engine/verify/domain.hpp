@@ -12,8 +12,9 @@ namespace resonform {
 
 class Domain {
 public:
-    // Precondition: every parameter is fixed. Only slow variables of constant rate are followed: conditions
-    // on others are left to the integration and to the evaluator, which answer beyond with a status.
+    // The scene must outlive it. Precondition: every parameter is fixed. Only slow variables of constant rate
+    // are followed: conditions on others are left to the integration and to the evaluator, which answer
+    // beyond with a status.
     Domain(const FirstOrderSystem& system, const Scene& scene);
 
     // Errors (bad_input): the slow variables leave the domain within the interval of the scene. The place is
@@ -35,8 +36,8 @@ private:
     [[noreturn]] void complain(const Condition& condition, const Rational& eps, double t) const;
 
     const System& system_;
+    const Scene& scene_;
     GiNaC::symbol time_{"t"};
-    GiNaC::ex interval_;
     std::string interval_text_;
     Place place_; // of the interval
     std::vector<Motion> motions_;

@@ -22,11 +22,14 @@ struct EmittedInType {
     std::string type;         // "double", "long double"
     std::size_t points = 0;   // all
     std::size_t compared = 0; // those that both answer with numbers
-    double ulp = 0;           // the largest difference; infinite where statuses disagree
+    double ulp = 0;           // the largest difference; infinite where statuses disagree, NaN: none is seen
     double phase_share = 0;   // there: what part of the scale is that of phases moved by a slow flow
     std::string output;       // there
     std::string statuses;     // there, if they disagree: "emitted ok, symbolic outside_domain"
     std::vector<std::pair<std::string, double>> at; // there: eps, start values, t
+
+    // Numbers were compared, or statuses that disagree.
+    [[nodiscard]] bool has_seen() const { return !at.empty(); }
 };
 
 struct EmittedCheck {
@@ -35,7 +38,7 @@ struct EmittedCheck {
     Verdict verdict = Verdict::undecided;
     std::vector<EmittedInType> types;
 
-    [[nodiscard]] double worst() const;
+    [[nodiscard]] double worst() const; // NaN: nothing was compared
 };
 
 struct EmittedCheckOptions {

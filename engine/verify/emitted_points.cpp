@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/emitted_points.hpp"
 
+#include "model/interval_length.hpp"
 #include "model/start_names.hpp"
 #include "verify/scene_values.hpp"
 
@@ -54,7 +55,8 @@ std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t 
         EmittedPoints<Real> d;
         d.eps = dice.log_uniform(low, high);
         const std::vector<Real> values = evaluate_constants<Real>(expressions, parameters, d.eps);
-        const Real interval = values[0];
+        // Below the ladder it may be beyond what an evaluator is made for.
+        const Real interval = std::clamp(values[0], Real(shortest_interval), Real(longest_interval));
         d.end = d.eps * interval * Real(1 + 0x1p-40); // t = end/eps is rounded
         for (std::size_t k = 0; k < scene.start.size(); ++k) {
             const Real factor =

@@ -54,6 +54,10 @@ template <class Real> struct Interpreted {
 
 } // namespace
 
+std::string told(Status status, const std::string& why) {
+    return why.empty() ? to_string(status) : fmt::format("{}: {}", to_string(status), why);
+}
+
 std::shared_ptr<const EvaluatorLibrary>
 EvaluatorLibrary::build(const Program& program, const std::filesystem::path& cache,
                         const std::function<void(const std::string&)>& progress) {

@@ -72,4 +72,7 @@ private:
     void (*batch_)(const void*, const Real*, long, Real* const*, unsigned char*) = nullptr;
 };
 
+// "outside_domain: 1 - tau", or the status alone where nothing is behind it.
+std::string told(Status status, const std::string& why);
+
 } // namespace resonform

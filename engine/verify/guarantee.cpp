@@ -2,6 +2,7 @@
 #include "verify/guarantee.hpp"
 
 #include "model/canonical.hpp"
+#include "model/interval_length.hpp"
 #include "model/settings.hpp"
 #include "model/start_names.hpp"
 #include "solve/neglected.hpp"
@@ -9,25 +10,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace resonform {
 
 namespace {
 
-// The p of an interval that grows as eps^-p, the next whole number above where it grows otherwise; at least
-// what the scene promises.
-int time_power(const Scene& scene) {
-    const auto length = [&](const char* eps) {
-        const GiNaC::ex value =
-            scene.fixed(scene.verify.interval)
-                .subs(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(parse_rational(eps))))
-                .evalf();
-        return GiNaC::is_a<GiNaC::numeric>(value) ? GiNaC::ex_to<GiNaC::numeric>(value).to_double() : 1.0;
-    };
-    constexpr double near_whole = 1e-3;
-    const double power = std::log10(length("1e-12") / length("1e-9")) / 3;
-    return std::max(scene.time_scale.value_or(1), static_cast<int>(std::ceil(power - near_whole)));
+// The p of an interval that grows as eps^-p, at least what the scene promises; none where no power bounds it.
+std::optional<int> time_power(const Scene& scene) {
+    const std::optional<int> power = growth_power(scene, scene.verify.interval);
+    if (!power) return {};
+    return std::max(scene.time_scale.value_or(1), *power);
 }
 
 std::shared_ptr<const System> with_fix(const Scene& scene) {
@@ -44,13 +36,19 @@ std::string told(const Error& error) {
 }
 
 // Normal form and map through a weight and outputs through eps^order guarantee O(eps^q) on t <= T/eps^p, q -
-// 1 the largest order not above that asks for no larger weight. Errors (refused): those of count_truncation.
+// 1 the largest order not above that asks for no larger weight. Errors (refused): there is none; those of
+// count_truncation.
 int guaranteed_by_count(const GradedField& field, Scene scene, int order, int truncation, int p) {
     scene.truncation.reset();
     scene.time_scale = p;
     for (scene.order = order; scene.order >= 0; --scene.order)
-        if (count_truncation(field, scene).truncation <= truncation) break;
-    return scene.order + 1;
+        if (count_truncation(field, scene).truncation <= truncation) return scene.order + 1;
+    scene.order = 0;
+    refuse({"order 0 asks for no more weights than were derived",
+            fmt::format("truncation = {}, over eps^-{} order 0 asks for {}", truncation, p,
+                        count_truncation(field, scene).truncation),
+            "shorten verify.interval",
+            {}});
 }
 
 // Where an interval is longer than the scene promises, the count may not hold. Error: refused.
@@ -73,11 +71,18 @@ bool starts_from_constants(const Scene& scene) {
     });
 }
 
+Guarantees unguaranteed(const Claims& claims, const std::string& why) {
+    Guarantees found;
+    for (const auto& [name, claim] : claims)
+        found[name] = {{}, false, "no order is guaranteed on this interval: " + why};
+    return found;
+}
+
 class Search {
 public:
-    Search(const Scene& scene, const Solution& solution, const Derive& derive)
+    Search(const Scene& scene, const Solution& solution, const Derive& derive, int p)
         : scene_(scene), solution_(solution),
-          derive_(derive), formula_{solution.order, solution.truncation, time_power(scene), scene.oscillating,
+          derive_(derive), formula_{solution.order, solution.truncation, p, scene.oscillating,
                                     starts_from_constants(scene)} {}
 
     Guarantees of(const Claims& claims) {
@@ -90,9 +95,7 @@ public:
             }
             require_count(scene_, solution_, formula_.time_power);
         } catch (const Error& error) {
-            for (const auto& [name, claim] : claims)
-                found[name] = {{}, false, "no order is guaranteed on this interval: " + told(error)};
-            return found;
+            return unguaranteed(claims, told(error));
         }
         try {
             for (int weight = formula_.truncation + 1; !open.empty(); ++weight) look(weight, found, open);
@@ -154,7 +157,11 @@ private:
 
 Guarantees guarantees(const Scene& scene, const Solution& solution, const Claims& claims,
                       const Derive& derive) {
-    return Search(scene, solution, derive).of(claims);
+    const std::optional<int> p = time_power(scene);
+    if (!p)
+        return unguaranteed(claims, fmt::format("the interval stays below a power of 1/eps (interval = {})",
+                                                scene.verify.interval_text));
+    return Search(scene, solution, derive, *p).of(claims);
 }
 
 } // namespace resonform

@@ -100,6 +100,8 @@ Json of(const EmittedCheck& check) {
                  {"compared", type.compared}, {"ulp", number(type.ulp)},
                  {"output", type.output},     {"phase_share", number(type.phase_share)},
                  {"at", std::move(at)}};
+        if (type.output.empty()) row["output"] = row["phase_share"] = Json();
+        if (!type.has_seen()) row["at"] = Json();
         if (!type.statuses.empty()) row["statuses"] = type.statuses;
         types.push_back(std::move(row));
     }
@@ -140,8 +142,11 @@ Json to_json(const Comparison& c) {
 }
 
 Json to_json(const Stability& s) {
-    Json worst = Json::array(), median = Json::object(), refused = Json::object(), ranges = Json::object();
+    Json worst = Json::array(), median = Json::object(), refused = Json::object(), ranges = Json::object(),
+         swept = Json::object();
     for (const SweptInput& input : s.inputs) ranges[input.name] = {number(input.low), number(input.high)};
+    for (const SweptInput& input : s.swept)
+        swept[input.name] = input.high > 0 ? Json{number(input.low), number(input.high)} : Json();
     for (const WorstPoint& w : s.worst) worst.push_back(of(w));
     for (const auto& [name, ulp] : s.median) median[name] = number(ulp);
     for (const auto& [status, count] : s.refused_by) refused[status] = count;
@@ -150,8 +155,10 @@ Json to_json(const Stability& s) {
               {"scene", s.scene},
               {"seed", s.seed},
               {"verdict", to_string(s.verdict)},
+              {"rule", s.rule.empty() ? Json() : Json(s.rule)},
               {"threshold_ulp", s.threshold},
               {"ranges", ranges},
+              {"swept", swept},
               {"cases", s.cases},
               {"compared", s.compared},
               {"refused", s.refused},

@@ -42,9 +42,15 @@ std::vector<Point> usable_points(const std::vector<LadderRung>& ladder) {
     return points;
 }
 
+bool answered(const LadderRung& rung) { return std::isfinite(rung.max_error); }
+
+std::string refusal_of(const LadderRung& rung) {
+    return fmt::format("the evaluator refuses points of the interval at eps = {:g}{}", to_double(rung.eps),
+                       rung.refusal.empty() ? "" : fmt::format(" ({})", rung.refusal));
+}
+
 // The first rung without an error below one that has it. Large eps may leave where the formula answers.
 const LadderRung* refused_rung(const std::vector<LadderRung>& ladder) {
-    const auto answered = [](const LadderRung& rung) { return std::isfinite(rung.max_error); };
     const auto first = std::find_if(ladder.begin(), ladder.end(), answered);
     const auto refused = std::find_if_not(first, ladder.end(), answered);
     return refused == ladder.end() ? nullptr : &*refused;
@@ -149,9 +155,9 @@ void judge_unseen(OutputVerdict& output) {
 }
 
 void judge_few(OutputVerdict& output, const std::vector<Point>& points) {
-    const bool finite = std::all_of(output.ladder.begin(), output.ladder.end(),
-                                    [](const LadderRung& r) { return std::isfinite(r.max_error); });
-    if (!finite) return undecided(output, "the evaluator refuses points of the interval: no error to judge");
+    const auto refused = std::find_if_not(output.ladder.begin(), output.ladder.end(), answered);
+    if (refused != output.ladder.end())
+        return undecided(output, refusal_of(*refused) + ": no error to judge");
     if (output.ladder.size() < 3)
         return undecided(output, fmt::format("the ladder has {} rung{}, 3 are needed", output.ladder.size(),
                                              output.ladder.size() == 1 ? "" : "s"));
@@ -176,8 +182,7 @@ void judge(OutputVerdict& output) {
     const std::vector<Point> points = usable_points(output.ladder);
     if (points.size() < 3) return judge_few(output, points);
     if (const LadderRung* refused = refused_rung(output.ladder))
-        return undecided(output, fmt::format("the evaluator refuses points of the interval at eps = {:g}",
-                                             to_double(refused->eps)));
+        return undecided(output, refusal_of(*refused));
 
     const std::vector<double> slopes = slopes_of(points);
     const std::size_t tail = std::max<std::size_t>(straight_tail(slopes), 2);

@@ -19,6 +19,7 @@ struct LadderRung {
     double reference_error = 0; // estimated error of the direct integration
     double floor = 0;           // rounding of the evaluator at this rung: nothing below is seen
     double scale = 1;           // max |output| over the interval
+    std::string refusal;        // where the evaluator has no numbers: "outside_domain: 1 - tau at t = 3"
 };
 
 struct OutputVerdict {

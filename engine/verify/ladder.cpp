@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/ladder.hpp"
 
+#include "model/interval_length.hpp"
 #include "verify/deviation.hpp"
 #include "verify/start_scaling.hpp"
 #include "verify/times.hpp"
@@ -84,6 +85,11 @@ public:
     void along(const std::vector<Rational>& ladder) {
         std::vector<Rung> rungs;
         for (const Rational& eps : ladder) {
+            if (!(interval_length(scene_, eps) <= longest_interval)) {
+                result_.conditions.ladder_end = {
+                    eps, fmt::format("the interval is longer than {:g} there", longest_interval)};
+                break;
+            }
             Rung rung = planned(eps);
             if (!rung.steps) {
                 result_.conditions.ladder_end = {
@@ -135,6 +141,7 @@ private:
             rung.digits = found.digits;
             rung.reference_error = reference.error[k];
             rung.floor = found.floor[k];
+            rung.refusal = found.refusal;
             rung.scale = largest_value(reference.values[k]);
             result_.outputs[k].ladder.push_back(std::move(rung));
         }

@@ -189,7 +189,7 @@ Section rounding(const Findings& f) {
     for (const auto& [name, ulp] : f.stability.median)
         median.rows.push_back({pretty(name), short_number(ulp)});
     Table swept{"Swept", {"input", "from", "to"}, {}};
-    for (const SweptInput& input : f.stability.inputs) {
+    for (const SweptInput& input : f.stability.swept) {
         const std::string unit = input.weight == 0   ? ""
                                  : input.weight == 1 ? " ε"
                                                      : fmt::format(" ε^{}", input.weight);
@@ -200,13 +200,15 @@ Section rounding(const Findings& f) {
     return {
         "Stability of the emitted code",
         {Paragraph{fmt::format(
-             "Verdict: {}. Double against 50 digits at {} points over many decades of every input; {} were "
-             "answered with a status, of them {} that nothing explains (at most {:.0f} % may be); {} are "
+             "Verdict: {}{}. Double against 50 digits at {} points over many decades of every input; {} were "
+             "answered with a status, of them {} that nothing explains (at most {:.0f} % may be); {} more "
+             "are "
              "beyond the reference. Errors in ulp of the output's scale, the sum of its terms' magnitudes; "
              "the threshold is {:g}, and as many times more as one last bit of all inputs makes "
              "unavoidable.",
-             to_string(f.stability.verdict), f.stability.cases, f.stability.refused, f.stability.unexplained,
-             100 * unexplained_share, f.stability.beyond_reference, f.stability.threshold)},
+             to_string(f.stability.verdict), f.stability.rule.empty() ? "" : ": " + f.stability.rule,
+             f.stability.cases, f.stability.refused, f.stability.unexplained, 100 * unexplained_share,
+             f.stability.beyond_reference, f.stability.threshold)},
          swept, median, worst}};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/stability.hpp"
 
+#include "model/interval_length.hpp"
 #include "verify/evaluator.hpp"
 #include "verify/stability_reference.hpp"
 #include "verify/ulp.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::size_t listed_points = 5; // the worst of each output
 constexpr double compared_share = 0.1;   // with fewer points in numbers there is no verdict
+constexpr double covered_share = 0.5;    // of the decades of an input: with fewer there is none either
 constexpr std::array<double, 6> shares_of_interval{0, 1e-9, 0.1, 1.0 / 3, 0.7, 1};
 
 bool is_beyond_double(const SymbolicPoint& exact) {
@@ -57,19 +59,54 @@ public:
             std::nth_element(ulps_[k].begin(), middle, ulps_[k].end());
             result_.median.emplace_back(program_.outputs[k].name, *middle);
         }
-        result_.verdict = verdict();
+        const Ruling found = ruling();
+        result_.verdict = found.verdict;
+        result_.rule = found.rule;
     }
 
 private:
-    [[nodiscard]] Verdict verdict() const {
-        const auto cases = static_cast<double>(result_.cases);
-        const bool wrong = std::any_of(result_.worst.begin(), result_.worst.end(),
-                                       [&](const WorstPoint& w) { return w.is_wrong(result_.threshold); });
-        if (wrong || static_cast<double>(result_.unexplained) > unexplained_share * cases)
-            return Verdict::fail;
-        const bool seen = static_cast<double>(result_.compared) >= compared_share * cases &&
-                          result_.compared >= result_.beyond_reference;
-        return seen ? Verdict::pass : Verdict::undecided;
+    struct Ruling {
+        Verdict verdict;
+        std::string rule; // with its numbers
+    };
+
+    [[nodiscard]] Ruling ruling() const {
+        const Stability& s = result_;
+        for (const WorstPoint& w : s.worst)
+            if (w.is_wrong(s.threshold))
+                return {
+                    Verdict::fail,
+                    fmt::format("no error is above {:g} ulp times 1 + what a last bit of the inputs does: "
+                                "{} is off by {:.3g} ulp, where that is {:.3g}",
+                                s.threshold, w.output, w.ulp, w.unavoidable)};
+        const auto cases = static_cast<double>(s.cases);
+        if (static_cast<double>(s.unexplained) > unexplained_share * cases)
+            return {Verdict::fail,
+                    fmt::format(
+                        "at most {:.0f} % of the points have a status without an explanation: {} of {} do",
+                        100 * unexplained_share, s.unexplained, s.cases)};
+        if (!(static_cast<double>(s.compared) >= compared_share * cases))
+            return {Verdict::undecided,
+                    fmt::format("{:.0f} % of the points are compared or more: {} of {} are",
+                                100 * compared_share, s.compared, s.cases)};
+        if (s.compared < s.beyond_reference)
+            return {Verdict::undecided,
+                    fmt::format("no more points lie beyond the reference than are compared: {} and {}",
+                                s.beyond_reference, s.compared)};
+        return coverage();
+    }
+
+    [[nodiscard]] Ruling coverage() const {
+        for (std::size_t i = 0; i < result_.inputs.size(); ++i) {
+            const double all = decades(result_.inputs[i]), here = decades(result_.swept[i]);
+            if (here < covered_share * all)
+                return {
+                    Verdict::undecided,
+                    fmt::format("every input is driven over half of its decades or more: {} over {:.1f} of "
+                                "{:.1f} (more --points)",
+                                result_.inputs[i].name, here, all)};
+        }
+        return {Verdict::pass, ""};
     }
 
     void compare(Status status, const std::vector<double>& values, StabilityReference::From& from,
@@ -77,7 +114,11 @@ private:
         ++result_.cases;
         const SymbolicPoint& exact = from.at(t);
         const bool known = exact.status != Status::outside_interval;
-        if (!known) ++result_.beyond_reference;
+        if (!known) {
+            ++result_.beyond_reference;
+            return;
+        }
+        add(at, result_.swept);
         if (exact.status == Status::ok) see(exact.scales);
         if (status != Status::ok) {
             ++result_.refused;
@@ -85,7 +126,6 @@ private:
             if (!explains(status, exact, from, t)) ++result_.unexplained;
             return;
         }
-        if (!known) return;
         ++result_.compared;
         const bool numbers = exact.status == Status::ok;
         std::vector<double> ulp(values.size(), std::numeric_limits<double>::infinity());
@@ -97,8 +137,11 @@ private:
         for (std::size_t k = 0; k < values.size(); ++k) record(k, ulp[k], unavoidable[k], at, t);
     }
 
+    // Every input lies within its declared range: none of them can be a bad argument.
     bool explains(Status status, const SymbolicPoint& exact, StabilityReference::From& from, double t) const {
+        if (status == Status::bad_argument) return false;
         if (exact.status != Status::ok || is_beyond_double(exact)) return true;
+        if (status == Status::outside_interval && from.loses_phase(t)) return true;
         if (status == Status::low_precision && from.has_large_phase(t)) return true;
         return std::isinf(from.unavoidable(t, largest_).front());
     }
@@ -146,6 +189,7 @@ bool WorstPoint::is_wrong(double threshold) const {
 
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
+    if (!scene.verify.eps.empty()) (void)bounded_interval_length(scene, scene.verify.eps.back());
     const Program program = build_program(solution, scene, {false, false});
     Stability result;
     result.system = program.system;
@@ -154,6 +198,7 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
     result.threshold = scene.verify.ulp;
     result.reason = scene.verify.ulp_reason;
     result.inputs = swept_inputs(program, *scene.system);
+    result.swept = nothing_swept(result.inputs);
     const StabilityReference reference(program, solution, scene);
     Sweep sweep(program, EvaluatorLibrary::build(program, options.cache, options.progress), reference,
                 solution.flow != nullptr, result);

@@ -29,14 +29,16 @@ struct Stability {
     std::uint64_t seed = 0;
     double threshold = default_ulp; // of the scene
     std::string reason;             // why it is more than the default
-    std::vector<SweptInput> inputs;
+    std::vector<SweptInput> inputs; // how far each is to be driven
+    std::vector<SweptInput> swept;  // how far it was, at points that the exact solution is followed to
     Verdict verdict = Verdict::undecided;
-    std::size_t cases = 0;
-    std::size_t compared = 0;                      // numbers beside numbers
-    std::size_t refused = 0;                       // the evaluator answered with a status
+    std::string rule;                 // that failed or is left open, with its numbers; empty at a pass
+    std::size_t cases = 0;            // each is one of the next three
+    std::size_t compared = 0;         // numbers beside numbers
+    std::size_t refused = 0;          // the evaluator answered with a status
+    std::size_t beyond_reference = 0; // the exact solution is not followed so far
     std::map<std::string, std::size_t> refused_by; // status -> how many
-    std::size_t unexplained = 0;                   // of them: the exact solution has moderate numbers there
-    std::size_t beyond_reference = 0;              // the exact solution is not followed so far
+    std::size_t unexplained = 0;                   // of `refused`: the exact solution has moderate numbers
     std::vector<WorstPoint> worst;                 // of each output five: what is wrong, then the largest
     std::vector<std::pair<std::string, double>> median; // per output, in ulp
 };
@@ -52,7 +54,8 @@ constexpr double unexplained_share = 0.1; // with more of the points there is so
 // a threshold (1 + unavoidable) is exceeded, or more than a tenth of the points have a status that nothing
 // explains: neither the exact solution (the declared domain, a radicand, a divisor, a start to which the map
 // does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth
-// of them are compared, or fewer than lie beyond the reference.
+// of them are compared, or fewer than lie beyond the reference, or an input was driven over less than half
+// of its decades. Errors: those of bounded_interval_length at the smallest eps of the ladder.
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options);
 
 std::string to_text(const Stability& stability);

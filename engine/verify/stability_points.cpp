@@ -140,6 +140,36 @@ std::vector<SweptInput> swept_inputs(const Program& program, const System& syste
     return inputs;
 }
 
+double decades(const SweptInput& input) {
+    return input.high > input.low ? std::log10(input.high / input.low) : 0;
+}
+
+std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs) {
+    for (SweptInput& input : inputs) {
+        input.low = std::numeric_limits<double>::infinity();
+        input.high = 0;
+        input.negative = input.zero = false;
+    }
+    return inputs;
+}
+
+void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
+    Inputs values{point.eps};
+    values.insert(values.end(), point.parameters.begin(), point.parameters.end());
+    values.insert(values.end(), point.start.begin(), point.start.end());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        SweptInput& input = swept[i];
+        if (values[i] == 0) {
+            input.zero = true;
+            continue;
+        }
+        const double size = std::abs(values[i]) / std::pow(point.eps, input.weight);
+        input.low = std::min(input.low, size);
+        input.high = std::max(input.high, size);
+        if (values[i] < 0) input.negative = true;
+    }
+}
+
 std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t count,
                                      std::uint64_t seed, const Inside& inside) {
     Draws draws(program, system, seed, inside);

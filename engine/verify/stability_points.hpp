@@ -20,6 +20,9 @@ struct SweptInput {
     int weight = 0;        // of a start value
 };
 
+// log10(high/low), 0 where nothing but 0 was tried.
+double decades(const SweptInput& input);
+
 // In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
 // they are declared positive), start values eps^weight * (1e-3 ... 1e3).
 std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
@@ -30,6 +33,10 @@ struct SweepPoint {
 
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
+
+// What a point adds to what was swept. `swept`: swept_inputs(...) emptied by nothing_swept.
+std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);
+void add(const SweepPoint& point, std::vector<SweptInput>& swept);
 
 // The scene's own, then points of which every other one has one input at a corner, with the rest as in the
 // scene, and all inputs are drawn in the others: log-uniform, each at a corner with probability 0.4; in every

@@ -23,7 +23,8 @@ std::vector<GiNaC::ex> values_of_starts(const Scene& scene) {
 } // namespace
 
 StabilityReference::StabilityReference(const Program& program, const Solution& solution, const Scene& scene)
-    : program_(program), scene_(scene), start_(Tape::constants(*scene.system, values_of_starts(scene))),
+    : program_(program), scene_(scene), is_flow_(solution.flow != nullptr),
+      start_(Tape::constants(*scene.system, values_of_starts(scene))),
       solution_(std::make_shared<const SymbolicSolution>(solution, scene, false)),
       parameters_(parameter_values<Float128>(scene)) {}
 
@@ -72,6 +73,11 @@ bool StabilityReference::From::has_large_phase(double t) const {
     const std::vector<Wide> theta = exact_.phases(Wide(t));
     return std::any_of(theta.begin(), theta.end(),
                        [](const Wide& phase) { return abs(phase) * 16 * last_bit > Wide(1e-9); });
+}
+
+bool StabilityReference::From::loses_phase(double t) const {
+    const Wide end = std::min(inputs_.slow_time_end, exact_.tabulated()) / inputs_.eps;
+    return exact_.loses_phase(Wide(t), end, phase_resolution<double>(reference_.is_flow_));
 }
 
 std::vector<double> StabilityReference::From::unavoidable(double t, const std::vector<Wide>& scales) {

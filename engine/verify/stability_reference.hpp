@@ -28,6 +28,8 @@ public:
         [[nodiscard]] const SymbolicPoint& at(double t);
         // 16 ulp of a phase at t are more than the 10^-9 radians that evaluators answer for.
         [[nodiscard]] bool has_large_phase(double t) const;
+        // Emitted code in double has no phase at t, or ends within this eighth of the interval.
+        [[nodiscard]] bool loses_phase(double t) const;
         // What a change of every input but t by its last bit does to each output at t, with the phases as
         // they are, in ulp of `scales`, added up: no code that takes its inputs in double could be asked for
         // less. Infinite where the status is another one for a start that close, or within 4 ulp of t.
@@ -45,6 +47,7 @@ private:
 
     const Program& program_;
     const Scene& scene_;
+    bool is_flow_;
     Tape start_; // of the scene
     std::shared_ptr<const SymbolicSolution> solution_;
     std::vector<Float128> parameters_; // of the scene

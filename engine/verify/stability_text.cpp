@@ -3,19 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace resonform {
 
 namespace {
 
-std::string line_of(const SweptInput& input) {
-    std::string text = fmt::format("  {:<12} {}{:g} ... {:g}", input.name, input.negative ? "+-" : "",
-                                   input.low, input.high);
-    if (input.zero) text += " and 0";
+// What was swept, of what was to be.
+std::string line_of(const SweptInput& input, const SweptInput& whole) {
+    std::string text = fmt::format("  {:<12} ", input.name);
+    if (input.high > 0)
+        text += fmt::format("{}{:g} ... {:g}", input.negative ? "+-" : "", input.low, input.high);
+    if (input.zero) text += input.high > 0 ? " and 0" : "0";
+    if (!input.zero && input.high == 0) text += "nothing";
     if (input.weight == 1) text += ", times eps";
     if (input.weight > 1) text += fmt::format(", times eps^{}", input.weight);
-    return text + fmt::format(" ({:.0f} decades)\n", std::log10(input.high / input.low));
+    return text + fmt::format(" ({:.0f} of {:.0f} decades)\n", decades(input), decades(whole));
 }
 
 } // namespace
@@ -29,7 +30,9 @@ std::string to_text(const Stability& s) {
     for (const auto& [status, count] : s.refused_by) text += fmt::format(", {} {}", count, status);
     text += fmt::format("; {} without an explanation (at most {:.0f} %), {} beyond the reference\n",
                         s.unexplained, 100 * unexplained_share, s.beyond_reference);
-    for (const SweptInput& input : s.inputs) text += line_of(input);
+    if (!s.rule.empty()) text += fmt::format("  {}: {}\n", to_string(s.verdict), s.rule);
+    text += "  swept, as far as the reference goes:\n";
+    for (std::size_t i = 0; i < s.inputs.size(); ++i) text += line_of(s.swept[i], s.inputs[i]);
     for (const auto& [name, ulp] : s.median) text += fmt::format("  {:<8} median {:.2g} ulp\n", name, ulp);
     for (const WorstPoint& w : s.worst) {
         text += fmt::format("  {:<8} {:>9.3g} ulp", w.output, w.ulp);

@@ -3,6 +3,7 @@
 
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
+#include "runtime/phase.hpp"
 #include "verify/symbolic_integral.hpp"
 
 #include <algorithm>
@@ -341,6 +342,13 @@ SymbolicPoint SymbolicEvaluator::with_phases(const Wide& t, const std::vector<Wi
     return impl_->call(t, &theta);
 }
 Status SymbolicEvaluator::construction_status() const { return impl_->status; }
+bool SymbolicEvaluator::loses_phase(const Wide& t, const Wide& end, const Wide& resolution) const {
+    const Wide later = std::min(Wide(t + end / 8), end);
+    const std::vector<Wide> theta = phases(later);
+    return std::any_of(theta.begin(), theta.end(),
+                       [&](const Wide& phase) { return 2 * abs(phase) * resolution > Wide(known_radians); });
+}
+
 const Wide& SymbolicEvaluator::tabulated() const { return impl_->tabulated; }
 
 } // namespace resonform

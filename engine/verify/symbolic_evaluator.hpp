@@ -36,6 +36,9 @@ public:
     // The phases theta at t, and what the outputs are with other phases in their place.
     [[nodiscard]] std::vector<Wide> phases(const Wide& t) const;
     [[nodiscard]] SymbolicPoint with_phases(const Wide& t, const std::vector<Wide>& theta) const;
+    // Before `end`, within an eighth of it behind t, a phase is so large that arithmetic of this resolution
+    // does not know it to known_radians: there emitted code, which keeps phases in pieces, ends.
+    [[nodiscard]] bool loses_phase(const Wide& t, const Wide& end, const Wide& resolution) const;
     // The slow time up to which the solution is known, and whether that is less than was asked for.
     [[nodiscard]] Status construction_status() const;
     // The slow time that the tables cover: beyond, a status may say that there are no numbers, or none found.

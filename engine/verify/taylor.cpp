@@ -110,8 +110,9 @@ void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, std::siz
         }
         if (is_too_far(++result.steps, most_steps, to_double_value(end), to_double_value(times.back()))) {
             result.too_far = true;
-            result.failure = fmt::format("{} steps lead to t = {:.3g} of {:.3g} only", result.steps,
-                                         to_double_value(end), to_double_value(times.back()));
+            result.failure =
+                fmt::format("it takes more than {} steps: the first {} lead to t = {:.3g} of {:.3g} only",
+                            most_steps, result.steps, to_double_value(end), to_double_value(times.back()));
             return;
         }
         for (; next < times.size() && times[next] <= end; ++next)

@@ -2,6 +2,7 @@
 #include "verify/trial.hpp"
 
 #include "algebra/error.hpp"
+#include "model/interval_length.hpp"
 #include "verify/cache.hpp"
 #include "verify/interpreter.hpp"
 #include "verify/scene_values.hpp"
@@ -22,7 +23,6 @@ constexpr int check_order = 30;
 constexpr std::size_t check_points = 1000;
 constexpr double scout_tolerance = 1e-15; // steps of a double run: about six in a period
 constexpr std::size_t points_per_step = 8;
-constexpr double longest_interval = 1e200; // its square and more are still numbers
 constexpr std::size_t least_points = 2000, most_points = 200'000;
 
 std::vector<Float128> required_values(const Scene& scene) {
@@ -65,15 +65,6 @@ bool unpack(const std::string& bytes, std::size_t outputs, std::size_t points, R
     return true;
 }
 
-[[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure, const Place& place) {
-    refuse(Reason::integration,
-           {"direct integration reaches the end of the interval",
-            fmt::format("interval = {:g} at eps = {}{}{}", at.interval, to_string(at.eps),
-                        failure.empty() ? "" : ": ", failure),
-            fmt::format("shorten verify.interval or leave eps = {} out of the ladder", to_string(at.eps)),
-            place});
-}
-
 Place place_of_interval(const Scene& scene) {
     if (scene.verify.interval_source) return place_of(*scene.verify.interval_source);
     return {scene.file.string(), 0, 0, "verify.interval", ""};
@@ -81,9 +72,21 @@ Place place_of_interval(const Scene& scene) {
 
 } // namespace
 
+void Trial::refuse_interval(const TrialPoint& at, const std::string& failure) const {
+    refuse(Reason::integration,
+           {"direct integration reaches the end of the interval",
+            fmt::format("interval = {:g} at eps = {}: {}", at.interval, to_string(at.eps), failure),
+            "shorten verify.interval or " + without(at.eps), interval_place_});
+}
+
+std::string Trial::without(const Rational& eps) const {
+    if (eps_from_ == EpsFrom::command_line) return "take a larger --eps";
+    return fmt::format("leave eps = {} out of the ladder", to_string(eps));
+}
+
 Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene, const Solution& solution,
-             const VerifyOptions& options)
-    : system_(std::move(system)), options_(options),
+             const VerifyOptions& options, EpsFrom eps_from)
+    : system_(std::move(system)), scene_(scene), options_(options), eps_from_(eps_from),
       program_(std::make_shared<const Program>(build_program(solution, scene, {true, true}))),
       tape_(Tape::rates(*system_)), start_tape_(Tape::constants(*system_->system, {scene.verify.interval})),
       parameters_(required_values(scene)), domain_(*system_, scene),
@@ -121,24 +124,13 @@ TrialPoint Trial::point(const Rational& eps) const {
     at.eps = eps;
     at.eps_value = from_rational<Float128>(eps);
     at.parameters = parameters_;
+    (void)bounded_interval_length(scene_, eps);
     const std::vector<Float128> given = evaluate_constants(start_tape_, at.parameters, at.eps_value);
     at.interval = to_double_value(given[0]);
     at.slow_time_end = at.eps_value * Float128(at.interval) * Float128(1 + 0x1p-40);
-    if (!(at.interval > 0 && at.interval <= longest_interval)) refuse_interval(at, "", interval_place_);
     at.start.assign(system_->states.size(), Float128(0));
 
-    std::vector<Float128> state(program_->state.size());
-    TrialPoint beginning = at; // tables of the whole interval may be costly, and t = 0 needs none
-    beginning.slow_time_end = std::min(at.slow_time_end, at.eps_value);
-    const Status status = state.empty() // everything is given
-                              ? Status::ok
-                              : evaluator<Float128>(beginning).state(Float128(0), state.data());
-    if (status != Status::ok)
-        refuse(Reason::integration,
-               {"the formula answers at t = 0",
-                to_string(status),
-                fmt::format("change the start values or leave eps = {} out of the ladder", to_string(eps)),
-                {interval_place_.file, 0, 0, "start", ""}});
+    const std::vector<Float128> state = state_at_start(at);
     for (std::size_t k = 0; k < state.size(); ++k)
         at.start[static_cast<std::size_t>(&system_->state(program_->state[k].name) -
                                           system_->states.data())] = state[k];
@@ -146,12 +138,28 @@ TrialPoint Trial::point(const Rational& eps) const {
     return at;
 }
 
+// What the scene does not give.
+std::vector<Float128> Trial::state_at_start(const TrialPoint& at) const {
+    std::vector<Float128> state(program_->state.size());
+    if (state.empty()) return state;
+    TrialPoint beginning = at; // tables of the whole interval may be costly, and t = 0 needs none
+    beginning.slow_time_end = std::min(at.slow_time_end, at.eps_value);
+    const Evaluator<Float128> formula = evaluator<Float128>(beginning);
+    if (const Status status = formula.state(Float128(0), state.data()); status != Status::ok)
+        refuse(Reason::integration,
+               {"the formula answers at t = 0",
+                fmt::format("{} at eps = {}", told(status, formula.why(status)), to_string(at.eps)),
+                "change the start values or " + without(at.eps),
+                {interval_place_.file, 0, 0, "start", ""}});
+    return state;
+}
+
 std::optional<std::size_t> Trial::steps(const TrialPoint& at, std::size_t most) const {
     const auto run =
         integrate_taylor<double>(tape_, convert_all<double>(at.parameters), to_double_value(at.eps_value),
                                  convert_all<double>(at.start), {at.interval}, scout_tolerance, 0, most);
     if (run.too_far) return std::nullopt;
-    if (!run.failure.empty()) refuse_interval(at, run.failure, interval_place_);
+    if (!run.failure.empty()) refuse_interval(at, run.failure);
     return run.steps;
 }
 
@@ -194,7 +202,7 @@ Reference Trial::reference(const TrialPoint& at, std::vector<double> times) cons
     };
     auto coarse = std::async(std::launch::async, [&] { return run(check_tolerance, check_order, stride); });
     const Integration<DoubleDouble> fine = run(reference_tolerance, 0, 1), check = coarse.get();
-    if (!fine.failure.empty()) refuse_interval(at, fine.failure, interval_place_);
+    if (!fine.failure.empty()) refuse_interval(at, fine.failure);
     for (const std::size_t s : output_states_) {
         double error = 0;
         for (std::size_t i = 0; i < points; i += stride)

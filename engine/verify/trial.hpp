@@ -32,20 +32,23 @@ struct Reference {
     std::vector<double> error;                     // of each output: a second run, coarser, differs by this
 };
 
+// Where a user leaves an eps out.
+enum class EpsFrom { ladder, command_line };
+
 class Trial {
 public:
-    // Errors: bad_input, a parameter without a value, a motion that leaves the declared domain; those of
-    // Tape and EvaluatorLibrary.
+    // The scene must outlive it. Errors: bad_input, a parameter without a value, a motion that leaves the
+    // declared domain; those of Tape and EvaluatorLibrary.
     Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene, const Solution& solution,
-          const VerifyOptions& options);
+          const VerifyOptions& options, EpsFrom eps_from = EpsFrom::ladder);
 
     [[nodiscard]] const std::shared_ptr<const Program>& program() const { return program_; }
     [[nodiscard]] const Tape& tape() const { return tape_; }
     [[nodiscard]] const std::vector<std::size_t>& output_states() const { return output_states_; }
 
     // The start is the formula itself at t = 0, all weights of the map kept; where the scene gives
-    // physical start values, it is those. Errors: refused, the evaluator answers no start, or no
-    // interval that can be integrated.
+    // physical start values, it is those. Errors: refused, the evaluator answers no start; those of
+    // bounded_interval_length.
     [[nodiscard]] TrialPoint point(const Rational& eps) const;
 
     // How many steps a run in double takes, about six in each period of the fastest motion; nullopt: more
@@ -61,10 +64,15 @@ public:
     template <class Real> [[nodiscard]] Evaluator<Real> evaluator(const TrialPoint& at) const;
 
 private:
+    [[nodiscard]] std::vector<Float128> state_at_start(const TrialPoint& at) const;
+    [[nodiscard]] std::string without(const Rational& eps) const;
+    [[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure) const;
     [[nodiscard]] std::string cache_key(const TrialPoint& at, const std::vector<double>& times) const;
 
     std::shared_ptr<const FirstOrderSystem> system_;
+    const Scene& scene_;
     VerifyOptions options_;
+    EpsFrom eps_from_;
     std::shared_ptr<const Program> program_;
     std::shared_ptr<const EvaluatorLibrary> library_;
     Tape tape_, start_tape_; // start_tape_: the interval, then the given start values

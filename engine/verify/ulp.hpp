@@ -25,4 +25,11 @@ template <class Real> std::array<Wide, 2> times_at_edge(const Real& t) {
     return {Wide(t) + step, Wide(t) - step};
 }
 
+// The relative precision of a phase in emitted code: that of two Reals, or of one where its rate is
+// tabulated.
+template <class Real> Wide phase_resolution(bool is_flow) {
+    const Wide one = std::numeric_limits<Real>::epsilon();
+    return is_flow ? one : Wide(4 * one * one);
+}
+
 } // namespace resonform

@@ -125,7 +125,10 @@ public:
         row.seconds = measure([&] { evaluator.batch(work.times, rows, status); });
         const auto bad = std::find_if(status.begin(), status.end(),
                                       [](unsigned char s) { return static_cast<Status>(s) != Status::ok; });
-        if (bad != status.end()) row.failure = to_string(static_cast<Status>(*bad));
+        if (bad != status.end()) {
+            const auto refused = static_cast<Status>(*bad);
+            row.failure = told(refused, evaluator.why(refused));
+        }
         judge(row, work, values);
         return row;
     }
@@ -248,7 +251,7 @@ std::vector<BreakEven> compare_at(const Comparer& comparer, const std::vector<Em
 Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
                    const Solution& solution, const CompareOptions& options) {
     const Tape rates = fixed_rates(*system, scene);
-    const Trial trial(std::move(system), scene, solution, options);
+    const Trial trial(std::move(system), scene, solution, options, EpsFrom::command_line);
     Comparison result;
     result.system = trial.program()->system;
     result.scene = scene.name;

@@ -37,13 +37,43 @@ TEST_F(StabilityCommand, PassesAndSaysWhatItSwept) {
     for (const char* part :
          {"edge / s: pass, double against 50 digits, threshold 16 ulp of the output's scale\n",
           "  60 points (seed 2), ", "; 0 without an explanation (at most 10 %)",
-          "  a            1e-12 ... 1e+12 (24 decades)\n",
-          "  tau_0        +-0.001 ... 1000 and 0 (6 decades)\n"})
+          "  a            1e-12 ... 1e+12 (24 of 24 decades)\n", " and 0 (6 of 6 decades)\n"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
     EXPECT_EQ(json(0, "--seed 3")["seed"], 3);
     EXPECT_EQ(json(0, "--seed 3")["worst"], json(0, "--seed 3")["worst"]);
     EXPECT_NE(json(0, "--seed 3")["worst"], json(0)["worst"]);
-    EXPECT_EQ(said("stability systems/edge/scenes/s.toml --points 7 --format json").code, 0);
+}
+
+TEST_F(StabilityCommand, WhatWasHardlySweptIsNotPassed) {
+    const Outcome one = said("stability systems/edge/scenes/s.toml --points 1");
+    EXPECT_EQ(one.code, 1);
+    for (const char* part :
+         {"edge / s: undecided, ", "  1 points (seed 2), 1 compared, 0 refused; ",
+          "  undecided: every input is driven over half of its decades or more: eps over 0.0 of 11.7 (more "
+          "--points)\n",
+          "  a            2 ... 2 (0 of 24 decades)\n", "  tau_0        0 (0 of 6 decades)\n"})
+        EXPECT_NE(one.out.find(part), std::string::npos) << part << "\n" << one.out;
+    const nlohmann::json whole = json(0);
+    EXPECT_EQ(whole["rule"], nullptr);
+    EXPECT_EQ(whole["swept"]["a"], nlohmann::json({1e-12, 1e12}));
+    EXPECT_EQ(whole["compared"].get<int>() + whole["refused"].get<int>() +
+                  whole["beyond_reference"].get<int>(),
+              whole["cases"].get<int>());
+}
+
+// No input of the sweep lies outside of what the file declares.
+TEST_F(StabilityCommand, NothingExplainsABadArgument) {
+    const OtherCompiler liar(editing_compiler(
+        scratch_.path() / "liar.sh",
+        "if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;",
+        "return {Status::bad_argument, \"eps\"};"));
+    const nlohmann::json found = json(1);
+    EXPECT_EQ(found["verdict"], "fail");
+    EXPECT_EQ(found["refused_by"]["bad_argument"], found["refused"]);
+    EXPECT_EQ(found["unexplained"], found["refused"]);
+    EXPECT_EQ(found["rule"].get<std::string>().find("at most 10 % of the points have a status without an "),
+              0U)
+        << found["rule"];
 }
 
 // Of the amplitude, by 10^-12 of itself.
@@ -54,6 +84,8 @@ TEST_F(StabilityCommand, AWrongNumberIsAFailure) {
     EXPECT_EQ(found["verdict"], "fail");
     EXPECT_EQ(found["unexplained"], 0);
     EXPECT_GT(found["worst"][0]["ulp"], 100);
+    EXPECT_EQ(found["rule"].get<std::string>().find("no error is above 16 ulp times 1 + "), 0U)
+        << found["rule"];
 }
 
 // e^(-600): a last bit of eps makes an exponent of 600 differ by 600 ulp of the result.

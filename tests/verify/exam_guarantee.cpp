@@ -155,6 +155,35 @@ TEST_F(OwnSystem, ALongerIntervalGuaranteesLess) {
     EXPECT_TRUE(longer.refuted);
 }
 
+// exp(1e-3/eps) is 1.0 at every eps of a ladder, and beyond every power at smaller ones.
+TEST_F(OwnSystem, NoCountWhereTheIntervalOutgrowsEveryPower) {
+    const auto of = [&](const std::string& interval) {
+        return guarantee(
+            scene("[variables]\nx = { role = \"fast\" }\n[equations]\nx = \"x'' + x + x^3 = 0\"\n",
+                  "order = 3\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\neps = [0.2, 0.1]\n"
+                  "interval = \"" +
+                      interval + "\"\n"),
+            "x", 4);
+    };
+    for (const char* interval : {"exp(1e-3/eps)/eps", "exp(1e-30/eps)", "exp(1/eps)", "exp(1/eps^2)",
+                                 "exp(exp(1e-2/eps))", "exp(log(1/eps)^2)", "1/eps + 1e-99*exp(1e-9/eps)"}) {
+        const Guarantee found = of(interval);
+        EXPECT_FALSE(found.order) << interval;
+        EXPECT_EQ(found.reason,
+                  std::string("no order is guaranteed on this interval: the interval stays below a "
+                              "power of 1/eps (interval = ") +
+                      interval + ")");
+    }
+    EXPECT_EQ(of("1/eps^40").reason,
+              "no order is guaranteed on this interval: order 0 asks for no more weights "
+              "than were derived (truncation = 4, over eps^-40 order 0 asks for 78)");
+    EXPECT_FALSE(of("1/eps^200").order);
+    for (const char* interval : {"5/eps", "1/eps + 1e9", "1e-9/eps", "exp(-1/eps)", "1/(eps*log(1/eps))",
+                                 "1/sin(eps)", "1/eps^(1/2)", "7"})
+        EXPECT_EQ(of(interval).order, 4) << interval;
+    EXPECT_EQ(of("log(1/eps)/eps").order, 3) << "as 1/eps^2";
+}
+
 // What is found out weight by weight never says less than the count: of every scene, a claim one above.
 TEST(Guarantee, TheCountOfEveryShippedSceneHolds) {
     for (const char* name :

@@ -143,7 +143,7 @@ TEST(Judge, UndecidedSaysWhy) {
 
     const OutputVerdict refused = ladder([](double) { return std::numeric_limits<double>::infinity(); }, 4);
     EXPECT_EQ(refused.verdict, Verdict::undecided);
-    EXPECT_EQ(refused.reason, "the evaluator refuses points of the interval: no error to judge");
+    EXPECT_EQ(refused.reason, "the evaluator refuses points of the interval at eps = 0.2: no error to judge");
 }
 
 // Every rung lies below 100 times the noise, yet the noise is as large as what the claim forbids.

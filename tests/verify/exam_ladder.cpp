@@ -88,7 +88,7 @@ TEST(Ladder, RefusesAParameterWithoutValue) {
 TEST(Ladder, IntervalsThatTakeHoursEndItAtOnce) {
     test::SceneLine line = test::pendulum("xy_only");
     test::shorten_ladder(line.scene);
-    for (const int power : {9, 30}) {
+    for (const int power : {9, 300}) {
         line.scene.verify.interval = GiNaC::pow(GiNaC::numeric(10), power);
         const Verification v = test::verified(line);
         ASSERT_TRUE(v.conditions.ladder_end);
@@ -98,16 +98,6 @@ TEST(Ladder, IntervalsThatTakeHoursEndItAtOnce) {
             EXPECT_EQ(o.reason, "the ladder has 0 rungs, 3 are needed");
         }
         EXPECT_EQ(to_json(v).dump().find("nan"), std::string::npos);
-    }
-    line.scene.verify.interval = GiNaC::pow(GiNaC::numeric(10), 300);
-    try {
-        test::verified(line);
-        FAIL() << "accepted";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
-        EXPECT_EQ(error.diagnostic().rule, "direct integration reaches the end of the interval");
-        EXPECT_EQ(error.diagnostic().value, "interval = 1e+300 at eps = 1/50");
-        EXPECT_EQ(error.diagnostic().mend, "shorten verify.interval or leave eps = 1/50 out of the ladder");
     }
 }
 
