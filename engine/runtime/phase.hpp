@@ -29,8 +29,8 @@ public:
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
     // Real only (it contains tables). Status as fit_panels, or outside_interval: the phase gets so large that
-    // it is not known to known_radians. If it is not ok, `end` is drawn back to where the phase is known, 0 if
-    // nowhere.
+    // it is not known to known_radians. If it is not ok, `end` is drawn back to where the phase is known, 0
+    // if nowhere.
     template <class Rate>
     Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
         eps_ = eps;
