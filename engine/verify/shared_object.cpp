@@ -97,11 +97,12 @@ void compile(const fs::path& source, const fs::path& object) {
                               shell_quoted(engine_folder()), shell_quoted(source), shell_quoted(draft)),
                   {draft});
     std::error_code failed, ignored;
-    if (result == 0)
+    const bool made = result == 0 && fs::exists(draft, ignored);
+    if (made)
         fs::rename(draft, object, failed);
     else
         failed = room_beside(object); // the compiler had none either
-    if (result == 0 && !failed) return;
+    if (made && !failed) return;
     fs::remove(draft, ignored);
     if (failed) cache_not_writable(object, failed);
     if (WIFEXITED(result) && WEXITSTATUS(result) == 127)

@@ -48,18 +48,22 @@ public:
     [[nodiscard]] Inputs of_scene() const { return defaults(program_, default_eps); }
 
     Inputs one_corner() {
-        const std::size_t i = below(inputs_.size());
-        if (i == 0) return defaults(program_, corner(inputs_.front(), default_eps));
+        const std::size_t round = corners_ / (2 * inputs_.size());
+        const std::size_t i = corners_ / 2 % inputs_.size(), which = 2 * round + corners_ % 2;
+        ++corners_;
+        const double value = corner(inputs_[i], default_eps, which % corners_of(inputs_[i]));
+        if (i == 0) return defaults(program_, value);
         Inputs inputs = of_scene();
-        inputs[i] = corner(inputs_[i], default_eps);
+        inputs[i] = value;
         return inputs;
     }
 
     Inputs all() {
         Inputs inputs(inputs_.size());
         for (std::size_t i = 0; i < inputs_.size(); ++i)
-            inputs[i] = uniform() < corner_probability ? corner(inputs_[i], inputs.front())
-                                                       : anywhere(inputs_[i], inputs.front());
+            inputs[i] = uniform() < corner_probability
+                            ? corner(inputs_[i], inputs.front(), below(corners_of(inputs_[i])))
+                            : anywhere(inputs_[i], inputs.front());
         return inputs;
     }
 
@@ -97,10 +101,10 @@ private:
         const bool turned = input.negative && uniform() < 0.5;
         return (turned ? -1 : 1) * size * std::pow(eps, input.weight);
     }
-    double corner(const SweptInput& input, double eps) {
-        const std::size_t which = below(input.zero ? 4 : 3);
+    static std::size_t corners_of(const SweptInput& input) { return input.zero ? 4 : 3; }
+    double corner(const SweptInput& input, double eps, std::size_t which) {
         if (which == 3) return 0;
-        return signed_value(input, eps, which == 0 ? input.low : which == 1 ? middle(input) : input.high);
+        return signed_value(input, eps, which == 0 ? input.high : which == 1 ? input.low : middle(input));
     }
     double anywhere(const SweptInput& input, double eps) {
         return signed_value(input, eps, input.low * std::pow(input.high / input.low, uniform()));
@@ -110,6 +114,7 @@ private:
     const Program& program_;
     std::vector<SweptInput> inputs_;
     std::mt19937_64 random_;
+    std::size_t corners_ = 0; // drawn so far
     const Inside& inside_;
 };
 
