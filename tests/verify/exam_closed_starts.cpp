@@ -147,6 +147,25 @@ TEST_F(ClosedFrom, ALogarithmKeepsItsDigitsAtTheStart) {
     EXPECT_NEAR(found.x, 1, 1e-14);
 }
 
+// Near the end of the domain the constants of the start hold high powers of 2 + tau: written out, 8 + 12 tau
+// +
+// ..., they lost 11 digits at 2 + tau = 1/1000, and the start was refused at 1/2000.
+TEST_F(ClosedFrom, NearTheEndOfTheDomainTheStartKeepsItsDigits) {
+    const auto damped = [&](const std::string& tau) {
+        return answer("[parameters]\nk = {}\n[variables]\nx = { role = \"fast\" }\n"
+                      "tau = { role = \"slow\" }\n[domain]\npositive = [\"2 + tau\"]\n[equations]\n"
+                      "x = \"x'' + 2*eps*k*x' + (2 + tau)*x + x^2 - x^3 = 0\"\ntau = \"tau' = eps\"\n",
+                      "order = 3\n[fix]\nk = \"1/3\"\n[start]\nx = \"eps\"\n\"x'\" = 0\ntau = \"" + tau +
+                          "\"\n",
+                      1e-12);
+    };
+    for (const char* tau : {"-19/10", "-199/100", "-1999/1000", "-3999/2000"}) {
+        const Answer found = damped(tau);
+        EXPECT_EQ(found.status, Status::ok) << found.why;
+        EXPECT_NEAR(found.x, 1e-12, 1e-26) << tau;
+    }
+}
+
 // What was divided by a divisor that turns nothing within 1/eps cancels against its start value: in double
 // 0.02 came out for 0.01005, and 1e-30 made -1e40 of it.
 TEST_F(ClosedFrom, NothingIsDividedByADivisorThatTurnsNothing) {

@@ -86,6 +86,23 @@ TEST_F(FlowFrom, ADivisorTooSmallForEpsHasAStatus) {
     EXPECT_EQ(status(close, 1e-9), Status::ok);
 }
 
+// Damped by e^-37 and driven by as much: x'' - 2*eps*300*(tau - 1/2)*x' + x + x^3 = 0 ends where it began,
+// but for the phase, which the amplitude e^(-150 tau (1 - tau)) of x moves by 3/8 eps times the integral of
+// its square.
+TEST_F(FlowFrom, AnAmplitudeThatFallsAndRisesAgain) {
+    const auto motion = program(
+        "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
+        "[equations]\nx = \"x'' - 2*eps*300*(tau - 1/2)*x' + x + x^3 = 0\"\ny = \"y'' + 2*y + x^2 = 0\"\n"
+        "tau = \"tau' = eps\"\n",
+        "order = 1\ntime_scale = 1\noutputs = [\"x\"]\n[start]\nx = \"eps\"\n\"x'\" = 0\ny = 0\n"
+        "\"y'\" = 0\ntau = 0\n");
+    for (const double eps : {1e-4, 1e-6})
+        EXPECT_NEAR(values(motion, eps, 1 / eps)[0], eps * std::cos(1 / eps), 4e-2 * eps) << eps;
+    const double dip = values(motion, 1e-4, 5000)[0];
+    EXPECT_LT(std::abs(dip), 1e-20);
+    EXPECT_GT(std::abs(dip), 1e-22);
+}
+
 // 1 - 10003/10000 stands still between 1e-4 eps and eps: what is forced is many amplitudes, and so much the
 // more if the cubic term sees it; as long as it is small against eps nothing is wrong with it.
 TEST_F(FlowFrom, AForcedMotionOfManyAmplitudesHasAStatus) {
