@@ -44,7 +44,7 @@ void derive() {
                "|---|---|---|---|---|---|---|---|---|\n");
     for (const auto& [n, order] :
          {std::pair{2, 3}, {2, 5}, {2, 7}, {2, 9}, {3, 3}, {3, 5}, {3, 7}, {4, 5}, {4, 7}}) {
-        const double time = least_seconds([&] { Derivation({n}, order); });
+        const double time = least_seconds([n = n, order = order] { Derivation({n}, order); });
         const Derivation d({n}, order);
         const CoefficientGraph::Decisions& decisions = d.graph().decisions();
         fmt::print("| {} | {} | {} | {} | {} | {} | {:.4f} | {:.0f} | {:.0e} |\n", n, order, d.graph().size(),
