@@ -217,8 +217,8 @@ private:
     }
 
     // Values that were there and have fallen below the range of Real: their digits are gone, which matters
-    // where they would rise again. rise_of_lost_ is the exponent by which they
-    // have risen at most since they fell. False: the panel is too long to tell.
+    // where they would rise again. rise_of_lost_: the exponent by which they have risen at most since they
+    // fell. False: the panel is too long to tell.
     template <class Rates> bool resolves_lost(const Rates& rates, const Real& left, const Real& step) {
         std::vector<std::size_t> lost;
         bool more = false;
@@ -230,7 +230,7 @@ private:
             }
             if (seen_[k] == Seen::before) lost.push_back(k);
         }
-        if (more || lost.empty()) rise_of_lost_ = std::max(rise_of_lost_, Real(0));
+        if (more || lost.empty()) rise_of_lost_ = std::max(rise_of_lost_, Real(0)); // begins anew
         if (lost.empty()) return true;
         Real fastest = growth(rates, lost, 0, left, step);
         for (const std::size_t j : {n / 2, n - 1})
@@ -274,7 +274,7 @@ private:
         const bool first = panels.empty();
         panel.middle = first ? left : left + panel.half;
         for (std::size_t k = 0; k < values_.size(); ++k) {
-            if (seen_[k] == Seen::before) { // garbage would rise by itself
+            if (seen_[k] == Seen::before) { // what is left of its digits would grow like a value
                 values_[k] = CompensatedSum<Real>();
                 coefficients_[k].fill(Real(0));
             }
