@@ -2,6 +2,7 @@
 // Common factors of numerators and radicands, in rings whose forms are not canonical: A, s and k are
 // positive, so that no relation takes one of them away.
 #include "algebra/cancellation.hpp"
+#include "algebra/products.hpp"
 
 #include "rings.hpp"
 
@@ -122,6 +123,22 @@ TEST_F(Cancellation, WithinTheRing) {
     const Polynomial square = times(A - one, A - one);
     EXPECT_EQ(cancelled(*ring, times(square, gen(*ring, "sigma", -3))), gen(*ring, "sigma"));
     EXPECT_EQ(cancelled(*ring, times(a + b, gen(*ring, "E", -1))), times(a + b, gen(*ring, "E", -1)));
+}
+
+// (A - 1)^3 b^2 a + (A - 1)^2 2 b + A: beside each monomial in other generators as much as there is. D has
+// terms of one sign, and nothing is close to zero.
+TEST_F(Cancellation, RadicandsAreTakenApartWhereTheyComeCloseToZero) {
+    const Polynomial square = times(A - one, A - one), bb = times(b, b);
+    const Polynomial numerator =
+        times(times(square, A - one), times(bb, a)) + Rational(2) * times(square, b) + A;
+    const Polynomial apart = radicands_apart(*ring, numerator);
+    const Polynomial expected =
+        plain_product(ring->packing(), times(bb, a), Polynomial(power("sigma", 6), 1)) +
+        Rational(2) * plain_product(ring->packing(), b, Polynomial(power("sigma", 4), 1)) + A;
+    EXPECT_EQ(apart, expected);
+    const Polynomial d = times(k, k) + Rational(4) * one;
+    EXPECT_EQ(radicands_apart(*ring, times(d, d)), times(d, d));
+    EXPECT_EQ(radicands_apart(*ring, A - Rational(2) * one), A - Rational(2) * one);
 }
 
 } // namespace
