@@ -20,6 +20,9 @@ public:
     [[nodiscard]] Real gained(Real x) const {
         return graph().multiply({graph().rational(cln::expt(Rational(4), 1 - truncation_)), x});
     }
+    [[nodiscard]] Real rounding(Real x) const {
+        return graph().multiply({graph().rational(cln::expt(Rational(10), -20)), x});
+    }
     [[nodiscard]] Real sum(std::vector<Real> terms) const { return graph().add(std::move(terms)); }
     [[nodiscard]] Real times(int n, Real x) const { return graph().multiply({number(n), x}); }
     [[nodiscard]] Real square(const Complex& x) const {

@@ -6,11 +6,12 @@
 //                              |h(w_0)|: z_0 - h(z_0) leads back
 //
 // or by less than eps^M/2. Slow variables, angles and drifts have physical values; where slow variables and
-// drifts begin to count says nothing, so that they are missed by less than 2^-M |h(w_0)|: each of M steps of
-// the inversion has gained a half. What of h has no mode in it drops out of these differences: its harmonics
-// together are less than twice the start value, or than 2 eps^weight (of a slow variable or angle, than 2;
-// modes of equations of the first degree are forced as far as they like).
-// Written once for emitted code, whose numbers are nodes of a graph, and for what it is held against.
+// drifts begin to count says nothing, so that they are missed by less than 2^-M |h(w_0)|, each of M steps of
+// the inversion having gained a half (or by rounding, 10^-10 of themselves). What of h has no mode in it
+// drops out of these differences: its harmonics together are less than twice the start value, or than 2
+// eps^weight (of a slow variable or angle, than 2; modes of equations of the first degree are forced as far
+// as they like). Written once for emitted code, whose numbers are nodes of a graph, and for what it is held
+// against.
 #pragma once
 
 #include "solve/solution.hpp"
@@ -56,6 +57,7 @@ template <class Complex> struct StartShifts {
 };
 
 // Algebra has the types Real and Complex, number(int), little() = eps^(2M), gained(Real x) = 4^(1 - M) x,
+// rounding(Real x) = 10^-20 x,
 // sum(list of Real), square(Complex) = |z|^2, plus and minus of Complex, times(int, Real), and require(Real,
 // name): that it is positive.
 template <class Algebra> class NearIdentity {
@@ -93,7 +95,9 @@ private:
                          {algebra_.little(), algebra_.square(s.old), algebra_.square(s.added)}, v.name);
         else
             require_half(algebra_.minus(found, s.old),
-                         {algebra_.little(), algebra_.gained(algebra_.square(s.added))}, v.name);
+                         {algebra_.little(), algebra_.gained(algebra_.square(s.added)),
+                          algebra_.rounding(algebra_.square(s.old))},
+                         v.name);
     }
     void require_moderate(const MovedVariable& v, const StartShift<Complex>& s, bool from_constants) {
         const bool constant = v.kind == MovedVariable::Kind::mode && from_constants;

@@ -20,6 +20,7 @@ public:
     [[nodiscard]] static Wide number(int n) { return n; }
     [[nodiscard]] Wide little() const { return math::power(eps_, 2 * truncation_); }
     [[nodiscard]] Wide gained(const Wide& x) const { return x / math::power(Wide(4), truncation_ - 1); }
+    [[nodiscard]] static Wide rounding(const Wide& x) { return x * Wide(1e-20); }
     [[nodiscard]] static Wide sum(const std::vector<Wide>& terms) {
         Wide total = 0;
         for (const Wide& term : terms) total += term;
