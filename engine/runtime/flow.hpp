@@ -27,11 +27,11 @@ public:
     static constexpr std::size_t most_panels = 16384;
 
     // Solves y' = rates(T, y) from y(0) = start. Status: overflow, outside_domain: a rate is infinite, or
-    // not a number, or 4096 panels do not resolve the solution (it may be infinite at a finite T); overflow
-    // too where a value that fell below the range of Real would rise above it again; outside_interval:
-    // `most` panels end before `end` does. `end` is drawn back to where the solution is known, 0 if nowhere.
-    // Rates are known to what the last places of T and y make of them and, if there is a rates.scale(T, y),
-    // how large their terms are, to the last place of this.
+    // not a number; outside_domain too where 4096 panels do not resolve the solution (it may be infinite at a
+    // finite T), overflow where a value that fell below the range of Real would rise above it again;
+    // outside_interval: `most` panels end before `end` does. `end` is drawn back to where the solution is
+    // known, 0 if nowhere. Rates are known to what the last places of T and y make of them and, if there is a
+    // rates.scale(T, y), how large their terms are, to the last place of this.
     template <class Rates>
     Status build(const Rates& rates, const Values& start, Real& end, std::size_t most = most_panels) {
         FlowPanels<Values> fitted(start);
@@ -97,11 +97,10 @@ public:
             const bool rounding =
                 Real(1) < rest && rest < Real(1000) && Real(0) < refused && refused < Real(4) * rest;
             if (contracts && (rounding || !(Real(1) < rest)) && resolves_lost(rates, left, step)) {
-                if (Real(0) < rise_of_lost_) {
+                if (Real(0) < rise_of_lost_ || !append(left, step)) {
                     end = left;
                     return Status::overflow;
                 }
-                append(left, step);
                 left = end - left > step ? left + step : end;
                 refused = Real(-1);
                 // Among rounding the next panel would be halved again: this one is not for good.
@@ -112,7 +111,7 @@ public:
             step = step / Real(2);
             if (panels.size() < most_halved && step * Real(1e9) > end) continue;
             end = left;
-            return tried == Status::ok ? Status::outside_domain : tried;
+            return tried == Status::overflow && leaves_range(rates, left) ? tried : Status::outside_domain;
         }
         return Status::ok;
     }
@@ -210,6 +209,18 @@ private:
         return worst;
     }
 
+    // Whether values or their rates are near the end of the range of Real: where they are not, an iteration
+    // that overflows says no more than that it does not contract.
+    template <class Rates> bool leaves_range(const Rates& rates, const Real& left) {
+        using math::sqrt;
+        const Real near_end = Real(1) / sqrt(math::smallest<Real>());
+        for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
+        const Values f = rates(left, argument_);
+        for (std::size_t k = 0; k < values_.size(); ++k)
+            if (!(math::magnitude(argument_[k]) < near_end && math::magnitude(f[k]) < near_end)) return true;
+        return false;
+    }
+
     // Below this, values and what rates make of them lose digits to the end of the range of Real.
     static Real least() {
         const Real ulp = math::epsilon<Real>();
@@ -268,7 +279,8 @@ private:
         return fastest;
     }
 
-    void append(const Real& left, const Real& step) {
+    // False, and nothing is appended: by powers of T the panel would be beyond the range of Real.
+    bool append(const Real& left, const Real& step) {
         Panel panel;
         panel.half = step / Real(2);
         const bool first = panels.empty();
@@ -287,11 +299,14 @@ private:
             // About T = 0 in the first panel: what starts small is known to its own digits there.
             if (first) coefficient = recentred(coefficient, Real(-1), coefficient.size());
             coefficient[0] = first ? values_[k].value() : coefficient[0] + values_[k].value();
+            for (const Real& x : coefficient)
+                if (!math::finite(x)) return false;
             panel.coefficient.push_back(coefficient);
             values_[k].add(whole);
         }
         panels.push_back(std::move(panel));
         lefts.push_back(left);
+        return true;
     }
 
     // The same for all flows; in many digits they take a while.

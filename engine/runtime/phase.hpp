@@ -38,7 +38,7 @@ public:
         tolerance.absolute = Wide(math::epsilon<Real>() / end);
         resolution_ = narrow(math::epsilon<Wide>());
         if (rounded) {
-            tolerance.relative = Wide(Real(64) * math::epsilon<Real>());
+            tolerance.relative = Wide(Real(4) * math::epsilon<Real>());
             resolution_ = math::epsilon<Real>();
         }
         // Of an interval that is far too long even the first row may be unknown as a whole.
@@ -176,8 +176,10 @@ private:
         Row result;
         result.middle = narrow(panel.middle + panel.half * x);
         result.scale = Real(1);
-        while (result.scale * narrow(panel.half) > Real(2 * parts)) result.scale = result.scale / Real(2);
-        while (result.scale * narrow(panel.half) < Real(parts)) result.scale = result.scale * Real(2);
+        // |y| <= 1 within the row: the coefficients say how large their terms are.
+        while (result.scale * narrow(panel.half) > Real(parts)) result.scale = result.scale / Real(2);
+        while (Real(2) * result.scale * narrow(panel.half) <= Real(parts))
+            result.scale = result.scale * Real(2);
         const Wide centre = (Wide(result.middle) - panel.middle) / panel.half;
         const Wide unit = Wide(1) / (Wide(result.scale) * panel.half);
         const Real negligible = math::epsilon<Real>() / Real(4096);

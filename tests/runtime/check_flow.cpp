@@ -87,6 +87,21 @@ TYPED_TEST(Flow, EndsWhereTheSolutionDoes) {
     EXPECT_LT(ulps<Real>(flow(Real(0.5))[0], Real(2)), Real(500));
 }
 
+// Of whatever power it is infinite, and whatever the first step: the same status in every type.
+TYPED_TEST(Flow, IsOutsideItsDomainWhereTheSolutionIsInfinite) {
+    using Real = TypeParam;
+    for (const int power : {2, 3, 5, 9}) { // y' = y^p: y^(1 - p) = 1 - (p - 1) T
+        for (const int length : {1, 3, 7, 40, 1000}) {
+            FlowTable<std::array<Real, 1>> flow;
+            Real end(length);
+            const auto rates = [&](const Real&, const std::array<Real, 1>& y) {
+                return std::array<Real, 1>{math::power(y[0], power)};
+            };
+            EXPECT_EQ(flow.build(rates, {Real(1)}, end), Status::outside_domain) << power << ' ' << length;
+        }
+    }
+}
+
 // The same whether the number of values is known to the compiler or not.
 TYPED_TEST(Flow, EndsWhereItHasTooManyPanels) {
     using Real = TypeParam;
@@ -172,6 +187,16 @@ TEST(FlowOfNothing, WhatIsLostDoesNotRiseAgain) {
     EXPECT_LT(end, 0.9); // exp(-360) there
     end = 0.5;
     EXPECT_EQ(solve(8000, end), std::pair(Status::ok, 0.0));
+}
+
+// Nowhere infinite, but beyond the range of the type.
+TEST(FlowOfNothing, WhatGrowsBeyondTheRangeOverflows) {
+    FlowTable<std::array<double, 1>> flow;
+    double end = 1;
+    const auto rates = [](double, const std::array<double, 1>& y) { return std::array{1000 * y[0]}; };
+    EXPECT_EQ(flow.build(rates, {1.0}, end), Status::overflow);
+    EXPECT_GT(end, 0.65);
+    EXPECT_NEAR(flow(end)[0] / std::exp(1000 * end), 1, 1e-10); // exp(650) at least
 }
 
 // A value that is fed by what cancels is known to what the last places of the others make of it.

@@ -100,4 +100,31 @@ TEST(Phase, OfARoundedRateLosesDigitsEarlier) {
     EXPECT_EQ(status(1e-7), Status::low_precision);
 }
 
+// theta = (T + d log(1 + T/a))/eps, the rate rounded to double: as good as its places, small times too,
+// whatever part of a turn a row of the table takes and however slowly the coefficients of the rate decay.
+TEST(Phase, OfARoundedRateIsKnownToItsPlacesFromTheStart) {
+    using Wide = Phase<double>::Wide;
+    const double eps = 1.0 / 1024;
+    const auto worst = [&](double a, double d, double end) { // in places of theta + 1
+        Phase<double> phase;
+        const auto rate = [&](const Wide& T) {
+            return std::array<Wide, 1>{Wide((1 + d / (static_cast<double>(T) + a)) / eps)};
+        };
+        EXPECT_EQ(phase.build(rate, Wide(0), eps, end, true), Status::ok);
+        Hundred most(0);
+        for (const double t : {0.0, 1e-6, 1e-3, 0.1, 1.0, 10.0, 100.0, 0.999 * end / eps}) {
+            double cosine = 0, sine = 0;
+            EXPECT_EQ(phase(t, cosine, sine), Status::ok);
+            const Hundred T = Hundred(t) * Hundred(eps), theta = (T + d * log(1 + T / a)) / eps;
+            const Hundred error = abs(Hundred(cosine) - cos(theta)) + abs(Hundred(sine) - sin(theta));
+            most = std::max(most, Hundred(error / (1 + theta)));
+        }
+        return static_cast<double>(most) / 2.2e-16;
+    };
+    for (const double end : {0.51, 0.71, 0.99, 1.01, 1.4, 1.99})
+        for (const double a : {1.1, 1.3, 1.6, 2.1}) EXPECT_LT(worst(a, 1, end), 4) << a << ' ' << end;
+    for (const double d : {1e-6, 3e-7, 1e-7, 3e-8, 1e-8})
+        for (const double a : {0.12, 0.16, 0.2}) EXPECT_LT(worst(a, d, 1), 4) << a << ' ' << d;
+}
+
 } // namespace resonform
