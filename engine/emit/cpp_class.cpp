@@ -30,6 +30,7 @@ private:
     std::string widened() const;
     std::string prepare() const;
     std::string flow_starts() const;
+    std::string flow(std::size_t level) const;
     std::string layers() const;
     std::string arguments() const;
     std::string constants(const std::string& target) const;
@@ -125,6 +126,22 @@ std::string CppFrame::flow_starts() const {
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
+std::string CppFrame::flow(std::size_t level) const {
+    const auto at = [&](const std::string& value) {
+        return fmt::format("[this](const Real& T, const std::array<Real, {}>& flow) {{ return {}; }},",
+                           program_.flow.size(), value);
+    };
+    const std::string indent = "\n                              ";
+    std::string layers;
+    if (!plan_.layers.empty())
+        layers = indent + at(fmt::format("resonform::all_clear(layers(c_, T{}))",
+                                         plan_.layers_use_flow ? ", flow" : ""));
+    return built_or_return(fmt::format("tables_{}_.build{}({}{}{}{{{}}}, reach)", level,
+                                       layers.empty() ? "" : "_while", at("flow_rates(c_, T, flow)"), layers,
+                                       indent, flow_starts()),
+                           plan_.levels[level].name);
+}
+
 std::string CppFrame::layers() const {
     if (plan_.layers.empty()) return "";
     std::vector<std::string> names;
@@ -193,13 +210,7 @@ std::string CppFrame::construct() const {
     if (program_.flow.empty()) text += layers();
     for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
         if (plan_.levels[level].flow) {
-            text += built_or_return(
-                fmt::format(
-                    "tables_{}_.build([this](const Real& T, const std::array<Real, {}>& flow) {{ return "
-                    "flow_rates(c_, T, flow); }},\n                              {{{}}}, reach)",
-                    level, program_.flow.size(), flow_starts()),
-                plan_.levels[level].name);
-            text += layers();
+            text += flow(level) + layers();
             continue;
         }
         const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);

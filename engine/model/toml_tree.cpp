@@ -213,6 +213,12 @@ Place place_of_second(const Lines& lines, toml::source_position at, const std::s
         bad_input(Reason::syntax,
                   {"a key is given once, a table too", excerpt(lines.line(at)), "remove one of the two",
                    place_of_second(lines, at, std::string(reason.substr(begin + 1, end - begin - 1)))});
+    for (const std::string_view limit :
+         {"exceeds length limit", "could not be interpreted as a value", "not representable in 64 bits"})
+        if (reason.find(limit) != std::string_view::npos)
+            bad_input({"a number without quotes has the length and the range that TOML gives to numbers",
+                       excerpt(lines.line(at)), "write it in quotes: it is taken exactly as spelled",
+                       place_of(lines.source(at, ""))});
     bad_input(Reason::syntax,
               {"the file is TOML", excerpt(lines.line(at)),
                "the TOML parser says: " + printable(reason.substr(0, 300)), place_of(lines.source(at, ""))});

@@ -62,7 +62,7 @@ void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
     plan.interval_source = node->source;
     const Estimate estimate = scene.estimate(plan.interval);
     if (estimate != Estimate::positive && estimate != Estimate::unknown) {
-        bad_value(*node, "the interval of verification is positive and finite",
+        bad_value(*node, "the interval of verification is positive, and finite in double precision",
                   "write one such as \"1/eps\"");
     }
 }

@@ -34,8 +34,18 @@ public:
     // rates.scale(T, y), how large their terms are, to the last place of this.
     template <class Rates>
     Status build(const Rates& rates, const Values& start, Real& end, std::size_t most = most_panels) {
+        return build_while(
+            rates, [](const Real&, const Values&) { return true; }, start, end, most);
+    }
+
+    // The same up to a panel at whose end goes_on(T, y) is false, outside_domain: behind the layer around a
+    // resonance surface thousands of panels may lead to where a rate is infinite, and nothing is asked of
+    // them.
+    template <class Rates, class GoesOn>
+    Status build_while(const Rates& rates, const GoesOn& goes_on, const Values& start, Real& end,
+                       std::size_t most = most_panels) {
         FlowPanels<Values> fitted(start);
-        const Status status = fitted.solve(rates, end, most);
+        const Status status = fitted.solve(rates, goes_on, end, most);
         start_ = start;
         panels_ = std::move(fitted.panels);
         if (!panels_.empty()) index_ = PanelIndex<Real>(std::move(fitted.lefts), end);
@@ -82,7 +92,8 @@ public:
         for (std::size_t k = 0; k < start.size(); ++k) values_[k].add(start[k]);
     }
 
-    template <class Rates> Status solve(const Rates& rates, Real& end, std::size_t most) {
+    template <class Rates, class GoesOn>
+    Status solve(const Rates& rates, const GoesOn& goes_on, Real& end, std::size_t most) {
         Real left = Real(0), step = end, refused = Real(-1);
         while (left < end) {
             if (panels.size() == most) {
@@ -102,6 +113,10 @@ public:
                     return Status::overflow;
                 }
                 left = end - left > step ? left + step : end;
+                if (left < end && !goes_on(left, values())) {
+                    end = left;
+                    return Status::outside_domain;
+                }
                 refused = Real(-1);
                 // Among rounding the next panel would be halved again: this one is not for good.
                 if (rounding || rest < Real(1) / Real(4096)) step = step * Real(2);
@@ -121,6 +136,12 @@ private:
     static constexpr std::size_t n = Chebyshev<Real>::n;
     static constexpr int most_iterations = 100;
     enum class Seen : unsigned char { never, now, before };
+
+    // At the left end of what is next.
+    const Values& values() {
+        for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
+        return argument_;
+    }
 
     // The fixed point on [left, left + step]; contracted_ says whether it was reached.
     template <class Rates> Status iterate(const Rates& rates, const Real& left, const Real& step) {
@@ -159,8 +180,7 @@ private:
     // panel begins and, halved from one to the next, where others did.
     template <class Rates> void estimate_blur(const Rates& rates, const Real& T) {
         const Real ulp = math::epsilon<Real>();
-        for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
-        const Values f = rates(T, argument_);
+        const Values f = rates(T, values());
         Values terms = f;
         for (Real& x : terms) x = Real(0);
         if constexpr (requires { rates.scale(T, argument_); }) terms = rates.scale(T, argument_);
@@ -214,8 +234,7 @@ private:
     template <class Rates> bool leaves_range(const Rates& rates, const Real& left) {
         using math::sqrt;
         const Real near_end = Real(1) / sqrt(math::smallest<Real>());
-        for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
-        const Values f = rates(left, argument_);
+        const Values f = rates(left, values());
         for (std::size_t k = 0; k < values_.size(); ++k)
             if (!(math::magnitude(argument_[k]) < near_end && math::magnitude(f[k]) < near_end)) return true;
         return false;

@@ -67,6 +67,13 @@ private:
     Real end_;
 };
 
+// NaN is not > 0.
+template <class Margins> bool all_clear(const Margins& margins) {
+    for (const auto& margin : margins)
+        if (!(margin > decltype(margin - margin)(0))) return false;
+    return true;
+}
+
 // margins(T) -> an array of margins, each smooth on 0 <= T <= reach, of the divisors named. If one is not > 0
 // somewhere (NaN is not), `reach` is drawn back to before that place; 0: there is none. What is narrower than
 // 1/128 of the interval and has no slope outside is not seen.

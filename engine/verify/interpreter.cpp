@@ -117,6 +117,12 @@ template <class Real> struct Interpreter<Real>::Impl {
         return changes[static_cast<std::size_t>(condition.value)];
     }
 
+    static std::vector<Real> numbers_of(const GraphWalk<Real>& walk, const Nodes& nodes) {
+        std::vector<Real> values;
+        for (const Graph::Node n : nodes) values.push_back(walk[n]);
+        return values;
+    }
+
     Cause build_flow() {
         if (program->flow.empty()) return {};
         Nodes rates;
@@ -125,17 +131,22 @@ template <class Real> struct Interpreter<Real>::Impl {
             rates.push_back(variable.rate);
             starts.push_back(constants[variable.start]);
         }
-        const Plan behind(*program, rates);
+        Nodes margins;
+        for (const ProgramCondition& margin : program->layers) margins.push_back(margin.value);
         GraphWalk<Real> walk = constants;
+        const auto values_at = [&](const Real& T, const std::vector<Real>& values, const Plan& behind,
+                                   const Nodes& wanted) {
+            walk.set(program->slow_time, T);
+            for (std::size_t k = 0; k < values.size(); ++k) walk.set(program->flow[k].value, values[k]);
+            walk.compute(behind.varying);
+            return numbers_of(walk, wanted);
+        };
+        const Plan behind_rates(*program, rates), behind_margins(*program, margins);
         FlowTable<std::vector<Real>> built;
-        const Status solved = built.build(
-            [&](const Real& T, const std::vector<Real>& values) {
-                walk.set(program->slow_time, T);
-                for (std::size_t k = 0; k < values.size(); ++k) walk.set(program->flow[k].value, values[k]);
-                walk.compute(behind.varying);
-                std::vector<Real> result;
-                for (const Graph::Node rate : rates) result.push_back(walk[rate]);
-                return result;
+        const Status solved = built.build_while(
+            [&](const Real& T, const std::vector<Real>& y) { return values_at(T, y, behind_rates, rates); },
+            [&](const Real& T, const std::vector<Real>& y) {
+                return all_clear(values_at(T, y, behind_margins, margins));
             },
             starts, reach);
         if (const Cause failed = interval.shorten({solved, "slow flow"}, reach); failed.status != Status::ok)
@@ -157,9 +168,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         const auto margins = [&](const Real& T) {
             set_slow_time(walk, T);
             walk.compute(behind.varying);
-            std::vector<Real> values;
-            for (const Graph::Node margin : nodes) values.push_back(walk[margin]);
-            return values;
+            return numbers_of(walk, nodes);
         };
         return interval.shorten(clear_of_layers(margins, names, reach), reach);
     }

@@ -68,9 +68,12 @@ struct SymbolicEvaluator::Impl {
             if (built != Status::ok) tabulated = std::min(tabulated, reach);
             return goes_on(built, reach);
         };
-        if (const Status built = integral->build_flow(reach); !tabulate(built)) return built;
+        const auto goes_on_at = [&](const Moment& at) { return all_clear(margins(at)); };
+        if (const Status built = integral->build_flow(goes_on_at, reach); !tabulate(built)) return built;
         if (has_layers) {
-            if (const Status clear = keep_clear_of_layers(reach); !goes_on(clear, reach)) return clear;
+            const Status clear = keep_clear_of_layers(reach);
+            if (!goes_on(clear, reach)) return clear;
+            if (clear != Status::ok) tabulated = inputs.slow_time_end; // behind a layer no table is missed
             reach = std::min(reach, wanted);
         }
         if (const Status built = integral->build_along(reach); !tabulate(built)) return built;
@@ -101,24 +104,28 @@ struct SymbolicEvaluator::Impl {
         return solution().declared_at(slow, inputs)[c.index] > 0;
     }
 
+    [[nodiscard]] Numbers margins(const Moment& at) const {
+        Numbers result;
+        for (const SymbolicLayer& layer : solution().layers()) {
+            const WideComplex divisor = value_of(layer.divisor, at.values),
+                              rate = value_of(layer.rate, at.values);
+            const Wide square = divisor.re * divisor.re + divisor.im * divisor.im;
+            for (const Wide& part : {rate.re, rate.im}) {
+                result.push_back(square + part);
+                result.push_back(square - part);
+            }
+        }
+        return result;
+    }
+
     Status keep_clear_of_layers(Wide& reach) {
         Moment at(frame);
-        const auto margins = [&](const Wide& T) {
+        const auto margins_at = [&](const Wide& T) {
             integral->move_to(T, at);
-            Numbers result;
-            for (const SymbolicLayer& layer : solution().layers()) {
-                const WideComplex divisor = value_of(layer.divisor, at.values),
-                                  rate = value_of(layer.rate, at.values);
-                const Wide square = divisor.re * divisor.re + divisor.im * divisor.im;
-                for (const Wide& part : {rate.re, rate.im}) {
-                    result.push_back(square + part);
-                    result.push_back(square - part);
-                }
-            }
-            return result;
+            return margins(at);
         };
         const std::vector<const char*> names(4 * solution().layers().size(), "");
-        return clear_of_layers(margins, names, reach).status;
+        return clear_of_layers(margins_at, names, reach).status;
     }
 
     void find_moved_phases() {

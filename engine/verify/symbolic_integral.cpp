@@ -29,8 +29,13 @@ public:
             }
     }
 
-    Status build_flow(Wide& reach) override { return build(frame_.flow, flow_, reach); }
-    Status build_along(Wide& reach) override { return build(frame_.along, along_, reach); }
+    Status build_flow(const GoesOn& goes_on, Wide& reach) override {
+        return build(frame_.flow, flow_, goes_on, reach);
+    }
+    Status build_along(Wide& reach) override {
+        return build(
+            frame_.along, along_, [](const SymbolicMoment<Wide>&) { return true; }, reach);
+    }
 
     void move_to(const Wide& T, SymbolicMoment<Wide>& moment) const override {
         const Number at = narrowed<Number>(T);
@@ -94,7 +99,7 @@ private:
         }
     };
 
-    Status build(const std::vector<std::size_t>& stage, Table& table, Wide& reach) {
+    Status build(const std::vector<std::size_t>& stage, Table& table, const GoesOn& goes_on, Wide& reach) {
         if (stage.empty()) return Status::ok;
         Values begin;
         for (const std::size_t k : stage) {
@@ -103,8 +108,14 @@ private:
         }
         FlowTable<Values> built;
         Number end = narrowed<Number>(reach);
-        const Status status =
-            built.build(Rates{*this, stage, SymbolicMoment<Number>(frame_)}, begin, end, most_panels_);
+        SymbolicMoment<Wide> at(frame_);
+        const auto goes_on_at = [&](const Number& T, const Values& y) {
+            take(stage, y, at);
+            at.move_to(frame_, widened(T));
+            return goes_on(at);
+        };
+        const Status status = built.build_while(Rates{*this, stage, SymbolicMoment<Number>(frame_)},
+                                                goes_on_at, begin, end, most_panels_);
         if (status != Status::ok) reach = widened(end);
         if (status == Status::ok || end > 0) table.emplace(std::move(built));
         return status;

@@ -6,6 +6,7 @@
 #include "runtime/interval.hpp"
 #include "verify/symbolic_solution.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -47,8 +48,9 @@ template <class Number> struct SymbolicMoment {
 class SymbolicIntegral {
 public:
     virtual ~SymbolicIntegral() = default;
-    // Status and `reach` as FlowTable::build.
-    virtual Status build_flow(Wide& reach) = 0;
+    // Status and `reach` as FlowTable::build_while.
+    using GoesOn = std::function<bool(const SymbolicMoment<Wide>&)>;
+    virtual Status build_flow(const GoesOn& goes_on, Wide& reach) = 0;
     virtual Status build_along(Wide& reach) = 0;
     // Sets what is computed so far, then everything else.
     virtual void move_to(const Wide& T, SymbolicMoment<Wide>& moment) const = 0;

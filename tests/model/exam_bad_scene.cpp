@@ -215,13 +215,15 @@ const BadInput bad_scenes[] = {
      "  found: exp(exp(exp(9)))\n"
      "  mend:  give a value of moderate size"},
     {"IntervalZero", "\"1/eps\"", "0",
-     "2 scene.toml:20:12: verify.interval: the interval of verification is positive and finite\n"
+     "2 scene.toml:20:12: verify.interval: the interval of verification is positive, and finite in double "
+     "precision\n"
      "    interval = 0\n"
      "               ^\n"
      "  found: 0\n"
      "  mend:  write one such as \"1/eps\""},
     {"IntervalNegative", "\"1/eps\"", "\"(g-2*r)/eps\"",
-     "2 scene.toml:20:13: verify.interval: the interval of verification is positive and finite\n"
+     "2 scene.toml:20:13: verify.interval: the interval of verification is positive, and finite in double "
+     "precision\n"
      "    interval = \"(g-2*r)/eps\"\n"
      "                ^\n"
      "  found: \"(g-2*r)/eps\"\n"

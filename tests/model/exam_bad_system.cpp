@@ -34,6 +34,12 @@ const BadInput bad_systems[] = {
      "  found: [parameters\n"
      "  mend:  the TOML parser says: Error while parsing table header: expected ']', saw '\\n"
      "'"},
+    {"NumberBeyondToml", "[parameters]", "[parameters]\nk = 1e400",
+     "2 system.toml:7:10: a number without quotes has the length and the range that TOML gives to numbers\n"
+     "    k = 1e400\n"
+     "             ^\n"
+     "  found: k = 1e400\n"
+     "  mend:  write it in quotes: it is taken exactly as spelled"},
     {"UnknownSymbol", "+ g*sqrt", "+ gg*sqrt",
      "2 system.toml:18:43: equations.psi: a symbol is declared before it is used\n"
      "    psi = \"(xi^2 + r^2)*psi'' + xi*xi'*psi' + gg*sqrt(xi^2 + r^2)*sin(psi) - r*xi*xi'^2/(xi^2 + r^2) "

@@ -189,6 +189,24 @@ TEST(FlowOfNothing, WhatIsLostDoesNotRiseAgain) {
     EXPECT_EQ(solve(8000, end), std::pair(Status::ok, 0.0));
 }
 
+// What lies behind the first panel at whose end it may stop is not looked at: here thousands of panels, each
+// smaller than the one before it, up to T = 1.
+TEST(FlowOfNothing, GoesNoFurtherThanItIsAskedTo) {
+    const auto rates = [](double T, const std::array<double, 2>& y) {
+        const double turn = 1 / ((1 - T) * (1 - T));
+        return std::array{-turn * y[1], turn * y[0]};
+    };
+    const auto before = [](double T, const std::array<double, 2>&) { return T < 0.5; };
+    FlowTable<std::array<double, 2>> whole, part;
+    double end = 1, stopped = 1;
+    EXPECT_EQ(whole.build(rates, {1.0, 0.0}, end), Status::outside_domain);
+    EXPECT_EQ(part.build_while(rates, before, {1.0, 0.0}, stopped), Status::outside_domain);
+    EXPECT_GT(whole.panels(), 1000U);
+    EXPECT_LT(part.panels(), 20U);
+    EXPECT_GE(stopped, 0.5);
+    EXPECT_NEAR(part(0.4)[0], std::cos(1 / 0.6 - 1), 1e-14);
+}
+
 // Nowhere infinite, but beyond the range of the type.
 TEST(FlowOfNothing, WhatGrowsBeyondTheRangeOverflows) {
     FlowTable<std::array<double, 1>> flow;

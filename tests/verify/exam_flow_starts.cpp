@@ -61,6 +61,23 @@ TEST_F(FlowFrom, TwoModesOfOneBlock) {
     }
 }
 
+// 2 + 2 s = sqrt(3) at T = 0.28, where the rates are infinite; the layer around it begins before, and names
+// it.
+TEST_F(FlowFrom, AFlowEndsAtTheLayerOfADivisor) {
+    const auto motion = program(
+        "[variables]\nx = { role = \"fast\", weight = 0 }\nz = { role = \"fast\" }\ns = { role = \"slow\" }\n"
+        "[domain]\npositive = [\"1 + s\"]\n[equations]\nx = \"x'' + (1+s)^2*x + eps*x^3 + eps*x*z = 0\"\n"
+        "z = \"z'' + 3*z + z*eps*x^2 = eps*x^2\"\ns = \"s' = eps*(x^2 - 1)/(1+s)\"\n",
+        "order = 1\noutputs = [\"x\"]\n[start]\nx = 1\n\"x'\" = 0\nz = 0\n\"z'\" = 0\ns = 0\n");
+    ASSERT_FALSE(motion->layers.empty());
+    const double eps = 1e-4;
+    const Interpreter<double> evaluator(motion, eps, {}, {}, 1);
+    std::vector<double> result;
+    EXPECT_EQ(evaluator.call(0.2 / eps, result), Status::ok);
+    EXPECT_EQ(evaluator.call(0.279 / eps, result), Status::outside_domain);
+    EXPECT_STREQ(evaluator.why(Status::outside_domain), "sqrt(3) - 2*(s + 1)");
+}
+
 // J^2/2 is of the size of eps: the motion librates, and the inverse map leads to J = 14.
 TEST_F(FlowFrom, AStartInsideTheLayerHasAStatus) {
     const std::string system =
