@@ -137,7 +137,7 @@ private:
     static constexpr int most_iterations = 100;
     enum class Seen : unsigned char { never, now, before };
 
-    // At the left end of what is next.
+    // The solution where the next panel begins.
     const Values& values() {
         for (std::size_t k = 0; k < values_.size(); ++k) argument_[k] = values_[k].value();
         return argument_;
@@ -305,7 +305,8 @@ private:
         const bool first = panels.empty();
         panel.middle = first ? left : left + panel.half;
         for (std::size_t k = 0; k < values_.size(); ++k) {
-            if (seen_[k] == Seen::before) { // what is left of its digits would grow like a value
+            // Its digits are lost: what is left is rounding, which would rise as if it were the solution.
+            if (seen_[k] == Seen::before) {
                 values_[k] = CompensatedSum<Real>();
                 coefficients_[k].fill(Real(0));
             }

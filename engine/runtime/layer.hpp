@@ -69,8 +69,9 @@ private:
 
 // NaN is not > 0.
 template <class Margins> bool all_clear(const Margins& margins) {
-    for (const auto& margin : margins)
-        if (!(margin > decltype(margin - margin)(0))) return false;
+    using Real = typename Margins::value_type;
+    for (const Real& margin : margins)
+        if (!(margin > Real(0))) return false;
     return true;
 }
 

@@ -10,8 +10,8 @@
 // the inversion having gained a half (or by rounding, 10^-10 of themselves). What of h has no mode in it
 // drops out of these differences: its harmonics together are less than twice the start value, or than 2
 // eps^weight (of a slow variable or angle, than 2; modes of equations of the first degree are forced as far
-// as they like). Written once for emitted code, whose numbers are nodes of a graph, and for what it is held
-// against.
+// as they like). A template over the numbers, for there are two users: the emitter computes with nodes of a
+// graph, the check of emitted code with 50 digits.
 #pragma once
 
 #include "solve/solution.hpp"
@@ -57,9 +57,8 @@ template <class Complex> struct StartShifts {
 };
 
 // Algebra has the types Real and Complex, number(int), little() = eps^(2M), gained(Real x) = 4^(1 - M) x,
-// rounding(Real x) = 10^-20 x,
-// sum(list of Real), square(Complex) = |z|^2, plus and minus of Complex, times(int, Real), and require(Real,
-// name): that it is positive.
+// rounding(Real x) = 10^-20 x, sum(list of Real), square(Complex) = |z|^2, plus and minus of Complex,
+// times(int, Real), and require(Real, name): that it is positive.
 template <class Algebra> class NearIdentity {
 public:
     using Real = typename Algebra::Real;

@@ -63,6 +63,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         interval = Interval<Real>(eps, end);
         reach = end;
         if (const Cause lost = set_constants(constants); lost.status != Status::ok) return lost;
+        plan_margins();
         if (const Cause failed = build_flow(); failed.status != Status::ok) return failed;
         if (const Cause failed = keep_clear_of_layers(); failed.status != Status::ok) return failed;
         if (const Cause failed = build_tables(); failed.status != Status::ok) return failed;
@@ -131,46 +132,43 @@ template <class Real> struct Interpreter<Real>::Impl {
             rates.push_back(variable.rate);
             starts.push_back(constants[variable.start]);
         }
-        Nodes margins;
-        for (const ProgramCondition& margin : program->layers) margins.push_back(margin.value);
+        const Plan behind(*program, rates);
         GraphWalk<Real> walk = constants;
-        const auto values_at = [&](const Real& T, const std::vector<Real>& values, const Plan& behind,
-                                   const Nodes& wanted) {
-            walk.set(program->slow_time, T);
-            for (std::size_t k = 0; k < values.size(); ++k) walk.set(program->flow[k].value, values[k]);
+        const auto rates_at = [&](const Real& T, const std::vector<Real>& values) {
+            set_flow(walk, T, values);
             walk.compute(behind.varying);
-            return numbers_of(walk, wanted);
+            return numbers_of(walk, rates);
         };
-        const Plan behind_rates(*program, rates), behind_margins(*program, margins);
+        const auto is_clear = [&](const Real& T, const std::vector<Real>& values) {
+            if (margins.empty()) return true;
+            set_flow(walk, T, values);
+            walk.compute(behind_margins->varying);
+            return all_clear(numbers_of(walk, margins));
+        };
         FlowTable<std::vector<Real>> built;
-        const Status solved = built.build_while(
-            [&](const Real& T, const std::vector<Real>& y) { return values_at(T, y, behind_rates, rates); },
-            [&](const Real& T, const std::vector<Real>& y) {
-                return all_clear(values_at(T, y, behind_margins, margins));
-            },
-            starts, reach);
+        const Status solved = built.build_while(rates_at, is_clear, starts, reach);
         if (const Cause failed = interval.shorten({solved, "slow flow"}, reach); failed.status != Status::ok)
             return failed;
         flow.emplace(std::move(built));
         return {};
     }
 
+    void plan_margins() {
+        for (const ProgramCondition& margin : program->layers) margins.push_back(margin.value);
+        if (!margins.empty()) behind_margins.emplace(*program, margins);
+    }
+
     Cause keep_clear_of_layers() {
-        if (program->layers.empty()) return {};
-        Nodes nodes;
+        if (margins.empty()) return {};
         std::vector<const char*> names;
-        for (const ProgramCondition& margin : program->layers) {
-            nodes.push_back(margin.value);
-            names.push_back(margin.quantity.c_str());
-        }
-        const Plan behind(*program, nodes);
+        for (const ProgramCondition& margin : program->layers) names.push_back(margin.quantity.c_str());
         GraphWalk<Real> walk = constants;
-        const auto margins = [&](const Real& T) {
+        const auto margins_at = [&](const Real& T) {
             set_slow_time(walk, T);
-            walk.compute(behind.varying);
-            return numbers_of(walk, nodes);
+            walk.compute(behind_margins->varying);
+            return numbers_of(walk, margins);
         };
-        return interval.shorten(clear_of_layers(margins, names, reach), reach);
+        return interval.shorten(clear_of_layers(margins_at, names, reach), reach);
     }
 
     Cause build_tables() {
@@ -234,14 +232,15 @@ template <class Real> struct Interpreter<Real>::Impl {
         });
     }
 
+    template <class Number>
+    void set_flow(GraphWalk<Number>& walk, const Number& T, const std::vector<Real>& values) const {
+        walk.set(program->slow_time, T);
+        for (std::size_t k = 0; k < values.size(); ++k) walk.set(program->flow[k].value, Number(values[k]));
+    }
+
     // Slow time, the flow and the tables built so far.
     template <class Number> void set_slow_time(GraphWalk<Number>& walk, const Number& T) const {
-        walk.set(program->slow_time, T);
-        if (flow) {
-            const std::vector<Real> values = (*flow)(static_cast<Real>(T));
-            for (std::size_t k = 0; k < values.size(); ++k)
-                walk.set(program->flow[k].value, Number(values[k]));
-        }
+        set_flow(walk, T, flow ? (*flow)(static_cast<Real>(T)) : std::vector<Real>());
         for (std::size_t k = 0; k < tables.size(); ++k)
             walk.set(program->tables[k].value, Number(tables[k](static_cast<Real>(T))[0]));
     }
@@ -271,11 +270,10 @@ template <class Real> struct Interpreter<Real>::Impl {
     Status call(const Real& t, const std::vector<ProgramOutput>& wanted, std::vector<Real>& values) const {
         values.assign(wanted.size(), math::not_a_number<Real>());
         GraphWalk<Real> walk = constants;
-        const Status walked = walk_to(t, values_of(wanted), walk);
+        const Nodes roots = values_of(wanted);
+        const Status walked = walk_to(t, roots, walk);
         if (walked != Status::ok && walked != Status::low_precision) return walked;
-        std::vector<Real> computed;
-        computed.reserve(wanted.size());
-        for (const ProgramOutput& output : wanted) computed.push_back(walk[output.value]);
+        std::vector<Real> computed = numbers_of(walk, roots);
         if (!all_finite(computed)) return Status::overflow;
         values = std::move(computed);
         return walked;
@@ -325,7 +323,9 @@ template <class Real> struct Interpreter<Real>::Impl {
     GraphWalk<Real> constants;
     Real eps;
     std::vector<Real> parameters, start;
-    Real end, reach{}; // of slow time; as far as everything is defined
+    Nodes margins;                      // of the layers
+    std::optional<Plan> behind_margins; // if there are any
+    Real end, reach{};                  // of slow time; as far as everything is defined
     Interval<Real> interval;
     std::optional<FlowTable<std::vector<Real>>> flow;
     std::vector<PrimitiveTable<Real, 1>> tables;

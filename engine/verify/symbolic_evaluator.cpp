@@ -68,8 +68,9 @@ struct SymbolicEvaluator::Impl {
             if (built != Status::ok) tabulated = std::min(tabulated, reach);
             return goes_on(built, reach);
         };
-        const auto goes_on_at = [&](const Moment& at) { return all_clear(margins(at)); };
-        if (const Status built = integral->build_flow(goes_on_at, reach); !tabulate(built)) return built;
+        SymbolicIntegral::GoesOn is_clear;
+        if (has_layers) is_clear = [&](const Moment& at) { return all_clear(margins(at)); };
+        if (const Status built = integral->build_flow(is_clear, reach); !tabulate(built)) return built;
         if (has_layers) {
             const Status clear = keep_clear_of_layers(reach);
             if (!goes_on(clear, reach)) return clear;

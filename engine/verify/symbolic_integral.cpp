@@ -32,10 +32,7 @@ public:
     Status build_flow(const GoesOn& goes_on, Wide& reach) override {
         return build(frame_.flow, flow_, goes_on, reach);
     }
-    Status build_along(Wide& reach) override {
-        return build(
-            frame_.along, along_, [](const SymbolicMoment<Wide>&) { return true; }, reach);
-    }
+    Status build_along(Wide& reach) override { return build(frame_.along, along_, nullptr, reach); }
 
     void move_to(const Wide& T, SymbolicMoment<Wide>& moment) const override {
         const Number at = narrowed<Number>(T);
@@ -108,8 +105,9 @@ private:
         }
         FlowTable<Values> built;
         Number end = narrowed<Number>(reach);
-        SymbolicMoment<Wide> at(frame_);
         const auto goes_on_at = [&](const Number& T, const Values& y) {
+            if (!goes_on) return true;
+            SymbolicMoment<Wide> at(frame_);
             take(stage, y, at);
             at.move_to(frame_, widened(T));
             return goes_on(at);

@@ -48,7 +48,7 @@ template <class Number> struct SymbolicMoment {
 class SymbolicIntegral {
 public:
     virtual ~SymbolicIntegral() = default;
-    // Status and `reach` as FlowTable::build_while.
+    // Status and `reach` as FlowTable::build_while; without goes_on, as build.
     using GoesOn = std::function<bool(const SymbolicMoment<Wide>&)>;
     virtual Status build_flow(const GoesOn& goes_on, Wide& reach) = 0;
     virtual Status build_along(Wide& reach) = 0;
