@@ -8,8 +8,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 
 if(CMAKE_UNITY_BUILD)
-    # Several files in one: a local name may hide one of another file. The release build, file by file, warns.
+    # Several files in one: a local name may hide one of another file, and what a file keeps in its anonymous
+    # namespace looks to g++ as if a header did. The debug build, file by file, warns.
     list(APPEND RESONFORM_WARNINGS -Wno-shadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        list(APPEND RESONFORM_WARNINGS -Wno-subobject-linkage)
+    endif()
 endif()
 
 option(RESONFORM_TESTS "build the tests" ON)
