@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One static library per folder of engine/; every .cpp of the folder belongs to it.
+# One static library per room, a folder of engine/; every .cpp in it, at any depth, belongs to it.
 set(RESONFORM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # False alarms of g++ 12 at -O2: overlaps in "a" + std::string (GCC bug 105651), unset members in
@@ -24,7 +24,7 @@ if(RESONFORM_SANITIZE)
 endif()
 
 function(add_room name)
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/${name}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/${name}/*.cpp)
     add_library(${name} STATIC ${sources})
     target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR}/engine)
     target_link_libraries(${name} ${ARGN})
@@ -32,7 +32,7 @@ function(add_room name)
 endfunction()
 
 function(add_command name)
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/cli/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/cli/*.cpp)
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE verify CLI11::CLI11 nlohmann_json::nlohmann_json)
     target_compile_options(${name} PRIVATE ${RESONFORM_WARNINGS})

@@ -10,8 +10,6 @@ namespace resonform::test {
 
 namespace {
 
-const std::vector<std::string> code = {".hpp", ".cpp"};
-
 bool starts_with(const std::string& text, const std::string& start) {
     return text.compare(0, start.size(), start) == 0;
 }

@@ -21,7 +21,11 @@ std::vector<std::string> read_lines(const fs::path& file) {
 
 std::vector<SourceFile> files_below(const std::vector<std::string>& folders,
                                     const std::vector<std::string>& extensions) {
-    const fs::path root = RESONFORM_SOURCE_DIR;
+    return files_below(RESONFORM_SOURCE_DIR, folders, extensions);
+}
+
+std::vector<SourceFile> files_below(const fs::path& root, const std::vector<std::string>& folders,
+                                    const std::vector<std::string>& extensions) {
     std::vector<SourceFile> files;
     for (const std::string& folder : folders)
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
@@ -32,6 +36,12 @@ std::vector<SourceFile> files_below(const std::vector<std::string>& folders,
     std::sort(files.begin(), files.end(),
               [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
     return files;
+}
+
+std::optional<std::string> included_file(const std::string& line) {
+    const std::string start = "#include \"";
+    if (line.compare(0, start.size(), start) != 0) return std::nullopt;
+    return line.substr(start.size(), line.rfind('"') - start.size());
 }
 
 std::string without_comment(const std::string& line) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,18 @@ struct SourceFile {
     std::vector<std::string> lines;
 };
 
-// Files below the given folders with one of the extensions, sorted by path.
+inline const std::vector<std::string> code = {".hpp", ".cpp"};
+
+// Files below the given folders of the source tree, at any depth, with one of the extensions, sorted by path.
 std::vector<SourceFile> files_below(const std::vector<std::string>& folders,
                                     const std::vector<std::string>& extensions);
+// The same of another tree: where a test plants what must be found.
+std::vector<SourceFile> files_below(const std::filesystem::path& root,
+                                    const std::vector<std::string>& folders,
+                                    const std::vector<std::string>& extensions);
+
+// "model/expression.hpp" of `#include "model/expression.hpp"`; nothing for other lines and for <...>.
+std::optional<std::string> included_file(const std::string& line);
 
 // A line of C++ without its // comment (strings that hold // are kept).
 std::string without_comment(const std::string& line);
