@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/common_denominator.hpp"
 
+#include "algebra/limbs.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cstdlib>

@@ -42,6 +42,4 @@ std::vector<Term> to_terms(const Fractions& f);
 // possible. Precondition: different monomials, no zero numerator.
 void make_canonical(Fractions& f);
 
-mpz_class to_mpz(const Integer& value);
-
 } // namespace resonform

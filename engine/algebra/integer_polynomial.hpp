@@ -2,8 +2,9 @@
 // Polynomials with integer coefficients in many variables: those of FLINT, which frees nothing by itself.
 #pragma once
 
-#include "algebra/fractions.hpp"
+#include "algebra/limbs.hpp"
 #include "algebra/number.hpp"
+#include "algebra/polynomial.hpp"
 
 #include <flint/fmpz_mpoly.h>
 

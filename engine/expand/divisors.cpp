@@ -3,7 +3,8 @@
 #include "algebra/division.hpp"
 #include "algebra/fractions.hpp"
 #include "algebra/number_field.hpp"
-#include "expand/coefficient_holders.hpp"
+#include "expand/graph_fit.hpp"
+#include "expand/number_fit.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What expand() does where modes are numbers that the ring does not hold.
-#include "expand/coefficient_holders.hpp"
 #include "expand/expansion.hpp"
+#include "expand/number_fit.hpp"
 #include "expand/number_index.hpp"
 #include "expand/numeric_modes.hpp"
 

@@ -2,8 +2,8 @@
 #include "expand/large_blocks.hpp"
 
 #include "expand/closed_roots.hpp"
-#include "expand/coefficient_holders.hpp"
 #include "expand/eigen_field.hpp"
+#include "expand/number_fit.hpp"
 #include "model/canonical.hpp"
 #include "model/zero_test.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/coefficient_holders.hpp"
+#include "expand/graph_fit.hpp"
 #include "normalize/poincare.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/coefficient_holders.hpp"
+#include "expand/number_fit.hpp"
 
 namespace resonform {
 
@@ -17,13 +17,6 @@ std::optional<Diagnostic> hindrance_to_numbers(const System& system) {
         return Diagnostic{"coefficients in numbers go with style poincare", to_string(system.style),
                           "leave out --digits", file};
     return std::nullopt;
-}
-
-bool fits_graph(const GradedField& field) {
-    if (field.system().style != Style::poincare) return false;
-    for (GeneratorId id = 1; id < field.ring->size(); ++id)
-        if (field.ring->is_algebraic(id)) return false;
-    return true;
 }
 
 } // namespace resonform

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which systems can have their coefficients in a graph: what the option that asks for it accepts, and what
+// messages may offer.
+#pragma once
+
+#include "expand/graded_field.hpp"
+
+namespace resonform {
+
+// Whether --coefficients graph takes it: style poincare, no root or function in the coefficients.
+bool fits_graph(const GradedField& field);
+
+} // namespace resonform
