@@ -148,8 +148,9 @@ std::string CppFrame::layers() const {
     for (const CppCondition& margin : plan_.layers) names.push_back(cpp_literal(margin.quantity));
     return built_or_return(
         fmt::format("resonform::clear_of_layers([this](const Real& T) {{ return layers(c_, T{}); }},\n"
-                    "                                           std::array{{{}}}, reach)",
-                    plan_.layers_use_flow ? ", look_up_1(T)" : "", fmt::join(names, ", ")));
+                    "                                           std::array{{{}}}, reach{})",
+                    plan_.layers_use_flow ? ", look_up_1(T)" : "", fmt::join(names, ", "),
+                    plan_.layers_are_broad ? ", resonform::broad_layer_samples" : ""));
 }
 
 std::string CppFrame::arguments() const {

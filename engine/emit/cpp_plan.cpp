@@ -117,6 +117,7 @@ void CppPlan::lower_results() {
     for (const ProgramCondition& margin : program->layers) {
         layers.push_back({code.lower(margin.value), margin.quantity});
         margins.push_back(margin.value);
+        layers_are_broad = layers_are_broad && margin.broad;
     }
     const std::vector<bool> behind_layers = reachable(program->graph, margins);
     for (const ProgramFlow& variable : program->flow)

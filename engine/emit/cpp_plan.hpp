@@ -45,7 +45,7 @@ struct CppPlan {
     std::vector<CppResult> outputs, state;
     std::vector<CppCondition> constant_conditions, varying_conditions;
     std::vector<CppCondition> layers; // of program.layers
-    bool layers_use_flow = false;
+    bool layers_use_flow = false, layers_are_broad = true;
     // Constants that outlive the construction, and the names of their members.
     std::map<StraightLine::Value, std::string> members;
     ConstantRange range;  // of the members

@@ -185,7 +185,9 @@ std::string CppStages::layers() {
     if (plan_.layers_use_flow)
         frame.parameters.emplace_back(fmt::format("const std::array<Number, {}>&", program_.flow.size()),
                                       "flow");
-    return "    // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.\n" +
+    return "    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first "
+           "corrections of the\n"
+           "    // map are half of the amplitudes.\n" +
            function.print(frame) + "\n";
 }
 

@@ -35,8 +35,9 @@ public:
         integrate_drifts();
         turn();
         define_results();
-        add_layers(program_, *solution_.normalization, surroundings_,
-                   [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); });
+        const auto lower = [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); };
+        add_layers(program_, *solution_.normalization, surroundings_, lower);
+        add_corrections(program_, solution_, surroundings_, moving_.modes, lower);
         close();
         return std::move(program_);
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace resonform {
 
@@ -49,6 +50,57 @@ std::optional<Polynomial> rate_of(const Polynomial& divisor, const NormalForm& n
     return sum(addends);
 }
 
+// Real and imaginary part.
+template <class Lower>
+std::pair<Graph::Node, Graph::Node> parts(const Ring& ring, const Polynomial& p, const Lower& lower) {
+    const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
+    const Polynomial conjugate = ring.conjugate(p);
+    return {lower(Rational(1) / 2 * (p + conjugate)),
+            lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
+}
+
+bool varies(const Program& program, Graph::Node n) {
+    return depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(n)];
+}
+
+class GraphAlgebra {
+public:
+    GraphAlgebra(Graph& graph, const std::set<Graph::Node>& positive) : graph_(graph), positive_(positive) {}
+    [[nodiscard]] Graph::Node rational(const Rational& x) const { return graph_.rational(x); }
+    [[nodiscard]] Graph::Node add(std::vector<Graph::Node> terms) const {
+        return graph_.add(std::move(terms));
+    }
+    [[nodiscard]] Graph::Node multiply(const std::vector<Graph::Node>& factors) const {
+        return graph_.multiply(factors);
+    }
+    [[nodiscard]] Graph::Node power(Graph::Node x, int n) const { return graph_.power(x, n); }
+    [[nodiscard]] Graph::Node hypot(Graph::Node x, Graph::Node y) const {
+        if (graph_.is_rational(y, 0)) return magnitude(x);
+        if (graph_.is_rational(x, 0)) return magnitude(y);
+        return graph_.function(Graph::Op::sqrt_sum_squares, {x, y});
+    }
+
+private:
+    // Factor by factor: those of a known sign need no root.
+    [[nodiscard]] Graph::Node magnitude(Graph::Node x) const {
+        const Graph::Entry entry = graph_.at(x);
+        if (entry.op == Graph::Op::rational) return graph_.rational(cln::abs(entry.value));
+        if (entry.op == Graph::Op::power)
+            return graph_.power(magnitude(entry.operands.front()), entry.exponent);
+        if (entry.op == Graph::Op::multiply) {
+            std::vector<Graph::Node> factors;
+            for (const Graph::Node factor : entry.operands) factors.push_back(magnitude(factor));
+            return graph_.multiply(factors);
+        }
+        if (entry.op == Graph::Op::sqrt_sum_squares || sign_of(graph_, x, positive_) != Sign::unknown)
+            return x;
+        return graph_.function(Graph::Op::sqrt_sum_squares, {x, graph_.rational(0)});
+    }
+
+    Graph& graph_;
+    const std::set<Graph::Node>& positive_;
+};
+
 } // namespace
 
 std::vector<MovingDivisor> moving_divisors(const Normalization& normalization) {
@@ -78,24 +130,17 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
                 const std::function<Graph::Node(const Polynomial&)>& lower) {
     Graph& graph = program.graph;
     const Ring& ring = *normalization.normal_form.field->ring;
-    const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
-    const auto parts = [&](const Polynomial& p) {
-        const Polynomial conjugate = ring.conjugate(p);
-        return std::pair{lower(Rational(1) / 2 * (p + conjugate)),
-                         lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
-    };
     for (const MovingDivisor& moving : moving_divisors(normalization)) {
-        const auto [re, im] = parts(moving.divisor);
+        const auto [re, im] = parts(ring, moving.divisor, lower);
         const Graph::Node square = graph.add({graph.power(re, 2), graph.power(im, 2)});
-        const auto [re_rate, im_rate] = parts(moving.rate);
+        const auto [re_rate, im_rate] = parts(ring, moving.rate, lower);
         const std::string name = quantity(ring, moving.divisor);
         for (const Graph::Node component : {re_rate, im_rate})
             for (const Graph::Node change : {component, graph.negate(component)}) {
                 const Graph::Node margin = graph.add({square, change});
-                const bool varies =
-                    depending(graph, varying_symbols(program))[static_cast<std::size_t>(margin)];
                 const bool holds = sign_of(graph, margin, surroundings.positive) == Sign::positive;
-                if (varies && !holds && margin != square) program.layers.push_back({margin, name});
+                if (varies(program, margin) && !holds && margin != square)
+                    program.layers.push_back({margin, name});
             }
     }
     const Graph::Node largest =
@@ -105,6 +150,30 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
         const Graph::Node rest = graph.add({square, graph.negate(largest)});
         if (sign_of(graph, rest, surroundings.positive) != Sign::positive)
             program.positive.push_back({lower(standing.margin), quantity(ring, standing.divisor)});
+    }
+}
+
+void add_corrections(Program& program, const Solution& solution, const Surroundings& surroundings,
+                     const std::vector<FlowUnit>& modes,
+                     const std::function<Graph::Node(const Polynomial&)>& lower) {
+    const Ring& ring = solution.flow ? *solution.normalization->normal_form.field->ring : *solution.ring;
+    const GraphAlgebra algebra(program.graph, surroundings.positive);
+    std::vector<Graph::Node> moduli;
+    for (const FlowUnit& a : modes) moduli.push_back(algebra.hypot(a.u, a.v));
+    for (const FirstCorrection& correction : first_corrections(solution)) {
+        std::vector<Graph::Node> coefficients;
+        for (const FirstCorrection::Term& term : correction.terms) {
+            const auto [re, im] = parts(ring, term.coefficient, lower);
+            coefficients.push_back(algebra.hypot(re, im));
+        }
+        const Graph::Node margin = margin_of(algebra, correction, program.eps, moduli, coefficients);
+        if (!varies(program, margin) ||
+            sign_of(program.graph, margin, surroundings.positive) == Sign::positive)
+            continue;
+        if (needs_quadratures(solution, correction))
+            program.positive.push_back({margin, correction.name});
+        else
+            program.layers.push_back({margin, correction.name, false, true});
     }
 }
 

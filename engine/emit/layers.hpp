@@ -5,9 +5,11 @@
 //   |D|^2 <= |dD/dt|,   dD/dt = sum_k dD/dzeta_k zeta_k'
 //
 // This is |D| <~ sqrt(eps) where D passes zero; of a frequency omega = D itself it is |d(1/omega)/dt| >= 1.
+// So does it where amplitudes have grown beyond what its map is made for (solve/first_correction.hpp).
 #pragma once
 
-#include "emit/moment.hpp"
+#include "emit/flow_moment.hpp"
+#include "solve/first_correction.hpp"
 
 #include <functional>
 
@@ -36,5 +38,12 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
 // program.positive, unless they are numbers that are large enough for every eps <= 1/2.
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                 const std::function<Graph::Node(const Polynomial&)>& lower);
+
+// Likewise what is > 0 while the first corrections of the map are small; what needs quadratures is looked at
+// in every call, for tables are built behind the layers. modes: divided by eps^weight, at any slow time;
+// `lower`: the node of a real polynomial of the solution's ring.
+void add_corrections(Program& program, const Solution& solution, const Surroundings& surroundings,
+                     const std::vector<FlowUnit>& modes,
+                     const std::function<Graph::Node(const Polynomial&)>& lower);
 
 } // namespace resonform

@@ -48,6 +48,11 @@ public:
         add_layers(program_, *solution_.normalization, surroundings_, [&](const Polynomial& p) {
             return call.lowering.polynomial((*solution_.from_normal_form)(p));
         });
+        if (!solution_.modes.empty())
+            add_corrections(
+                program_, solution_, surroundings_,
+                {{call.lowering.polynomial(leading_modulus(solution_)), program_.graph.rational(0)}},
+                [&](const Polynomial& p) { return call.lowering.polynomial(p); });
         constants.require_map(surroundings_);
         close();
         return std::move(program_);

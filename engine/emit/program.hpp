@@ -58,6 +58,7 @@ struct ProgramCondition {
     Graph::Node value;
     std::string quantity;
     bool of_start_map = false; // that the near-identity map leads back to the start
+    bool broad = false;        // of a layer: a few samples see where it begins
 };
 
 // Operations of one call; a power x^n counts as its multiplications.

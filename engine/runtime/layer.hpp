@@ -11,42 +11,56 @@
 #include "runtime/status.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace resonform {
 
-// One margin on [0, end].
-template <class Real, class Margin> class LayerSearch {
+// All margins on [0, end], sampled together.
+template <class Real, class Margins> class LayerSearch {
 public:
-    LayerSearch(const Margin& margin, const Real& end) : margin_(margin), end_(end) {}
+    LayerSearch(const Margins& margins, const Real& end, int samples)
+        : margins_(margins), end_(end), samples_(samples) {}
 
-    // The last place outside before the margin fails for the first time; end, if it never does.
-    Real last_clear() {
-        Real before = Real(0), here = margin_(Real(0));
-        if (!(here > Real(0))) return Real(0);
-        for (int i = 1; i <= samples; ++i) {
-            const Real next = margin_(place(i));
-            if (!(next > Real(0))) return between(place(i - 1), place(i));
-            if (i > 1 && here < before && !(next < here)) {
-                Real inside;
-                if (minimum_fails(place(i - 2), place(i), inside)) return between(place(i - 2), inside);
+    // The last place outside before one of them fails for the first time, and which; end, if none ever does.
+    Real last_clear(std::size_t& failed) {
+        auto here = margins_(Real(0)), before = here;
+        for (std::size_t k = 0; k < here.size(); ++k)
+            if (!(here[k] > Real(0))) {
+                failed = k;
+                return Real(0);
             }
-            before = here;
-            here = next;
+        for (int i = 1; i <= samples_; ++i) {
+            auto next = margins_(place(i));
+            Real clear = end_;
+            for (std::size_t k = 0; k < next.size(); ++k) {
+                Real outside = place(i - 1), inside = place(i);
+                if (next[k] > Real(0)) {
+                    if (i == 1 || !(here[k] < before[k]) || next[k] < here[k]) continue;
+                    outside = place(i - 2);
+                    if (!minimum_fails(k, outside, place(i), inside)) continue;
+                }
+                const Real last = between(k, outside, inside);
+                if (!(last < clear)) continue;
+                clear = last;
+                failed = k;
+            }
+            if (clear < end_) return clear;
+            before = std::move(here);
+            here = std::move(next);
         }
         return end_;
     }
 
 private:
-    static constexpr int samples = 256;
-
-    [[nodiscard]] Real place(int i) const { return end_ * Real(i) / Real(samples); }
+    [[nodiscard]] Real place(int i) const { return end_ * Real(i) / Real(samples_); }
+    [[nodiscard]] Real margin(std::size_t k, const Real& T) const { return Real(margins_(T)[k]); }
 
     // By the golden section.
-    bool minimum_fails(Real left, Real right, Real& inside) {
+    bool minimum_fails(std::size_t k, Real left, Real right, Real& inside) const {
         for (int n = 0; n < 80; ++n) {
             const Real a = left + (right - left) * Real(382) / Real(1000);
             const Real b = left + (right - left) * Real(618) / Real(1000);
-            const Real at_a = margin_(a), at_b = margin_(b);
+            const Real at_a = margin(k, a), at_b = margin(k, b);
             inside = at_a > Real(0) ? b : a;
             if (!(at_a > Real(0)) || !(at_b > Real(0))) return true;
             (at_a < at_b ? right : left) = at_a < at_b ? b : a;
@@ -55,16 +69,17 @@ private:
     }
 
     // clear at `good`, not at `bad`
-    [[nodiscard]] Real between(Real good, Real bad) {
+    [[nodiscard]] Real between(std::size_t k, Real good, Real bad) const {
         for (int n = 0; n < 60; ++n) {
             const Real middle = (good + bad) / Real(2);
-            (margin_(middle) > Real(0) ? good : bad) = middle;
+            (margin(k, middle) > Real(0) ? good : bad) = middle;
         }
         return good;
     }
 
-    Margin margin_;
+    const Margins& margins_;
     Real end_;
+    int samples_;
 };
 
 // NaN is not > 0.
@@ -75,19 +90,18 @@ template <class Margins> bool all_clear(const Margins& margins) {
     return true;
 }
 
-// margins(T) -> an array of margins, each smooth on 0 <= T <= reach, of the divisors named. If one is not > 0
-// somewhere (NaN is not), `reach` is drawn back to before that place; 0: there is none. What is narrower than
-// 1/128 of the interval and has no slope outside is not seen.
+// Places at which margins are sampled: divisors pass zero within a layer, amplitudes grow and fall slowly.
+inline constexpr int layer_samples = 256, broad_layer_samples = 32;
+
+// margins(T) -> an array of margins, each smooth on 0 <= T <= reach, of the divisors or variables named. If
+// one is not > 0 somewhere (NaN is not), `reach` is drawn back to before that place; 0: there is none. What
+// is narrower than two samples and has no slope outside is not seen.
 template <class Margins, class Names, class Real>
-Cause clear_of_layers(const Margins& margins, const Names& names, Real& reach) {
-    Cause cause;
-    for (std::size_t k = 0; k < names.size() && Real(0) < reach; ++k) {
-        const Real end = reach;
-        const auto margin = [&margins, k](const Real& T) { return Real(margins(T)[k]); };
-        reach = LayerSearch<Real, decltype(margin)>(margin, end).last_clear();
-        if (reach < end) cause = {Status::outside_domain, names[k]};
-    }
-    return cause;
+Cause clear_of_layers(const Margins& margins, const Names& names, Real& reach, int samples = layer_samples) {
+    const Real end = reach;
+    std::size_t failed = 0;
+    reach = LayerSearch<Real, Margins>(margins, end, samples).last_clear(failed);
+    return reach < end ? Cause{Status::outside_domain, names[failed]} : Cause{};
 }
 
 } // namespace resonform

@@ -168,7 +168,8 @@ template <class Real> struct Interpreter<Real>::Impl {
             walk.compute(behind_margins->varying);
             return numbers_of(walk, margins);
         };
-        return interval.shorten(clear_of_layers(margins_at, names, reach), reach);
+        const int samples = plan.layers_are_broad ? broad_layer_samples : layer_samples;
+        return interval.shorten(clear_of_layers(margins_at, names, reach, samples), reach);
     }
 
     Cause build_tables() {

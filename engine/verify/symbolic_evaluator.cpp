@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace resonform {
 
@@ -18,6 +19,21 @@ using Numbers = std::vector<Wide>;
 using Moment = SymbolicMoment<Wide>;
 
 bool turns(const SymbolicVariable& v) { return v.kind == Of::mode || v.kind == Of::angle; }
+
+// What margin_of computes with.
+struct MarginAlgebra {
+    [[nodiscard]] static Wide rational(const Rational& x) { return Wide(to_string(x)); }
+    [[nodiscard]] static Wide power(const Wide& x, int n) { return math::power(x, n); }
+    [[nodiscard]] static Wide hypot(const Wide& x, const Wide& y) { return WideComplex{x, y}.size(); }
+    [[nodiscard]] static Wide add(const Numbers& terms) {
+        return std::accumulate(terms.begin(), terms.end(), Wide(0));
+    }
+    [[nodiscard]] static Wide multiply(const Numbers& factors) {
+        Wide product = 1;
+        for (const Wide& x : factors) product *= x;
+        return product;
+    }
+};
 
 } // namespace
 
@@ -62,7 +78,9 @@ struct SymbolicEvaluator::Impl {
             signs.push_back(keeps ? value_of(c.sum, frame.constants).re : Wide(1));
         }
         if (!conditions_hold(frame.constants, false)) return Status::outside_domain;
-        const bool has_layers = !solution().layers().empty();
+        for (const SymbolicCorrection& added : solution().corrections())
+            if (added.is_layer && frame.any_moves(added.needs)) corrections.push_back(&added);
+        const bool has_layers = !solution().layers().empty() || !corrections.empty();
         Wide reach = has_layers ? inputs.slow_time_end : wanted;
         const auto tabulate = [&](Status built) {
             if (built != Status::ok) tabulated = std::min(tabulated, reach);
@@ -98,6 +116,8 @@ struct SymbolicEvaluator::Impl {
 
     [[nodiscard]] bool holds(std::size_t k, const SymbolicValues<Wide>& values) const {
         const SymbolicCondition& c = solution().conditions()[k];
+        if (c.kind == SymbolicCondition::Kind::correction)
+            return margin(solution().corrections()[c.index], values) > 0;
         if (c.kind != SymbolicCondition::Kind::declared) return value_of(c.sum, values).re * signs[k] > 0;
         std::vector<Wide> slow;
         for (const SymbolicVariable& v : variables())
@@ -116,7 +136,16 @@ struct SymbolicEvaluator::Impl {
                 result.push_back(square - part);
             }
         }
+        for (const SymbolicCorrection* added : corrections) result.push_back(margin(*added, at.values));
         return result;
+    }
+
+    [[nodiscard]] Wide margin(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const {
+        Numbers coefficients;
+        for (const SymbolicSum& sum : added.coefficients)
+            coefficients.push_back(value_of(sum, values).size());
+        return margin_of(MarginAlgebra(), added.correction, frame.eps, solution().moduli(values, frame.eps),
+                         coefficients);
     }
 
     Status keep_clear_of_layers(Wide& reach) {
@@ -125,8 +154,9 @@ struct SymbolicEvaluator::Impl {
             integral->move_to(T, at);
             return margins(at);
         };
-        const std::vector<const char*> names(4 * solution().layers().size(), "");
-        return clear_of_layers(margins_at, names, reach).status;
+        const std::vector<const char*> names(4 * solution().layers().size() + corrections.size(), "");
+        const int samples = solution().layers().empty() ? broad_layer_samples : layer_samples;
+        return clear_of_layers(margins_at, names, reach, samples).status;
     }
 
     void find_moved_phases() {
@@ -328,7 +358,8 @@ struct SymbolicEvaluator::Impl {
     SymbolicInputs inputs;
     SymbolicFrame frame;
     std::unique_ptr<SymbolicIntegral> integral;
-    std::vector<Wide> signs; // of the conditions at T = 0
+    std::vector<const SymbolicCorrection*> corrections; // that vary
+    std::vector<Wide> signs;                            // of the conditions at T = 0
     std::vector<MovedPhase> moved;
     std::vector<IntegralScale> integral_scales;
     Wide piece = 0; // of slow time

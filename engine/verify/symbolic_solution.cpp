@@ -58,6 +58,7 @@ SymbolicSolution::SymbolicSolution(const Solution& solution, const Scene& scene,
         read_flow();
     else
         read_closed();
+    add_corrections();
     add_conditions();
     keep_what_is_needed();
 }
@@ -87,6 +88,34 @@ void SymbolicSolution::add_layers(const std::function<Polynomial(const Polynomia
         layers_.push_back({ring_->fixed()(lifted(moving.divisor)), ring_->fixed()(lifted(moving.rate))});
     for (const StandingDivisor& standing : standing_divisors(*solution_.normalization))
         conditions_.push_back({SymbolicCondition::Kind::standing, ring_->fixed()(lifted(standing.margin))});
+}
+
+void SymbolicSolution::add_corrections() {
+    if (!solution_.modes.empty()) modulus_ = ring_->fixed()(leading_modulus(solution_));
+    for (FirstCorrection& correction : first_corrections(solution_)) {
+        SymbolicCorrection added{std::move(correction), {}, modulus_, true};
+        if (solution_.flow)
+            for (const std::size_t k : added.correction.modes)
+                added.needs.push_back({1, {{solution_.normalization->normal_form.field->modes[k].z, 1}}});
+        for (const FirstCorrection::Term& term : added.correction.terms) {
+            added.coefficients.push_back(ring_->fixed()(term.coefficient));
+            added.needs.insert(added.needs.end(), added.coefficients.back().begin(),
+                               added.coefficients.back().end());
+        }
+        if (needs_quadratures(solution_, added.correction)) {
+            added.is_layer = false;
+            conditions_.push_back({SymbolicCondition::Kind::correction, added.needs, corrections_.size()});
+        }
+        corrections_.push_back(std::move(added));
+    }
+}
+
+std::vector<Wide> SymbolicSolution::moduli(const SymbolicValues<Wide>& values, const Wide& eps) const {
+    if (!solution_.flow) return {value_of(modulus_, values).size()};
+    std::vector<Wide> result;
+    for (const SymbolicVariable& v : variables_)
+        if (v.kind == Of::mode) result.push_back(values[v.id].size() / math::power(eps, v.weight));
+    return result;
 }
 
 void SymbolicSolution::read_closed() {
@@ -257,6 +286,8 @@ void SymbolicSolution::keep_what_is_needed() {
     std::erase_if(layers_, [&](const SymbolicLayer& layer) {
         return unknown(layer.divisor, unknown) || unknown(layer.rate, unknown);
     });
+    for (SymbolicCorrection& added : corrections_)
+        added.is_layer = added.is_layer && !unknown(added.needs, unknown);
 }
 
 // All of the system, in its order.
@@ -297,6 +328,11 @@ std::string SymbolicSolution::text() const {
         text += fmt::format("condition {} {} {}", static_cast<int>(c.kind), c.index, text_of(c.sum));
     for (const SymbolicLayer& layer : layers_)
         text += "layer " + text_of(layer.divisor) + text_of(layer.rate);
+    for (const SymbolicCorrection& added : corrections_) {
+        text += fmt::format("correction {} {}", added.is_layer, text_of(added.needs));
+        for (const FirstCorrection::Term& term : added.correction.terms)
+            text += fmt::format("{} {};", term.power_of_eps, fmt::join(term.powers, " "));
+    }
     return text + declared_->text();
 }
 

@@ -4,6 +4,7 @@
 // in slow time T, phases that turn, and outputs as polynomials of them.
 #pragma once
 
+#include "solve/first_correction.hpp"
 #include "verify/symbolic_start.hpp"
 #include "verify/tape.hpp"
 
@@ -52,7 +53,8 @@ struct SymbolicCondition { // > 0
         standing,   // the margin of a divisor that does not move
         keeps_sign, // of a slow variable or a divisor: that of the start
         slow,
-        declared, // of SymbolicSolution::declared, by index
+        declared,   // of SymbolicSolution::declared, by index
+        correction, // of SymbolicSolution::corrections, by index
     };
     Kind kind;
     SymbolicSum sum;
@@ -61,6 +63,13 @@ struct SymbolicCondition { // > 0
 
 struct SymbolicLayer {
     SymbolicSum divisor, rate;
+};
+
+struct SymbolicCorrection { // of the map, > 0 while it is small
+    FirstCorrection correction;
+    std::vector<SymbolicSum> coefficients;
+    SymbolicSum needs;     // all that it is made of
+    bool is_layer = false; // else a condition, or nothing
 };
 
 class SymbolicSolution {
@@ -76,6 +85,9 @@ public:
     [[nodiscard]] const std::vector<SymbolicOutput>& outputs() const { return outputs_; }
     [[nodiscard]] const std::vector<SymbolicCondition>& conditions() const { return conditions_; }
     [[nodiscard]] const std::vector<SymbolicLayer>& layers() const { return layers_; }
+    [[nodiscard]] const std::vector<SymbolicCorrection>& corrections() const { return corrections_; }
+    // |a| of each mode.
+    [[nodiscard]] std::vector<Wide> moduli(const SymbolicValues<Wide>& values, const Wide& eps) const;
     // What is declared positive, where the slow variables, in the order of `variables`, have these values.
     [[nodiscard]] std::vector<Float128> declared_at(const std::vector<Wide>& slow,
                                                     const SymbolicInputs& inputs) const;
@@ -96,6 +108,7 @@ private:
     std::size_t add(SymbolicVariable variable);
     void add_slow(const Variable& variable, GeneratorId id, std::size_t start, SymbolicSum rate, int power);
     void add_layers(const std::function<Polynomial(const Polynomial&)>& lifted);
+    void add_corrections();
     void add_conditions();
     void keep_what_is_needed();
     [[nodiscard]] std::vector<Float128> parameters(const SymbolicInputs& inputs) const;
@@ -111,6 +124,8 @@ private:
     std::vector<SymbolicOutput> outputs_;
     std::vector<SymbolicCondition> conditions_;
     std::vector<SymbolicLayer> layers_;
+    std::vector<SymbolicCorrection> corrections_;
+    SymbolicSum modulus_;            // of a closed solution
     std::unique_ptr<Tape> declared_; // in parameters; its states are the slow variables
     std::unique_ptr<SymbolicStartFinder> start_;
     std::vector<Constant> constants_;

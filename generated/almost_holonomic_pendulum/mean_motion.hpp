@@ -112,6 +112,7 @@ private:
     template <class Number> struct Constants {
         Number xi_0{};
         Number c_1{};
+        Number eps{};
         Number c_2{};
         Number c_3{};
         Number C_X{};
@@ -119,6 +120,11 @@ private:
         Number c_4{};
         Number c_5{};
         Number c_6{};
+        Number c_7{};
+        Number c_8{};
+        Number c_9{};
+        Number c_10{};
+        Number c_11{};
     };
 
     template <class Number> static void compute_constants(
@@ -127,14 +133,20 @@ private:
         const Number C_delta = Number(start.C_delta);
         const Number k_1 = C_delta * C_delta;
         c.c_1 = Number(1) / Number(4) * k_1;
-        const Number eps = Number(given_eps);
-        c.c_2 = eps * eps;
+        c.eps = Number(given_eps);
+        c.c_2 = c.eps * c.eps;
         c.c_3 = -c.c_2;
         c.C_X = Number(start.C_X);
         c.C_Y = Number(start.C_Y);
         c.c_4 = Number(1) / Number(2);
         c.c_5 = c.c_4 * k_1;
-        c.c_6 = c.c_4 * eps;
+        c.c_6 = c.c_4 * c.eps;
+        c.c_7 = Number(1) / Number(8);
+        const Number k_2 = hypot(C_delta, Number(0));
+        c.c_8 = Number(5) / Number(12) * c.eps * k_2;
+        c.c_9 = Number(3) / Number(64) * (k_2 * k_2);
+        c.c_10 = Number(2) * c.eps;
+        c.c_11 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -151,18 +163,26 @@ private:
         return {Number(Number(1) - Number(4) * (k_6 * k_6))};
     }
 
-    // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
-    template <class Number> static std::array<Number, 2> layers(
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 4> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
         const Number per_s = per(s);
+        const Number q_1 = per_s * per_s;
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
+        const Number s_m3_4 = s_4 * per_s;
         const Number s_m1_2 = s_2 * per_s;
-        const Number s_m5_4 = s_2 * s_4 * (per_s * per_s);
-        const Number q_1 = c.c_6 * s_m5_4 * xi;
-        return {Number(s_m1_2 - q_1), Number(s_m1_2 + q_1)};
+        const Number s_m5_4 = s_2 * s_4 * q_1;
+        const Number q_2 = c.c_6 * s_m5_4 * xi;
+        const Number q_3 = hypot(xi, Number(0));
+        const Number s_m13_8 = s_4 * sqrt(s_4) * q_1;
+        const Number s_m1_4 = s_2 * s_4 * per_s;
+        const Number q_4 = c.c_7 * s_m3_4 * q_3 + c.eps * (c.c_8 * s_m13_8 * q_3 + c.c_9 * s_m1_4);
+        const Number s_m3_2 = s_2 * q_1;
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_10 * q_4), Number(Number(1) - c.c_11 * s_m3_2 * (q_3 * q_3))};
     }
 
     // dQ_x/dT
@@ -219,8 +239,8 @@ private:
         if (!finite(start.C_delta)) return {Status::bad_argument, "C_delta"};
         if (!finite(start.C_X)) return {Status::bad_argument, "C_X"};
         if (!finite(start.C_Y)) return {Status::bad_argument, "C_Y"};
-        if (!within(eps, 0x1p448)) return {Status::overflow, "eps"};
-        if (!within(start.C_delta, 0x1p448)) return {Status::overflow, "C_delta"};
+        if (!within(eps, 0x1p222)) return {Status::overflow, "eps"};
+        if (!within(start.C_delta, 0x1p222)) return {Status::overflow, "C_delta"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
@@ -228,7 +248,7 @@ private:
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
-                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)"}, reach), reach);
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

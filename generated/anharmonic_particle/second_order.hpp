@@ -73,6 +73,7 @@
 
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
@@ -203,6 +204,7 @@ private:
         Number c_26{};
         Number c_27{};
         Number c_28{};
+        Number c_29{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -505,6 +507,7 @@ private:
         w.k_123 = w.k_47 + c.eps * w.k_114;
         w.k_124 = w.k_56 + c.eps * w.k_122;
         c.c_28 = w.k_5 + w.k_7 + w.k_74 + c.c_3 * (w.k_114 * w.k_114) + c.c_3 * (w.k_122 * w.k_122) - Number(4) * (w.k_123 * w.k_123 + w.k_124 * w.k_124);
+        c.c_29 = Number(9) / Number(16) * c.eps;
     }
 
     template <class Number> static void compute_constants(
@@ -546,6 +549,7 @@ private:
         keep(scaled.c_24, c.c_24, "c_24 in z_2");
         keep(scaled.c_25, c.c_25, "c_25 in z_2");
         keep(scaled.c_26, c.c_26, "c_26 in z");
+        keep(scaled.c_29, c.c_29, "c_29 in y");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -604,6 +608,19 @@ private:
         const Number q_35 = q_5 * (q_21 + q_22 - c.c_6) + q_7 * (q_22 - c.c_7) + c.c_9 - q_34 - c.c_11 * q_3;
         const Number q_36 = u_y * (u_y * q_35 - q_26) + q_7 * (q_7 * (q_27 - c.c_6) + c.c_9 - q_23 - q_24) + q_1 * (q_34 + q_29) + c.c_11 * q_30;
         return {Number(v_x * q_15 + u_x * u_y * v_y * (c.c_13 * q_1 - q_16 - q_17)), Number(u_x * q_20 + v_x * u_y * v_y * (q_16 + q_17 - c.c_13 * q_3)), Number(v_y * q_31 + u_x * v_x * u_y * (c.c_13 * q_5 - q_32 - q_33)), Number(u_y * q_36 + u_x * v_x * v_y * (q_32 + q_33 - c.c_13 * q_7))};
+    }
+
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 2> layers(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& flow) {
+        const Number v_x = flow[1];
+        const Number u_x = flow[0];
+        const Number u_y = flow[2];
+        const Number v_y = flow[3];
+        const Number q_1 = hypot(u_x, v_x);
+        const Number q_2 = hypot(u_y, v_y);
+        return {Number(Number(1) - c.c_29 * (q_1 * q_1)), Number(Number(1) - c.c_29 * (q_2 * q_2))};
     }
 
     // dQ_z/dT
@@ -705,8 +722,14 @@ private:
             return lost;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                {tables_0_.build_while([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                              [this](const Real& T, const std::array<Real, 4>& flow) { return resonform::all_clear(layers(c_, T, flow)); },
                               {c_.u_x, c_.v_x, c_.u_y, c_.v_y}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T, look_up_1(T)); },
+                                           std::array{"x", "y"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

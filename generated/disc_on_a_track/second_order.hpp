@@ -40,6 +40,7 @@
 
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
@@ -162,6 +163,9 @@ private:
         Number c_15{};
         Number c_16{};
         Number c_17{};
+        Number c_18{};
+        Number c_19{};
+        Number c_20{};
     };
 
     template <class Number> static void compute_constants(
@@ -215,6 +219,9 @@ private:
         const Number k_22 = k_5 + c.c_1 * k_20;
         const Number k_23 = k_12 + c.c_1 * k_21;
         c.c_17 = k_18 * k_18 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_19 * (k_20 * k_20) + k_19 * (k_21 * k_21) - Number(4) * (k_22 * k_22 + k_23 * k_23);
+        c.c_18 = hypot(c.theta_0, Number(-theta_dot_0 * k_6));
+        c.c_19 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_20 = Number(5) / Number(8) * c.c_1 * (c.c_18 * c.c_18);
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -238,6 +245,9 @@ private:
         keep(scaled.c_14, c.c_14, "c_14 in R_2");
         keep(scaled.c_15, c.c_15, "c_15 in R_2");
         keep(scaled.c_16, c.c_16, "c_16 in R");
+        keep(scaled.c_18, c.c_18, "c_18 in x");
+        keep(scaled.c_19, c.c_19, "c_19 in x");
+        keep(scaled.c_20, c.c_20, "c_20 in x");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -257,6 +267,16 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         return {Number(c.c_5 * v_x), Number(c.c_6 * u_x)};
+    }
+
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 1> layers(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
+        const Number v_x = flow[1];
+        const Number u_x = flow[0];
+        const Number q_1 = hypot(u_x, v_x);
+        return {Number(hypot(q_1, c.c_18) + c.c_19 - c.c_20 * q_1)};
     }
 
     // dQ_y/dT
@@ -343,8 +363,14 @@ private:
             return lost;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                {tables_0_.build_while([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                              [this](const Real& T, const std::array<Real, 2>& flow) { return resonform::all_clear(layers(c_, T, flow)); },
                               {c_.u_x, c_.v_x}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T, look_up_1(T)); },
+                                           std::array{"x"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

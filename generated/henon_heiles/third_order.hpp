@@ -48,6 +48,7 @@
 
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 
@@ -158,6 +159,12 @@ private:
         Number c_12{};
         Number c_13{};
         Number c_14{};
+        Number c_15{};
+        Number c_16{};
+        Number c_17{};
+        Number c_18{};
+        Number c_19{};
+        Number c_20{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -330,8 +337,9 @@ private:
         w.k_56 = c.eps * w.k_55 - c.c_2 * c.u_x * c.u_y - c.c_3 * c.v_x * c.v_y;
         w.k_57 = Number(217) / Number(90) * w.k_45 + Number(64) / Number(135) * w.k_46 + Number(121) / Number(90) * w.k_48 - Number(188) / Number(135) * w.k_47;
         w.k_58 = c.eps * (c.u_y * w.k_57 - Number(7) / Number(90) * c.u_x * c.v_x * c.v_y);
-        w.k_59 = Number(47) / Number(144) * w.k_46;
-        w.k_60 = Number(47) / Number(144) * w.k_48;
+        c.c_13 = Number(47) / Number(144);
+        w.k_59 = c.c_13 * w.k_46;
+        w.k_60 = c.c_13 * w.k_48;
         w.k_61 = w.k_58 + Number(13) / Number(48) * w.k_47 - Number(11) / Number(144) * w.k_45 - w.k_59 - w.k_60;
         w.k_62 = Number(329) / Number(90) * w.k_47 + Number(128) / Number(135) * w.k_48 - Number(244) / Number(135) * w.k_45;
         w.k_63 = Number(25) / Number(72) * c.u_y;
@@ -339,7 +347,7 @@ private:
         w.k_65 = w.k_64 + c.c_2 * c.u_x * c.v_y + c.c_2 * c.v_x * c.u_y;
         w.k_66 = w.k_15 + c.eps * w.k_56;
         w.k_67 = w.k_25 + c.eps * w.k_65;
-        c.c_13 = w.k_1 * w.k_2 + w.k_1 * w.k_3 + w.k_44 + w.k_42 * (w.k_56 * w.k_56) + w.k_42 * (w.k_65 * w.k_65) - Number(4) * (w.k_66 * w.k_66 + w.k_67 * w.k_67);
+        c.c_14 = w.k_1 * w.k_2 + w.k_1 * w.k_3 + w.k_44 + w.k_42 * (w.k_56 * w.k_56) + w.k_42 * (w.k_65 * w.k_65) - Number(4) * (w.k_66 * w.k_66 + w.k_67 * w.k_67);
         w.k_68 = Number(443) / Number(1080) * w.k_45 + Number(79) / Number(360) * w.k_46 - Number(86) / Number(45) * w.k_47 - Number(63) / Number(40) * w.k_48;
         w.k_69 = c.u_x * (c.u_x * w.k_68 - Number(32) / Number(15) * c.v_x * c.u_y * c.v_y);
         w.k_70 = Number(61) / Number(120) * w.k_47 - Number(101) / Number(540) * w.k_46 - Number(56) / Number(45) * w.k_48;
@@ -355,7 +363,12 @@ private:
         w.k_80 = w.k_79 + c.c_2 * c.u_x * c.v_x - c.c_2 * c.u_y * c.v_y;
         w.k_81 = w.k_34 + c.eps * w.k_74;
         w.k_82 = w.k_41 + c.eps * w.k_80;
-        c.c_14 = w.k_1 * w.k_4 + w.k_1 * w.k_5 + w.k_44 + w.k_42 * (w.k_74 * w.k_74) + w.k_42 * (w.k_80 * w.k_80) - Number(4) * (w.k_81 * w.k_81 + w.k_82 * w.k_82);
+        c.c_15 = w.k_1 * w.k_4 + w.k_1 * w.k_5 + w.k_44 + w.k_42 * (w.k_74 * w.k_74) + w.k_42 * (w.k_80 * w.k_80) - Number(4) * (w.k_81 * w.k_81 + w.k_82 * w.k_82);
+        c.c_16 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_17 = Number(29) / Number(48);
+        c.c_18 = Number(5) / Number(3);
+        c.c_19 = Number(2) * c.eps;
+        c.c_20 = Number(5) / Number(6);
     }
 
     template <class Number> static void compute_constants(
@@ -382,6 +395,12 @@ private:
         keep(scaled.c_10, c.c_10, "c_10 in y_3");
         keep(scaled.c_11, c.c_11, "c_11 in y_3");
         keep(scaled.c_12, c.c_12, "c_12 in y_3");
+        keep(scaled.c_13, c.c_13, "c_13 in y");
+        keep(scaled.c_16, c.c_16, "c_16 in y");
+        keep(scaled.c_17, c.c_17, "c_17 in y");
+        keep(scaled.c_18, c.c_18, "c_18 in x");
+        keep(scaled.c_19, c.c_19, "c_19 in y");
+        keep(scaled.c_20, c.c_20, "c_20 in y");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -389,8 +408,8 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_13 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_15 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -412,6 +431,24 @@ private:
         const Number q_7 = c.c_4 * q_6;
         const Number q_8 = c.c_4 * q_5;
         return {Number(v_x * (q_2 + q_4 + q_7 - c.c_5 * q_5) + c.c_6 * u_x * u_y * v_y), Number(u_x * (c.c_5 * q_6 - q_2 - q_4 - q_8) - c.c_6 * v_x * u_y * v_y), Number(v_y * (q_4 + q_7 + q_8 - c.c_5 * q_1) + c.c_6 * u_x * v_x * u_y), Number(u_y * (c.c_5 * q_3 - q_2 - q_8 - q_7) - c.c_6 * u_x * v_x * v_y)};
+    }
+
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 2> layers(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& flow) {
+        const Number v_x = flow[1];
+        const Number u_x = flow[0];
+        const Number u_y = flow[2];
+        const Number v_y = flow[3];
+        const Number q_1 = hypot(u_x, v_x);
+        const Number q_2 = hypot(u_y, v_y);
+        const Number q_3 = hypot(q_1, q_2);
+        const Number q_4 = q_1 * q_1;
+        const Number q_5 = q_2 * q_2;
+        const Number q_6 = c.eps * (c.c_13 * (q_4 * q_1) + c.c_17 * q_1 * q_5) + c.c_18 * q_1 * q_2;
+        const Number q_7 = c.eps * (c.c_13 * (q_5 * q_2) + c.c_17 * q_2 * q_4) + c.c_20 * q_5 + c.c_20 * q_4;
+        return {Number(q_3 + c.c_16 - c.c_19 * q_6), Number(q_3 + c.c_16 - c.c_19 * q_7)};
     }
 
     // dtheta/dT
@@ -485,8 +522,14 @@ private:
             return lost;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                {tables_0_.build_while([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                              [this](const Real& T, const std::array<Real, 4>& flow) { return resonform::all_clear(layers(c_, T, flow)); },
                               {c_.u_x, c_.v_x, c_.u_y, c_.v_y}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T, look_up_1(T)); },
+                                           std::array{"x", "y"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -120,6 +120,12 @@ private:
         Number c_7{};
         Number c_8{};
         Number c_9{};
+        Number c_10{};
+        Number c_11{};
+        Number c_12{};
+        Number c_13{};
+        Number c_14{};
+        Number c_15{};
     };
 
     template <class Number> static void compute_constants(
@@ -133,12 +139,19 @@ private:
         c.eps = Number(given_eps);
         c.c_3 = c.eps * c.eps;
         c.c_4 = Number(1) / c.eps;
-        c.c_5 = Number(1) / Number(4) * c.C;
-        c.c_6 = Number(7) / Number(32) * c.C;
+        c.c_5 = Number(1) / Number(4);
+        c.c_6 = c.c_5 * c.C;
+        c.c_7 = Number(7) / Number(32) * c.C;
+        c.c_8 = Number(3) / Number(16);
         const Number k_2 = k_1 * c.C;
-        c.c_7 = Number(3) / Number(16) * k_2;
-        c.c_8 = Number(1) / Number(32) * k_2;
-        c.c_9 = Number(2) * c.eps;
+        c.c_9 = c.c_8 * k_2;
+        c.c_10 = Number(1) / Number(32);
+        c.c_11 = c.c_10 * k_2;
+        c.c_12 = Number(2) * c.eps;
+        c.c_13 = Number(1) / Number(16);
+        const Number k_3 = hypot(c.C, Number(0));
+        c.c_14 = k_3 * k_3;
+        c.c_15 = c.c_13 * c.c_3;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -285,7 +298,7 @@ private:
         w.k_6 = Number(1) / w.k_5;
         w.k_7 = w.k_6 * w.k_6;
         w.k_8 = w.k_7 * w.k_6;
-        w.k_9 = w.k_4 * (w.k_4 + Number(6)) + Number(1) / Number(32) * w.k_2 + Number(12);
+        w.k_9 = Number(1) / Number(32) * w.k_2 + w.k_4 * (w.k_4 + Number(6)) + Number(12);
         w.k_10 = w.k_4 * w.k_9 + Number(8);
         w.k_11 = w.k_8 * w.k_10 - Number(1);
         w.k_12 = sqrt(w.k_5);
@@ -413,17 +426,24 @@ private:
         return {Number(Number(1) - Number(4) * (w.k_11 * w.k_11)), Number(w.k_122)};
     }
 
-    // All > 0, or a divisor D that moves is too small: |D|^2 <= |dD/dt|.
-    template <class Number> static std::array<Number, 2> layers(
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 4> layers(
             const Constants<Number>& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number s = tau * tau + Number(2);
         const Number s_2 = sqrt(s);
         const Number per_s = per(s);
-        const Number q_1 = Number(4) * s;
+        const Number q_1 = per_s * per_s;
+        const Number q_2 = Number(4) * s;
         const Number s_m1_2 = s_2 * per_s;
-        const Number q_2 = c.c_9 * s_m1_2 * tau;
-        return {Number(q_1 + q_2), Number(q_1 - q_2)};
+        const Number q_3 = c.c_12 * s_m1_2 * tau;
+        const Number s_m3_2 = s_2 * q_1;
+        const Number q_4 = hypot(tau, Number(0));
+        const Number q_5 = c.c_14 * s_m3_2 * hypot(Number(c.c_13 * tau + c.c_13), Number(0));
+        const Number q_6 = c.c_14 * s_m3_2 * hypot(Number(-c.c_10 * tau - c.c_10), Number(0));
+        const Number q_7 = q_5 + c.c_14 * s_m3_2 * hypot(Number(-c.c_8 * tau - c.c_8), Number(0)) + q_6;
+        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_12 * (c.c_5 * s_m3_2 * q_4 + c.eps * q_7)), Number(Number(1) - c.c_15 * (q_1 * per_s) * (q_4 * q_4))};
     }
 
     // dtheta/dT
@@ -455,13 +475,13 @@ private:
         const Real s_m1_4 = s_2 * s_4 * per_s;
         const Real x_1 = c.C * s_m1_4 * a.cos_theta;
         const Real s_m7_4 = s_4 * q_2;
-        const Real x_2 = c.c_5 * s_m7_4 * tau * a.sin_theta;
+        const Real x_2 = c.c_6 * s_m7_4 * tau * a.sin_theta;
         const Real s_m13_4 = s_2 * s_4 * (q_2 * q_2);
-        const Real q_3 = s_m13_4 * (c.c_5 - c.c_6 * q_1) + s_m7_4 * (-c.c_7 * tau - c.c_7);
+        const Real q_3 = s_m13_4 * (c.c_6 - c.c_7 * q_1) + s_m7_4 * (-c.c_9 * tau - c.c_9);
         const Real q_4 = a.sin_theta * a.sin_theta;
         const Real cos_2theta = a.cos_theta * a.cos_theta - q_4;
         const Real cos_3theta = a.cos_theta * cos_2theta - Real(2) * a.cos_theta * q_4;
-        const Real x_3 = a.cos_theta * q_3 + s_m7_4 * cos_3theta * (c.c_8 * tau + c.c_8);
+        const Real x_3 = a.cos_theta * q_3 + s_m7_4 * cos_3theta * (c.c_11 * tau + c.c_11);
         values.x = c.eps * (x_1 + c.eps * (x_2 + c.eps * x_3));
         return finite(values.x) ? Status::ok : Status::overflow;
     }
@@ -485,8 +505,8 @@ private:
         if (!finite(start.tau_0)) return {Status::bad_argument, "tau_0"};
         if (!finite(start.C)) return {Status::bad_argument, "C"};
         if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};
-        if (!within(eps, 0x1p298)) return {Status::overflow, "eps"};
-        if (!within(start.C, 0x1p298)) return {Status::overflow, "C"};
+        if (!within(eps, 0x1p224)) return {Status::overflow, "eps"};
+        if (!within(start.C, 0x1p224)) return {Status::overflow, "C"};
         interval_ = Interval(eps, end);
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
@@ -495,7 +515,7 @@ private:
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
-                                           std::array{"2*sqrt(tau^2 + 2)", "2*sqrt(tau^2 + 2)"}, reach), reach);
+                                           std::array{"2*sqrt(tau^2 + 2)", "2*sqrt(tau^2 + 2)", "x", "x"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -30,6 +30,7 @@
 
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 
@@ -143,6 +144,12 @@ private:
         Number c_14{};
         Number c_15{};
         Number c_16{};
+        Number c_17{};
+        Number c_18{};
+        Number c_19{};
+        Number c_20{};
+        Number c_21{};
+        Number c_22{};
     };
 
     template <class Number> static void compute_constants(
@@ -173,6 +180,12 @@ private:
         c.c_14 = Number(3) / Number(8);
         c.c_15 = Number(5) / Number(32);
         c.c_16 = Number(3) / Number(32);
+        c.c_17 = Number(11) / Number(48);
+        c.c_18 = Number(5) / Number(8);
+        c.c_19 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_20 = Number(15) / Number(128);
+        c.c_21 = Number(2) * c.eps;
+        c.c_22 = Number(19) / Number(192) * c.eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -279,6 +292,23 @@ private:
         return {Number(q_7), Number(q_8), Number(q_9), Number(u_y + q_2 * (c.c_9 - q_10) + q_4 * (c.c_10 - q_10))};
     }
 
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 2> layers(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& flow) {
+        const Number v_x = flow[1];
+        const Number u_y = flow[2];
+        const Number u_x = flow[0];
+        const Number v_y = flow[3];
+        const Number q_1 = hypot(u_x, v_x);
+        const Number q_2 = hypot(u_y, v_y);
+        const Number q_3 = hypot(q_1, q_2);
+        const Number q_4 = q_1 * q_1;
+        const Number q_5 = c.eps * (c.c_20 * (q_4 * q_1) + c.c_17 * q_1 * (q_2 * q_2)) + c.c_18 * q_1 * q_2;
+        const Number q_6 = q_3 + c.c_19 - c.c_21 * (c.c_6 * q_2 + c.c_22 * q_2 * q_4 + c.c_15 * q_4);
+        return {Number(q_3 + c.c_19 - c.c_21 * q_5), Number(q_6)};
+    }
+
     // dtheta_1/dT
     template <class Number> static Number theta_1_rate(
             const Constants<Number>& c, [[maybe_unused]] const Number& T) {
@@ -357,8 +387,14 @@ private:
         if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "y"};
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                {tables_0_.build_while([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },
+                              [this](const Real& T, const std::array<Real, 4>& flow) { return resonform::all_clear(layers(c_, T, flow)); },
                               {c_.u_x, c_.v_x, c_.u_y, c_.v_y}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T, look_up_1(T)); },
+                                           std::array{"x", "y"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -31,6 +31,7 @@
 
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
@@ -146,6 +147,9 @@ private:
         Number c_11{};
         Number c_12{};
         Number c_13{};
+        Number c_14{};
+        Number c_15{};
+        Number c_16{};
     };
 
     template <class Number> static void compute_constants(
@@ -192,6 +196,9 @@ private:
         const Number k_20 = k_5 + c.c_1 * k_18;
         const Number k_21 = k_11 + c.c_1 * k_19;
         c.c_13 = k_16 * k_16 + x_0 * x_0 + x_dot_0 * x_dot_0 + k_17 * (k_18 * k_18) + k_17 * (k_19 * k_19) - Number(4) * (k_20 * k_20 + k_21 * k_21);
+        c.c_14 = hypot(c.theta_0, Number(-c.theta_dot_0));
+        c.c_15 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_16 = Number(5) / Number(8) * c.c_1 * (c.c_14 * c.c_14);
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -212,6 +219,9 @@ private:
         keep(scaled.c_10, c.c_10, "c_10");
         keep(scaled.c_11, c.c_11, "c_11 in theta");
         keep(scaled.c_12, c.c_12, "c_12 in y");
+        keep(scaled.c_14, c.c_14, "c_14 in x");
+        keep(scaled.c_15, c.c_15, "c_15 in x");
+        keep(scaled.c_16, c.c_16, "c_16 in x");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -231,6 +241,16 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         return {Number(c.c_6 * v_x), Number(c.c_7 * u_x)};
+    }
+
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 1> layers(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
+        const Number v_x = flow[1];
+        const Number u_x = flow[0];
+        const Number q_1 = hypot(u_x, v_x);
+        return {Number(hypot(q_1, c.c_14) + c.c_15 - c.c_16 * q_1)};
     }
 
     // dQ_y/dT
@@ -313,8 +333,14 @@ private:
             return lost;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                {tables_0_.build_while([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                              [this](const Real& T, const std::array<Real, 2>& flow) { return resonform::all_clear(layers(c_, T, flow)); },
                               {c_.u_x, c_.v_x}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T, look_up_1(T)); },
+                                           std::array{"x"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

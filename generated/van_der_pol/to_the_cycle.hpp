@@ -33,6 +33,7 @@
 
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 
@@ -140,6 +141,8 @@ private:
         Number c_16{};
         Number c_17{};
         Number c_18{};
+        Number c_19{};
+        Number c_20{};
     };
 
     template <class Number> static void compute_constants(
@@ -168,6 +171,8 @@ private:
         c.c_16 = Number(1) / Number(16);
         c.c_17 = Number(5) / Number(384);
         c.c_18 = Number(5) / Number(192);
+        c.c_19 = Number(5) / Number(32);
+        c.c_20 = Number(2) * c.eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -249,6 +254,16 @@ private:
         return {Number(q_9), Number(q_11)};
     }
 
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes.
+    template <class Number> static std::array<Number, 1> layers(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
+        const Number u_x = flow[0];
+        const Number v_x = flow[1];
+        const Number q_1 = hypot(u_x, v_x);
+        return {Number(Number(1) - c.c_20 * (c.c_19 * (q_1 * q_1) + c.c_13))};
+    }
+
     // dtheta/dT
     template <class Number> static Number theta_rate(
             const Constants<Number>& c, [[maybe_unused]] const Number& T) {
@@ -309,8 +324,14 @@ private:
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                {tables_0_.build_while([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
+                              [this](const Real& T, const std::array<Real, 2>& flow) { return resonform::all_clear(layers(c_, T, flow)); },
                               {c_.u_x, c_.v_x}, reach), "slow flow"}, reach);
+            failed.status != Status::ok)
+            return failed;
+        if (const Cause failed = interval_.shorten(
+                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T, look_up_1(T)); },
+                                           std::array{"x"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

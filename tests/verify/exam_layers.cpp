@@ -52,11 +52,11 @@ private:
     std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
-// omega = sqrt(2 - tau), and what is divided by is 2 omega: 4 omega^2 = |2 omega'| where omega^3 = eps/4.
+// omega = sqrt(2 - tau), and what is divided by is 2 omega: 4 omega^2 = |2 omega'| where omega^3 = eps/4. The
+// linear correction of the map is half of the amplitude at the same place, with a cubic one before.
 TEST_F(LayerOf, ATurningPoint) {
-    const auto turning =
-        program("[domain]\npositive = [\"2 - tau\"]\n", "x = \"x'' + (2 - tau)*x + x^3 = 0\"\n",
-                "tau = 1\namplitude.x = 1\nphase.x = 0\n");
+    const auto turning = program("[domain]\npositive = [\"2 - tau\"]\n", "x = \"x'' + (2 - tau)*x = 0\"\n",
+                                 "tau = 1\namplitude.x = 1\nphase.x = 0\n");
     for (const double eps : {0.01, 1e-4, 1e-7}) expect_end(turning, eps, 1 - std::pow(eps / 4, 2.0 / 3));
 }
 
@@ -68,7 +68,8 @@ TEST_F(LayerOf, APassageThroughResonance) {
     for (const double eps : {0.01, 1e-4, 1e-6}) expect_end(passage, eps, 0.5 - std::sqrt(eps));
 }
 
-// omega^2 = 1 + tau never comes near zero, and a constant frequency does not move.
+// omega^2 = 1 + tau never comes near zero, and a constant frequency does not move: then only the map has a
+// layer.
 TEST_F(LayerOf, NothingThatIsFarAway) {
     const std::string start = "tau = 1\namplitude.x = 1\nphase.x = 0\n";
     for (const char* equation :
@@ -78,7 +79,9 @@ TEST_F(LayerOf, NothingThatIsFarAway) {
         std::vector<double> values;
         for (const double t : {0.0, 1.0, 5.0, 10.0}) EXPECT_EQ(interpreter.call(t, values), Status::ok) << t;
     }
-    EXPECT_TRUE(program("", "x = \"x'' + x + tau*x^3 = 0\"\n", start)->layers.empty());
+    for (const ProgramCondition& layer : program("", "x = \"x'' + x + tau*x^3 = 0\"\n", start)->layers)
+        EXPECT_EQ(layer.quantity, "x");
+    EXPECT_TRUE(program("", "x = \"x'' + x + x^3 = 0\"\n", start)->layers.empty());
 }
 
 // The ladder goes on where the evaluator answers, and says where it does not.

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Along the motion the near-identity map stays near the identity: evaluators end where amplitudes have grown
+// beyond it, interpreted and emitted, in what they are held against as well.
+#include "support/program.hpp"
+#include "support/shell.hpp"
+#include "verify/evaluator.hpp"
+#include "verify/interpreter.hpp"
+#include "verify/symbolic_evaluator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace resonform {
+namespace {
+
+class MapAlong : public testing::Test {
+protected:
+    void read(const std::string& system, const std::string& scene) {
+        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
+        test::write(systems_ / "s/scenes/s.toml", scene);
+        scene_ = read_scene(systems_ / "s/scenes/s.toml", systems_);
+        solution_ = test::solution_of(scene_);
+        program_ = std::make_shared<const Program>(build_program(solution_, scene_));
+    }
+    [[nodiscard]] const Program& program() const { return *program_; }
+
+    // The first output at t, or NaN where the status is outside_domain and `why` says so.
+    std::vector<double> at(const std::vector<double>& times, double eps, double end, const std::string& why) {
+        const std::vector<double> start = default_start<double>(*program_, eps, {});
+        const Interpreter<double> interpreter(program_, eps, {}, start, end);
+        const Evaluator<double> emitted(
+            EvaluatorLibrary::build(*program_, std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache",
+                                    [](const std::string&) {}),
+            eps, {}, start, end);
+        SymbolicInputs inputs{Wide(eps), {}, {}, Wide(end), {}};
+        for (std::size_t k = 0; k < start.size(); ++k)
+            inputs.start[program_->start[k].canonical] = Wide(start[k]);
+        const SymbolicEvaluator exact(std::make_shared<const SymbolicSolution>(solution_, scene_), inputs,
+                                      Wide(end));
+        std::vector<double> found;
+        for (const double t : times) {
+            std::vector<double> values(program_->outputs.size()), of_emitted(values.size());
+            const Status status = interpreter.call(t, values);
+            EXPECT_EQ(emitted.call(t, of_emitted.data()), status) << t;
+            EXPECT_EQ(exact(Wide(t)).status, status) << t;
+            if (status == Status::outside_domain) {
+                EXPECT_EQ(interpreter.why(status), why) << t;
+            } else {
+                EXPECT_TRUE(status == Status::ok || status == Status::low_precision) << t;
+            }
+            found.push_back(status == Status::outside_domain ? NAN : values[0]);
+        }
+        return found;
+    }
+
+private:
+    test::Scratch scratch_;
+    std::filesystem::path systems_ = scratch_.path() / "systems";
+    Scene scene_;
+    Solution solution_;
+    std::shared_ptr<const Program> program_;
+};
+
+const std::string from_eps = "[start]\nx = \"eps\"\n\"x'\" = 0\n";
+std::string oscillator(const std::string& equation) {
+    return "[variables]\nx = { role = \"fast\" }\n[equations]\nx = \"" + equation + " = 0\"\n";
+}
+std::string beside_slow(const std::string& equation) {
+    return "[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n[domain]\n"
+           "positive = [\"1 + tau\"]\n[equations]\nx = \"" +
+           equation + " = 0\"\ntau = \"tau' = eps\"\n";
+}
+
+// x(t) of x'' = rate(t, x, x') by Runge and Kutta.
+template <class Rate> double integrated(const Rate& rate, double x, double t) {
+    const int steps = static_cast<int>(100 * t);
+    const double h = t / steps;
+    std::array<double, 2> y{x, 0};
+    for (int n = 0; n < steps; ++n) {
+        const auto slope = [&](double ahead, const std::array<double, 2>& by) {
+            const double p = y[0] + ahead * by[0], q = y[1] + ahead * by[1];
+            return std::array<double, 2>{q, rate(n * h + ahead, p, q)};
+        };
+        const auto a = slope(0, {}), b = slope(h / 2, a), c = slope(h / 2, b), d = slope(h, c);
+        for (const std::size_t k : {0U, 1U}) y[k] += h / 6 * (a[k] + 2 * b[k] + 2 * c[k] + d[k]);
+    }
+    return y[0];
+}
+
+// 1.5e6 came out at t = 1000, where the motion has an amplitude of 21.
+TEST_F(MapAlong, AClosedAmplitudeThatGrows) {
+    read(oscillator("x'' - 2*eps*x' + x + x^3"), "order = 3\n" + from_eps);
+    ASSERT_TRUE(program().flow.empty());
+    const double eps = 0.01;
+    const auto rate = [&](double, double x, double v) { return 2 * eps * v - x - x * x * x; };
+    const std::vector<double> x = at({0, 100, 200, 300, 400, 480, 490, 1000, 2000}, eps, 20, "x");
+    EXPECT_NEAR(x[1], integrated(rate, eps, 100), 1e-6);
+    EXPECT_NEAR(x[2], integrated(rate, eps, 200), 1e-4);
+    EXPECT_NEAR(x[3], integrated(rate, eps, 300), 2e-3);
+    EXPECT_NEAR(x[4], integrated(rate, eps, 400), 0.05);
+    EXPECT_LT(std::abs(x[5]), 1.4);
+    for (const std::size_t k : {6U, 7U, 8U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
+}
+
+// x x x' drives it to infinity at t = 4/eps^2; -12 came out there.
+TEST_F(MapAlong, AFlowThatComesNearItsSingularity) {
+    read(oscillator("x'' + x - x^2*x'"), "order = 2\ntime_scale = 2\n" + from_eps);
+    ASSERT_FALSE(program().flow.empty());
+    const double eps = 0.02;
+    const auto rate = [](double, double x, double v) { return x * x * v - x; };
+    const std::vector<double> x = at({0, 1000, 5000, 9950, 9999.975, 11000}, eps, 240, "x");
+    EXPECT_NEAR(x[1], integrated(rate, eps, 1000), 1e-5);
+    EXPECT_NEAR(x[2], integrated(rate, eps, 5000), 1e-5);
+    EXPECT_NEAR(x[3], integrated(rate, eps, 9950), 4e-3);
+    for (const std::size_t k : {4U, 5U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
+}
+
+TEST_F(MapAlong, AGrowingAmplitudeWithAFrequencyThatMoves) {
+    read(beside_slow("x'' - 2*eps*x' + (1 + tau)*x + x^3"), "order = 2\n" + from_eps + "tau = 0\n");
+    const double eps = 0.01;
+    const auto rate = [&](double t, double x, double v) {
+        return 2 * eps * v - (1 + eps * t) * x - x * x * x;
+    };
+    const std::vector<double> x = at({0, 100, 300, 1200, 2000}, eps, 20, "x");
+    EXPECT_NEAR(x[1], integrated(rate, eps, 100), 2e-4);
+    EXPECT_NEAR(x[2], integrated(rate, eps, 300), 2e-2);
+    for (const std::size_t k : {3U, 4U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
+}
+
+// The amplitude is e to an integral that has no closed form: what depends on it is looked at in every call.
+TEST_F(MapAlong, AnAmplitudeThatIsAQuadrature) {
+    read(beside_slow("x'' - 2*eps*tau^2/(1 + tau^2)*x' + x + x^3"), "order = 2\n" + from_eps + "tau = 0\n");
+    ASSERT_FALSE(program().tables.empty());
+    EXPECT_TRUE(program().layers.empty());
+    const std::vector<double> x = at({0, 300, 900, 1500}, 0.01, 20, "x");
+    EXPECT_LT(std::abs(x[1]), 0.1);
+    for (const std::size_t k : {2U, 3U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
+}
+
+// The square of x that drives y outgrows both.
+TEST_F(MapAlong, TwoModesOfWhichOneGrows) {
+    read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+         "x = \"x'' - 2*eps*x' + x + x*y = 0\"\ny = \"y'' + 2*y + 3*x^2 = 0\"\n",
+         "order = 2\n" + from_eps + "y = 0\n\"y'\" = 0\n");
+    const std::vector<double> x = at({0, 100, 200, 600, 1000}, 0.01, 10, "y");
+    EXPECT_LT(std::abs(x[2]), 0.1);
+    for (const std::size_t k : {3U, 4U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
+}
+
+// Nothing is sampled where nothing moves.
+TEST_F(MapAlong, AConstantAmplitudeHasNoLayer) {
+    read(oscillator("x'' + x + x^3"), "order = 3\n" + from_eps);
+    EXPECT_TRUE(program().layers.empty());
+    read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+         "x = \"x'' + x + x*y = 0\"\ny = \"y'' + 2*y + x^2 = 0\"\n",
+         "order = 2\n" + from_eps + "y = 0\n\"y'\" = 0\n");
+    EXPECT_TRUE(program().layers.empty());
+    for (const double x : at({0, 50, 100}, 0.01, 1, "")) EXPECT_LT(std::abs(x), 0.02);
+}
+
+// An oscillator at rest stays there; finite ones are as large as they like while eps is small.
+TEST_F(MapAlong, AmplitudesThatAreNotTooLarge) {
+    read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+         "x = \"x'' - 2*eps*x' + x + x*y = 0\"\ny = \"y'' + 2*y + x^2 = 0\"\n",
+         "order = 2\n[start]\nx = 0\n\"x'\" = 0\ny = 0\n\"y'\" = 0\n");
+    for (const double x : at({0, 50, 1000}, 0.01, 10, "")) EXPECT_EQ(x, 0);
+    read("[variables]\nx = { role = \"fast\", weight = 0 }\n[equations]\n"
+         "x = \"x'' + x = eps*(1 - x^2)*x'\"\n",
+         "order = 1\n[start]\nx = 3\n\"x'\" = 0\n");
+    for (const double x : at({0, 50, 100}, 0.1, 10, "")) EXPECT_FALSE(std::isnan(x));
+}
+
+} // namespace
+} // namespace resonform
