@@ -22,11 +22,10 @@ Node entry_of(SeriesProgram& program, const ModalBasis& basis, std::size_t mode,
 
 void Expansion::check_numbers() const {
     if (system_.digits == 0) return;
-    const Place file = whole_file(system_.file);
     if (!system_.parameters.empty()) {
-        const std::string& name = system_.parameters.front().name;
-        bad_input({"with --digits every parameter has a number", name,
-                   fmt::format("give --set {}=NUMBER, or leave out --digits", name), file});
+        const Parameter& first = system_.parameters.front();
+        bad_input({"with --digits every parameter has a number", first.name,
+                   fmt::format("give --set {}=NUMBER, or leave out --digits", first.name), first.place});
     }
     if (const auto hindrance = hindrance_to_numbers(system_)) refuse(*hindrance);
 }

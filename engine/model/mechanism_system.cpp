@@ -118,7 +118,8 @@ void SystemReader::take_constant(const Coordinate& constant, Role role) {
 void SystemReader::make_parameter(const std::string& name) {
     const auto found = std::find_if(system_.variables.begin(), system_.variables.end(),
                                     [&](const Variable& v) { return v.name == name; });
-    system_.parameters.push_back({name, found->positive, found->nonzero, found->unit, GiNaC::symbol(name)});
+    system_.parameters.push_back(
+        {name, found->positive, found->nonzero, found->unit, GiNaC::symbol(name), found->place});
     weights_.erase(weights_.begin() + (found - system_.variables.begin()));
     system_.variables.erase(found);
 }

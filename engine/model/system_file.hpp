@@ -24,6 +24,7 @@ struct Parameter {
     bool nonzero = false; // implied by positive
     std::string unit;
     GiNaC::symbol symbol;
+    Place place; // of its declaration
 };
 
 struct Variable {

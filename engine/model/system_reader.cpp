@@ -117,6 +117,7 @@ void SystemReader::read_parameters() {
         check_keys(entry.value, {"positive", "nonzero", "unit", "weight"});
         Parameter parameter;
         parameter.name = entry.key;
+        parameter.place = entry.place;
         parameter.positive = flag(entry.value, "positive");
         parameter.nonzero = nonzero_of(entry.value, parameter.positive);
         parameter.unit = unit_of(entry.value);

@@ -68,6 +68,15 @@ TEST_F(Numbers, WhatIsZeroInAllDigitsIsSaidToBe) {
     EXPECT_EQ(text.find("below the threshold"), std::string::npos) << text;
 }
 
+// Where the parameter is declared, for whoever reads the document and not the text.
+TEST_F(Numbers, ThatAreMissingAreSaidAtTheParameter) {
+    const Json json = Json::parse(said("derive two --digits 20 --format json").out);
+    EXPECT_EQ(json["found"], "k");
+    EXPECT_EQ(json["file"], "systems/two/system.toml");
+    EXPECT_EQ(json["line"], 4);
+    EXPECT_EQ(json["key"], "parameters.k");
+}
+
 TEST_F(Numbers, ThatCannotBeAreSaid) {
     const auto code = [&](const std::string& options) {
         const Outcome outcome = said("derive two " + options);

@@ -12,8 +12,8 @@ using GiNaC::ex;
 class Exact : public testing::Test {
 protected:
     Exact() {
-        domain_.parameters.push_back({"g", true, true, "", g});
-        domain_.parameters.push_back({"r", true, true, "", r});
+        domain_.parameters.push_back({"g", true, true, "", g, {}});
+        domain_.parameters.push_back({"r", true, true, "", r, {}});
         using Kind = ExactForm::Kind;
         form_.add(psi2, Kind::acceleration);
         form_.add(psi1, Kind::velocity);

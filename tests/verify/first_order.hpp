@@ -15,7 +15,7 @@ namespace resonform::test {
 class Builder {
 public:
     GiNaC::symbol parameter(const std::string& name) {
-        system_->parameters.push_back({name, true, true, "", GiNaC::symbol(name)});
+        system_->parameters.push_back({name, true, true, "", GiNaC::symbol(name), {}});
         return system_->parameters.back().symbol;
     }
     GiNaC::symbol state(const std::string& name) {
