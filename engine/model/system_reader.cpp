@@ -232,6 +232,10 @@ void SystemReader::read_equation_texts() {
         equation.variable = variable.name;
         equation.text = string_of(*node);
         equation.source = node->source;
+        if (equation.text.find_first_not_of(" \t\r\n") == std::string::npos)
+            bad_value(*node, "an equation is not empty",
+                      is_canonical(variable) ? "write it, or leave the key out: it follows from the energy"
+                                             : "write it as " + variable.name + "' = ...");
         system_.equations.push_back(std::move(equation));
     }
 }

@@ -240,6 +240,12 @@ const BadInput bad_systems[] = {
      "         ^\n"
      "  found: 3\n"
      "  mend:  write it in quotes"},
+    {"EmptyEquation", "xi = \"xi' = eps*v\"", "xi = \" \"",
+     "2 system.toml:21:7: equations.xi: an equation is not empty\n"
+     "    xi = \" \"\n"
+     "          ^\n"
+     "  found: \" \"\n"
+     "  mend:  write it as xi' = ..."},
     {"NoEqualsSign", "xi = \"xi' = eps*v\"", "xi = \"xi'\"",
      "2 system.toml:21:7: equations.xi: an equation has exactly one '='\n"
      "    xi = \"xi'\"\n"
