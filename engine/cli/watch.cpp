@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -32,6 +33,13 @@ Diagnostic exceeded(Reason reason, const std::string& option, const std::string&
     return {limit, where,
             fmt::format("simplify the system, ask for a lower order, or give {} {}", option, larger), place,
             reason};
+}
+
+// Ten times the limit; where that is soon passed, too, as a limit below what reading the file takes, ten
+// times what was used, in whole seconds.
+std::string larger_time(double limit, double used) {
+    if (limit > used / 2) return fmt::format("{:g}", 10 * limit);
+    return fmt::format("{:.0f}", std::ceil(10 * used));
 }
 
 // Signals are for the first thread, which may hold them back while it writes a file.
@@ -83,7 +91,7 @@ std::optional<Diagnostic> Watch::excess() {
     if (time.count() > limits_.seconds)
         return exceeded(Reason::time, "--time-limit",
                         fmt::format("a derivation takes at most {:g} s", limits_.seconds), step_,
-                        fmt::format("{:g}", 10 * limits_.seconds));
+                        larger_time(limits_.seconds, time.count()));
     if (const double used = resident_megabytes(); used > limits_.megabytes)
         return exceeded(Reason::memory, "--memory-limit",
                         fmt::format("a derivation takes at most {:g} MB", limits_.megabytes),

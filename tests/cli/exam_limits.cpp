@@ -135,6 +135,13 @@ TEST(Limits, TheMessageNamesTheStepOrTheWeight) {
     EXPECT_EQ(early.outcome.err,
               "resonform: --time-limit: a derivation takes at most 0.3 s\n  found: the expansion\n"
               "  mend:  simplify the system, ask for a lower order, or give --time-limit 3\n");
+    // A limit that is over before the program looks at the clock: ten times that would be, too.
+    const Outcome at_once = derive(with_equation("x'' + x = 0"), "--time-limit 1e-9").outcome;
+    EXPECT_EQ(at_once.code, 3);
+    const std::string hint = "or give --time-limit ";
+    const std::size_t at = at_once.err.find(hint);
+    ASSERT_NE(at, std::string::npos) << at_once.err;
+    EXPECT_GE(std::stod(at_once.err.substr(at + hint.size())), 1) << at_once.err;
     const std::string pendulum = "x'' + a^2*sin(x) + eps*b*x^2 = 0";
     const Outcome late = derive(with_equation(pendulum), "--order 99 --time-limit 1").outcome;
     EXPECT_EQ(late.code, 3);
