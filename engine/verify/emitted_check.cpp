@@ -41,6 +41,11 @@ public:
         const auto drawn = emitted_points<Real>(scene_, options_.starts, options_.times, options_.seed);
         std::vector<SymbolicPoints> asked;
         for (const Points& d : drawn) asked.push_back(asked_of(d));
+        if (options_.progress)
+            options_.progress(
+                fmt::format("emitted code in {} against the exact solution: {} starts, {} times "
+                            "of each",
+                            type_name<Real>, options_.starts, options_.times));
         const auto exact = symbolic_values(symbolic_, asked, options_.cache, options_.progress);
         for (std::size_t j = 0; j < drawn.size(); ++j) compare(drawn[j], asked[j], exact[j]);
         for (const Points& d :

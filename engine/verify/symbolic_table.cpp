@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstring>
 #include <future>
+#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -120,6 +121,24 @@ std::vector<SymbolicPoint> row_of(const std::shared_ptr<const SymbolicSolution>&
     return row;
 }
 
+// Tells after each quarter of the starts; whichever thread comes to its end does.
+class Quarters {
+public:
+    Quarters(std::size_t all, const std::function<void(const std::string&)>& tell) : all_(all), tell_(tell) {}
+    void one_more() {
+        if (!tell_) return;
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        if (4 * done_ / all_ > 4 * (done_ - 1) / all_ && done_ < all_)
+            tell_(fmt::format("the exact solution in 50 digits: {} of {} starts", done_, all_));
+    }
+
+private:
+    std::mutex mutex_;
+    std::size_t done_ = 0, all_;
+    const std::function<void(const std::string&)>& tell_;
+};
+
 } // namespace
 
 std::vector<std::vector<SymbolicPoint>>
@@ -130,12 +149,15 @@ symbolic_values(const std::shared_ptr<const SymbolicSolution>& solution,
     if (const auto bytes = load_checked(file)) return unpack(*bytes, points);
     Table table(points.size());
     std::atomic<std::size_t> next = 0;
+    Quarters quarters(points.size(), progress);
     std::vector<std::future<void>> work;
     const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
     for (std::size_t k = 0; k < threads; ++k)
         work.push_back(std::async(std::launch::async, [&] {
-            for (std::size_t j = next++; j < points.size(); j = next++)
+            for (std::size_t j = next++; j < points.size(); j = next++) {
                 table[j] = row_of(solution, points[j]);
+                quarters.one_more();
+            }
         }));
     for (auto& w : work) w.get();
     try {

@@ -17,7 +17,8 @@ struct SymbolicPoints {
     std::vector<Wide> times;
 };
 
-// [start][time]. From the cache, values have 47 digits, scales 15.
+// [start][time]. From the cache, values have 47 digits, scales 15. `progress` is told how far the computation
+// is, by one thread at a time.
 std::vector<std::vector<SymbolicPoint>>
 symbolic_values(const std::shared_ptr<const SymbolicSolution>& solution,
                 const std::vector<SymbolicPoints>& points, const std::filesystem::path& cache,

@@ -9,10 +9,12 @@
 
 #include "support/compiler.hpp"
 #include "support/program.hpp"
+#include "support/shell.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace resonform {
 namespace {
@@ -196,6 +198,34 @@ TEST(EmittedEqualsSymbolic, AConditionThatFewStartsBreakIsCaught) {
     const EmittedInType& found = check_of_lie.types.front();
     EXPECT_EQ(found.statuses, "emitted outside_domain, symbolic ok");
     EXPECT_EQ(found.at.back(), (std::pair<std::string, double>("t", 0)));
+}
+
+// Minutes may pass: what is under way, and how far it is.
+TEST(EmittedEqualsSymbolic, TellsHowFarItIs) {
+    const test::Scratch scratch; // nothing is known yet
+    const Made m = stiffening();
+    std::vector<std::string> said;
+    EmittedCheckOptions options;
+    options.cache = scratch.path();
+    options.progress = [&said](const std::string& line) { said.push_back(line); };
+    options.starts = 8;
+    options.times = 2;
+    const auto check = [&] {
+        check_emitted(m.program, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
+                      m.solution, m.scene, options);
+        if (!said.empty()) said.pop_back(); // the seconds that it took
+        return std::exchange(said, {});
+    };
+    std::vector<std::string> expected, known;
+    for (const char* type : {"double", "long double"}) {
+        known.push_back("emitted code in " + std::string(type) +
+                        " against the exact solution: 8 starts, 2 times of each");
+        expected.push_back(known.back());
+        for (const char* done : {"2", "4", "6"})
+            expected.push_back("the exact solution in 50 digits: " + std::string(done) + " of 8 starts");
+    }
+    EXPECT_EQ(check(), expected);
+    EXPECT_EQ(check(), known) << "from the cache";
 }
 
 TEST(SlowEmittedEqualsSymbolic, TheThresholdIsThatOfTheSceneAndSaysWhy) {
