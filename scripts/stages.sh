@@ -3,7 +3,7 @@
 # stages.sh, sourced: runs the stages of a check one after the other and sums them up. It counts what a
 # stage has read, for a stage that reads nothing finds nothing wrong, and has checked nothing.
 
-passed=0 failed=0 skipped=0 summary="" skipped_tests=""
+passed=0 failed=0 skipped=0 summary="" skipped_tests="" slowest_tests=""
 
 # How many tests or files a log says were read: the closing line of ctest, or "N files read".
 count_in() {
@@ -12,6 +12,16 @@ count_in() {
 
 # The tests that ctest did not run, as it lists them behind its results.
 skipped_in() { sed -nE 's/^[[:space:]]+[0-9]+ - (.*) \((Skipped|Disabled)\)$/\1/p' "$1"; }
+
+# The ten tests of a log of ctest that took longest, with their seconds. What googletest says of a parameter
+# behind the name of its test is left out.
+slowest_in() {
+    local seconds name
+    sed -nE 's|^ *[0-9]+/[0-9]+ +Test +#[0-9]+: (.*) \.+[ *]+[A-Z][^.]* +([0-9]+\.[0-9]+) sec$|\2 \1|p' "$1" |
+        sort -k 1,1rn -k 2 | head -n 10 | while read -r seconds name; do
+        printf '  %8.1f s  %s\n' "$seconds" "${name%% *# GetParam*}"
+    done
+}
 
 # stage NAME UNIT COMMAND...: runs it, keeps its output under $logs, notes the verdict and the seconds.
 # UNIT: what it counts, "tests" or "files", at least one; "-" if it counts nothing.
@@ -34,6 +44,8 @@ stage() {
             skipped=$((skipped + $(wc -l <<<"$names")))
             skipped_tests+=$(sed "s/^/  $name: /" <<<"$names")$'\n'
         fi
+        names=$(slowest_in "$logs/$name.log")
+        [ -z "$names" ] || slowest_tests+="slowest of $name:"$'\n'$names$'\n'
     fi
     if [ $verdict = passed ]; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
     summary+=$(printf '%-24s%-8s%6d s  %s' "$name" $verdict $((SECONDS - start)) "$count")$'\n'
@@ -44,6 +56,7 @@ sum_up() {
     echo
     echo "================================================================================"
     printf '%s' "$summary"
+    printf '%s' "$slowest_tests"
     [ $skipped -eq 0 ] || printf '%d skipped tests:\n%s' $skipped "$skipped_tests"
     echo "logs: $logs/, time: $((SECONDS / 60)) min"
     echo "$passed passed, $failed failed"

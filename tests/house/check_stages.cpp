@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of scripts/test.sh: one that runs no test or reads no file fails, and what is skipped is named.
+// The stages of scripts/test.sh: one that runs no test or reads no file fails, and what is skipped or slow is
+// named.
 #include "support/shell.hpp"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,47 @@ TEST(Stages, NameTheTestsThatWereSkipped) {
     EXPECT_NE(outcome.out.find("1 skipped tests:\n  planted: Waits\n"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("2 tests"), std::string::npos) << outcome.out;
     EXPECT_TRUE(ends_with(outcome, "1 passed, 0 failed")) << outcome.out;
+}
+
+// Ten of twelve, the slowest first, whatever became of them and whatever else stands in their lines.
+TEST(Stages, NameTheTenSlowestTests) {
+    const Scratch scratch;
+    std::string log;
+    const auto line = [&log](const std::string& test) { log += "echo '" + test + "'\n"; };
+    for (int k = 1; k <= 8; ++k) {
+        const std::string n = std::to_string(k);
+        line("  " + n + "/12 Test  #" + n + ": Quick.Number" + n + " ....   Passed    0.0" + n + " sec");
+    }
+    line("        Start 9: A/Suite.Of/one  # GetParam() = \"dots ... 7 sec\"");
+    line(" 9/12 Test  #9: A/Suite.Of/one  # GetParam() = \"dots ... 7 sec\" ...   Passed  100.26 sec");
+    line("10/12 Test #10: Ends.Badly .....***Exception: SegFault  9.50 sec");
+    line("11/12 Test #11: Takes.TooLong .....***Timeout 300.01 sec");
+    line("12/12 Test #12: Fails .....***Failed   20.00 sec");
+    line("100% tests passed, 0 tests failed out of 12");
+    write(scratch.path() / "log.sh", log);
+    const Outcome outcome = stage(scratch, "tests", "bash log.sh");
+    EXPECT_NE(outcome.out.find("slowest of planted:\n"
+                               "     300.0 s  Takes.TooLong\n"
+                               "     100.3 s  A/Suite.Of/one\n"
+                               "      20.0 s  Fails\n"
+                               "       9.5 s  Ends.Badly\n"
+                               "       0.1 s  Quick.Number8\n"),
+              std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find(" s  Quick.Number3\nlogs: "), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("s  Quick.Number2\n"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(ends_with(outcome, "1 passed, 0 failed")) << outcome.out;
+}
+
+// As the ctest of this machine writes its lines.
+TEST(Stages, NameTheSlowestTestsOfCtest) {
+    const Scratch scratch;
+    write(scratch.path() / "CTestTestfile.cmake", "add_test(Runs true)\nadd_test(Waits sleep 0.2)\n");
+    const Outcome outcome = stage(scratch, "tests", "ctest --test-dir .");
+    EXPECT_NE(outcome.out.find("slowest of planted:\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(" s  Waits\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(" s  Runs\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(stage(scratch, "files", "echo '3 files read'").out.find("slowest"), std::string::npos);
 }
 
 } // namespace resonform::test
