@@ -38,12 +38,21 @@ Made made(Scene scene) {
 
 Made stiffening() { return made(test::scene_of("slowly_stiffening_oscillator", "third_order")); }
 
-EmittedCheck checked(const Made& m, const fs::path& folder = cache()) {
+EmittedCheck checked(const Made& m, const std::shared_ptr<const EvaluatorLibrary>& library,
+                     const fs::path& folder) {
     EmittedCheckOptions options;
     options.cache = folder;
     options.starts = 10;
-    return check_emitted(m.program, EvaluatorLibrary::build(m.program, folder, {}), m.solution, m.scene,
-                         options);
+    return check_emitted(m.program, library, m.solution, m.scene, options);
+}
+
+EmittedCheck checked(const Made& m, const fs::path& folder = cache()) {
+    return checked(m, EvaluatorLibrary::build(m.program, folder, {}), folder);
+}
+
+// Where the lie is in the graph, which compiled code and the interpreter have in common.
+EmittedCheck checked_interpreted(const Made& m) {
+    return checked(m, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)), cache());
 }
 
 // Compiled by another compiler, in a folder of its own.
@@ -92,19 +101,19 @@ TEST(SlowEmittedEqualsSymbolic, AnErrorInTheGraphIsCaught) {
     ProgramOutput& x = lowered.program.outputs.front();
     x.value = lowered.program.graph.multiply(
         {lowered.program.graph.rational(1 + Rational(1) / Integer("1000000000000")), x.value});
-    expect_caught(checked(lowered));
+    expect_caught(checked_interpreted(lowered));
 
     Made pruned = stiffening();
     ProgramPhase& phase = pruned.program.phases.front();
     phase.rate = pruned.program.graph.at(phase.rate).operands.front(); // of a product the first factor
-    expect_caught(checked(pruned));
+    expect_caught(checked_interpreted(pruned));
 
     Scene near = test::scene_of("rotating_pendulum", "fast_rotation"); // its resonance surface J = 0
     near.start.front().value = GiNaC::numeric(1, 20);
     Made without_domain = made(std::move(near));
     without_domain.program.layers.clear();
     without_domain.program.positive.clear();
-    const EmittedCheck check = checked(without_domain);
+    const EmittedCheck check = checked_interpreted(without_domain);
     EXPECT_EQ(check.verdict, Verdict::fail);
     EXPECT_NE(check.types.front().statuses.find("symbolic outside_domain"), std::string::npos)
         << to_text(check);
@@ -146,7 +155,7 @@ TEST(SlowEmittedEqualsSymbolic, WhatIsPrunedThoughItIsNeededIsMissed) {
         for (const auto& [missing, program] : pruned_too_far(m.program)) {
             SCOPED_TRACE(m.scene.name + " without " + missing);
             m.program = program;
-            expect_caught(checked(m));
+            expect_caught(checked_interpreted(m));
             ++missed;
         }
     EXPECT_EQ(missed, 12U) << "a table, a flow of two variables, and terms of sums";
@@ -231,14 +240,15 @@ TEST(EmittedEqualsSymbolic, TellsHowFarItIs) {
 TEST(SlowEmittedEqualsSymbolic, TheThresholdIsThatOfTheSceneAndSaysWhy) {
     Made m = stiffening();
     m.scene.verify.ulp = 1;
-    const EmittedCheck strict = checked(m);
+    const EmittedCheck strict = checked_interpreted(m);
     EXPECT_EQ(strict.verdict, Verdict::fail);
     EXPECT_FALSE((Verification{"", "", {}, {}, strict}.as_expected())) << "exit code 1";
     m.scene.verify.ulp = 64;
-    EXPECT_NE(to_text(checked(m)).find("threshold 64 ulp of the output's scale, widened without a reason"),
+    EXPECT_NE(to_text(checked_interpreted(m))
+                  .find("threshold 64 ulp of the output's scale, widened without a reason"),
               std::string::npos);
     m.scene.verify.ulp_reason = "because";
-    const EmittedCheck check = checked(m);
+    const EmittedCheck check = checked_interpreted(m);
     EXPECT_NE(to_text(check).find("64 ulp of the output's scale, widened: because"), std::string::npos);
     EXPECT_EQ(check.verdict, Verdict::pass);
 }

@@ -48,8 +48,20 @@ Diagnostic refusal_with(const char* compiler, const fs::path& cache) {
     return {};
 }
 
+// A compiler that compiles once, and then gives what it has made.
+std::string keeping_compiler(const fs::path& script, const fs::path& kept) {
+    test::write(script, "for object; do :; done\n[ ! -f '" + kept.string() + "' ] || exec cp '" +
+                            kept.string() +
+                            "' \"$object\"\n" RESONFORM_CXX_COMPILER " \"$@\" && cp \"$object\" '" +
+                            kept.string() + "'\n");
+    return "sh " + script.string();
+}
+
 TEST(SlowEvaluatorLibrary, IsCompiledAnewWhenTheCachedOneIsDamaged) {
     const fs::path cache = empty_folder("test_evaluator_cut");
+    const test::Scratch scratch;
+    const test::OtherCompiler chosen(
+        keeping_compiler(scratch.path() / "compiler.sh", scratch.path() / "kept"));
     const auto program = test::program_of(stiffening_scene());
     int compilations = 0;
     const auto count = [&](const std::string&) { ++compilations; };

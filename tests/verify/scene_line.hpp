@@ -50,7 +50,15 @@ inline VerifyOptions options() {
     return o;
 }
 
+// Interpreted: most of the time of a ladder is the compiler's, twice a scene. That its code gives what the
+// interpreter gives is a test of its own (check_emitted.cpp), and every scene of systems/ is verified
+// compiled.
 inline Verification verified(const SceneLine& line) {
+    VerifyOptions o = options();
+    o.compiled = false;
+    return verify(line.system, line.scene, line.solution, o);
+}
+inline Verification verified_compiled(const SceneLine& line) {
     return verify(line.system, line.scene, line.solution, options());
 }
 
