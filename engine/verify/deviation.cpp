@@ -63,7 +63,7 @@ Errors errors_in(const Trial& trial, const TrialPoint& at, const Reference& refe
     return error;
 }
 
-double largest(const std::vector<double>& error) {
+double largest_of(const std::vector<double>& error) {
     double most = 0;
     for (const double e : error) {
         if (!(std::abs(e) <= std::numeric_limits<double>::max()))
@@ -101,7 +101,7 @@ Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& r
     result.error = errors_in<long double>(trial, at, reference, result.refusal);
     bool clear = true;
     for (std::size_t k = 0; k < result.floor.size(); ++k)
-        clear = clear && largest(result.error[k]) >= clear_of_floor * result.floor[k];
+        clear = clear && largest_of(result.error[k]) >= clear_of_floor * result.floor[k];
     if (clear) return result;
     result.error = errors_in<Float128>(trial, at, reference, result.refusal);
     result.digits = RealTraits<DoubleDouble>::digits; // the reference has fewer than Float128
@@ -111,7 +111,7 @@ Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& r
 }
 
 double largest(const std::vector<double>& error, const std::vector<std::size_t>& even) {
-    double most = largest(error);
+    double most = largest_of(error);
     if (std::isinf(most)) return most;
     for (std::size_t i = 1; i + 1 < even.size(); ++i) {
         const double value = error[even[i]], here = std::abs(value), sign = value < 0 ? -1 : 1;

@@ -20,7 +20,6 @@ namespace resonform {
 namespace {
 
 constexpr std::size_t starts_only = 10; // times as many starts, of which the status at t = 0 is compared
-constexpr double compared_share = 0.1;  // with fewer points in numbers there is no verdict
 
 template <class Real> constexpr const char* type_name = "double";
 template <> constexpr const char* type_name<long double> = "long double";

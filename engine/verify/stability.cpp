@@ -20,7 +20,6 @@ namespace resonform {
 namespace {
 
 constexpr std::size_t listed_points = 5; // the worst of each output
-constexpr double compared_share = 0.1;   // with fewer points in numbers there is no verdict
 constexpr double covered_share = 0.5;    // of the decades of an input: with fewer there is none either
 constexpr std::array<double, 6> shares_of_interval{0, 1e-9, 0.1, 1.0 / 3, 0.7, 1};
 

@@ -10,6 +10,9 @@
 
 namespace resonform {
 
+// Of the points that were drawn: where fewer are answered in numbers there is no verdict.
+inline constexpr double compared_share = 0.1;
+
 // |value - exact| over the spacing of Real at the scale of an output (docs/theory.md); infinite if there is
 // no value.
 template <class Real, class Value> double in_ulp(const Value& value, const Wide& exact, const Wide& scale) {
