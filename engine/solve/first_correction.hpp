@@ -22,7 +22,7 @@ namespace resonform {
 struct FirstCorrection {
     std::string name;               // of the user's variable
     std::vector<std::size_t> modes; // whose |a_k| the terms hold, the mode itself among them
-    std::vector<int> powers_of_eps; // by which each of them is lighter than the lightest
+    std::vector<int> powers_of_eps; // of each of them, over that of the largest
     struct Term {                   // coefficient eps^power_of_eps prod |a_k|^powers_k
         std::vector<int> powers;    // in the order of modes; a single one is divided out
         int power_of_eps;

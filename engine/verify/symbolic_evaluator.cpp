@@ -22,7 +22,9 @@ bool turns(const SymbolicVariable& v) { return v.kind == Of::mode || v.kind == O
 
 // What margin_of computes with.
 struct MarginAlgebra {
-    [[nodiscard]] static Wide rational(const Rational& x) { return Wide(to_string(x)); }
+    [[nodiscard]] static Wide rational(const Rational& x) {
+        return Wide(to_string(cln::numerator(x))) / Wide(to_string(cln::denominator(x)));
+    }
     [[nodiscard]] static Wide power(const Wide& x, int n) { return math::power(x, n); }
     [[nodiscard]] static Wide hypot(const Wide& x, const Wide& y) { return WideComplex{x, y}.size(); }
     [[nodiscard]] static Wide add(const Numbers& terms) {
