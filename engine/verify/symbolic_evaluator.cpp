@@ -98,6 +98,7 @@ struct SymbolicEvaluator::Impl {
             reach = std::min(reach, wanted);
         }
         if (const Status built = integral->build_along(reach); !tabulate(built)) return built;
+        integral->propagate(reach);
         find_moved_phases();
         find_integral_scales(reach);
         for (const SymbolicOutput& output : solution().outputs()) outputs.push_back(prepared(output));
@@ -199,9 +200,46 @@ struct SymbolicEvaluator::Impl {
         Moment at(frame);
         for (int i = 0; i < pieces; ++i) {
             integral->move_to(piece * (i + Wide(0.5)), at);
-            for (IntegralScale& s : integral_scales)
-                s.sums.push_back(s.sums.back() + piece * s.factor * s.rate.scale(at.values));
+            const Numbers rates = rate_scales(at, piece * (i + Wide(0.5)));
+            for (std::size_t k = 0; k < rates.size(); ++k)
+                integral_scales[k].sums.push_back(integral_scales[k].sums.back() + piece * rates[k]);
         }
+    }
+
+    // What the flow leaves open of functions of the moment at T: sum |df/dy| (scale of y - |y|) over its
+    // variables. Angles have their own part, as phases.
+    template <class Functions>
+    [[nodiscard]] Numbers left_open(const Moment& at, const Wide& T, const Functions& functions) const {
+        Numbers result, here;
+        for (const SymbolicIntegral::Beyond& beyond : integral->beyond(at, T)) {
+            if (variables()[beyond.variable].kind == Of::angle || !(beyond.size > 0)) continue;
+            if (here.empty()) here = functions(at);
+            const Wide push = (at.now[beyond.variable].size() + beyond.size) * Wide(1e-25);
+            Moment beside = at;
+            WideComplex& y = beside.now[beyond.variable];
+            (beyond.imaginary ? y.im : y.re) += push;
+            beside.move_to(frame, T);
+            const Numbers moved = functions(beside);
+            result.resize(here.size(), Wide(0));
+            for (std::size_t k = 0; k < here.size(); ++k)
+                result[k] += abs(Wide(moved[k] - here[k])) / push * beyond.size;
+        }
+        return result;
+    }
+
+    // Of each of integral_scales.
+    [[nodiscard]] Numbers rate_scales(const Moment& at, const Wide& T) const {
+        const Numbers open = left_open(at, T, [&](const Moment& moment) {
+            Numbers rates;
+            for (const IntegralScale& s : integral_scales) rates.push_back(s.rate.value(moment.values).re);
+            return rates;
+        });
+        Numbers result;
+        for (std::size_t k = 0; k < integral_scales.size(); ++k) {
+            const IntegralScale& s = integral_scales[k];
+            result.push_back(s.factor * (s.rate.scale(at.values) + (open.empty() ? Wide(0) : open[k])));
+        }
+        return result;
     }
 
     // Of each of integral_scales, at T.
@@ -212,9 +250,9 @@ struct SymbolicEvaluator::Impl {
         const Wide rest = T - whole * piece;
         Moment at(frame);
         integral->move_to(T - rest / 2, at);
-        for (const IntegralScale& s : integral_scales)
-            result.push_back(s.sums[static_cast<std::size_t>(whole)] +
-                             abs(rest) * s.factor * s.rate.scale(at.values));
+        const Numbers rates = rate_scales(at, T - rest / 2);
+        for (std::size_t k = 0; k < rates.size(); ++k)
+            result.push_back(integral_scales[k].sums[static_cast<std::size_t>(whole)] + abs(rest) * rates[k]);
         return result;
     }
 
@@ -304,6 +342,20 @@ struct SymbolicEvaluator::Impl {
             if (variables()[k].kind == Of::phase) at.now[k].re = theta[next++];
     }
 
+    // Of each of the moved phases.
+    [[nodiscard]] Numbers ways_at(const Moment& at, const Wide& T) const {
+        Numbers ways;
+        for (const MovedPhase& phase : moved)
+            ways.push_back(variables()[phase.variable].kind == Of::mode
+                               ? turned(phase.variable, T)
+                               : Wide(abs(at.now[phase.variable].re)));
+        for (const SymbolicIntegral::Beyond& beyond : integral->beyond(at, T))
+            for (std::size_t p = 0; p < moved.size(); ++p)
+                if (moved[p].variable == beyond.variable && variables()[beyond.variable].kind == Of::angle)
+                    ways[p] += beyond.size;
+        return ways;
+    }
+
     // held: or nullptr
     [[nodiscard]] SymbolicPoint call(const Wide& t, const std::vector<Wide>* held) const {
         SymbolicPoint point;
@@ -317,11 +369,7 @@ struct SymbolicEvaluator::Impl {
             point.status = Status::outside_domain;
             return point;
         }
-        Numbers ways;
-        for (const MovedPhase& phase : moved)
-            ways.push_back(variables()[phase.variable].kind == Of::mode
-                               ? turned(phase.variable, T)
-                               : Wide(abs(at.now[phase.variable].re)));
+        const Numbers ways = ways_at(at, T);
         if (held != nullptr) hold(*held, at);
         turn(at);
         const Numbers integrals = integral_scales_at(T);
@@ -329,6 +377,13 @@ struct SymbolicEvaluator::Impl {
             if (const SymbolicVariable& v = variables()[integral_scales[k].variable]; v.id >= 0)
                 at.values.set(v.id, at.values[v.id], integrals[k]);
         for (std::size_t k = 0; k < outputs.size(); ++k) add_output(k, at, ways, integrals, point);
+        const Numbers open = left_open(at, T, [&](Moment moment) {
+            turn(moment);
+            Numbers values;
+            for (const Output& output : outputs) values.push_back(output.sum.value(moment.values).re);
+            return values;
+        });
+        for (std::size_t k = 0; k < open.size(); ++k) point.scales[k] += open[k];
         return point;
     }
 

@@ -2,8 +2,10 @@
 #include "verify/symbolic_integral.hpp"
 
 #include "runtime/flow.hpp"
+#include "verify/symbolic_propagation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace resonform {
@@ -39,6 +41,36 @@ public:
         if (flow_) take(frame_.flow, (*flow_)(at), moment);
         if (along_) take(frame_.along, (*along_)(at), moment);
         moment.move_to(frame_, T);
+    }
+
+    void propagate(const Wide& reach) override {
+        if constexpr (std::is_same_v<Number, Float128>) { // else there is no flow
+            if (!flow_) return;
+            const Rates rates{*this, frame_.flow, SymbolicMoment<Number>(frame_)};
+            propagation_.emplace(SymbolicPropagation::Flow{[this](const Float128& T) { return (*flow_)(T); },
+                                                           rates,
+                                                           [rates](const Float128& T, const Values& y) {
+                                                               return rates.scale(T, y);
+                                                           }},
+                                 narrowed<Float128>(reach));
+        }
+    }
+
+    [[nodiscard]] std::vector<Beyond> beyond(const SymbolicMoment<Wide>& at, const Wide& T) const override {
+        std::vector<Beyond> result;
+        if (!propagation_) return result;
+        const std::vector<long double> scales = (*propagation_)(narrowed<Float128>(T));
+        auto part = scales.begin();
+        for (const std::size_t k : frame_.flow) {
+            const bool both = is_complex(variable(k));
+            const long double re = *part++, im = both ? *part++ : 0, whole = std::hypot(re, im);
+            const Wide size = at.now[k].size();
+            if (!(Wide(whole) > size)) continue;
+            const Wide share = 1 - size / Wide(whole);
+            result.push_back({k, false, share * Wide(re)});
+            if (both) result.push_back({k, true, share * Wide(im)});
+        }
+        return result;
     }
 
 private:
@@ -124,6 +156,7 @@ private:
     std::vector<MovingSum<Number>> rates_;
     std::vector<Number> factors_;
     Table flow_, along_;
+    std::optional<SymbolicPropagation> propagation_;
 };
 
 } // namespace

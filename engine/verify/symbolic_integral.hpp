@@ -54,6 +54,16 @@ public:
     virtual Status build_along(Wide& reach) = 0;
     // Sets what is computed so far, then everything else.
     virtual void move_to(const Wide& T, SymbolicMoment<Wide>& moment) const = 0;
+    // How well the variables of the flow can be known up to `reach`, after build_flow: at T, what
+    // SymbolicPropagation says beyond the absolute value, real and imaginary parts of modes apart.
+    virtual void propagate(const Wide& reach) = 0;
+    struct Beyond {
+        std::size_t variable;
+        bool imaginary;
+        Wide size;
+    };
+    [[nodiscard]] virtual std::vector<Beyond> beyond(const SymbolicMoment<Wide>& moment,
+                                                     const Wide& T) const = 0;
 };
 
 // In 50 digits; with a flow in 33, of which about 30 are right while neighbouring solutions do not part.
