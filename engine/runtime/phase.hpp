@@ -54,8 +54,8 @@ public:
         return status;
     }
 
-    // low_precision: theta may exceed 10^14 or be wrong by more than 10^-9 radians, as estimated from
-    // |theta| and the precision of its rate; the numbers are set all the same.
+    // low_precision: theta may exceed 10^14, or be wrong by more than 10^-9 radians, as estimated from
+    // |theta| at t and the precision of its rate; the numbers are set all the same.
     // Precondition: build() left an end > 0.
     Status operator()(const Real& t, Real& cosine, Real& sine) const noexcept {
         using math::cos;
@@ -76,7 +76,7 @@ public:
         const Real c = cos(angle), s = sin(angle);
         cosine = c - s * rest;
         sine = s + c * rest;
-        return r.precise ? Status::ok : Status::low_precision;
+        return math::magnitude(r.whole + narrow(turns)) <= r.most ? Status::ok : Status::low_precision;
     }
 
     // False: some times are answered with low_precision.
@@ -93,6 +93,7 @@ private:
         Real middle{}, scale{};
         Coefficients coefficient{};    // the constant term without whole turns
         std::array<Real, terms> low{}; // the same, rounded
+        Real whole{}, most{};          // those turns; the largest |theta|/(2 pi) that is precise
         bool precise = true, known = true;
     };
 
@@ -194,10 +195,15 @@ private:
             largest = largest + math::magnitude(narrow(coefficient));
         }
         const Real radians = largest * narrow(turn_);
-        result.precise = radians <= Real(1e14) && radians * resolution_ <= Real(1e-9);
+        // A rounded rate costs digits in proportion to theta, at any time. A row of 10^14 radians is as
+        // wrong at all of its times: its own terms are known to the last place of Real only up to there.
+        const Real most = radians <= Real(1e14) ? Real(1e-9) / resolution_ : Real(-1);
+        result.most = most / narrow(turn_);
+        result.precise = radians <= most;
         result.known = radians * resolution_ <= Real(known_radians);
         using math::floor;
-        result.coefficient[0] = result.coefficient[0] - Wide(floor(narrow(result.coefficient[0])));
+        result.whole = floor(narrow(result.coefficient[0]));
+        result.coefficient[0] = result.coefficient[0] - Wide(result.whole);
         for (std::size_t j = 0; j < terms; ++j) result.low[j] = narrow(result.coefficient[j]);
         return result;
     }

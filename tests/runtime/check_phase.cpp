@@ -5,6 +5,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace resonform {
 
 namespace {
@@ -98,6 +100,36 @@ TEST(Phase, OfARoundedRateLosesDigitsEarlier) {
     };
     EXPECT_EQ(status(1e-6), Status::ok);
     EXPECT_EQ(status(1e-7), Status::low_precision);
+}
+
+// A rounded rate: a fast phase is small at small times, though the row of the table in which they stand ends
+// at many turns.
+TEST(Phase, IsPreciseWhereItIsStillSmall) {
+    using Wide = Phase<double>::Wide;
+    const double eps = 0.01, rate = 1e7;
+    Phase<double> phase;
+    double end = 1;
+    ASSERT_EQ(phase.build([&](const Wide&) { return std::array<Wide, 1>{Wide(rate / eps)}; }, Wide(0), eps,
+                          end, true),
+              Status::ok);
+    EXPECT_FALSE(phase.precise());
+    double cosine = 0, sine = 0;
+    for (const double theta : {0.0, 0.01, 3.0, 1e3}) {
+        EXPECT_EQ(phase(theta / rate, cosine, sine), Status::ok) << theta;
+        EXPECT_NEAR(sine, std::sin(theta), 4e-16 * (1 + theta)) << theta;
+    }
+    EXPECT_EQ(phase(0.999 / eps, cosine, sine), Status::low_precision);
+}
+
+// Beyond 10^14 radians in a row its terms are known to 10^-15 or worse, at its small times, too.
+TEST(Phase, IsNowherePreciseWhereItsRowIsNot) {
+    using Wide = Phase<double>::Wide;
+    Phase<double> phase;
+    double end = 1;
+    ASSERT_EQ(phase.build([](const Wide&) { return std::array<Wide, 1>{Wide(1e17)}; }, Wide(0), 1.0, end),
+              Status::ok);
+    double cosine = 0, sine = 0;
+    for (const double t : {0.0, 1e-25, 1e-12}) EXPECT_EQ(phase(t, cosine, sine), Status::low_precision) << t;
 }
 
 // theta = (T + d log(1 + T/a))/eps, the rate rounded to double: as good as its places, small times too,
