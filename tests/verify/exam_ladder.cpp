@@ -88,9 +88,12 @@ TEST(Ladder, RefusesAParameterWithoutValue) {
 TEST(Ladder, IntervalsThatTakeHoursEndItAtOnce) {
     test::SceneLine line = test::pendulum("xy_only");
     test::shorten_ladder(line.scene);
+    VerifyOptions options = test::options();
+    options.compiled = false;
+    options.emitted_starts = 1; // of 50 digits over 10^9, which is not the question here
     for (const int power : {9, 300}) {
         line.scene.verify.interval = GiNaC::pow(GiNaC::numeric(10), power);
-        const Verification v = test::verified(line);
+        const Verification v = verify(line.system, line.scene, line.solution, options);
         ASSERT_TRUE(v.conditions.ladder_end);
         EXPECT_EQ(v.conditions.ladder_end->eps, Rational(1) / Rational(50));
         for (const OutputVerdict& o : v.outputs) {
