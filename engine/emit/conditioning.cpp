@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/conditioning.hpp"
 
+#include "model/constant_sign.hpp"
+
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -106,6 +108,55 @@ Graph::Node lower_logarithm(Graph& graph, const Ring& ring, Lowering& lowering, 
     return graph.function(Graph::Op::log, {lowering.polynomial(argument)});
 }
 
+namespace {
+
+// Of a node without symbols, as a user would write it; nullopt if it has some, or a function that no constant
+// under [fix] is translated to.
+std::optional<GiNaC::ex> constant_of(const Graph& graph, Graph::Node n) {
+    const Graph::Entry& e = graph.at(n);
+    if (e.op == Graph::Op::rational) return GiNaC::ex(to_string(e.value), GiNaC::lst{});
+    GiNaC::exvector operands;
+    for (const Graph::Node operand : e.operands) {
+        const auto known = constant_of(graph, operand);
+        if (!known) return std::nullopt;
+        operands.push_back(*known);
+    }
+    switch (e.op) {
+    case Graph::Op::add: return GiNaC::add(operands);
+    case Graph::Op::multiply: return GiNaC::mul(operands);
+    case Graph::Op::power: return GiNaC::pow(operands[0], e.exponent);
+    case Graph::Op::root: return GiNaC::pow(operands[0], GiNaC::numeric(1, e.exponent));
+    case Graph::Op::sin: return GiNaC::sin(operands[0]);
+    case Graph::Op::cos: return GiNaC::cos(operands[0]);
+    case Graph::Op::log: return GiNaC::log(operands[0]);
+    case Graph::Op::exp: return GiNaC::exp(operands[0]);
+    case Graph::Op::asinh: return GiNaC::asinh(operands[0]);
+    case Graph::Op::atan2:
+        if (operands[0].is_zero() && operands[1].is_equal(-1)) return GiNaC::Pi;
+        return std::nullopt;
+    default: return std::nullopt;
+    }
+}
+
+// A sum of numbers with different signs, as its value to more digits than any real type has:
+//   1 - pi/3   ->   -0.0471975...
+Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
+    constexpr int bits = 500;
+    const std::vector<Graph::Node> operands = graph.at(n).operands;
+    if (graph.at(n).op != Graph::Op::add) return n;
+    bool above = false, below = false;
+    for (const Graph::Node operand : operands) {
+        const auto constant = constant_of(graph, operand);
+        if (!constant) return n;
+        (sign_of_constant(*constant) == ConstantSign::positive ? above : below) = true;
+    }
+    if (!above || !below) return n;
+    const std::optional<Interval> value = enclosure(*constant_of(graph, n), {}, bits);
+    return value && value->excludes_zero() ? graph.rational(value->low) : n;
+}
+
+} // namespace
+
 Graph::Node lower_divisor(Graph& graph, const Ring& ring, Lowering& lowering, const Polynomial& divisor,
                           const std::set<Graph::Node>& positive) {
     const auto known = [&](const Polynomial& p) {
@@ -118,7 +169,7 @@ Graph::Node lower_divisor(Graph& graph, const Ring& ring, Lowering& lowering, co
         if (!over.empty())
             return graph.multiply({lowering.polynomial(over), graph.power(lowering.radicand(a - r), -1)});
     }
-    return lowering.radicand(divisor);
+    return with_all_digits(graph, lowering.radicand(divisor));
 }
 
 } // namespace resonform

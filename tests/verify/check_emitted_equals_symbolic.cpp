@@ -182,6 +182,27 @@ TEST(EmittedEqualsSymbolic, ADivisorThatIsTheDifferenceOfARootKeepsItsDigits) {
     EXPECT_LT(check.worst(), 4) << to_text(check);
 }
 
+// The divisor 1 - w of a forced motion at w = pi/3: of a pi in double it had lost 20 ulp.
+TEST(EmittedEqualsSymbolic, ADivisorOfFixedNumbersKeepsItsDigits) {
+    const fs::path system = cache() / "fixed_detuning";
+    fs::create_directories(system / "scenes");
+    write_atomically(
+        system / "system.toml",
+        "[system]\nname = \"fixed_detuning\"\n[parameters]\nw = { positive = true }\n[variables]\n"
+        "x = { role = \"fast\" }\ns = { role = \"slow\" }\np = { role = \"angle\" }\n[equations]\n"
+        "x = \"x'' = -w^2*x + eps^2*(1 + s^2)*cos(p)\"\ns = \"s' = eps\"\np = \"p' = 1\"\n");
+    write_atomically(
+        system / "scenes/s.toml",
+        "order = 1\n[fix]\nw = \"pi/3\"\n[start]\nx = \"0.3*eps\"\n\"x'\" = \"0.1*eps\"\ns = 0.4\n"
+        "p = 0.5\n[verify]\neps = [0.01, 0.002]\ninterval = \"1\"\n");
+    const Made m = made(read_scene(system / "scenes/s.toml", cache()));
+    const EmittedCheck check =
+        check_emitted(m.program, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
+                      m.solution, m.scene, {cache(), {}, 30});
+    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
+    EXPECT_LT(check.worst(), 4) << to_text(check);
+}
+
 // A condition that holds wherever values are compared, and breaks at some of the starts of which only the
 // status is.
 TEST(EmittedEqualsSymbolic, AConditionThatFewStartsBreakIsCaught) {
