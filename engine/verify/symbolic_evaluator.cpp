@@ -5,6 +5,7 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "verify/symbolic_integral.hpp"
+#include "verify/symbolic_turning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -298,35 +299,6 @@ struct SymbolicEvaluator::Impl {
         }
     }
 
-    // By how much the flow has turned mode k at T: arguments are added up in steps that leave no doubt.
-    [[nodiscard]] Wide turned(std::size_t k, const Wide& T) const {
-        Moment at(frame);
-        const auto value = [&](const Wide& time) {
-            integral->move_to(time, at);
-            return at.now[k];
-        };
-        const auto angle = [](const WideComplex& from, const WideComplex& to) {
-            const WideComplex ratio = to * from.conjugate();
-            return std::atan2(static_cast<double>(Wide(ratio.im / (ratio.size() + Wide(1e-300)))),
-                              static_cast<double>(Wide(ratio.re / (ratio.size() + Wide(1e-300)))));
-        };
-        double total = 0;
-        const auto add = [&](const auto& again, const Wide& left, const WideComplex& from, const Wide& right,
-                             const WideComplex& to, int depth) -> void {
-            const Wide middle = (left + right) / 2;
-            const WideComplex between = value(middle);
-            const double first = angle(from, between), second = angle(between, to);
-            if (depth == 0 || (depth < most_halvings - 3 && std::abs(first) < 1 && std::abs(second) < 1)) {
-                total += first + second;
-                return;
-            }
-            again(again, left, from, middle, between, depth - 1);
-            again(again, middle, between, right, to, depth - 1);
-        };
-        add(add, Wide(0), frame.variables[k].start, T, value(T), most_halvings);
-        return abs(Wide(total));
-    }
-
     [[nodiscard]] std::vector<Wide> phases(const Wide& t) const {
         Moment at(frame);
         integral->move_to(inputs.eps * t, at);
@@ -347,7 +319,7 @@ struct SymbolicEvaluator::Impl {
         Numbers ways;
         for (const MovedPhase& phase : moved)
             ways.push_back(variables()[phase.variable].kind == Of::mode
-                               ? turned(phase.variable, T)
+                               ? turned(frame, *integral, phase.variable, T)
                                : Wide(abs(at.now[phase.variable].re)));
         for (const SymbolicIntegral::Beyond& beyond : integral->beyond(at, T))
             for (std::size_t p = 0; p < moved.size(); ++p)
@@ -411,7 +383,7 @@ struct SymbolicEvaluator::Impl {
         point.phase_parts.push_back(part);
     }
 
-    static constexpr int most_halvings = 16, pieces = 64;
+    static constexpr int pieces = 64;
     SymbolicInputs inputs;
     SymbolicFrame frame;
     std::unique_ptr<SymbolicIntegral> integral;

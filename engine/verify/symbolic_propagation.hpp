@@ -4,7 +4,7 @@
 //
 //   S_k(T) = sum_j |P_kj(T, 0)| |y_j(0)| + int_0^T sum_j |P_kj(T, s)| (sum |terms of f_j|)(s) ds
 //
-// P propagates small differences, P' = df/dy P. y' = -y, y(0) = 1: e^(-T) + (1 - e^(-T)) * ...; a value that
+// P propagates small differences, P' = df/dy P. A value that
 // passes through zero keeps the scale of what cancels there, one that runs towards a singularity gets its
 // condition, and one that is damped forgets. To one digit or two: a scale needs no more.
 #pragma once
