@@ -314,7 +314,7 @@ std::vector<Float128> SymbolicSolution::declared_at(const std::vector<Wide>& slo
 }
 
 std::string SymbolicSolution::text() const {
-    std::string text = "symbolic 1\n";
+    std::string text = "symbolic 2\n";
     for (const SymbolicRing::Root& root : ring_->roots())
         text += fmt::format("root {} {} {}", root.id, root.index, text_of(root.radicand));
     for (const SymbolicVariable& v : variables_)
