@@ -6,6 +6,7 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/json.hpp"
+#include "model/read_system.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -6,7 +6,10 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "emit/document.hpp"
+#include "model/read_system.hpp"
 #include "normalize/centre_manifold.hpp"
+#include "solve/route.hpp"
+#include "solve/truncation.hpp"
 
 #include <fmt/format.h>
 

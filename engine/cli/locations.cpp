@@ -4,6 +4,7 @@
 #include "algebra/error.hpp"
 #include "cli/output.hpp"
 #include "model/names.hpp"
+#include "model/read_system.hpp"
 #include "verify/drafts.hpp"
 
 #include <fmt/format.h>

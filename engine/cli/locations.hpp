@@ -2,6 +2,7 @@
 // Where systems/, generated/ and the cache of verifications stand, and how files are written there.
 #pragma once
 
+#include "model/read_system.hpp"
 #include "model/system_file.hpp"
 
 #include <filesystem>

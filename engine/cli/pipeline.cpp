@@ -2,8 +2,14 @@
 #include "cli/pipeline.hpp"
 
 #include "cli/output.hpp"
+#include "emit/build_program.hpp"
 #include "emit/decided.hpp"
+#include "model/read_scene.hpp"
+#include "model/read_system.hpp"
 #include "normalize/numbers.hpp"
+#include "solve/solve.hpp"
+#include "solve/time_scale.hpp"
+#include "solve/truncation.hpp"
 
 #include <fmt/format.h>
 

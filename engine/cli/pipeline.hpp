@@ -12,6 +12,7 @@
 #include "normalize/certificate.hpp"
 #include "normalize/normalize.hpp"
 #include "solve/solution.hpp"
+#include "solve/truncation.hpp"
 
 #include <filesystem>
 #include <memory>

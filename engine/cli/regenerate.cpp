@@ -7,6 +7,7 @@
 #include "cli/pipeline.hpp"
 #include "emit/cpp.hpp"
 #include "model/diagnostic.hpp"
+#include "model/read_system.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/fixed_divisors.hpp"
 
+#include "algebra/constant.hpp"
 #include "emit/normal_form_parts.hpp"
 #include "emit/spelling.hpp"
 #include "model/constant_sign.hpp"

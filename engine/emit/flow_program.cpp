@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/flow_program.hpp"
 
+#include "algebra/constant.hpp"
 #include "algebra/error.hpp"
 #include "emit/conditioning.hpp"
 #include "emit/flow_moment.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/scene_file.hpp"
 
-#include "model/scene_reader.hpp"
 #include "model/start_names.hpp"
-#include "model/toml_tree.hpp"
 #include "model/zero_test.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace resonform {
@@ -17,6 +16,10 @@ const char* to_string(Verdict verdict) {
     case Verdict::undecided: break;
     }
     return "undecided";
+}
+
+bool Scene::wants(const std::string& output) const {
+    return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
 }
 
 const StartValue* Scene::start_of(const std::string& canonical) const {
@@ -65,15 +68,6 @@ void not_fixed(const Scene& scene, const std::string& rule, const std::vector<st
         values += (values.empty() ? "" : " and ") + name + " = ...";
     }
     bad_input({rule, "no value of " + names, "add " + values + " under [fix]", scene.fix_place});
-}
-
-Scene read_scene(const std::filesystem::path& file, const std::filesystem::path& systems) {
-    return read_scene_text(read_text(file), file, systems);
-}
-
-Scene read_scene_text(std::string_view toml, const std::filesystem::path& file,
-                      const std::filesystem::path& systems) {
-    return SceneReader(read_toml(toml, file), file, systems).read();
 }
 
 } // namespace resonform

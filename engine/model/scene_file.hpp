@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// scenes/*.toml -> Scene: what the user wants of a system; everything else is left out.
+// What the user wants of a system, from scenes/*.toml (model/read_scene.hpp); everything else is left out.
 #pragma once
 
 #include "algebra/number.hpp"
@@ -67,6 +67,8 @@ struct Scene {
     VerifyPlan verify;
 
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
+    // Whether it is among the outputs.
+    [[nodiscard]] bool wants(const std::string& output) const;
     [[nodiscard]] const StartValue* start_of(const std::string& canonical) const;
     // What start values and intervals may contain: parameters and eps, of cancelled ones those that are
     // fixed.
@@ -79,12 +81,5 @@ struct Scene {
 // Errors: values of parameters are missing under [fix]; the rule says who needs them.
 [[noreturn]] void not_fixed(const Scene& scene, const std::string& rule,
                             const std::vector<std::string>& missing);
-
-// The system is the one in the scene's parent's parent folder (systems/x/scenes/s.toml), else by the
-// name it gives, in `systems`.
-// Errors: bad_input for what breaks a rule of docs/file_formats.md, and those of read_system.
-Scene read_scene(const std::filesystem::path& file, const std::filesystem::path& systems);
-Scene read_scene_text(std::string_view toml, const std::filesystem::path& file,
-                      const std::filesystem::path& systems);
 
 } // namespace resonform

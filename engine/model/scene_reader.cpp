@@ -4,6 +4,7 @@
 #include "model/constant_sign.hpp"
 #include "model/heading.hpp"
 #include "model/names.hpp"
+#include "model/read_system.hpp"
 #include "model/start_domain.hpp"
 #include "model/start_reader.hpp"
 #include "model/toml_values.hpp"

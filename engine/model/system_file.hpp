@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// system.toml -> System: what the user wrote, checked, in the order of the file.
+// What the user wrote into system.toml, checked, in the order of the file (model/read_system.hpp).
 #pragma once
 
 #include "algebra/number.hpp"
@@ -159,14 +159,5 @@ struct System {
     // The parameters and eps: what start values and intervals may contain.
     [[nodiscard]] Scope constants() const;
 };
-
-// SYSTEM of the command line: a folder with system.toml, that file, or a name in `systems`.
-// Errors (bad_input): none of these exists; the names in `systems` are suggested.
-std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems);
-
-// Reads and checks a system file (docs/file_formats.md). Errors: bad_input for what breaks a rule
-// there, refused for what the format foresees and the engine does not do yet.
-System read_system(const std::filesystem::path& file);
-System read_system_text(std::string_view toml, const std::filesystem::path& file);
 
 } // namespace resonform

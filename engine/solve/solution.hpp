@@ -15,7 +15,6 @@
 
 #include "normalize/normal_form.hpp"
 #include "solve/slow_flow.hpp"
-#include "solve/truncation.hpp"
 
 #include <memory>
 #include <optional>
@@ -94,24 +93,7 @@ struct SolveOptions {
     int time_scale = 1; // p: for times of order eps^-p
 };
 
-// xi' = eps c
-[[nodiscard]] bool has_explicit_law(const GradedField& field, const SlowVariable& slow);
-
-// One small oscillator of weight 1 at most, at most one slow variable, xi' = eps*const, no angles, style
-// poincare, no `near`: else the solution is a slow flow.
-[[nodiscard]] bool solves_by_quadratures(const GradedField& field);
-// The same on times of order eps^-time_scale. Amplitudes that change are expanded in powers of T = eps t,
-// which is large beyond 1/eps: there only constant ones are left to quadratures.
-[[nodiscard]] bool solves_by_quadratures(const NormalForm& normal_form, int time_scale);
-
-// Errors (refused): functions among the coefficients, a slow variable that does not move; by quadratures: an
-// oscillator that is damped or grows at weight 0; else those of slow_flow().
-Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options);
-
 // The power of eps of the first oscillating term of an output. nullopt: it has none through the order.
 [[nodiscard]] std::optional<int> first_oscillation(const Solution& solution, const std::string& output);
-
-// Whether only parameters, and roots of what is constant, stand in p.
-[[nodiscard]] bool is_constant(const Ring& ring, const Polynomial& p);
 
 } // namespace resonform

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/truncation.hpp"
 
-#include "solve/solution.hpp"
+#include "algebra/error.hpp"
+#include "solve/route.hpp"
 
 #include <fmt/format.h>
 
@@ -31,14 +32,10 @@ int lightest(const GradedField& field) {
     return field.mode_weights().back();
 }
 
-bool is_output(const DriftVariable& drift, const Scene& scene) {
-    return std::find(scene.outputs.begin(), scene.outputs.end(), drift.name) != scene.outputs.end();
-}
-
 Count counted(const GradedField& field, const Scene& scene, int p) {
     const int order = scene.order;
     const bool drifts = std::any_of(field.drift.begin(), field.drift.end(),
-                                    [&](const DriftVariable& d) { return is_output(d, scene); });
+                                    [&](const DriftVariable& d) { return scene.wants(d.name); });
     if (solves_by_quadratures(field) && (p < 2 || !drifts)) {
         if (field.modes.empty()) return {order + p, "N + p"};
         return {std::max(order + p, order + 2 * p - 2), "max(N + p, N + 2p - 2)"};
@@ -83,23 +80,6 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
     return {truncation,
             fmt::format("order {} on t = O({}): rates neglected at weight {} act over {}, so M = {} = {}",
                         order, span, truncation + 1, span, formula, truncation)};
-}
-
-void check_time_scale(const Solution& solution, const Scene& scene) {
-    const int p = scene.time_scale.value_or(1);
-    if (scene.truncation || p < 2) return;
-    const NormalForm& normal_form = solution.normalization->normal_form;
-    const auto require = [&](std::optional<int> power, const std::string& what) {
-        if (power && *power < p)
-            refuse({"on a time scale beyond 1/eps slow flow and drifts go a finite way",
-                    fmt::format("time_scale = {}, {} of order eps^{}", p, what, *power),
-                    fmt::format("use time_scale = {}, or give the truncation yourself", *power),
-                    place_of(scene, "time_scale")});
-    };
-    if (solution.flow) require(flow_power(*normal_form.field, *solution.flow), "the flow has rates");
-    for (std::size_t d = 0; d < normal_form.drift.size(); ++d)
-        if (const DriftVariable& drift = normal_form.field->drift[d]; is_output(drift, scene))
-            require(lowest_weight(normal_form.drift[d]), drift.name + " has a rate");
 }
 
 } // namespace resonform

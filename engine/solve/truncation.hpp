@@ -9,8 +9,6 @@
 
 namespace resonform {
 
-struct Solution;
-
 // M, and the count that led to it as one sentence for the user.
 struct TruncationCount {
     int truncation;
@@ -34,9 +32,5 @@ void require_whole_weights(const System& system);
 // Errors: refused for p >= 2 with a slow variable xi' = eps c, which leaves every compact set, so that the
 // count does not hold; refused for M > 99; those of require_whole_weights.
 TruncationCount count_truncation(const GradedField& field, const Scene& scene);
-
-// The part of the count that only the solution shows: for p >= 2 a slow flow, and a drift among the outputs,
-// move as eps^p or more slowly, so that they go a finite way. Error: refused.
-void check_time_scale(const Solution& solution, const Scene& scene);
 
 } // namespace resonform

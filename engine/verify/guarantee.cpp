@@ -6,6 +6,10 @@
 #include "model/settings.hpp"
 #include "model/start_names.hpp"
 #include "solve/neglected.hpp"
+#include "solve/route.hpp"
+#include "solve/solve.hpp"
+#include "solve/time_scale.hpp"
+#include "solve/truncation.hpp"
 
 #include <fmt/format.h>
 

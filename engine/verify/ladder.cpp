@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/ladder.hpp"
 
+#include "emit/build_program.hpp"
 #include "model/interval_length.hpp"
 #include "verify/deviation.hpp"
 #include "verify/start_scaling.hpp"

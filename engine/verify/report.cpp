@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/report.hpp"
 
+#include "emit/build_program.hpp"
 #include "emit/document.hpp"
 #include "solve/transgression.hpp"
 #include "verify/report_figures.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/stability.hpp"
 
+#include "emit/build_program.hpp"
 #include "model/interval_length.hpp"
 #include "verify/evaluator.hpp"
 #include "verify/stability_reference.hpp"

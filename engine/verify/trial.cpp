@@ -2,6 +2,7 @@
 #include "verify/trial.hpp"
 
 #include "algebra/error.hpp"
+#include "emit/build_program.hpp"
 #include "model/interval_length.hpp"
 #include "verify/cache.hpp"
 #include "verify/interpreter.hpp"

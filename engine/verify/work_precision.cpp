@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/work_precision.hpp"
 
+#include "emit/build_program.hpp"
+#include "solve/solve.hpp"
 #include "verify/compiled_tape.hpp"
 #include "verify/integrate.hpp"
 #include "verify/interpreter.hpp"

@@ -11,6 +11,7 @@
 #include "bench/measure.hpp"
 
 #include "expand/graded_field.hpp"
+#include "model/read_system.hpp"
 #include "model/system_file.hpp"
 #include "normalize/certificate.hpp"
 #include "normalize/poincare.hpp"

@@ -3,6 +3,7 @@
 #include "emit/cpp.hpp"
 #include "emit/cpp_names.hpp"
 
+#include "model/read_scene.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
 

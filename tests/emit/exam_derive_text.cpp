@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The documents of the pendulum as they are printed: (16), (19), (20) to (23) of the paper.
 #include "printed.hpp"
+#include "solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 // The laws of what is constant at eps = 0: the catenary's parametric form, the particle's uniform rise,
 // averaged rates, and a drift that oscillates as much as it moves.
 #include "printed.hpp"
+#include "solve/solve.hpp"
 #include "support/shell.hpp"
 
 #include <nlohmann/json.hpp>

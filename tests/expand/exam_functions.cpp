@@ -2,6 +2,7 @@
 // One form for one function: identities between exponentials, angles, logarithms hold in the ring.
 #include "expand/coefficient_ring.hpp"
 #include "model/canonical.hpp"
+#include "model/read_system.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

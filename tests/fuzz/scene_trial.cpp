@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/scene_trial.hpp"
 
+#include "emit/build_program.hpp"
 #include "fuzz/planted_change.hpp"
 #include "fuzz/random_scene.hpp"
+#include "model/read_scene.hpp"
 #include "normalize/certificate.hpp"
+#include "solve/time_scale.hpp"
 #include "support/program.hpp"
 #include "verify/emitted_points.hpp"
 #include "verify/interpreter.hpp"

@@ -3,6 +3,7 @@
 // the same laws in tests/normalize.
 #include "emit/derive.hpp"
 #include "literature/point_in_doubles.hpp"
+#include "model/read_system.hpp"
 #include "model/settings.hpp"
 #include "normalize/certificate.hpp"
 #include "normalize/inverse_map.hpp"

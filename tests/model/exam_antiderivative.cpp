@@ -4,6 +4,7 @@
 
 #include "mechanisms.hpp"
 #include "model/positivity.hpp"
+#include "model/read_system.hpp"
 
 namespace resonform {
 namespace {

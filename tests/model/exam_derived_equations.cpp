@@ -2,6 +2,7 @@
 // What is derived from small mechanisms: forces, bodies, Lagrangians, integrals, roles.
 #include "mechanisms.hpp"
 #include "model/multipliers.hpp"
+#include "model/read_system.hpp"
 #include "model/settings.hpp"
 
 #include <regex>

@@ -2,6 +2,7 @@
 // What is zero or positive only by the relations of roots and functions, and in the declared domain.
 #include "model/exact_question.hpp"
 #include "model/positivity.hpp"
+#include "model/read_system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "model/first_order_system.hpp"
 
 #include "messages.hpp"
+#include "model/read_system.hpp"
 
 namespace resonform {
 namespace {

@@ -7,6 +7,7 @@
 #include "model/zero_test.hpp"
 
 #include "algebra/error.hpp"
+#include "model/read_system.hpp"
 
 #include <gtest/gtest.h>
 

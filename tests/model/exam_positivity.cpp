@@ -2,6 +2,7 @@
 // The prover of signs: what it must see, and what it must not claim.
 #include "model/constant_sign.hpp"
 #include "model/positivity.hpp"
+#include "model/read_system.hpp"
 #include "model/zero_test.hpp"
 
 #include <gtest/gtest.h>

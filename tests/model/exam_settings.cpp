@@ -5,6 +5,8 @@
 #include "messages.hpp"
 
 #include "model/canonical.hpp"
+#include "model/read_scene.hpp"
+#include "model/read_system.hpp"
 
 namespace resonform {
 namespace {

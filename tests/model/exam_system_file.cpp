@@ -4,6 +4,7 @@
 
 #include "messages.hpp"
 #include "model/canonical.hpp"
+#include "model/read_system.hpp"
 
 namespace resonform {
 namespace {

@@ -3,6 +3,7 @@
 #include "messages.hpp"
 #include "model/derivation.hpp"
 #include "model/dimension.hpp"
+#include "model/read_system.hpp"
 
 namespace resonform {
 namespace {

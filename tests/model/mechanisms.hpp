@@ -5,6 +5,7 @@
 #include "messages.hpp"
 #include "model/derivation.hpp"
 #include "model/exact_form.hpp"
+#include "model/read_system.hpp"
 
 namespace resonform {
 

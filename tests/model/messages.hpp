@@ -3,6 +3,8 @@
 #pragma once
 
 #include "model/first_order_system.hpp"
+#include "model/read_scene.hpp"
+#include "model/read_system.hpp"
 #include "model/scene_file.hpp"
 #include "model/toml_tree.hpp"
 

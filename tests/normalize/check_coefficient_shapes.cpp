@@ -2,6 +2,7 @@
 // Coefficients that mean something simple and are written, or come out, in another shape: roots of products
 // inside of roots, squares under roots, divisors that are quotients or have a known factor. Each system is
 // derived and certified.
+#include "model/read_system.hpp"
 #include "normalize/certified.hpp"
 #include "normalize/numbers.hpp"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/truncation.hpp"
 
+#include "model/read_system.hpp"
 #include "solve/line.hpp"
 #include "solve/systems.hpp"
+#include "solve/time_scale.hpp"
 
 #include <gtest/gtest.h>
 

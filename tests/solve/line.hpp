@@ -3,8 +3,10 @@
 #pragma once
 
 #include "expand/graded_field.hpp"
+#include "model/read_system.hpp"
 #include "normalize/poincare.hpp"
 #include "solve/solution.hpp"
+#include "solve/solve.hpp"
 
 #include <memory>
 #include <string>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "expand/graded_field.hpp"
+#include "model/read_system.hpp"
 
 #include <filesystem>
 #include <memory>

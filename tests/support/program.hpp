@@ -2,8 +2,12 @@
 // A scene as a program, for the tests of emitted and interpreted code.
 #pragma once
 
+#include "emit/build_program.hpp"
 #include "emit/program.hpp"
+#include "model/read_scene.hpp"
 #include "normalize/normalize.hpp"
+#include "solve/solve.hpp"
+#include "solve/truncation.hpp"
 #include "support/exact.hpp"
 
 #include <memory>

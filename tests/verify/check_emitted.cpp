@@ -5,6 +5,7 @@
 #include "verify/evaluator.hpp"
 #include "verify/interpreter.hpp"
 
+#include "model/read_scene.hpp"
 #include "support/program.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

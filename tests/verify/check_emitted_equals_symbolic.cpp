@@ -7,6 +7,8 @@
 #include "verify/json.hpp"
 #include "verify/symbolic_evaluator.hpp"
 
+#include "emit/build_program.hpp"
+#include "model/read_scene.hpp"
 #include "support/compiler.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"

@@ -2,6 +2,7 @@
 // The stability sweep: which points it draws, and what makes its verdict.
 #include "verify/stability.hpp"
 
+#include "emit/build_program.hpp"
 #include "scene_line.hpp"
 #include "support/documented.hpp"
 #include "verify/json.hpp"

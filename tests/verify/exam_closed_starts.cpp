@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed solutions start where their map is close to the identity, from values as from constants; what they
 // are held against says the same.
+#include "emit/build_program.hpp"
+#include "model/read_scene.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
 #include "verify/evaluator.hpp"

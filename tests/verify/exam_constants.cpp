@@ -95,6 +95,7 @@ TEST_F(ConstantsOf, SlowManyDigitsInWideTypes) {
     test::write(scratch.path() / "main.cpp", R"(
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include "scene.hpp"
+#include "model/read_scene.hpp"
 #include <cstdio>
 template <class Real> double lost_digits() {
     const Real eps = Real(1) / 5;

@@ -6,6 +6,7 @@
 #include "verify/evaluator.hpp"
 #include "verify/interpreter.hpp"
 
+#include "model/read_scene.hpp"
 #include "support/compiler.hpp"
 #include "support/program.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slow flows from physical starts: two modes of one block, starts that the series do not reach, large angles.
+#include "model/read_scene.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
 #include "verify/interpreter.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The order that the weights guarantee, and what a short ladder, a layer or a short interval cannot hide.
+#include "model/read_scene.hpp"
 #include "scene_line.hpp"
 #include "support/shell.hpp"
 #include "verify/json.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Near resonance surfaces evaluators, interpreted and emitted, end with a status: D^2 > |dD/dt| up to there.
+#include "model/read_scene.hpp"
 #include "scene_line.hpp"
 #include "support/shell.hpp"
 #include "verify/evaluator.hpp"

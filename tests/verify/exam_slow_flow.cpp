@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes whose solutions are slow flows: their ladders, liars among them, and what evaluators answer.
+#include "emit/build_program.hpp"
+#include "model/read_scene.hpp"
+#include "model/read_system.hpp"
 #include "scene_line.hpp"
 #include "verify/interpreter.hpp"
 

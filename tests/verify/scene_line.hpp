@@ -2,6 +2,7 @@
 // A scene of systems/ taken through the line, for tests that verify it.
 #pragma once
 
+#include "solve/solve.hpp"
 #include "support/program.hpp"
 #include "verify/ladder.hpp"
 

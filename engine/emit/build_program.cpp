@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program.hpp"
+#include "emit/build_program.hpp"
 
+#include "algebra/constant.hpp"
 #include "algebra/error.hpp"
 #include "emit/count.hpp"
 #include "emit/fixed_divisors.hpp"

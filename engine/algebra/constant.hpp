@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elements of a ring that do not depend on a variable.
+#pragma once
+
+#include "algebra/ring.hpp"
+
+namespace resonform {
+
+// Whether only parameters, and roots of what is constant, stand in p.
+[[nodiscard]] bool is_constant(const Ring& ring, const Polynomial& p);
+
+} // namespace resonform

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/read_system.hpp"
+
+#include "algebra/error.hpp"
+#include "model/diagnostic.hpp"
+#include "model/nearest.hpp"
+#include "model/system_reader.hpp"
+#include "model/toml_tree.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+// The folders of `systems` that hold a system.toml, sorted.
+std::vector<std::string> names_in(const std::filesystem::path& systems) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(systems, ignored)) {
+        if (std::filesystem::is_regular_file(entry.path() / "system.toml", ignored)) {
+            names.push_back(entry.path().filename().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+} // namespace
+
+std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems) {
+    std::error_code ignored;
+    std::filesystem::path given(argument);
+    if (!argument.empty()) {
+        for (const std::filesystem::path& candidate : {given, systems / given}) {
+            if (std::filesystem::is_regular_file(candidate / "system.toml", ignored)) {
+                return candidate / "system.toml";
+            }
+        }
+        if (std::filesystem::is_regular_file(given, ignored)) return given;
+    }
+    bad_input(Reason::file,
+              {"SYSTEM must be a folder with system.toml, that file, or a name in " + systems.string(),
+               excerpt(argument), suggest(argument, names_in(systems)) + ". All systems: resonform list",
+               Place{}});
+}
+
+System read_system(const std::filesystem::path& file) { return read_system_text(read_text(file), file); }
+
+System read_system_text(std::string_view toml, const std::filesystem::path& file) {
+    return SystemReader(read_toml(toml, file), file).read();
+}
+
+} // namespace resonform

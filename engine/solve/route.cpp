@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/route.hpp"
+
+#include "algebra/constant.hpp"
+
+#include <algorithm>
+
+namespace resonform {
+
+bool has_explicit_law(const GradedField& field, const SlowVariable& slow) {
+    const auto rate = quotient_in_ring(*field.ring, slow.rate, field.ring->gen(field.eps));
+    return !slow.driven && rate && is_constant(*field.ring, *rate);
+}
+
+bool solves_by_quadratures(const GradedField& field) {
+    const bool small = std::all_of(field.modes.begin(), field.modes.end(), [&](const Mode& mode) {
+        return mode.oscillator && field.ring->generator(mode.z).weight == 1;
+    });
+    return field.modes.size() <= 1 && small && field.angles.empty() && field.slow.size() <= 1 &&
+           std::all_of(field.slow.begin(), field.slow.end(),
+                       [&](const SlowVariable& slow) { return has_explicit_law(field, slow); }) &&
+           field.system().style != Style::hamiltonian &&
+           cln::zerop(field.system().near); // what is kept near is not resonant
+}
+
+} // namespace resonform

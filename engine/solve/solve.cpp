@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/solve.hpp"
+
+#include "algebra/error.hpp"
+#include "solve/amplitude_phase.hpp"
+#include "solve/drift.hpp"
+#include "solve/quadrature.hpp"
+#include "solve/route.hpp"
+#include "solve/substitution.hpp"
+#include "solve/truncation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+Place place_of(const System& system, std::size_t variable) {
+    Place place = system.variables[variable].place;
+    if (place.file.empty()) place.file = system.file.string();
+    if (place.key.empty()) place.key = "variables." + system.variables[variable].name;
+    return place;
+}
+
+void check_moves(const GradedField& field) {
+    for (const SlowVariable& slow : field.slow)
+        if (!slow.driven && slow.rate.empty())
+            refuse({"a slow variable moves", slow.name + "' = 0", "declare " + slow.name + " as a parameter",
+                    place_of(field.system(), slow.variable)});
+}
+
+void check_supported(const Normalization& normalization, const SolveOptions& options) {
+    const NormalForm& normal_form = normalization.normal_form;
+    const GradedField& field = *normal_form.field;
+    const System& system = field.system();
+    require_whole_weights(system);
+    if (options.order < 1 || options.truncation < options.order)
+        bad_input({"1 <= order <= truncation",
+                   fmt::format("order = {}, truncation = {}", options.order, options.truncation),
+                   "raise the truncation, or leave it out",
+                   {system.file.string(), 0, 0, "truncation", ""}});
+    if (normal_form.through < options.truncation || normalization.map.through < options.truncation)
+        bad_input(
+            {"normal form and map reach the weight that the solution uses",
+             fmt::format("truncation = {}, normal form through {}", options.truncation, normal_form.through),
+             "normalise through a higher weight",
+             {system.file.string(), 0, 0, "truncation", ""}});
+    for (GeneratorId id = 0; id < field.ring->size(); ++id)
+        if (field.ring->generator(id).kind == GeneratorKind::function)
+            refuse({"a solution is for coefficients with powers and roots",
+                    field.ring->generator(id).name,
+                    "derive and print the normal form; solutions with functions of slow variables or "
+                    "parameters are not there yet",
+                    {system.file.string(), 0, 0, "equations", ""}});
+    check_moves(field);
+}
+
+// z = w + h cut at a weight, by powers of eps.
+Series oscillation(const Draft& draft, int through) {
+    const GradedField& field = *draft.normal_form().field;
+    const Polynomial w = field.ring->gen(field.modes.front().z);
+    return Substitution(draft, through)(w + draft.solution.normalization->map.mode.front().total(through));
+}
+
+// f(z_n) for every part.
+template <class Function> Series transform(const Series& s, Function f) {
+    Series result;
+    for (int n = 0; n <= s.through(); ++n) result.set(n, f(s.part(n)));
+    return result;
+}
+
+// psi = (z + zbar)/2
+Series position(const Draft& draft, const Series& z) {
+    return transform(z,
+                     [&](const Polynomial& p) { return Rational(1) / 2 * (p + draft.ring().conjugate(p)); });
+}
+
+// psi' = i omega (z - zbar)/2
+Series velocity(const Draft& draft, const Series& z) {
+    const Ring& ring = draft.ring();
+    const Polynomial omega = draft.lift(draft.normal_form().field->modes.front().omega);
+    const Polynomial factor = Rational(1) / 2 * ring.multiply(ring.imaginary(), omega);
+    return transform(z, [&](const Polynomial& p) { return ring.multiply(factor, p - ring.conjugate(p)); });
+}
+
+// X = Z + l, Z as solved, l cut at a weight.
+Series displaced(const Draft& draft, std::size_t drift, int through) {
+    const Substitution put(draft, through);
+    const Series l = put(draft.solution.normalization->map.drift[drift].total(through));
+    Series result;
+    for (int n = 0; n <= through; ++n) result.set(n, draft.solution.drift[drift].value.part(n) + l.part(n));
+    return result;
+}
+
+std::size_t index_of_drift(const Solution& solution, std::size_t variable) {
+    std::size_t d = 0;
+    while (solution.drift[d].variable != variable) ++d;
+    return d;
+}
+
+void fill_outputs(Draft& draft) {
+    Solution& solution = draft.solution;
+    const System& system = solution.system();
+    for (std::size_t v = 0; v < system.variables.size(); ++v) {
+        const Variable& variable = system.variables[v];
+        if (variable.role == Role::fast)
+            solution.outputs.push_back({variable.name, position(draft, oscillation(draft, solution.order))});
+        if (variable.role == Role::drift)
+            solution.outputs.push_back(
+                {variable.name, displaced(draft, index_of_drift(solution, v), solution.order)});
+    }
+}
+
+void fill_state(Draft& draft) {
+    Solution& solution = draft.solution;
+    const System& system = solution.system();
+    for (const State& state : draft.normal_form().field->first_order->states) {
+        const Role role = system.variables[state.variable].role;
+        if (role == Role::drift)
+            solution.state.push_back({state.name, displaced(draft, index_of_drift(solution, state.variable),
+                                                            solution.truncation)});
+        if (role != Role::fast) continue;
+        const Series z = oscillation(draft, solution.truncation);
+        solution.state.push_back(
+            {state.name, state.derivative == 0 ? position(draft, z) : velocity(draft, z)});
+    }
+}
+
+} // namespace
+
+bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
+    return solves_by_quadratures(*normal_form.field) &&
+           (time_scale < 2 || amplitude_is_constant(normal_form));
+}
+
+Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {
+    check_supported(*normalization, options);
+    if (!solves_by_quadratures(normalization->normal_form, options.time_scale)) {
+        Solution solution;
+        solution.order = options.order;
+        solution.truncation = options.truncation;
+        solution.flow =
+            std::make_shared<const SlowFlow>(slow_flow(*normalization, options.order, options.truncation));
+        solution.normalization = std::move(normalization);
+        return solution;
+    }
+    const EnvelopePlan plan = plan_envelope(normalization->normal_form);
+    Draft draft(std::move(normalization), options, plan.refinements());
+    solve_amplitude_and_phase(draft, plan);
+    solve_drift(draft);
+    fill_outputs(draft);
+    fill_state(draft);
+    return std::move(draft.solution);
+}
+
+} // namespace resonform

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/time_scale.hpp"
+
+#include "algebra/error.hpp"
+#include "solve/slow_flow.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+namespace resonform {
+
+void check_time_scale(const Solution& solution, const Scene& scene) {
+    const int p = scene.time_scale.value_or(1);
+    if (scene.truncation || p < 2) return;
+    const NormalForm& normal_form = solution.normalization->normal_form;
+    const auto require = [&](std::optional<int> power, const std::string& what) {
+        if (power && *power < p)
+            refuse({"on a time scale beyond 1/eps slow flow and drifts go a finite way",
+                    fmt::format("time_scale = {}, {} of order eps^{}", p, what, *power),
+                    fmt::format("use time_scale = {}, or give the truncation yourself", *power),
+                    {scene.file.string(), 0, 0, "time_scale", ""}});
+    };
+    if (solution.flow) require(flow_power(*normal_form.field, *solution.flow), "the flow has rates");
+    for (std::size_t d = 0; d < normal_form.drift.size(); ++d)
+        if (const DriftVariable& drift = normal_form.field->drift[d]; scene.wants(drift.name))
+            require(lowest_weight(normal_form.drift[d]), drift.name + " has a rate");
+}
+
+} // namespace resonform
