@@ -1,4 +1,4 @@
-# Writes the source of emit/runtime_text.hpp: the headers of runtime/ as strings, in the order of their
+# Writes the source of emit/cpp/runtime_text.hpp: the headers of runtime/ as strings, in the order of their
 # includes (each header's own includes come before it). Each keeps its include guard, so that a file with
 # these texts and one that includes the headers go together in one program, in any order.
 function(add_runtime_text target)
@@ -12,7 +12,7 @@ function(add_runtime_text target)
         string(APPEND literals "        R\"resonform_text(${text})resonform_text\",\n")
     endforeach()
     set(source ${CMAKE_BINARY_DIR}/runtime_text.cpp)
-    file(CONFIGURE OUTPUT ${source} CONTENT [[#include "emit/runtime_text.hpp"
+    file(CONFIGURE OUTPUT ${source} CONTENT [[#include "emit/cpp/runtime_text.hpp"
 
 namespace resonform {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_balls.hpp"
+#include "certify/balls.hpp"
 
-#include "algebra/number_domain.hpp"
+#include "algebra/series/number_domain.hpp"
 
 #include <stdexcept>
 

@@ -4,8 +4,8 @@
 // told what is left over from rounding and what is not.
 #pragma once
 
-#include "algebra/magnitude.hpp"
-#include "normalize/certificate_plan.hpp"
+#include "algebra/number/magnitude.hpp"
+#include "certify/plan.hpp"
 
 #include <random>
 #include <vector>

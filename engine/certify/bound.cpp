@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_bound.hpp"
+#include "certify/bound.hpp"
 
-#include "algebra/modular.hpp"
-#include "normalize/certificate_hamiltonian.hpp"
-#include "normalize/certificate_inner_product.hpp"
+#include "algebra/number/modular.hpp"
+#include "certify/hamiltonian.hpp"
+#include "certify/inner_product.hpp"
 
 #include <algorithm>
 #include <bit>

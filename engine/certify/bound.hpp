@@ -18,8 +18,8 @@
 // certificate with bounds of degree and height instead of numbers.
 #pragma once
 
-#include "normalize/certificate_plan.hpp"
-#include "normalize/certificate_survey.hpp"
+#include "certify/plan.hpp"
+#include "certify/survey.hpp"
 
 namespace resonform {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate.hpp"
+#include "certify/certificate.hpp"
 
-#include "normalize/certificate_bound.hpp"
-#include "normalize/certificate_hamiltonian.hpp"
-#include "normalize/certificate_lie.hpp"
-#include "normalize/certificate_point.hpp"
-#include "normalize/certificate_scan.hpp"
-#include "normalize/certificate_source.hpp"
+#include "certify/bound.hpp"
+#include "certify/hamiltonian.hpp"
+#include "certify/lie.hpp"
+#include "certify/point.hpp"
+#include "certify/scan.hpp"
+#include "certify/source.hpp"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@
 // coefficients are read from the ring; no product, relation, derivative or conjugation of it is used.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <cstdint>
 

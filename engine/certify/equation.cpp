@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_equation.hpp"
+#include "certify/equation.hpp"
 
 #include <cstdlib>
 #include <utility>

@@ -2,9 +2,9 @@
 // Writes an equation of the file, as the user wrote it, into the program of a certificate.
 #pragma once
 
-#include "model/named_function.hpp"
-#include "normalize/certificate_program.hpp"
-#include "normalize/certificate_roots.hpp"
+#include "certify/program.hpp"
+#include "certify/roots.hpp"
+#include "model/text/named_function.hpp"
 
 #include <map>
 #include <string>

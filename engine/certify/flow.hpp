@@ -6,8 +6,8 @@
 // Independent of Ring's products, derivatives and conjugation: only exponents and coefficients are read.
 #pragma once
 
-#include "expand/graded_field.hpp"
-#include "normalize/certificate_equation.hpp"
+#include "certify/equation.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <optional>
 

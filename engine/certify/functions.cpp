@@ -2,9 +2,9 @@
 // Functions of weight 0 in the equations of the file, by the generators of the ring: each argument is
 // written as a sum of rational multiples of the generators' arguments. Angles are added as powers of
 // c + i s, not by the formulas of the expansion.
-#include "model/canonical.hpp"
-#include "model/named_function.hpp"
-#include "normalize/certificate_equation.hpp"
+#include "certify/equation.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 

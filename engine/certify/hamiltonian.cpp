@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_hamiltonian.hpp"
+#include "certify/hamiltonian.hpp"
 
 #include <fmt/format.h>
 

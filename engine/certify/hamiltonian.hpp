@@ -11,8 +11,8 @@
 // (w in weights: that of the modes.) With a generator that has no kernel component they have one solution.
 #pragma once
 
-#include "normalize/certificate_flow.hpp"
-#include "normalize/certificate_plan.hpp"
+#include "certify/flow.hpp"
+#include "certify/plan.hpp"
 
 namespace resonform {
 

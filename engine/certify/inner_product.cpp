@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_inner_product.hpp"
+#include "certify/inner_product.hpp"
 
 #include <fmt/format.h>
 

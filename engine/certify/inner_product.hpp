@@ -10,7 +10,7 @@
 // operator, the blocks and the linear algebra of the normaliser.
 #pragma once
 
-#include "normalize/certificate_resonance.hpp"
+#include "certify/resonance.hpp"
 
 namespace resonform {
 

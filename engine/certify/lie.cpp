@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_lie.hpp"
+#include "certify/lie.hpp"
 
-#include "algebra/fractions.hpp"
-#include "normalize/certificate_hamiltonian.hpp"
-#include "normalize/certificate_reader.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "certify/hamiltonian.hpp"
+#include "certify/reader.hpp"
 
 #include <fmt/format.h>
 

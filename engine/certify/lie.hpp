@@ -5,7 +5,7 @@
 // Lie series that it is compared with.
 #pragma once
 
-#include "normalize/certificate_point.hpp"
+#include "certify/point.hpp"
 
 #include <string>
 

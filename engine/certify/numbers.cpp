@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/ball_matrix.hpp"
-#include "normalize/certificate_balls.hpp"
-#include "normalize/certificate_point.hpp"
-#include "normalize/certificate_scan.hpp"
-#include "normalize/numbers.hpp"
+#include "normalize/recursion/numbers.hpp"
+#include "algebra/number/ball_matrix.hpp"
+#include "certify/balls.hpp"
+#include "certify/point.hpp"
+#include "certify/scan.hpp"
 
 #include <fmt/format.h>
 

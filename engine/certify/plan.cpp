@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_plan.hpp"
+#include "certify/plan.hpp"
 
-#include "normalize/certificate_flow.hpp"
-#include "normalize/certificate_hamiltonian.hpp"
+#include "certify/flow.hpp"
+#include "certify/hamiltonian.hpp"
 
 #include <fmt/format.h>
 

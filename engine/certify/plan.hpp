@@ -3,8 +3,8 @@
 // normal form, whatever these are.
 #pragma once
 
-#include "normalize/certificate_program.hpp"
-#include "normalize/normal_form.hpp"
+#include "certify/program.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <string>
 #include <vector>

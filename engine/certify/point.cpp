@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_point.hpp"
+#include "certify/point.hpp"
 
 #include <algorithm>
 #include <cstdlib>

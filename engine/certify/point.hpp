@@ -3,7 +3,7 @@
 // value * t^k, so that weights are read off as powers of t.
 #pragma once
 
-#include "normalize/certificate_readings.hpp"
+#include "certify/readings.hpp"
 
 #include <array>
 #include <utility>

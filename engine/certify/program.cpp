@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_program.hpp"
+#include "certify/program.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -10,7 +10,7 @@
 // Equal steps are one step, so that slots are equal where what they stand for is seen to be.
 #pragma once
 
-#include "algebra/series.hpp"
+#include "algebra/series/series.hpp"
 
 #include <map>
 #include <tuple>

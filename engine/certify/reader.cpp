@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_reader.hpp"
+#include "certify/reader.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,9 +3,9 @@
 // Neighbouring terms agree in most words of their monomials: what these give is kept.
 #pragma once
 
-#include "algebra/fractions.hpp"
-#include "normalize/certificate_program.hpp"
-#include "normalize/certificate_sampler.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "certify/program.hpp"
+#include "certify/sampler.hpp"
 
 #include <array>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_readings.hpp"
+#include "certify/readings.hpp"
 
 #include <algorithm>
 #include <future>

@@ -2,8 +2,8 @@
 // What a program reads of normal form and map.
 #pragma once
 
-#include "normalize/certificate_plan.hpp"
-#include "normalize/certificate_reader.hpp"
+#include "certify/plan.hpp"
+#include "certify/reader.hpp"
 
 #include <array>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_resonance.hpp"
+#include "certify/resonance.hpp"
 
 #include <algorithm>
 

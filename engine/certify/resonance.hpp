@@ -2,7 +2,7 @@
 // Which monomials are resonant, as the certificate sees it.
 #pragma once
 
-#include "normalize/certificate_scan.hpp"
+#include "certify/scan.hpp"
 
 namespace resonform {
 

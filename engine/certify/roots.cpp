@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_roots.hpp"
+#include "certify/roots.hpp"
 
-#include "model/canonical.hpp"
-#include "model/named_function.hpp"
-#include "normalize/certificate_equation.hpp"
+#include "certify/equation.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/named_function.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 //   E = exp(tau/2), s, c of tau:    exp(-tau)*sin(2*tau)     ->  E^-2 * 2 s c
 #pragma once
 
-#include "expand/graded_field.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <deque>
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_sampler.hpp"
+#include "certify/sampler.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <algorithm>
 #include <utility>

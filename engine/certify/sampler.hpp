@@ -2,8 +2,8 @@
 // Random points of a ring modulo random primes.
 #pragma once
 
-#include "algebra/montgomery.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/number/montgomery.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <cstdint>
 #include <exception>

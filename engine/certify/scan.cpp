@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_scan.hpp"
+#include "certify/scan.hpp"
 
-#include "normalize/certificate_inner_product.hpp"
-#include "normalize/certificate_reader.hpp"
-#include "normalize/certificate_resonance.hpp"
+#include "certify/inner_product.hpp"
+#include "certify/reader.hpp"
+#include "certify/resonance.hpp"
 
 #include <fmt/format.h>
 

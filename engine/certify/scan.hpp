@@ -2,9 +2,9 @@
 // Part (b) of the certificate: what can be read off the exponents of normal form and map.
 #pragma once
 
-#include "algebra/modular.hpp"
-#include "normalize/certificate_survey.hpp"
-#include "normalize/normal_form.hpp"
+#include "algebra/number/modular.hpp"
+#include "certify/survey.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_source.hpp"
+#include "certify/source.hpp"
 
-#include "algebra/graph_bounds.hpp"
+#include "algebra/graph/bounds.hpp"
 
 #include <map>
 

@@ -3,9 +3,9 @@
 // same with numbers in place of coefficients.
 #pragma once
 
-#include "algebra/graph_replay.hpp"
-#include "normalize/certificate_point.hpp"
-#include "normalize/normal_form.hpp"
+#include "algebra/graph/replay.hpp"
+#include "certify/point.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/certificate_survey.hpp"
+#include "certify/survey.hpp"
 
-#include "algebra/fractions.hpp"
+#include "algebra/ring/fractions.hpp"
 
 #include <gmpxx.h>
 

@@ -2,8 +2,8 @@
 // What one pass over the monomials of a series tells: its shape, and bounds of degree and height.
 #pragma once
 
-#include "algebra/series.hpp"
-#include "normalize/certificate_reader.hpp"
+#include "algebra/series/series.hpp"
+#include "certify/reader.hpp"
 
 #include <array>
 #include <cstdint>

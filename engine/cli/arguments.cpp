@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.hpp"
 
-#include "model/expression.hpp"
-#include "model/scene_file.hpp"
-#include "normalize/numbers.hpp"
+#include "model/system/scene_file.hpp"
+#include "model/text/expression.hpp"
+#include "normalize/recursion/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

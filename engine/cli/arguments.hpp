@@ -2,10 +2,10 @@
 // The values of the command line: read as text, checked here, one message with its mend when wrong.
 #pragma once
 
-#include "algebra/error.hpp"
-#include "algebra/number.hpp"
-#include "model/settings.hpp"
-#include "model/style.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
+#include "model/files/settings.hpp"
+#include "model/system/style.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -5,8 +5,8 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "emit/json.hpp"
-#include "model/read_system.hpp"
+#include "emit/display/json.hpp"
+#include "model/files/read_system.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

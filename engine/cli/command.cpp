@@ -2,7 +2,7 @@
 #include "cli/command.hpp"
 
 #include "cli/arguments.hpp"
-#include "normalize/numbers.hpp"
+#include "normalize/recursion/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

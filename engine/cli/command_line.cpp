@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "cli/arguments.hpp"
-#include "model/nearest.hpp"
+#include "model/text/nearest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

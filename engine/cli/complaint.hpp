@@ -3,7 +3,7 @@
 // resonform.error/1 on standard output.
 #pragma once
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <exception>
 #include <string>

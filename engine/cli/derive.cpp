@@ -5,9 +5,9 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "emit/document.hpp"
-#include "model/read_system.hpp"
-#include "normalize/centre_manifold.hpp"
+#include "emit/derive/document.hpp"
+#include "model/files/read_system.hpp"
+#include "normalize/recursion/centre_manifold.hpp"
 #include "solve/route.hpp"
 #include "solve/truncation.hpp"
 

@@ -5,8 +5,8 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "model/interval_length.hpp"
-#include "verify/interpreter.hpp"
+#include "model/files/interval_length.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

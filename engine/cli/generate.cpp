@@ -4,7 +4,7 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "emit/cpp.hpp"
+#include "emit/cpp/cpp.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include "cli/complaint.hpp"
 #include "cli/locations.hpp"
 #include "cli/output.hpp"
-#include "model/heading.hpp"
+#include "model/files/heading.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/locations.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "cli/output.hpp"
-#include "model/names.hpp"
-#include "model/read_system.hpp"
-#include "verify/drafts.hpp"
+#include "model/files/read_system.hpp"
+#include "model/system/names.hpp"
+#include "verify/run/drafts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

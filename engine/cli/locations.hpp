@@ -2,8 +2,8 @@
 // Where systems/, generated/ and the cache of verifications stand, and how files are written there.
 #pragma once
 
-#include "model/read_system.hpp"
-#include "model/system_file.hpp"
+#include "model/files/read_system.hpp"
+#include "model/system/system_file.hpp"
 
 #include <filesystem>
 #include <string>
@@ -24,8 +24,8 @@ struct Home {
 // The current folder if it has systems/; else the source tree if that is still there.
 Home find_home();
 
-// SYSTEM of the command line: find_system of model/system_file.hpp. A line on standard error says if a name
-// is one of the source tree.
+// SYSTEM of the command line: find_system of model/system/system_file.hpp. A line on standard error says if a
+// name is one of the source tree.
 std::filesystem::path find_system(const std::string& argument, const Home& home);
 // The same for a file that was found by its name, in a folder of systems.
 void say_if_of_source_tree(const Home& home, const std::filesystem::path& system);

@@ -3,14 +3,14 @@
 //   system.toml -> first-order system -> graded field -> normal form, certified -> solution -> program
 #pragma once
 
+#include "certify/certificate.hpp"
 #include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/watch.hpp"
-#include "emit/program.hpp"
-#include "model/scene_file.hpp"
-#include "model/settings.hpp"
-#include "normalize/certificate.hpp"
-#include "normalize/normalize.hpp"
+#include "emit/program/program.hpp"
+#include "model/files/settings.hpp"
+#include "model/system/scene_file.hpp"
+#include "normalize/styles/normalize.hpp"
 #include "solve/solution.hpp"
 #include "solve/truncation.hpp"
 

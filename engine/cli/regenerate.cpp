@@ -5,9 +5,9 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "emit/cpp.hpp"
-#include "model/diagnostic.hpp"
-#include "model/read_system.hpp"
+#include "emit/cpp/cpp.hpp"
+#include "model/files/read_system.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "verify/json.hpp"
+#include "verify/report/json.hpp"
 
 #include <fmt/format.h>
 

@@ -7,9 +7,9 @@
 #include "cli/limits.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "verify/json.hpp"
-#include "verify/plot.hpp"
-#include "verify/report.hpp"
+#include "verify/report/json.hpp"
+#include "verify/report/plot.hpp"
+#include "verify/report/report.hpp"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 // output are written when no Watch stands any more.
 #pragma once
 
-#include "algebra/error.hpp"
-#include "algebra/number.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 
 #include <chrono>
 #include <condition_variable>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/draft.hpp"
 
-#include "algebra/cancellation.hpp"
+#include "algebra/ring/cancellation.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/ring_copy.hpp"
 

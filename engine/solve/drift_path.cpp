@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/drift_path.hpp"
 
-#include "algebra/constant.hpp"
+#include "algebra/ring/constant.hpp"
 #include "solve/quadrature.hpp"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/initial_values.hpp"
 
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 #include "solve/ring_copy.hpp"
 
 #include <algorithm>

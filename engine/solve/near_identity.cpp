@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/near_identity.hpp"
 
-#include "model/first_order_system.hpp"
+#include "model/exact/first_order_system.hpp"
 
 #include <algorithm>
 

@@ -15,7 +15,7 @@
 // A coefficient that vanishes identically carries nothing, so all this holds for every start.
 #pragma once
 
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 #include "solve/solution.hpp"
 
 #include <optional>

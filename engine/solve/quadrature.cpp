@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/quadrature.hpp"
 
-#include "algebra/division.hpp"
+#include "algebra/ring/division.hpp"
 #include "solve/span.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 //                             xi^2 s^(-2)  ->  not closed (it has an arc tangent)
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <optional>
 #include <utility>

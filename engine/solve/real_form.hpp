@@ -5,7 +5,7 @@
 //   -i eps^3 z1 zbar1/2 (weights 1)   ->   0, -eps^5 (u^2 + v^2)/2
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <map>
 #include <optional>

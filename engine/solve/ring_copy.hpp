@@ -2,7 +2,7 @@
 // Copies the generators of a ring into a builder, so that a ring with more of them can be frozen.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // Which way a solution is found: by quadratures, in closed form, or as a slow flow.
 #pragma once
 
-#include "expand/graded_field.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 namespace resonform {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/slow_flow.hpp"
 
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 
 #include <fmt/format.h>
 

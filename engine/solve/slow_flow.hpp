@@ -12,7 +12,7 @@
 // theta_j' = omega_j + Theta_j, and every a_j is a constant: then nothing is left to be solved.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <optional>
 #include <string>

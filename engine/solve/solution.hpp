@@ -13,7 +13,7 @@
 // (solve/slow_flow.hpp), in the ring of the normal form.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 #include "solve/slow_flow.hpp"
 
 #include <memory>

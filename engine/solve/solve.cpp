@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/solve.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "solve/amplitude_phase.hpp"
 #include "solve/drift.hpp"
 #include "solve/quadrature.hpp"

@@ -4,7 +4,7 @@
 //   Span s; s.add(x + y); s.add(x - y);   s.decompose(4 x + z)  ->  coordinates (2, 2), remainder z
 #pragma once
 
-#include "algebra/polynomial.hpp"
+#include "algebra/ring/polynomial.hpp"
 
 #include <map>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/time_scale.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "solve/slow_flow.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // Whether a solution goes a finite way within the times that a scene asks for (design 2.4).
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
 
 namespace resonform {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/truncation.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "solve/route.hpp"
 
 #include <fmt/format.h>

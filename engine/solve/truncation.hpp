@@ -2,8 +2,8 @@
 // How far normal form and map must be computed for a solution of order N on t <= T/eps^p (design 2.4).
 #pragma once
 
-#include "expand/graded_field.hpp"
-#include "model/scene_file.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <string>
 

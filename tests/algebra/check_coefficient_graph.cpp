@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Laws of the graph of coefficients: against exact rationals at random points, and of what it decides by
 // values.
-#include "algebra/coefficient_graph.hpp"
-#include "algebra/error.hpp"
-#include "algebra/graph_bounds.hpp"
-#include "algebra/graph_derivative.hpp"
-#include "algebra/graph_expansion.hpp"
+#include "algebra/graph/bounds.hpp"
+#include "algebra/graph/coefficient_graph.hpp"
+#include "algebra/graph/derivative.hpp"
+#include "algebra/graph/expansion.hpp"
+#include "algebra/number/error.hpp"
 
 #include <gtest/gtest.h>
 

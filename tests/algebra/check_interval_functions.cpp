@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Intervals of functions hold the values that the library of C++ gives, and are narrow.
-#include "algebra/interval_functions.hpp"
+#include "algebra/ring/interval_functions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Laws of prime fields, on small primes exhaustively and on random large ones.
-#include "algebra/modular.hpp"
+#include "algebra/number/modular.hpp"
 
 #include <gtest/gtest.h>
 

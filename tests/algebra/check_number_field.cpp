@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inverses of sums of numeric roots: p (1/p) = 1, and no inverse of what is zero or divides zero.
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Balls, matrices of balls, and the domain of numbers against the ring.
-#include "algebra/ball_matrix.hpp"
-#include "algebra/number_domain.hpp"
+#include "algebra/number/ball_matrix.hpp"
+#include "algebra/series/number_domain.hpp"
 
 #include <gtest/gtest.h>
 

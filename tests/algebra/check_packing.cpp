@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Packed exponents: addition is exact inside the safe range and never silent outside.
-#include "algebra/error.hpp"
-#include "algebra/monomial_table.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/ring/monomial_table.hpp"
 #include "rings.hpp"
 
 #include <gtest/gtest.h>

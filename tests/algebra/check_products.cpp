@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums of products over a common denominator, in one word, in two and in many, against plain rationals.
-#include "algebra/fractions.hpp"
-#include "algebra/products.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "algebra/ring/products.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of Moore and Penrose, with measures of rows and columns.
-#include "algebra/rational_matrix.hpp"
+#include "algebra/number/rational_matrix.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Homomorphisms between rings.
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "rings.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Functions of graded series: against Taylor's formulas, by their functional equations, and
 // correct() against a run that had the right input from the start.
-#include "algebra/error.hpp"
-#include "algebra/series_program.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/series/series_program.hpp"
 #include "rings.hpp"
 
 #include <gtest/gtest.h>

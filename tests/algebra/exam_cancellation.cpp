@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Common factors of numerators and radicands, in rings whose forms are not canonical: A, s and k are
 // positive, so that no relation takes one of them away.
-#include "algebra/cancellation.hpp"
-#include "algebra/products.hpp"
+#include "algebra/ring/cancellation.hpp"
+#include "algebra/ring/products.hpp"
 
 #include "rings.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rendering of diagnostics.
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <gtest/gtest.h>
 

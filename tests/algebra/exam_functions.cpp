@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Functions as generators: their relations, derivatives and zero tests.
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "rings.hpp"
 
 #include <gtest/gtest.h>

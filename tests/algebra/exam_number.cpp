@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact numbers from text, their roots, and the wording of refusals.
-#include "algebra/error.hpp"
-#include "algebra/number.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 
 #include <gtest/gtest.h>
 

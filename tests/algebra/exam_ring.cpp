@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Known answers in the pendulum's ring and in rings whose relations are harder to read.
-#include "algebra/error.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/ring/ring.hpp"
 #include "rings.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Signs of polynomials in one variable under conditions.
-#include "algebra/sign_set.hpp"
+#include "algebra/number/sign_set.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 //   slow)
 #pragma once
 
-#include "algebra/graph_domain.hpp"
-#include "algebra/series_program.hpp"
+#include "algebra/graph/domain.hpp"
+#include "algebra/series/series_program.hpp"
 
 #include <fmt/format.h>
 

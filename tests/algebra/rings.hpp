@@ -2,7 +2,7 @@
 // Rings for the tests of this room: one with every kind of generator, and random elements of any ring.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <random>
 #include <string>

@@ -6,8 +6,8 @@
 // Times are the least of several runs; nodes, terms and memory are of the largest order shown. "certificate"
 // is the substitution of map and normal form into the equations, evaluated at fresh points modulo fresh
 // primes.
-#include "algebra/graph_bounds.hpp"
-#include "algebra/graph_expansion.hpp"
+#include "algebra/graph/bounds.hpp"
+#include "algebra/graph/expansion.hpp"
 #include "algebra/normalizer.hpp"
 #include "bench/measure.hpp"
 

@@ -10,11 +10,11 @@
 // run.
 #include "bench/measure.hpp"
 
-#include "expand/graded_field.hpp"
-#include "model/read_system.hpp"
-#include "model/system_file.hpp"
-#include "normalize/certificate.hpp"
-#include "normalize/poincare.hpp"
+#include "certify/certificate.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "model/files/read_system.hpp"
+#include "model/system/system_file.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 #include <fmt/format.h>
 

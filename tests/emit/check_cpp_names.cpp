@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever users call their things, emitted headers compile.
-#include "emit/cpp.hpp"
-#include "emit/cpp_names.hpp"
+#include "emit/cpp/cpp.hpp"
+#include "emit/cpp/names.hpp"
 
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/decimal.hpp"
+#include "emit/display/decimal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Divisors before evaluation: over a common denominator where that is short, as they stand where not, and the
 // same value either way.
-#include "emit/divisor_fractions.hpp"
+#include "emit/display/divisor_fractions.hpp"
 
-#include "algebra/products.hpp"
+#include "algebra/ring/products.hpp"
 #include <gtest/gtest.h>
 
 namespace resonform {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of divisors: verdicts, and the surfaces on which one that was divided by vanishes.
-#include "emit/document.hpp"
-#include "normalize/poincare.hpp"
+#include "emit/derive/document.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Functions of slow variables in print: each notation, and SymPy as the judge of those it reads.
-#include "emit/derive.hpp"
-#include "emit/display.hpp"
-#include "emit/json.hpp"
-#include "emit/latex.hpp"
-#include "emit/spelling.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/json.hpp"
+#include "emit/display/latex.hpp"
+#include "emit/display/spelling.hpp"
 #include "printed.hpp"
 #include "support/shell.hpp"
 

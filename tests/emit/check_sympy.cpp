@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SymPy as a second judge: the script runs and agrees with the example; every coefficient string of the
 // JSON has the value of its polynomial at random rational points.
-#include "emit/derive.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "model/names.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "model/system/names.hpp"
 #include "printed.hpp"
 #include "support/shell.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equations of the file in the order of their author, as text and in LaTeX.
-#include "emit/as_written.hpp"
-#include "emit/document.hpp"
-#include "emit/latex.hpp"
-#include "emit/spelling.hpp"
+#include "emit/derive/document.hpp"
+#include "emit/display/as_written.hpp"
+#include "emit/display/latex.hpp"
+#include "emit/display/spelling.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

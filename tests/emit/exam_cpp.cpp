@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in emitted headers and what does not.
-#include "emit/cpp.hpp"
+#include "emit/cpp/cpp.hpp"
 
 #include "support/program.hpp"
 #include "support/shell.hpp"

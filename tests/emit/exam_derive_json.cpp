@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON of `derive` against the example of the design, entry by entry.
-#include "emit/derive.hpp"
+#include "emit/derive/derive.hpp"
 #include "printed.hpp"
 
 #include <fstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polynomials of a ring written by hand, and how they are to be read.
-#include "emit/json.hpp"
-#include "emit/latex.hpp"
-#include "emit/spelling.hpp"
+#include "emit/display/json.hpp"
+#include "emit/display/latex.hpp"
+#include "emit/display/spelling.hpp"
 #include "printed.hpp"
 
 #include <gtest/gtest.h>

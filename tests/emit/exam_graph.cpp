@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Known answers of the expression graph.
-#include "emit/graph.hpp"
+#include "emit/program/graph.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Energies in invariants that are real: of a quartet lambda, conj(lambda), -lambda, -conj(lambda) the real
 // and the imaginary part of z1*z4.
-#include "emit/real_invariants.hpp"
+#include "emit/display/real_invariants.hpp"
 #include "printed.hpp"
 
-#include "normalize/hamiltonian.hpp"
+#include "normalize/styles/hamiltonian.hpp"
 
 #include <gtest/gtest.h>
 

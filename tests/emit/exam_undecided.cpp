@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Terms that may cancel by an identity which the ring does not know are refused by name, not printed.
-#include "emit/decided.hpp"
+#include "emit/display/decided.hpp"
 #include "printed.hpp"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 // Systems and rings whose print is tested.
 #pragma once
 
-#include "emit/document.hpp"
-#include "normalize/certificate.hpp"
-#include "normalize/poincare.hpp"
+#include "certify/certificate.hpp"
+#include "emit/derive/document.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

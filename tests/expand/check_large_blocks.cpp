@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modes of blocks of more than two states: A T = T Lambda and rows from the inverse, for known spectra and
 // for random matrices made from them.
-#include "model/zero_test.hpp"
+#include "model/text/zero_test.hpp"
 #include "support/exact.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One form for one function: identities between exponentials, angles, logarithms hold in the ring.
-#include "expand/coefficient_ring.hpp"
-#include "model/canonical.hpp"
-#include "model/read_system.hpp"
+#include "expand/ring/coefficient_ring.hpp"
+#include "model/files/read_system.hpp"
+#include "model/text/canonical.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

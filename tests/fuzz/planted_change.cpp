@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/planted_change.hpp"
 
-#include "algebra/error.hpp"
-#include "emit/prune.hpp"
+#include "algebra/number/error.hpp"
+#include "emit/program/prune.hpp"
 #include "normalize/certified.hpp"
 
 #include <fmt/format.h>

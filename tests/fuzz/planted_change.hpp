@@ -2,9 +2,9 @@
 // Lies about a scene: one change in what is emitted, or one in the normal form that it comes from.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 #include "fuzz/draw.hpp"
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <optional>
 #include <string>

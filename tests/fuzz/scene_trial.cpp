@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/scene_trial.hpp"
 
-#include "emit/build_program.hpp"
+#include "certify/certificate.hpp"
+#include "emit/program/build_program.hpp"
 #include "fuzz/planted_change.hpp"
 #include "fuzz/random_scene.hpp"
-#include "model/read_scene.hpp"
-#include "normalize/certificate.hpp"
+#include "model/files/read_scene.hpp"
 #include "solve/time_scale.hpp"
 #include "support/program.hpp"
-#include "verify/emitted_points.hpp"
-#include "verify/interpreter.hpp"
-#include "verify/ladder.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/judging/emitted_points.hpp"
+#include "verify/judging/ladder.hpp"
 
 #include <fmt/format.h>
 

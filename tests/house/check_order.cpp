@@ -57,9 +57,7 @@ TEST(Order, ALoopTwoLevelsDeepIsSeen) {
 }
 
 TEST(Order, CrowdedFoldersBecomeFewer) {
-    const std::map<std::string, std::size_t> left{{"engine/algebra", 98},   {"engine/emit", 118},
-                                                  {"engine/expand", 51},    {"engine/model", 128},
-                                                  {"engine/normalize", 71}, {"engine/verify", 103}};
+    const std::map<std::string, std::size_t> left{};
     EXPECT_EQ(crowded(files_below({"engine", "tests", "generated"}, code)), left);
 }
 

@@ -10,7 +10,7 @@
 namespace resonform::test {
 
 struct SourceFile {
-    std::string path; // relative to the source tree: "engine/algebra/ring.hpp"
+    std::string path; // relative to the source tree: "engine/algebra/ring/ring.hpp"
     std::vector<std::string> lines;
 };
 
@@ -24,7 +24,8 @@ std::vector<SourceFile> files_below(const std::filesystem::path& root,
                                     const std::vector<std::string>& folders,
                                     const std::vector<std::string>& extensions);
 
-// "model/expression.hpp" of `#include "model/expression.hpp"`; nothing for other lines and for <...>.
+// "model/text/expression.hpp" of `#include "model/text/expression.hpp"`; nothing for other lines and for
+// <...>.
 std::optional<std::string> included_file(const std::string& line);
 
 // A line of C++ without its // comment (strings that hold // are kept).

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One battery of laws for every folder in systems/: adding a system adds it here. Random systems go through
 // the same laws in tests/normalize.
-#include "emit/derive.hpp"
+#include "certify/certificate.hpp"
+#include "emit/derive/derive.hpp"
 #include "literature/point_in_doubles.hpp"
-#include "model/read_system.hpp"
-#include "model/settings.hpp"
-#include "normalize/certificate.hpp"
-#include "normalize/inverse_map.hpp"
-#include "normalize/normalize.hpp"
+#include "model/files/read_system.hpp"
+#include "model/files/settings.hpp"
+#include "normalize/recursion/inverse_map.hpp"
+#include "normalize/styles/normalize.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

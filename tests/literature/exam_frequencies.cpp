@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frequencies that are known in closed form or to high order. They are invariants: no convention of the
 // normal form enters.
+#include "certify/certificate.hpp"
 #include "literature/rational_series.hpp"
-#include "normalize/certificate.hpp"
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

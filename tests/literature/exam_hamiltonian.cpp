@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Energies as functions of actions that are known in closed form, by second-order averaging, or from the
 // other style: invariants, no convention enters.
+#include "certify/certificate.hpp"
 #include "literature/on_plane.hpp"
 #include "literature/rational_series.hpp"
-#include "normalize/certificate.hpp"
 #include "normalize/hamiltonians.hpp"
 
 #include <gtest/gtest.h>

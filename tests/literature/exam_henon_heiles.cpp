@@ -7,8 +7,8 @@
 // real v_m: (1 - m^2 W^2) v_m = sum_{j+k=-m} v_j v_k, solved here by itself as Lindstedt did, in powers of
 // the amplitude v_1 = A. The normal form has to give the energy as a function of the action:
 // K(N) = E, dN = dE/W.
+#include "certify/certificate.hpp"
 #include "literature/on_plane.hpp"
-#include "normalize/certificate.hpp"
 #include "normalize/hamiltonians.hpp"
 
 #include <gtest/gtest.h>

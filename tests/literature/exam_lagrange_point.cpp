@@ -5,8 +5,8 @@
 //
 // The normal form here has I1 = n1 |z3|^2, I2 = n2 |z1|^2 with positive n1, n2 that depend on the scales of
 // the modes. They cancel in A/B and C/B, and these give Deprit's determinant A w2^2 + 2 B w1 w2 + C w1^2.
-#include "normalize/certificate.hpp"
-#include "normalize/poincare.hpp"
+#include "certify/certificate.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Normal forms of mechanisms against what is known: the drift of the particle, the catenary's pendulum by two
 // files, the adiabatic invariant of a lengthening string.
-#include "emit/derive.hpp"
+#include "emit/derive/derive.hpp"
 #include "literature/trajectory.hpp"
-#include "model/toml_tree.hpp"
+#include "model/text/toml_tree.hpp"
 #include "normalize/certified.hpp"
-#include "normalize/normalize.hpp"
+#include "normalize/styles/normalize.hpp"
 
 #include <gtest/gtest.h>
 

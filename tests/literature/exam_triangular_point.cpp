@@ -5,7 +5,7 @@
 //
 //   D = -(A w2^2 + 2 B w1 w2 + C w1^2)
 //     = -(36 - 541 w1^2 w2^2 + 644 w1^4 w2^4)/(8 (1 - 4 w1^2 w2^2) (4 - 25 w1^2 w2^2))
-#include "normalize/certificate.hpp"
+#include "certify/certificate.hpp"
 #include "normalize/hamiltonians.hpp"
 
 #include <gtest/gtest.h>

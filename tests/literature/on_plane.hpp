@@ -2,8 +2,8 @@
 // Normal forms on the planes that circular orbits of two equal frequencies lie in.
 #pragma once
 
-#include "algebra/ring.hpp"
-#include "algebra/series.hpp"
+#include "algebra/ring/ring.hpp"
+#include "algebra/series/series.hpp"
 #include "literature/rational_series.hpp"
 
 namespace resonform::test {

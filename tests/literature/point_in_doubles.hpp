@@ -4,7 +4,7 @@
 // its name.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <gtest/gtest.h>
 

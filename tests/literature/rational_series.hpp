@@ -2,7 +2,7 @@
 // Power series with rational coefficients, for expectations that are computed another way.
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing that is shown or refused depends on the order in which symbols were made.
-#include "model/canonical.hpp"
+#include "model/text/canonical.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random expressions: what is read has the value of what was written, computed beside the reader.
-#include "algebra/number.hpp"
-#include "model/expression.hpp"
+#include "algebra/number/number.hpp"
+#include "model/text/expression.hpp"
 
 #include <gtest/gtest.h>
 

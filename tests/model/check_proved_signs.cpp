@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever the prover of signs says of random expressions holds at points of the domain, and it says enough.
-#include "model/positivity.hpp"
-#include "model/read_system.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/files/read_system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elementary integrals, each differentiated and compared exactly.
-#include "model/antiderivative.hpp"
+#include "model/integrals/antiderivative.hpp"
 
 #include "mechanisms.hpp"
-#include "model/positivity.hpp"
-#include "model/read_system.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/files/read_system.hpp"
 
 namespace resonform {
 namespace {

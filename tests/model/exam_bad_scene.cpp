@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every bad input that a scene file can be, one edit of a good one each.
 #include "messages.hpp"
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 
 namespace resonform {
 namespace {

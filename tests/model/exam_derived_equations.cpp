@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is derived from small mechanisms: forces, bodies, Lagrangians, integrals, roles.
 #include "mechanisms.hpp"
-#include "model/multipliers.hpp"
-#include "model/read_system.hpp"
-#include "model/settings.hpp"
+#include "model/files/read_system.hpp"
+#include "model/files/settings.hpp"
+#include "model/mechanics/multipliers.hpp"
 
 #include <regex>
 

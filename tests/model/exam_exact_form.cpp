@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is equal is written the same; what is zero is seen to be zero.
-#include "model/written_form.hpp"
+#include "model/exact/written_form.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the reader makes of an expression, and what it refuses.
-#include "model/expression.hpp"
+#include "model/text/expression.hpp"
 
 #include <gtest/gtest.h>
 

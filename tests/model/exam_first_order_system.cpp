@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Implicit equations solved for their highest derivatives.
-#include "model/first_order_system.hpp"
+#include "model/exact/first_order_system.hpp"
 
 #include "messages.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 
 namespace resonform {
 namespace {

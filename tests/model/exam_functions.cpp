@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table [functions], and expressions with functions that are known by their names only.
-#include "model/canonical.hpp"
-#include "model/named_function.hpp"
-#include "model/positivity.hpp"
-#include "model/system_file.hpp"
-#include "model/zero_test.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/system/system_file.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/named_function.hpp"
+#include "model/text/zero_test.hpp"
 
-#include "algebra/error.hpp"
-#include "model/read_system.hpp"
+#include "algebra/number/error.hpp"
+#include "model/files/read_system.hpp"
 
 #include <gtest/gtest.h>
 

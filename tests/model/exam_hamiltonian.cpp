@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [hamiltonian]: the equations that follow from an energy, and every bad one.
 #include "messages.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 
 namespace resonform {
 namespace {

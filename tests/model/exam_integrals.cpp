@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Integrals of a file, solved together and by inverse functions for dependent coordinates.
 #include "mechanisms.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 
 namespace resonform {
 namespace {

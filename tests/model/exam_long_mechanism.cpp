@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanisms of a few lines whose equations are long when they are multiplied out.
 #include "mechanisms.hpp"
-#include "model/read_system.hpp"
-#include "model/zero_test.hpp"
+#include "model/files/read_system.hpp"
+#include "model/text/zero_test.hpp"
 
 namespace resonform {
 namespace {

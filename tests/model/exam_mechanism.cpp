@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanisms of the paper: equations (4), (7)-(10) of the particle, (11)-(15) of the pendulum, exactly.
 #include "mechanisms.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 
 namespace resonform {
 namespace {

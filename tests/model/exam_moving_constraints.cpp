@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints with prescribed motions that do not rest at eps = 0: integrability with the time direction.
 #include "mechanisms.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 
 namespace resonform {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The prover of signs: what it must see, and what it must not claim.
-#include "model/constant_sign.hpp"
-#include "model/positivity.hpp"
-#include "model/read_system.hpp"
-#include "model/zero_test.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/files/read_system.hpp"
+#include "model/text/constant_sign.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <gtest/gtest.h>
 

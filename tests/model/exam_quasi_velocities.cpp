@@ -2,7 +2,7 @@
 // Quasi-velocities: the equations of Gibbs and Appell in them, the same system with and without, and what is
 // no quasi-velocity.
 #include "mechanisms.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 
 namespace resonform {
 namespace {

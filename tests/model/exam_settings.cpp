@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers in place of parameters.
-#include "model/settings.hpp"
+#include "model/files/settings.hpp"
 
 #include "messages.hpp"
 
-#include "model/canonical.hpp"
-#include "model/read_scene.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_scene.hpp"
+#include "model/files/read_system.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 namespace {

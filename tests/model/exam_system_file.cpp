@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pendulum's system file, read: everything in the order of the file, nothing lost.
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include "messages.hpp"
-#include "model/canonical.hpp"
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 namespace {

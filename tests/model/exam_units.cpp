@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units that fit together, are found where they are not given, and are refused with the term.
 #include "messages.hpp"
-#include "model/derivation.hpp"
-#include "model/dimension.hpp"
-#include "model/read_system.hpp"
+#include "model/files/dimension.hpp"
+#include "model/files/read_system.hpp"
+#include "model/mechanics/derivation.hpp"
 
 namespace resonform {
 namespace {

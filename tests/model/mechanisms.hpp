@@ -3,9 +3,9 @@
 #pragma once
 
 #include "messages.hpp"
-#include "model/derivation.hpp"
-#include "model/exact_form.hpp"
-#include "model/read_system.hpp"
+#include "model/exact/form.hpp"
+#include "model/files/read_system.hpp"
+#include "model/mechanics/derivation.hpp"
 
 namespace resonform {
 

@@ -2,11 +2,11 @@
 // The pendulum's files as a quarry for bad input, and the whole message that an input earns.
 #pragma once
 
-#include "model/first_order_system.hpp"
-#include "model/read_scene.hpp"
-#include "model/read_system.hpp"
-#include "model/scene_file.hpp"
-#include "model/toml_tree.hpp"
+#include "model/exact/first_order_system.hpp"
+#include "model/files/read_scene.hpp"
+#include "model/files/read_system.hpp"
+#include "model/system/scene_file.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // Systems on which the certificate and the inverse map are tried, and ways to lie about them.
 #pragma once
 
-#include "normalize/certificate.hpp"
-#include "normalize/normalize.hpp"
-#include "normalize/poincare.hpp"
+#include "certify/certificate.hpp"
+#include "normalize/recursion/poincare.hpp"
+#include "normalize/styles/normalize.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

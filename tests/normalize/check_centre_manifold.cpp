@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Centre manifolds against the invariance equation and against the literature.
-#include "normalize/centre_manifold.hpp"
 #include "normalize/certified.hpp"
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/centre_manifold.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 
 #include <gtest/gtest.h>
 

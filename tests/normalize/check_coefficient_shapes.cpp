@@ -2,9 +2,9 @@
 // Coefficients that mean something simple and are written, or come out, in another shape: roots of products
 // inside of roots, squares under roots, divisors that are quotients or have a known factor. Each system is
 // derived and certified.
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 #include "normalize/certified.hpp"
-#include "normalize/numbers.hpp"
+#include "normalize/recursion/numbers.hpp"
 
 #include <gtest/gtest.h>
 

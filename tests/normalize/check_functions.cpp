@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every elementary function that a system may contain, and every kind of coefficient, goes through
 // expansion and normalisation and satisfies its own equations (the certificate's second route).
-#include "normalize/certificate.hpp"
-#include "normalize/poincare.hpp"
+#include "certify/certificate.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Normal forms with coefficients in a graph: the same as in the ring and as with numbers, and certified.
-#include "algebra/graph_expansion.hpp"
+#include "algebra/graph/expansion.hpp"
 #include "normalize/certified.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Two equal imaginary pairs with one eigenvector each, coupled through velocities: a chain of generalised
 // eigenvectors of one block of four states.
 #include "normalize/certified.hpp"
-#include "normalize/normalize.hpp"
+#include "normalize/styles/normalize.hpp"
 
 #include <gtest/gtest.h>
 

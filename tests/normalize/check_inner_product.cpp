@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Normal forms of linear parts that are not semisimple: known invariants, the certificate and its liars,
 // random systems; and where the linear part is semisimple, Poincare's normal form.
-#include "normalize/inverse_map.hpp"
 #include "normalize/lies.hpp"
-#include "normalize/normalize.hpp"
+#include "normalize/recursion/inverse_map.hpp"
+#include "normalize/styles/normalize.hpp"
 
 #include <random>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Map o inverse = inverse o map = identity through M, and composition against known expansions.
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 
 #include "normalize/certified.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coefficients in numbers of D digits: they agree with exact ones, their digits are right, modes without
 // closed form are found, and the certificate sees every lie.
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 #include "normalize/lies.hpp"
-#include "normalize/numbers.hpp"
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/numbers.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 #include <gtest/gtest.h>
 

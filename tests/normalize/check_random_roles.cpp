@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random systems with every role: whatever is not refused is certified, real, and has an inverse map.
 #include "normalize/certified.hpp"
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rational weights, and fast variables of different weights: the same results as in integers after a
 // substitution, and as with other weights where both hold a monomial.
-#include "normalize/centre_manifold.hpp"
 #include "normalize/certified.hpp"
 #include "normalize/hamiltonians.hpp"
-#include "normalize/inverse_map.hpp"
-#include "normalize/normalize.hpp"
+#include "normalize/recursion/centre_manifold.hpp"
+#include "normalize/recursion/inverse_map.hpp"
+#include "normalize/styles/normalize.hpp"
 
 #include <gtest/gtest.h>
 

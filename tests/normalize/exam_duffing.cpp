@@ -2,7 +2,7 @@
 // The Duffing frequency as a function of the amplitude of x, an invariant of the normal form:
 //   omega(A) = 1 + 3/8 A^2 - 21/256 A^4 + 81/2048 A^6 + O(A^8)
 // (from the elliptic integral; Nayfeh and Mook, Nonlinear Oscillations, section 2.3, to A^4).
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

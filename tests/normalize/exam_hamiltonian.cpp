@@ -3,7 +3,7 @@
 // found; what it does not take is refused.
 #include "normalize/certified.hpp"
 #include "normalize/hamiltonians.hpp"
-#include "normalize/normalize.hpp"
+#include "normalize/styles/normalize.hpp"
 
 #include <gtest/gtest.h>
 

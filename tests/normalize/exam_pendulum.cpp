@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The normalised system (20) of Kuleshov and Vidov, and the weight-4 term that their psi lacks.
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Systems that are given by an energy.
 #pragma once
 
-#include "normalize/hamiltonian.hpp"
+#include "normalize/styles/hamiltonian.hpp"
 #include "support/exact.hpp"
 
 #include <string>

@@ -2,7 +2,7 @@
 // Loaded before a program of resonform (LD_PRELOAD), writes every Error that it throws to the file
 // $RESONFORM_ERRORS, a line each: the exit code that it asks for and the message, line ends as \n. Programs
 // that it starts write to the same file. scripts/oracle.sh compares these lines between two commits.
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <dlfcn.h>
 #include <fcntl.h>

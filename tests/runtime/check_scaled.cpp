@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact numbers in every real type, and numbers with an exponent of their own, against 400 digits.
-#include "algebra/binary_parts.hpp"
+#include "algebra/number/binary_parts.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/twice.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What cannot be solved is refused, with the mend.
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 #include "solve/line.hpp"
 #include "solve/solve.hpp"
 #include "solve/systems.hpp"

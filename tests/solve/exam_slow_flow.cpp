@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slow flows that can be checked by hand: what rests, what turns, what moves, and on which time scale.
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 #include "solve/line.hpp"
 #include "solve/real_form.hpp"
 #include "solve/systems.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/truncation.hpp"
 
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 #include "solve/line.hpp"
 #include "solve/systems.hpp"
 #include "solve/time_scale.hpp"

@@ -2,9 +2,9 @@
 // The line from a system's text or file to its solution, for the tests of this room.
 #pragma once
 
-#include "expand/graded_field.hpp"
-#include "model/read_system.hpp"
-#include "normalize/poincare.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "model/files/read_system.hpp"
+#include "normalize/recursion/poincare.hpp"
 #include "solve/solution.hpp"
 #include "solve/solve.hpp"
 

@@ -2,7 +2,7 @@
 // Rings for the tests of quadratures and of hand-typed normal forms.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <string>
 

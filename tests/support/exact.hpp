@@ -3,8 +3,8 @@
 // the ring of the field under test.
 #pragma once
 
-#include "expand/graded_field.hpp"
-#include "model/read_system.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "model/files/read_system.hpp"
 
 #include <filesystem>
 #include <memory>

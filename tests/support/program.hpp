@@ -2,10 +2,10 @@
 // A scene as a program, for the tests of emitted and interpreted code.
 #pragma once
 
-#include "emit/build_program.hpp"
-#include "emit/program.hpp"
-#include "model/read_scene.hpp"
-#include "normalize/normalize.hpp"
+#include "emit/program/build_program.hpp"
+#include "emit/program/program.hpp"
+#include "model/files/read_scene.hpp"
+#include "normalize/styles/normalize.hpp"
 #include "solve/solve.hpp"
 #include "solve/truncation.hpp"
 #include "support/exact.hpp"

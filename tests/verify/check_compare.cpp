@@ -2,7 +2,7 @@
 // The comparison of run times: what must hold on any machine.
 #include "scene_line.hpp"
 #include "support/documented.hpp"
-#include "verify/json.hpp"
+#include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include "first_order.hpp"
 #include "function_cases.hpp"
 #include "scene_line.hpp"
-#include "verify/compiled_tape.hpp"
-#include "verify/integrate.hpp"
-#include "verify/tape_code.hpp"
-#include "verify/taylor_jet.hpp"
+#include "verify/integrate/compiled_tape.hpp"
+#include "verify/integrate/integrate.hpp"
+#include "verify/integrate/tape_code.hpp"
+#include "verify/integrate/taylor_jet.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // Emitted code against the interpreter, the interpreter against the printed formulas, and the statuses
 // of both outside their domain.
 #include "runtime/math.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/interpreter.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 #include "support/program.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Emitted code against the exact solution: honest code passes, and liars of every kind are caught.
-#include "verify/cache.hpp"
-#include "verify/emitted_check.hpp"
-#include "verify/emitted_points.hpp"
-#include "verify/interpreter.hpp"
-#include "verify/json.hpp"
-#include "verify/symbolic_evaluator.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/judging/emitted_check.hpp"
+#include "verify/judging/emitted_points.hpp"
+#include "verify/report/json.hpp"
+#include "verify/run/cache.hpp"
+#include "verify/symbolic/evaluator.hpp"
 
-#include "emit/build_program.hpp"
-#include "model/read_scene.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/read_scene.hpp"
 #include "support/compiler.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well a slow flow can be known, against formulas.
-#include "verify/symbolic_propagation.hpp"
+#include "verify/symbolic/propagation.hpp"
 
 #include <gtest/gtest.h>
 

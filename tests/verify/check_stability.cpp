@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stability sweep: which points it draws, and what makes its verdict.
-#include "verify/stability.hpp"
+#include "verify/judging/stability.hpp"
 
-#include "emit/build_program.hpp"
+#include "emit/program/build_program.hpp"
 #include "scene_line.hpp"
 #include "support/documented.hpp"
-#include "verify/json.hpp"
+#include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Tapes: values against GiNaC's own evaluation, Taylor coefficients against GiNaC's derivatives.
 #include "first_order.hpp"
 #include "function_cases.hpp"
-#include "verify/taylor_jet.hpp"
+#include "verify/integrate/taylor_jet.hpp"
 
 #include <gtest/gtest.h>
 

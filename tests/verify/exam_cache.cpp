@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/error.hpp"
-#include "verify/cache.hpp"
+#include "algebra/number/error.hpp"
+#include "verify/run/cache.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

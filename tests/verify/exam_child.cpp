@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs that are run beside this one: what they print, how they end, and that they are not waited for
 // forever.
-#include "verify/child.hpp"
-#include "verify/drafts.hpp"
+#include "verify/run/child.hpp"
+#include "verify/run/drafts.hpp"
 
 #include "support/shell.hpp"
 

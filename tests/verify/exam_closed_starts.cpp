@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed solutions start where their map is close to the identity, from values as from constants; what they
 // are held against says the same.
-#include "emit/build_program.hpp"
-#include "model/read_scene.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/read_scene.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/interpreter.hpp"
-#include "verify/symbolic_evaluator.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/symbolic/evaluator.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

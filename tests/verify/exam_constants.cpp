@@ -4,10 +4,10 @@
 #include "support/program.hpp"
 #include "support/shell.hpp"
 
-#include "emit/cpp.hpp"
-#include "emit/cpp_plan.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/interpreter.hpp"
+#include "emit/cpp/cpp.hpp"
+#include "emit/cpp/plan.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <fmt/format.h>
@@ -95,7 +95,7 @@ TEST_F(ConstantsOf, SlowManyDigitsInWideTypes) {
     test::write(scratch.path() / "main.cpp", R"(
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include "scene.hpp"
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 #include <cstdio>
 template <class Real> double lost_digits() {
     const Real eps = Real(1) / 5;

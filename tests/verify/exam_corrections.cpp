@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Along the motion the near-identity map stays near the identity: evaluators end where amplitudes have grown
 // beyond it, interpreted and emitted, in what they are held against as well.
-#include "emit/build_program.hpp"
-#include "model/read_scene.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/read_scene.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/interpreter.hpp"
-#include "verify/symbolic_evaluator.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/symbolic/evaluator.hpp"
 
 #include <gtest/gtest.h>
 

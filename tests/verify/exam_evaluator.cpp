@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled evaluators in the cache, whatever happened to them there; compilers that do not compile.
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 #include "runtime/math.hpp"
-#include "verify/cache.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/interpreter.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/run/cache.hpp"
 
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 #include "support/compiler.hpp"
 #include "support/program.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slow flows from physical starts: two modes of one block, starts that the series do not reach, large angles.
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
-#include "verify/interpreter.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

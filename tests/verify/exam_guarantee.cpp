@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The order that the weights guarantee, and what a short ladder, a layer or a short interval cannot hide.
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 #include "scene_line.hpp"
 #include "support/shell.hpp"
-#include "verify/json.hpp"
+#include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
 

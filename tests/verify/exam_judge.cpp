@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge on ladders whose answer is known.
-#include "verify/judge.hpp"
+#include "verify/judging/judge.hpp"
 
 #include <gtest/gtest.h>
 

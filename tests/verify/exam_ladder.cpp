@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ladder finds the orders of the pendulum's scenes by itself, and catches liars.
 #include "scene_line.hpp"
-#include "verify/json.hpp"
+#include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
 

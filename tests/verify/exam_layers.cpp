@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Near resonance surfaces evaluators, interpreted and emitted, end with a status: D^2 > |dD/dt| up to there.
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 #include "scene_line.hpp"
 #include "support/shell.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/interpreter.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is constant at eps = 0 is drawn over eps*t, beside direct integration; two drifts in their plane, too.
-#include "model/read_system.hpp"
-#include "model/system_file.hpp"
-#include "verify/report_figures.hpp"
+#include "model/files/read_system.hpp"
+#include "model/system/system_file.hpp"
+#include "verify/report/figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a page is spelled in HTML and Markdown, and that a plot is a piece of a page.
-#include "verify/plot.hpp"
-#include "verify/report_page.hpp"
+#include "verify/report/page.hpp"
+#include "verify/report/plot.hpp"
 
 #include <gtest/gtest.h>
 

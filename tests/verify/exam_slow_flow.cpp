@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes whose solutions are slow flows: their ladders, liars among them, and what evaluators answer.
-#include "emit/build_program.hpp"
-#include "model/read_scene.hpp"
-#include "model/read_system.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/read_scene.hpp"
+#include "model/files/read_system.hpp"
 #include "scene_line.hpp"
-#include "verify/interpreter.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // First-order systems made by hand, without a file.
 #pragma once
 
-#include "model/first_order_system.hpp"
+#include "model/exact/first_order_system.hpp"
 
 #include <memory>
 #include <string>

@@ -4,7 +4,7 @@
 
 #include "solve/solve.hpp"
 #include "support/program.hpp"
-#include "verify/ladder.hpp"
+#include "verify/judging/ladder.hpp"
 
 #include <memory>
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long the way from a solution to its program is: a field line of a tokamak, two angles with harmonics of
 // both.
-#include "emit/build_program.hpp"
-#include "model/read_system.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/read_system.hpp"
 #include "support/program.hpp"
-#include "verify/interpreter.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/graph_bounds.hpp"
+#include "algebra/graph/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

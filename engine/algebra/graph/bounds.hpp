@@ -7,7 +7,7 @@
 // the sum of the coefficients' absolute values follow from its operands.
 #pragma once
 
-#include "algebra/coefficient_graph.hpp"
+#include "algebra/graph/coefficient_graph.hpp"
 
 namespace resonform {
 

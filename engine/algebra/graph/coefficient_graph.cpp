@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/coefficient_graph.hpp"
+#include "algebra/graph/coefficient_graph.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -16,9 +16,9 @@
 // Signs follow the form, never the residues: the graph is the same for all seeds unless a merge is wrong.
 #pragma once
 
-#include "algebra/leaf_polynomial.hpp"
-#include "algebra/modular.hpp"
-#include "algebra/rational_table.hpp"
+#include "algebra/graph/leaf_polynomial.hpp"
+#include "algebra/number/modular.hpp"
+#include "algebra/number/rational_table.hpp"
 
 #include <array>
 #include <cstddef>

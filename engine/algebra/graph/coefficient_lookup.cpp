@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a form finds its node: by its terms, then by its values.
-#include "algebra/coefficient_graph.hpp"
+#include "algebra/graph/coefficient_graph.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/graph_derivative.hpp"
+#include "algebra/graph/derivative.hpp"
 
 namespace resonform {
 

@@ -5,7 +5,7 @@
 //   w a leaf with w' = v (another leaf):   (w a + 1/w)' = v a + w a' - v (1/w)(1/w)
 #pragma once
 
-#include "algebra/coefficient_graph.hpp"
+#include "algebra/graph/coefficient_graph.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/graph_domain.hpp"
+#include "algebra/graph/domain.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <algorithm>
 

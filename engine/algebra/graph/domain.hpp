@@ -5,9 +5,9 @@
 //   ring: z1, z2, eps, w1, w2      part:  w1^2/(w1 + w2) z1 z2  ->  {key(z1 z2): node}
 #pragma once
 
-#include "algebra/graph_derivative.hpp"
-#include "algebra/graph_part.hpp"
-#include "algebra/outer_monomials.hpp"
+#include "algebra/graph/derivative.hpp"
+#include "algebra/graph/outer_monomials.hpp"
+#include "algebra/graph/part.hpp"
 
 #include <map>
 #include <memory>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/graph_expansion.hpp"
+#include "algebra/graph/expansion.hpp"
 
-#include "algebra/error.hpp"
-#include "algebra/newton_grid.hpp"
-#include "algebra/rational_reconstruction.hpp"
+#include "algebra/graph/newton_grid.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/number/rational_reconstruction.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 // by one exact evaluation at a rational point.
 #pragma once
 
-#include "algebra/graph_numerator.hpp"
+#include "algebra/graph/numerator.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 // can be done with them without knowing the coefficients: it is asked for c.negative() and c == d only.
 #pragma once
 
-#include "algebra/outer_keys.hpp"
+#include "algebra/graph/outer_keys.hpp"
 
 #include <algorithm>
 #include <cstddef>

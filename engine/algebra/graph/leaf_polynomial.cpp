@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/leaf_polynomial.hpp"
+#include "algebra/graph/leaf_polynomial.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 //   -4 w1^2 w2 + 6 w1 w2^2  =  -2  *  w1 w2  *  (2 w1 - 3 w2)      (content, monomial, primitive part)
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/newton_grid.hpp"
+#include "algebra/graph/newton_grid.hpp"
 
 #include <map>
 

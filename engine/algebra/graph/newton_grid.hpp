@@ -8,7 +8,7 @@
 // powers.
 #pragma once
 
-#include "algebra/modular.hpp"
+#include "algebra/number/modular.hpp"
 
 #include <cstddef>
 #include <vector>

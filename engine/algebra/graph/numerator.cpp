@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/graph_numerator.hpp"
+#include "algebra/graph/numerator.hpp"
 
 #include <algorithm>
 #include <stdexcept>

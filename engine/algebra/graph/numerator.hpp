@@ -2,7 +2,7 @@
 // A coefficient times a product of divisors, modulo a prime: a polynomial in the leaves, known by its values.
 #pragma once
 
-#include "algebra/graph_replay.hpp"
+#include "algebra/graph/replay.hpp"
 
 #include <utility>
 #include <vector>

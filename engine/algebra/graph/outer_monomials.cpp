@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/outer_monomials.hpp"
+#include "algebra/graph/outer_monomials.hpp"
 
 namespace resonform {
 

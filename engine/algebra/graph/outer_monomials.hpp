@@ -3,8 +3,8 @@
 // all else is in coefficients.
 #pragma once
 
-#include "algebra/outer_keys.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/graph/outer_keys.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/graph_part.hpp"
+#include "algebra/graph/part.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -2,9 +2,9 @@
 // Homogeneous parts of series with coefficients in a CoefficientGraph, and their arithmetic.
 #pragma once
 
-#include "algebra/coefficient_graph.hpp"
-#include "algebra/keyed_part.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/graph/coefficient_graph.hpp"
+#include "algebra/graph/keyed_part.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <memory>
 #include <utility>

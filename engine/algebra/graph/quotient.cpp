@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reciprocals and powers in the graph: of what is written out as a quotient first, for they are of the
 // leading parts of series, which are short.
-#include "algebra/graph_domain.hpp"
-#include "algebra/graph_expansion.hpp"
+#include "algebra/graph/domain.hpp"
+#include "algebra/graph/expansion.hpp"
 
 namespace resonform {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/graph_replay.hpp"
+#include "algebra/graph/replay.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -7,8 +7,8 @@
 // Nothing of the graph's own points and values is used.
 #pragma once
 
-#include "algebra/coefficient_graph.hpp"
-#include "algebra/montgomery.hpp"
+#include "algebra/graph/coefficient_graph.hpp"
+#include "algebra/number/montgomery.hpp"
 
 #include <optional>
 #include <vector>

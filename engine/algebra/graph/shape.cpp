@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The denominator and the degrees of a coefficient, from its values along lines.
-#include "algebra/graph_numerator.hpp"
-#include "algebra/newton_grid.hpp"
+#include "algebra/graph/newton_grid.hpp"
+#include "algebra/graph/numerator.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/ball_matrix.hpp"
+#include "algebra/number/ball_matrix.hpp"
 
 #include <acb_mat.h>
 

@@ -2,7 +2,7 @@
 // Linear algebra in balls: what it answers is proved.
 #pragma once
 
-#include "algebra/complex_ball.hpp"
+#include "algebra/number/complex_ball.hpp"
 
 #include <optional>
 #include <vector>

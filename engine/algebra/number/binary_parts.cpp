@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/binary_parts.hpp"
+#include "algebra/number/binary_parts.hpp"
 
 #include <cln/dfloat.h>
 

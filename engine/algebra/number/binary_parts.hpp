@@ -3,7 +3,7 @@
 // range.
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 // A complex number known to lie in a rectangle (Arb's acb_t).
 #pragma once
 
-#include "algebra/real_ball.hpp"
+#include "algebra/number/real_ball.hpp"
 
 #include <acb.h>
 

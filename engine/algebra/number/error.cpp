@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/interval.hpp"
+#include "algebra/number/interval.hpp"
 
 namespace resonform {
 namespace {

@@ -2,7 +2,7 @@
 // Intervals with rational ends: what is proved about a number when only its roots are approximate.
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 namespace resonform {
 

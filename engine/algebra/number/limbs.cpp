@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/limbs.hpp"
+#include "algebra/number/limbs.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // Integers of CLN as integers of GMP and back, limb by limb. (CLN gives no access to limbs, GMP does.)
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <gmpxx.h>
 

@@ -3,7 +3,7 @@
 // the size 1e80 their powers are no doubles.
 #pragma once
 
-#include "algebra/complex_ball.hpp"
+#include "algebra/number/complex_ball.hpp"
 
 #include <mag.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/modular.hpp"
+#include "algebra/number/modular.hpp"
 
-#include "algebra/montgomery.hpp"
+#include "algebra/number/montgomery.hpp"
 
 #include <cln/integer.h>
 #include <gmp.h>

@@ -4,7 +4,7 @@
 //   PrimeField f(13);  f.multiply(5, 8) = 1;  f.inverse(5) = 8;  f.root(12, 2) = 5 or 8
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <cstddef>
 #include <cstdint>

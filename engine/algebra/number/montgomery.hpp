@@ -2,7 +2,7 @@
 // Montgomery's form of residues, for long sums of products: x is held as x 2^64 mod p.
 #pragma once
 
-#include "algebra/modular.hpp"
+#include "algebra/number/modular.hpp"
 
 namespace resonform {
 

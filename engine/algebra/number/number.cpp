@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/rational_matrix.hpp"
+#include "algebra/number/rational_matrix.hpp"
 
 namespace resonform {
 

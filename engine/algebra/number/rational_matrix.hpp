@@ -2,7 +2,7 @@
 // Small dense matrices of exact numbers.
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/rational_reconstruction.hpp"
+#include "algebra/number/rational_reconstruction.hpp"
 
 #include <cln/integer_io.h>
 

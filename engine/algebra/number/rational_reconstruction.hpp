@@ -3,8 +3,8 @@
 // reconstruction).
 #pragma once
 
-#include "algebra/modular.hpp"
-#include "algebra/number.hpp"
+#include "algebra/number/modular.hpp"
+#include "algebra/number/number.hpp"
 
 #include <gmpxx.h>
 

@@ -2,7 +2,7 @@
 // Rational numbers by number: equal rationals have one id, and the id of -q follows from that of q.
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/real_ball.hpp"
+#include "algebra/number/real_ball.hpp"
 
-#include "algebra/limbs.hpp"
+#include "algebra/number/limbs.hpp"
 
 #include <cln/integer_io.h>
 

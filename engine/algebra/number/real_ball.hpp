@@ -2,7 +2,7 @@
 // A real number known to lie in [middle - radius, middle + radius], of any precision (Arb's arb_t).
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <arb.h>
 

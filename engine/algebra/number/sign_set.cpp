@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/sign_set.hpp"
+#include "algebra/number/sign_set.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 //   x - 1 where x > 0, x^2 - 2 > 0   ->   positive            x - 2 where x > 0   ->   all three
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/cancellation.hpp"
+#include "algebra/ring/cancellation.hpp"
 
-#include "algebra/integer_polynomial.hpp"
-#include "algebra/products.hpp"
+#include "algebra/ring/integer_polynomial.hpp"
+#include "algebra/ring/products.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -6,7 +6,7 @@
 //   (A - 1) sigma^-1,  sigma^2 = A^2 - 1            ->   as it stands: sigma is no product
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <vector>
 

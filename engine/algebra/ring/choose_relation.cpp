@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/choose_relation.hpp"
+#include "algebra/ring/choose_relation.hpp"
 
-#include "algebra/error.hpp"
-#include "algebra/products.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/ring/products.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,8 +2,8 @@
 // How sigma^k = radicand is read as a rewriting rule (RingBuilder::freeze says which and why).
 #pragma once
 
-#include "algebra/relation.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/ring/relation.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/common_denominator.hpp"
+#include "algebra/ring/common_denominator.hpp"
 
-#include "algebra/limbs.hpp"
+#include "algebra/number/limbs.hpp"
 
 #include <algorithm>
 #include <bit>

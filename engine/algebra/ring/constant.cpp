@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/constant.hpp"
+#include "algebra/ring/constant.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // Elements of a ring that do not depend on a variable.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 namespace resonform {
 

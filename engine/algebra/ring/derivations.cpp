@@ -2,8 +2,8 @@
 // How roots and functions are differentiated, and what ties a cosine to its sine.
 //
 //   sigma^k = P:  sigma' = sigma^(1-k)/k P'          f(u):  f(u)' = f'(u) u'
-#include "algebra/choose_relation.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/ring/choose_relation.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/division.hpp"
+#include "algebra/ring/division.hpp"
 
 #include <algorithm>
 #include <cstddef>

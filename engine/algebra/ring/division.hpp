@@ -3,8 +3,8 @@
 //   (xi^3 + xi r^2) / (xi^2 + r^2) = xi;   xi / (xi^2 + r^2) = nullopt
 #pragma once
 
-#include "algebra/polynomial.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/ring/polynomial.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <optional>
 

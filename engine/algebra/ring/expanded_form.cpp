@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ring::expanded_form: roots factored out, radicands written out again, for the printers.
-#include "algebra/products.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/ring/products.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <algorithm>
 #include <cstddef>

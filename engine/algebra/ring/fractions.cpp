@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/fractions.hpp"
+#include "algebra/ring/fractions.hpp"
 
-#include "algebra/limbs.hpp"
+#include "algebra/number/limbs.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -7,7 +7,7 @@
 // meets neither fractions nor pointers. (CLN gives no access to limbs, GMP does.)
 #pragma once
 
-#include "algebra/polynomial.hpp"
+#include "algebra/ring/polynomial.hpp"
 
 #include <gmpxx.h>
 

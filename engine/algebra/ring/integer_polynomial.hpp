@@ -2,9 +2,9 @@
 // Polynomials with integer coefficients in many variables: those of FLINT, which frees nothing by itself.
 #pragma once
 
-#include "algebra/limbs.hpp"
-#include "algebra/number.hpp"
-#include "algebra/polynomial.hpp"
+#include "algebra/number/limbs.hpp"
+#include "algebra/number/number.hpp"
+#include "algebra/ring/polynomial.hpp"
 
 #include <flint/fmpz_mpoly.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/interval_functions.hpp"
+#include "algebra/ring/interval_functions.hpp"
 
 #include <utility>
 

@@ -2,8 +2,8 @@
 // Elementary functions of intervals: Taylor sums with their remainders, all ends rational.
 #pragma once
 
-#include "algebra/interval.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/number/interval.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 // Numbers the monomials of a sum in the order of their first arrival, which does not depend on the hash.
 #pragma once
 
-#include "algebra/monomial.hpp"
+#include "algebra/ring/monomial.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/number_field.hpp"
+#include "algebra/ring/number_field.hpp"
 
 #include <algorithm>
 #include <cstddef>

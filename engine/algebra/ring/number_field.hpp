@@ -3,7 +3,7 @@
 // has to be adjoined.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/packing.hpp"
+#include "algebra/ring/packing.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -10,7 +10,7 @@
 // overflow cannot be silent.
 #pragma once
 
-#include "algebra/monomial.hpp"
+#include "algebra/ring/monomial.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/polynomial.hpp"
+#include "algebra/ring/polynomial.hpp"
 
-#include "algebra/products.hpp"
+#include "algebra/ring/products.hpp"
 
 #include <algorithm>
 #include <cstddef>

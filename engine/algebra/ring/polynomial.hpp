@@ -4,8 +4,8 @@
 // the Ring.
 #pragma once
 
-#include "algebra/monomial.hpp"
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
+#include "algebra/ring/monomial.hpp"
 
 #include <cstddef>
 #include <memory>

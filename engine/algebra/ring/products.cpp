@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/products.hpp"
+#include "algebra/ring/products.hpp"
 
-#include "algebra/common_denominator.hpp"
-#include "algebra/monomial_table.hpp"
+#include "algebra/ring/common_denominator.hpp"
+#include "algebra/ring/monomial_table.hpp"
 
 #include <algorithm>
 #include <array>

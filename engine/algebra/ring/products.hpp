@@ -2,8 +2,8 @@
 // Sums of products of polynomials: where the time of the engine goes.
 #pragma once
 
-#include "algebra/fractions.hpp"
-#include "algebra/packing.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "algebra/ring/packing.hpp"
 
 #include <vector>
 

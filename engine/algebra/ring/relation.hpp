@@ -6,8 +6,8 @@
 //   xi^2 -> sigma^4 - r^2          only exponents >= degree are rewritten
 #pragma once
 
-#include "algebra/fractions.hpp"
-#include "algebra/packing.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "algebra/ring/packing.hpp"
 
 #include <vector>
 

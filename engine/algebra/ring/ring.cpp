@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Monomials, products, derivatives and the splittings of a Ring.
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
-#include "algebra/error.hpp"
-#include "algebra/products.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/ring/products.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -9,9 +9,9 @@
 // A Ring is built once by a RingBuilder and is immutable afterwards (RingPtr).
 #pragma once
 
-#include "algebra/packing.hpp"
-#include "algebra/polynomial.hpp"
-#include "algebra/relation.hpp"
+#include "algebra/ring/packing.hpp"
+#include "algebra/ring/polynomial.hpp"
+#include "algebra/ring/relation.hpp"
 
 #include <map>
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/error.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <cstddef>
 #include <map>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units of a Ring: which elements may be divided by, and which have roots in the ring.
-#include "algebra/division.hpp"
-#include "algebra/number_field.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/ring/division.hpp"
+#include "algebra/ring/number_field.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Is a polynomial zero as a function? Yes by algebra, no by intervals, else unknown.
-#include "algebra/interval_functions.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/ring/interval_functions.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/number_domain.hpp"
+#include "algebra/series/number_domain.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <cln/integer.h>
 

@@ -7,10 +7,10 @@
 // All coefficients are balls, so that what is left of their digits is known at the end.
 #pragma once
 
-#include "algebra/complex_ball.hpp"
-#include "algebra/keyed_part.hpp"
-#include "algebra/outer_monomials.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/graph/keyed_part.hpp"
+#include "algebra/graph/outer_monomials.hpp"
+#include "algebra/number/complex_ball.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <map>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/ring_domain.hpp"
+#include "algebra/series/ring_domain.hpp"
 
 namespace resonform {
 

@@ -3,8 +3,8 @@
 // for: a type of homogeneous parts, and the operations below on them (GraphDomain has them too).
 #pragma once
 
-#include "algebra/fractions.hpp"
-#include "algebra/ring.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <optional>
 #include <utility>

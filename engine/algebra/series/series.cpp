@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/series.hpp"
+#include "algebra/series/series.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 // a Polynomial of a Ring, a GraphPart of a graph.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <algorithm>
 #include <concepts>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/series_history.hpp"
+#include "algebra/series/series_history.hpp"
 
 #include <algorithm>
 

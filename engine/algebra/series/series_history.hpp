@@ -7,7 +7,7 @@
 // Weight 0 is read always (BasicSeriesRun::correct) and not counted here.
 #pragma once
 
-#include "algebra/series_program.hpp"
+#include "algebra/series/series_program.hpp"
 
 #include <limits>
 #include <vector>

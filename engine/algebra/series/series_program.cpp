@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/series_program.hpp"
+#include "algebra/series/series_program.hpp"
 
-#include "algebra/fractions.hpp"
+#include "algebra/ring/fractions.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -7,9 +7,9 @@
 //   run:      set_input(psi, 1, (z1+z2)/2); advance(1); part(f,1) = i G/sigma (z1+z2)/2; ...
 #pragma once
 
-#include "algebra/error.hpp"
-#include "algebra/ring_domain.hpp"
-#include "algebra/series.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/series/ring_domain.hpp"
+#include "algebra/series/series.hpp"
 
 #include <concepts>
 #include <cstdint>

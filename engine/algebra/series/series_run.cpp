@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Evaluation of a SeriesProgram, one weight at a time. With the Euler derivation D = sum over weights
 // n (part n), each function obeys a linear equation: D s = c Du, D e = e Du, u Dl = Du, u Dp = a p Du.
-#include "algebra/error.hpp"
-#include "algebra/graph_domain.hpp"
-#include "algebra/number_domain.hpp"
-#include "algebra/series_history.hpp"
-#include "algebra/series_program.hpp"
+#include "algebra/graph/domain.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/series/number_domain.hpp"
+#include "algebra/series/series_history.hpp"
+#include "algebra/series/series_program.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_c_interface.hpp"
+#include "emit/cpp/c_interface.hpp"
 
-#include "emit/cpp_plan.hpp"
+#include "emit/cpp/plan.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The C interface around an emitted class that emit_library promises, for double, long double, __float128.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 #include <string>
 

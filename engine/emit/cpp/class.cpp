@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_class.hpp"
+#include "emit/cpp/class.hpp"
 
-#include "emit/cpp_interface.hpp"
-#include "emit/cpp_names.hpp"
-#include "emit/cpp_plan.hpp"
-#include "emit/cpp_stages.hpp"
+#include "emit/cpp/interface.hpp"
+#include "emit/cpp/names.hpp"
+#include "emit/cpp/plan.hpp"
+#include "emit/cpp/stages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

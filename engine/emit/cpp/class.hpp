@@ -2,7 +2,7 @@
 // The text of the class template Evaluator of a program.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 #include <string>
 

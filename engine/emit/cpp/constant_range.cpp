@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/constant_range.hpp"
+#include "emit/cpp/constant_range.hpp"
 
 #include <algorithm>
 #include <cmath>

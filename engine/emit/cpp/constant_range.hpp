@@ -6,7 +6,7 @@
 //   C^3/192 eps   ->   all steps lie within 2^-900 ... 2^900 where C and eps lie within 2^-223 ... 2^223
 #pragma once
 
-#include "emit/straight_line.hpp"
+#include "emit/program/straight_line.hpp"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp.hpp"
+#include "emit/cpp/cpp.hpp"
 
-#include "emit/cpp_c_interface.hpp"
-#include "emit/cpp_class.hpp"
-#include "emit/cpp_names.hpp"
-#include "emit/cpp_plan.hpp"
-#include "emit/runtime_text.hpp"
+#include "emit/cpp/c_interface.hpp"
+#include "emit/cpp/class.hpp"
+#include "emit/cpp/names.hpp"
+#include "emit/cpp/plan.hpp"
+#include "emit/cpp/runtime_text.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Program -> C++ text.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 #include <string>
 
@@ -16,7 +16,8 @@ struct CppOptions {
 std::string emit_cpp(const Program& program, const CppOptions& options = {});
 
 // A translation unit with a C interface around the header's text, for a shared library that
-// verify/evaluator.hpp loads. For each real type R in {double: "d", long double: "l", __float128: "q"}:
+// verify/evaluate/evaluator.hpp loads. For each real type R in {double: "d", long double: "l", __float128:
+// "q"}:
 //   void* rf_new_R(const R* eps, const R* parameters, const R* start, const R* slow_time_end);
 //   void  rf_delete_R(void*);
 //   int   rf_call_R(const void*, const R* t, R* outputs);           status, 0 = ok

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_function.hpp"
+#include "emit/cpp/function.hpp"
 
-#include "algebra/binary_parts.hpp"
+#include "algebra/number/binary_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,8 +3,8 @@
 // shared or has a name gets its statement; long functions are cut into pieces of bounded size.
 #pragma once
 
-#include "emit/cpp_names.hpp"
-#include "emit/straight_line.hpp"
+#include "emit/cpp/names.hpp"
+#include "emit/program/straight_line.hpp"
 
 #include <map>
 #include <string>

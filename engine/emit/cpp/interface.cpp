@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_interface.hpp"
+#include "emit/cpp/interface.hpp"
 
-#include "emit/cpp_function.hpp"
-#include "emit/cpp_names.hpp"
+#include "emit/cpp/function.hpp"
+#include "emit/cpp/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

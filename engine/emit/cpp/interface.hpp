@@ -2,7 +2,7 @@
 // The public part of an emitted class: Parameters, Start, Values, constructors, calls.
 #pragma once
 
-#include "emit/cpp_plan.hpp"
+#include "emit/cpp/plan.hpp"
 
 #include <string>
 

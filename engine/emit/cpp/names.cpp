@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_names.hpp"
+#include "emit/cpp/names.hpp"
 
-#include "emit/identifier.hpp"
+#include "emit/display/identifier.hpp"
 
 #include <fmt/format.h>
 

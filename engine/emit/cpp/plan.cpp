@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_plan.hpp"
+#include "emit/cpp/plan.hpp"
 
-#include "emit/cpp_names.hpp"
-#include "emit/prune.hpp"
+#include "emit/cpp/names.hpp"
+#include "emit/program/prune.hpp"
 
 #include <algorithm>
 #include <set>

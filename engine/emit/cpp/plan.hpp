@@ -3,8 +3,8 @@
 // called at which time, and under which names.
 #pragma once
 
-#include "emit/constant_range.hpp"
-#include "emit/straight_line.hpp"
+#include "emit/cpp/constant_range.hpp"
+#include "emit/program/straight_line.hpp"
 
 #include <map>
 #include <string>

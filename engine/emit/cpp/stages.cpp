@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_stages.hpp"
+#include "emit/cpp/stages.hpp"
 
-#include "emit/cpp_function.hpp"
+#include "emit/cpp/function.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 // phases, outputs.
 #pragma once
 
-#include "emit/cpp_plan.hpp"
+#include "emit/cpp/plan.hpp"
 
 #include <string>
 

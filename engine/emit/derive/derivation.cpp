@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (2), (7)-(10): the lines between a mechanism and its equations.
-#include "emit/as_written.hpp"
-#include "emit/derive.hpp"
-#include "model/derivation.hpp"
+#include "model/mechanics/derivation.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/as_written.hpp"
 
 #include <utility>
 

@@ -3,11 +3,11 @@
 // document.hpp chooses among them.
 #pragma once
 
-#include "emit/json.hpp"
-#include "emit/page.hpp"
-#include "expand/graded_field.hpp"
-#include "normalize/centre_manifold.hpp"
-#include "normalize/normal_form.hpp"
+#include "emit/display/json.hpp"
+#include "emit/display/page.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "normalize/recursion/centre_manifold.hpp"
+#include "normalize/recursion/normal_form.hpp"
 #include "solve/transgression.hpp"
 
 namespace resonform {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The divisors of a normal form with their verdicts, and the resonance surfaces, on which one of those that
 // were divided by vanishes.
-#include "emit/derive.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/vanishing.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/vanishing.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/document.hpp"
+#include "emit/derive/document.hpp"
 
-#include "algebra/error.hpp"
-#include "emit/derive.hpp"
+#include "algebra/number/error.hpp"
+#include "emit/derive/derive.hpp"
 
 #include <array>
 #include <fmt/format.h>

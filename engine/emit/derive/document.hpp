@@ -7,8 +7,8 @@
 // Combinations without a meaning (Maxima of a solution, say) are bad input, with those that have one.
 #pragma once
 
-#include "expand/graded_field.hpp"
-#include "normalize/normal_form.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "normalize/recursion/normal_form.hpp"
 #include "solve/solution.hpp"
 
 #include <string>

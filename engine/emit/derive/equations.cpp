@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (15): the equations as the file has them.
-#include "emit/as_written.hpp"
-#include "emit/derive.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/as_written.hpp"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (16) and (19): the equations expanded, with their remainders.
-#include "emit/derive.hpp"
-#include "emit/drift_frame.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/slow_rate.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/drift_frame.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/slow_rate.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/derive_flow.hpp"
+#include "emit/derive/flow.hpp"
 
-#include "emit/drift_frame.hpp"
-#include "emit/normal_form_parts.hpp"
+#include "emit/display/drift_frame.hpp"
+#include "emit/display/normal_form_parts.hpp"
 #include "solve/real_form.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // A slow flow on a page and as JSON. Preconditions: solution.flow.
 #pragma once
 
-#include "emit/json.hpp"
-#include "emit/page.hpp"
+#include "emit/display/json.hpp"
+#include "emit/display/page.hpp"
 #include "solve/solution.hpp"
 
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The normal form as JSON where coefficients are nodes of a graph: each is written out when it is printed.
-#include "algebra/graph_expansion.hpp"
-#include "emit/derive.hpp"
-#include "emit/display.hpp"
-#include "emit/normal_form_json.hpp"
+#include "algebra/graph/expansion.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/normal_form_json.hpp"
 
 #include <fmt/format.h>
 

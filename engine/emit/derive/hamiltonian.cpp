@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/derive_hamiltonian.hpp"
+#include "emit/derive/hamiltonian.hpp"
 
-#include "emit/normal_form_parts.hpp"
-#include "emit/real_invariants.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/real_invariants.hpp"
 
 namespace resonform {
 

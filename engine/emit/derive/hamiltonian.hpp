@@ -2,9 +2,9 @@
 // What a normal form of style hamiltonian shows besides rates and map. Precondition: it is one.
 #pragma once
 
-#include "emit/json.hpp"
-#include "emit/page.hpp"
-#include "normalize/normal_form.hpp"
+#include "emit/display/json.hpp"
+#include "emit/display/page.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <vector>
 

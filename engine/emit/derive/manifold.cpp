@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The centre manifold: the flow on it, the manifold in the old variables, its fibres.
-#include "emit/derive.hpp"
-#include "emit/normal_form_json.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/spelling.hpp"
-#include "emit/vanishing.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/normal_form_json.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/spelling.hpp"
+#include "emit/display/vanishing.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A normal form as a Maxima script: rate[z1], old_minus_new[z1] and so on.
-#include "emit/derive.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/spelling.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/spelling.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (20): the normal form with the definitions of its variables, and the near-identity map.
-#include "emit/derive.hpp"
-#include "emit/derive_hamiltonian.hpp"
-#include "emit/drift_frame.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/slow_rate.hpp"
-#include "emit/spelling.hpp"
-#include "emit/vanishing.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/derive/hamiltonian.hpp"
+#include "emit/display/drift_frame.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/slow_rate.hpp"
+#include "emit/display/spelling.hpp"
+#include "emit/display/vanishing.hpp"
 
 #include <fmt/format.h>
 #include <utility>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The normal form as JSON: schema resonform.normal_form/1 of design 6.1.
-#include "emit/derive.hpp"
-#include "emit/derive_hamiltonian.hpp"
-#include "emit/normal_form_json.hpp"
-#include "emit/normal_form_parts.hpp"
+#include "emit/display/normal_form_json.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/derive/hamiltonian.hpp"
+#include "emit/display/normal_form_parts.hpp"
 
 #include <fmt/format.h>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A normal form as a Python script for SymPy: symbols with their assumptions, one dictionary of terms
 // for every variable. Importing it defines the dictionaries, running it prints the series.
-#include "emit/derive.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/spelling.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/spelling.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (21) to (23): amplitude and phase, drift, and the outputs in sines and cosines.
-#include "emit/derive.hpp"
-#include "emit/derive_flow.hpp"
-#include "emit/drift_frame.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/slow_rate.hpp"
-#include "emit/solution_display.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/derive/flow.hpp"
+#include "emit/display/drift_frame.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/slow_rate.hpp"
+#include "emit/display/solution_display.hpp"
 
 #include <fmt/format.h>
 #include <utility>

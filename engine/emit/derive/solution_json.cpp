@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solution as JSON: schema resonform.solution/1. Primitives are named, and listed before use.
-#include "emit/derive.hpp"
-#include "emit/derive_flow.hpp"
-#include "emit/solution_display.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/derive/flow.hpp"
+#include "emit/display/solution_display.hpp"
 
 #include <utility>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is constant at eps = 0 on the time 1/eps: x = C_X + r*log(...) + O(eps^2), or averaged rates.
-#include "emit/derive.hpp"
-#include "emit/derive_flow.hpp"
-#include "emit/solution_display.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/derive/flow.hpp"
+#include "emit/display/solution_display.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/as_written.hpp"
+#include "emit/display/as_written.hpp"
 
-#include "model/lexer.hpp"
+#include "model/text/lexer.hpp"
 
 #include <cln/rational.h>
 #include <utility>
@@ -11,7 +11,7 @@ namespace resonform {
 
 namespace {
 
-// The grammar of model/expression.hpp once more, over text that is known to obey it.
+// The grammar of model/text/expression.hpp once more, over text that is known to obey it.
 class Reader {
 public:
     Reader(std::string text, const SourceText& source)

@@ -2,8 +2,8 @@
 // An equation of the file for print, in the user's own order of terms and factors (GiNaC keeps none).
 #pragma once
 
-#include "emit/display.hpp"
-#include "model/system_file.hpp"
+#include "emit/display/display.hpp"
+#include "model/system/system_file.hpp"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct WrittenEquation {
 };
 
 // Values stand in place of the parameters that are set.
-// Precondition: text and values were read without an error (model/expression.hpp).
+// Precondition: text and values were read without an error (model/text/expression.hpp).
 WrittenEquation as_written(const Equation& equation, const std::vector<Setting>& settings = {});
 
 // A text in the notation of the file with each parameter that is set replaced by its value, in parentheses.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/decided.hpp"
+#include "emit/display/decided.hpp"
 
-#include "emit/spelling.hpp"
-#include "normalize/undecided_term.hpp"
+#include "emit/display/spelling.hpp"
+#include "normalize/recursion/undecided_term.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 namespace resonform {
 
 // Refuses a normal form with a term that is neither proved to be zero nor to be there
-// (normalize/undecided_term.hpp); the message shows the term.
+// (normalize/recursion/undecided_term.hpp); the message shows the term.
 void require_decided(const NormalForm& form);
 
 } // namespace resonform

@@ -4,7 +4,7 @@
 //   2/3 with 6 digits: 0.666667     1/2: 0.5     1/30000000: 3.33333e-8
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <string>
 

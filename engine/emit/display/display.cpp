@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/display.hpp"
+#include "emit/display/display.hpp"
 
-#include "algebra/cancellation.hpp"
-#include "emit/display_order.hpp"
+#include "algebra/ring/cancellation.hpp"
+#include "emit/display/order.hpp"
 
 #include <algorithm>
 #include <cln/integer.h>

@@ -9,7 +9,7 @@
 // polynomials by falling total degree.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <map>
 #include <string>

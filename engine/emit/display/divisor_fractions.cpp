@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/divisor_fractions.hpp"
+#include "emit/display/divisor_fractions.hpp"
 
-#include "algebra/products.hpp"
+#include "algebra/ring/products.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -8,7 +8,7 @@
 // factors of numerator and denominator are cancelled.
 #pragma once
 
-#include "algebra/cancellation.hpp"
+#include "algebra/ring/cancellation.hpp"
 
 #include <vector>
 

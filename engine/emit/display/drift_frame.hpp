@@ -2,8 +2,8 @@
 // The drift variables without what is known of their motion: X = x - r*log(...), as in (19).
 #pragma once
 
-#include "emit/display.hpp"
-#include "expand/graded_field.hpp"
+#include "emit/display/display.hpp"
+#include "expand/expansion/graded_field.hpp"
 #include "solve/solution.hpp"
 
 #include <string>

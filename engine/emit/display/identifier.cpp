@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/identifier.hpp"
+#include "emit/display/identifier.hpp"
 
 #include <cctype>
 

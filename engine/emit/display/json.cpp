@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/json.hpp"
+#include "emit/display/json.hpp"
 
-#include "emit/spelling.hpp"
+#include "emit/display/spelling.hpp"
 
 #include <algorithm>
 #include <cmath>

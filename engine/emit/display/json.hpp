@@ -3,8 +3,8 @@
 // 17 digits as it takes to read the same double back, null for what is no number.
 #pragma once
 
-#include "algebra/ring.hpp"
-#include "model/system_file.hpp"
+#include "algebra/ring/ring.hpp"
+#include "model/system/system_file.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/latex.hpp"
+#include "emit/display/latex.hpp"
 
-#include "emit/decimal.hpp"
-#include "emit/display_powers.hpp"
+#include "emit/display/decimal.hpp"
+#include "emit/display/powers.hpp"
 
 #include <algorithm>
 #include <array>

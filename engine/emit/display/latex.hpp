@@ -4,7 +4,7 @@
 //   -\frac{i \sqrt{g}}{16 \left(r^{2} + \xi^{2}\right)^{1/4}} z_{1}^{2} z_{2}
 #pragma once
 
-#include "emit/display.hpp"
+#include "emit/display/display.hpp"
 
 #include <string>
 

@@ -2,8 +2,8 @@
 // The document of a normal form (schema resonform.normal_form/1), whatever its coefficients are held in.
 #pragma once
 
-#include "emit/json.hpp"
-#include "normalize/normal_form.hpp"
+#include "emit/display/json.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/normal_form_parts.hpp"
+#include "emit/display/normal_form_parts.hpp"
 
-#include "emit/drift_frame.hpp"
+#include "emit/display/drift_frame.hpp"
 
 #include <fmt/format.h>
 

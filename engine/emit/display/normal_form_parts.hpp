@@ -2,9 +2,9 @@
 // What every printer of a normal form asks: its variables in order, its terms through a weight.
 #pragma once
 
-#include "emit/page.hpp"
-#include "emit/slow_rate.hpp"
-#include "normalize/normal_form.hpp"
+#include "emit/display/page.hpp"
+#include "emit/display/slow_rate.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <string>
 #include <utility>

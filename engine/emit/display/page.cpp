@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/page.hpp"
+#include "emit/display/page.hpp"
 
-#include "emit/latex.hpp"
-#include "emit/spelling.hpp"
+#include "emit/display/latex.hpp"
+#include "emit/display/spelling.hpp"
 
 #include <utility>
 

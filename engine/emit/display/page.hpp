@@ -2,7 +2,7 @@
 // A document before it is spelled: sections of formulas. Text and LaTeX render the same page.
 #pragma once
 
-#include "emit/display.hpp"
+#include "emit/display/display.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/display_powers.hpp"
+#include "emit/display/powers.hpp"
 
 #include <algorithm>
 #include <utility>

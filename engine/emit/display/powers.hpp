@@ -5,7 +5,7 @@
 //   exp(-a*log(tau)/2 + T)   ->   tau^(-a/2) * exp(T)
 #pragma once
 
-#include "emit/display.hpp"
+#include "emit/display/display.hpp"
 
 namespace resonform {
 

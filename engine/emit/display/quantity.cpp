@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/quantity.hpp"
+#include "emit/display/quantity.hpp"
 
-#include "emit/display.hpp"
-#include "emit/spelling.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/spelling.hpp"
 
 namespace resonform {
 

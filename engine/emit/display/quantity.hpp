@@ -3,7 +3,7 @@
 // emitted code and in the interpreter.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/real_invariants.hpp"
+#include "emit/display/real_invariants.hpp"
 
-#include "emit/display.hpp"
-#include "emit/drift_frame.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/drift_frame.hpp"
 
 #include <algorithm>
 #include <set>

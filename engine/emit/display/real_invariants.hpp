@@ -7,7 +7,7 @@
 //   K = c z1 z4 + conj             ->   likewise: eigenvalues lambda, -lambda of z1, z4, and their conjugates
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <string>
 #include <vector>

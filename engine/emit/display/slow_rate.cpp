@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/slow_rate.hpp"
+#include "emit/display/slow_rate.hpp"
 
 #include <algorithm>
 #include <cln/rational.h>

@@ -3,8 +3,8 @@
 // xi' = eps*v alone, every eps^n v^n of an expansion is xi'^n.
 #pragma once
 
-#include "emit/display.hpp"
-#include "expand/graded_field.hpp"
+#include "emit/display/display.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 // and cosines.
 #pragma once
 
-#include "emit/display.hpp"
+#include "emit/display/display.hpp"
 #include "solve/solution.hpp"
 
 #include <string>

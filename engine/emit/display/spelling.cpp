@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/spelling.hpp"
+#include "emit/display/spelling.hpp"
 
-#include "emit/decimal.hpp"
-#include "emit/display_powers.hpp"
+#include "emit/display/decimal.hpp"
+#include "emit/display/powers.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 //   Maxima  -%i*sqrt(g)/(16*(r^2 + xi^2)^(1/4))*z1
 #pragma once
 
-#include "emit/display.hpp"
+#include "emit/display/display.hpp"
 
 #include <string>
 

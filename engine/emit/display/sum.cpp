@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Building and factoring display sums; nothing here knows a ring.
-#include "emit/display.hpp"
+#include "emit/display/display.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/vanishing.hpp"
+#include "emit/display/vanishing.hpp"
 
-#include "emit/spelling.hpp"
-#include "model/positivity.hpp"
+#include "emit/display/spelling.hpp"
+#include "model/exact/positivity.hpp"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 //   (2*w1 - w2)*(tau^2 + 1)*w1, w1 positive   ->   2*w1 - w2
 #pragma once
 
-#include "emit/display.hpp"
-#include "expand/graded_field.hpp"
+#include "emit/display/display.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <utility>
 #include <vector>

@@ -2,8 +2,8 @@
 // Solution and scene -> Program.
 #pragma once
 
-#include "emit/program.hpp"
-#include "model/scene_file.hpp"
+#include "emit/program/program.hpp"
+#include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
 
 namespace resonform {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/conditioning.hpp"
+#include "emit/program/conditioning.hpp"
 
-#include "model/constant_sign.hpp"
+#include "model/text/constant_sign.hpp"
 
 #include <algorithm>
 #include <optional>

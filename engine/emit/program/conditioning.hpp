@@ -2,9 +2,9 @@
 // Rewriting for accuracy, and the domain that what is emitted needs.
 #pragma once
 
-#include "algebra/ring.hpp"
-#include "emit/graph.hpp"
-#include "emit/lower.hpp"
+#include "algebra/ring/ring.hpp"
+#include "emit/program/graph.hpp"
+#include "emit/program/lower.hpp"
 
 #include <set>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/count.hpp"
+#include "emit/program/count.hpp"
 
-#include "emit/prune.hpp"
+#include "emit/program/prune.hpp"
 
 #include <algorithm>
 #include <array>

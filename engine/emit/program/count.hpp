@@ -2,7 +2,7 @@
 // Operations of an expression as it would be written out, every occurrence computed anew.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 namespace resonform {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/fixed_divisors.hpp"
+#include "emit/program/fixed_divisors.hpp"
 
-#include "algebra/constant.hpp"
-#include "emit/normal_form_parts.hpp"
-#include "emit/spelling.hpp"
-#include "model/constant_sign.hpp"
-#include "model/zero_test.hpp"
+#include "algebra/ring/constant.hpp"
+#include "emit/display/normal_form_parts.hpp"
+#include "emit/display/spelling.hpp"
+#include "model/text/constant_sign.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/scene_file.hpp"
-#include "normalize/normal_form.hpp"
+#include "model/system/scene_file.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 namespace resonform {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 
-#include "emit/prune.hpp"
+#include "emit/program/prune.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 // The real form of a slow flow as nodes, at given values of its variables.
 #pragma once
 
-#include "emit/moment.hpp"
+#include "emit/program/moment.hpp"
 #include "solve/real_form.hpp"
 
 #include <map>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/flow_program.hpp"
+#include "emit/program/flow_program.hpp"
 
-#include "algebra/constant.hpp"
-#include "algebra/error.hpp"
-#include "emit/conditioning.hpp"
-#include "emit/flow_moment.hpp"
-#include "emit/flow_start.hpp"
-#include "emit/identifier.hpp"
-#include "emit/layers.hpp"
-#include "emit/prune.hpp"
-#include "emit/quantity.hpp"
-#include "emit/scene_program.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/ring/constant.hpp"
+#include "emit/display/identifier.hpp"
+#include "emit/display/quantity.hpp"
+#include "emit/program/conditioning.hpp"
+#include "emit/program/flow_moment.hpp"
+#include "emit/program/flow_start.hpp"
+#include "emit/program/layers.hpp"
+#include "emit/program/prune.hpp"
+#include "emit/program/scene_program.hpp"
 
 #include <fmt/format.h>
 

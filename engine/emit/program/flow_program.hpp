@@ -6,7 +6,7 @@
 //   y_j
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 namespace resonform {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/flow_start.hpp"
+#include "emit/program/flow_start.hpp"
 
-#include "algebra/error.hpp"
-#include "emit/identifier.hpp"
-#include "emit/scene_program.hpp"
-#include "emit/start_map.hpp"
-#include "normalize/inverse_map.hpp"
+#include "algebra/number/error.hpp"
+#include "emit/display/identifier.hpp"
+#include "emit/program/scene_program.hpp"
+#include "emit/program/start_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/from_expression.hpp"
+#include "emit/program/from_expression.hpp"
 
-#include "algebra/error.hpp"
-#include "model/constant_sign.hpp"
+#include "algebra/number/error.hpp"
+#include "model/text/constant_sign.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -3,8 +3,8 @@
 // its terms: operands are taken in the order of their spelling.
 #pragma once
 
-#include "algebra/error.hpp"
-#include "emit/graph.hpp"
+#include "algebra/number/error.hpp"
+#include "emit/program/graph.hpp"
 
 #include <ginac/ginac.h>
 

@@ -8,7 +8,7 @@
 // the index, so that every power of a fine root is a short product of shared square roots.
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/harmonics.hpp"
+#include "emit/program/harmonics.hpp"
 
 #include <algorithm>
 

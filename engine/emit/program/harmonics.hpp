@@ -6,8 +6,8 @@
 // with the multiple angles by the addition theorems from one cosine and sine.
 #pragma once
 
-#include "emit/graph.hpp"
-#include "emit/lower.hpp"
+#include "emit/program/graph.hpp"
+#include "emit/program/lower.hpp"
 
 #include <map>
 #include <optional>

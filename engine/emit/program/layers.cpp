@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/layers.hpp"
+#include "emit/program/layers.hpp"
 
-#include "emit/conditioning.hpp"
-#include "emit/prune.hpp"
-#include "emit/quantity.hpp"
+#include "emit/display/quantity.hpp"
+#include "emit/program/conditioning.hpp"
+#include "emit/program/prune.hpp"
 
 #include <algorithm>
 #include <map>

@@ -8,7 +8,7 @@
 // So does it where amplitudes have grown beyond what its map is made for (solve/first_correction.hpp).
 #pragma once
 
-#include "emit/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 #include "solve/first_correction.hpp"
 
 #include <functional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/lower.hpp"
+#include "emit/program/lower.hpp"
 
-#include "emit/conditioning.hpp"
-#include "emit/display.hpp"
-#include "emit/divisor_fractions.hpp"
-#include "emit/spelling.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/divisor_fractions.hpp"
+#include "emit/display/spelling.hpp"
+#include "emit/program/conditioning.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -7,10 +7,10 @@
 // call to call, so that the coefficients are constants of the construction.
 #pragma once
 
-#include "algebra/error.hpp"
-#include "algebra/ring.hpp"
-#include "emit/divisor_fractions.hpp"
-#include "emit/graph.hpp"
+#include "algebra/number/error.hpp"
+#include "algebra/ring/ring.hpp"
+#include "emit/display/divisor_fractions.hpp"
+#include "emit/program/graph.hpp"
 
 #include <cstddef>
 #include <set>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/moment.hpp"
+#include "emit/program/moment.hpp"
 
-#include "emit/conditioning.hpp"
-#include "emit/prune.hpp"
-#include "emit/quantity.hpp"
+#include "emit/display/quantity.hpp"
+#include "emit/program/conditioning.hpp"
+#include "emit/program/prune.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // slow time) or at the start (they have their start values, quadratures are zero).
 #pragma once
 
-#include "emit/harmonics.hpp"
-#include "emit/program.hpp"
+#include "emit/program/harmonics.hpp"
+#include "emit/program/program.hpp"
 
 #include <functional>
 #include <map>

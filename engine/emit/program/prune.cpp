@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/prune.hpp"
+#include "emit/program/prune.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 // What of a graph is needed, and what of it changes from call to call.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 #include <set>
 #include <vector>

@@ -3,7 +3,7 @@
 // coefficients, one table holds their sum:  eps^2 Q_1 + eps^3 c Q_2 -> int (eps^2 q_1 + eps^3 c q_2) dT.
 #pragma once
 
-#include "emit/moment.hpp"
+#include "emit/program/moment.hpp"
 
 #include <map>
 #include <string>

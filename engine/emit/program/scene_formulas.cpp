@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/scene_formulas.hpp"
+#include "emit/program/scene_formulas.hpp"
 
-#include "emit/derive.hpp"
-#include "emit/derive_flow.hpp"
-#include "emit/harmonics.hpp"
+#include "emit/derive/derive.hpp"
+#include "emit/derive/flow.hpp"
+#include "emit/program/harmonics.hpp"
 
 #include <algorithm>
 #include <sstream>

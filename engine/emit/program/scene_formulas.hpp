@@ -2,7 +2,7 @@
 // The formulas that a scene's code computes, as text for its banner.
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
 
 #include <string>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/scene_program.hpp"
+#include "emit/program/scene_program.hpp"
 
-#include "algebra/error.hpp"
-#include "emit/from_expression.hpp"
-#include "emit/identifier.hpp"
-#include "emit/quantity.hpp"
-#include "model/interval_length.hpp"
+#include "algebra/number/error.hpp"
+#include "emit/display/identifier.hpp"
+#include "emit/display/quantity.hpp"
+#include "emit/program/from_expression.hpp"
+#include "model/files/interval_length.hpp"
 
 #include <fmt/format.h>
 

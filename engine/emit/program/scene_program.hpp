@@ -3,8 +3,8 @@
 // and the interval.
 #pragma once
 
-#include "emit/moment.hpp"
-#include "emit/program.hpp"
+#include "emit/program/moment.hpp"
+#include "emit/program/program.hpp"
 
 #include <functional>
 #include <map>

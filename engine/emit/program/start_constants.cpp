@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/start_constants.hpp"
+#include "emit/program/start_constants.hpp"
 
-#include "emit/scene_program.hpp"
-#include "emit/start_map.hpp"
+#include "emit/program/scene_program.hpp"
+#include "emit/program/start_map.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/start_map.hpp"
+#include "emit/program/start_map.hpp"
 
 #include "solve/near_identity.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/straight_line.hpp"
+#include "emit/program/straight_line.hpp"
 
-#include "emit/prune.hpp"
+#include "emit/program/prune.hpp"
 
 #include <fmt/format.h>
 

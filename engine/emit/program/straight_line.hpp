@@ -7,7 +7,7 @@
 //   3/16 C^2 s^-3 cos_theta   ->   once: c = 3/16 C C;   per call: p = 1/s, q = p p p, c q cos_theta
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 #include <map>
 #include <string>

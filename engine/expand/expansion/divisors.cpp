@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // More divisors for a field: its ring is built anew with an inverse for each.
-#include "algebra/division.hpp"
-#include "algebra/fractions.hpp"
-#include "algebra/number_field.hpp"
-#include "expand/graph_fit.hpp"
-#include "expand/number_fit.hpp"
+#include "algebra/ring/division.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "algebra/ring/number_field.hpp"
+#include "expand/expansion/graph_fit.hpp"
+#include "expand/modes/number_fit.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/graded_field.hpp"
-#include "expand/translate.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "expand/expansion/translate.hpp"
 
 namespace resonform {
 

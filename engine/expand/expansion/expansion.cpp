@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/expansion.hpp"
+#include "expand/expansion/expansion.hpp"
 
-#include "model/canonical.hpp"
+#include "model/text/canonical.hpp"
 
 #include <fmt/format.h>
 

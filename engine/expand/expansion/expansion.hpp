@@ -2,8 +2,8 @@
 // The steps by which expand() builds a GradedField: roles -> modes -> ring -> program.
 #pragma once
 
-#include "expand/graded_field.hpp"
-#include "expand/translate.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "expand/expansion/translate.hpp"
 
 namespace resonform {
 

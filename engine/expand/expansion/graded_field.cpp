@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/graded_field.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <fmt/format.h>
 

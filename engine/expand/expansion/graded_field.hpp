@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first-order system as graded series in modal coordinates, ready to be normalised.
 //
-//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes.hpp), which may
+//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes/modes.hpp),
+//   which may
 //                                                      hold couplings besides: z' = lambda z + sum n z_k + f
 //   phi' = omega(xi) + f,   xi' = f,   X' = f           angles, slow variables, drift variables
 //
 //   oscillator psi'' + omega^2 psi = ...:  z = psi - i psi'/omega,  psi = (z + zbar)/2        (design 2.2)
 #pragma once
 
-#include "algebra/number_domain.hpp"
-#include "algebra/series_program.hpp"
-#include "expand/coefficient_ring.hpp"
-#include "expand/modes.hpp"
-#include "model/first_order_system.hpp"
+#include "algebra/series/number_domain.hpp"
+#include "algebra/series/series_program.hpp"
+#include "expand/modes/modes.hpp"
+#include "expand/ring/coefficient_ring.hpp"
+#include "model/exact/first_order_system.hpp"
 
 #include <memory>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/graph_fit.hpp"
+#include "expand/expansion/graph_fit.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 // messages may offer.
 #pragma once
 
-#include "expand/graded_field.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 namespace resonform {
 

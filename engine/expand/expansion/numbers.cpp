@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What expand() does where modes are numbers that the ring does not hold.
-#include "expand/expansion.hpp"
-#include "expand/number_fit.hpp"
-#include "expand/number_index.hpp"
-#include "expand/numeric_modes.hpp"
+#include "expand/expansion/expansion.hpp"
+#include "expand/modes/number_fit.hpp"
+#include "expand/modes/number_index.hpp"
+#include "expand/modes/numeric_modes.hpp"
 
 #include <fmt/format.h>
 

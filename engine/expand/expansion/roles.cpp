@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the roles of the variables demand of the equations.
-#include "expand/expansion.hpp"
-#include "model/canonical.hpp"
-#include "model/exact_question.hpp"
+#include "expand/expansion/expansion.hpp"
+#include "model/exact/question.hpp"
+#include "model/text/canonical.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/translate.hpp"
+#include "expand/expansion/translate.hpp"
 
-#include "model/canonical.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 

@@ -4,9 +4,9 @@
 //   g*sin(psi)/sqrt(xi^2 + r^2)  ->  product(constant(G^2/sigma^2), sine(input psi))
 #pragma once
 
-#include "algebra/series_program.hpp"
-#include "expand/coefficient_ring.hpp"
-#include "model/named_function.hpp"
+#include "algebra/series/series_program.hpp"
+#include "expand/ring/coefficient_ring.hpp"
+#include "model/text/named_function.hpp"
 
 #include <map>
 

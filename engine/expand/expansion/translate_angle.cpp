@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Angles in expressions: harmonics only, sin and cos of integer combinations.
-#include "expand/translate.hpp"
-#include "model/canonical.hpp"
+#include "expand/expansion/translate.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the weights of the variables demand of the equations: at the weight of a fast variable stand in its
 // rate nothing but its linear part, and what holds variables of lower weight only.
-#include "expand/expansion.hpp"
-#include "model/canonical.hpp"
+#include "expand/expansion/expansion.hpp"
+#include "model/text/canonical.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/block_order.hpp"
+#include "expand/modes/block_order.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/closed_roots.hpp"
+#include "expand/modes/closed_roots.hpp"
 
-#include "expand/power_product.hpp"
-#include "model/canonical.hpp"
-#include "model/zero_test.hpp"
+#include "expand/ring/power_product.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
 

@@ -7,8 +7,8 @@
 // so that roots of different names are independent and coefficients stay canonical.
 #pragma once
 
-#include "expand/complex_expression.hpp"
-#include "expand/mode_blocks.hpp"
+#include "expand/modes/mode_blocks.hpp"
+#include "expand/ring/complex_expression.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/eigen_field.hpp"
+#include "expand/modes/eigen_field.hpp"
 
-#include "expand/matrix_inverse.hpp"
-#include "model/zero_test.hpp"
+#include "expand/modes/matrix_inverse.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 

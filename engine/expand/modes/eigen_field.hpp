@@ -5,7 +5,7 @@
 //   f = lambda^2 + k/m:   1/lambda = -(m/k) lambda
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <ginac/ginac.h>
 

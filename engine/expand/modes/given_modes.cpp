@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/given_modes.hpp"
+#include "expand/modes/given_modes.hpp"
 
-#include "expand/matrix_inverse.hpp"
-#include "expand/power_product.hpp"
-#include "model/canonical.hpp"
-#include "model/zero_test.hpp"
+#include "expand/modes/matrix_inverse.hpp"
+#include "expand/ring/power_product.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
 

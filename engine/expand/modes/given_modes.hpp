@@ -2,8 +2,8 @@
 // The modes that a user gives in [modes], proved: A T = T Lambda, T invertible, frequencies positive.
 #pragma once
 
-#include "expand/mode_blocks.hpp"
-#include "expand/modes.hpp"
+#include "expand/modes/mode_blocks.hpp"
+#include "expand/modes/modes.hpp"
 
 namespace resonform {
 

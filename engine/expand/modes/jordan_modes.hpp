@@ -9,8 +9,8 @@
 // product by which a normal form is chosen is that of these modes (docs/design/12_styles.md).
 #pragma once
 
-#include "expand/mode_blocks.hpp"
-#include "expand/modes.hpp"
+#include "expand/modes/mode_blocks.hpp"
+#include "expand/modes/modes.hpp"
 
 namespace resonform {
 

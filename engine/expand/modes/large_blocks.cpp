@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/large_blocks.hpp"
+#include "expand/modes/large_blocks.hpp"
 
-#include "expand/closed_roots.hpp"
-#include "expand/eigen_field.hpp"
-#include "expand/number_fit.hpp"
-#include "model/canonical.hpp"
-#include "model/zero_test.hpp"
+#include "expand/modes/closed_roots.hpp"
+#include "expand/modes/eigen_field.hpp"
+#include "expand/modes/number_fit.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
 

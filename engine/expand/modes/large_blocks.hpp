@@ -5,7 +5,7 @@
 // bifurcation.
 #pragma once
 
-#include "expand/mode_blocks.hpp"
+#include "expand/modes/mode_blocks.hpp"
 
 namespace resonform {
 

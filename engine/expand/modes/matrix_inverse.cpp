@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/matrix_inverse.hpp"
+#include "expand/modes/matrix_inverse.hpp"
 
-#include "model/zero_test.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <utility>
 

@@ -2,8 +2,8 @@
 // Linear equations over expressions, by elimination with pivots that are proved to differ from zero.
 #pragma once
 
-#include "expand/complex_expression.hpp"
-#include "expand/mode_blocks.hpp"
+#include "expand/modes/mode_blocks.hpp"
+#include "expand/ring/complex_expression.hpp"
 
 #include <optional>
 

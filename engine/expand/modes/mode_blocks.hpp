@@ -2,8 +2,8 @@
 // Eigenvalues and eigenvectors of one block of the linear part, in closed form.
 #pragma once
 
-#include "expand/complex_expression.hpp"
-#include "model/first_order_system.hpp"
+#include "expand/ring/complex_expression.hpp"
+#include "model/exact/first_order_system.hpp"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eigenvectors of a block, continued to the blocks that it drives or that drive it.
-#include "expand/block_order.hpp"
-#include "expand/matrix_inverse.hpp"
-#include "expand/mode_finder.hpp"
-#include "model/zero_test.hpp"
+#include "expand/modes/block_order.hpp"
+#include "expand/modes/matrix_inverse.hpp"
+#include "expand/modes/mode_finder.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // others.
 #pragma once
 
-#include "expand/mode_blocks.hpp"
-#include "expand/modes.hpp"
-#include "model/canonical.hpp"
+#include "expand/modes/mode_blocks.hpp"
+#include "expand/modes/modes.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/given_modes.hpp"
-#include "expand/jordan_modes.hpp"
-#include "expand/large_blocks.hpp"
-#include "expand/mode_finder.hpp"
-#include "expand/numeric_modes.hpp"
-#include "model/exact_question.hpp"
+#include "expand/modes/given_modes.hpp"
+#include "expand/modes/jordan_modes.hpp"
+#include "expand/modes/large_blocks.hpp"
+#include "expand/modes/mode_finder.hpp"
+#include "expand/modes/numeric_modes.hpp"
+#include "model/exact/question.hpp"
 
 #include <fmt/format.h>
 

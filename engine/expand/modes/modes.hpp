@@ -10,8 +10,8 @@
 // scale it. For psi'' + omega^2 psi this is z = psi - i psi'/omega.
 #pragma once
 
-#include "expand/coefficient_ring.hpp"
-#include "expand/complex_expression.hpp"
+#include "expand/ring/coefficient_ring.hpp"
+#include "expand/ring/complex_expression.hpp"
 
 #include <memory>
 
@@ -59,8 +59,8 @@ struct ModalBasis {
 // the vanishing symbols of `coefficients` are used; it need not be frozen. Errors: bad_input: a force at the
 // origin, division by an expression that is zero; refused: a block without closed roots, a sign that is not
 // proved, a linear part that is not semisimple where the style of the system is not inner_product. Those of
-// given modes: expand/given_modes.hpp. With System::digits blocks without closed roots have numeric modes
-// (expand/numeric_modes.hpp).
+// given modes: expand/modes/given_modes.hpp. With System::digits blocks without closed roots have numeric
+// modes (expand/modes/numeric_modes.hpp).
 ModalBasis find_modes(const FirstOrderSystem& system, const CoefficientRing& coefficients);
 
 } // namespace resonform

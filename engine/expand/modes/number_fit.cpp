@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/number_fit.hpp"
+#include "expand/modes/number_fit.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 // messages may offer.
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <optional>
 

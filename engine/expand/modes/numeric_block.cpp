@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/numeric_block.hpp"
+#include "expand/modes/numeric_block.hpp"
 
 #include <algorithm>
 

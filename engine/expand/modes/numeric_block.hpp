@@ -2,8 +2,8 @@
 // The modes of one block of a linear part in numbers, to any precision.
 #pragma once
 
-#include "algebra/ball_matrix.hpp"
-#include "algebra/number_domain.hpp"
+#include "algebra/number/ball_matrix.hpp"
+#include "algebra/series/number_domain.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/numeric_modes.hpp"
+#include "expand/modes/numeric_modes.hpp"
 
-#include "expand/block_order.hpp"
+#include "expand/modes/block_order.hpp"
 
 #include <fmt/format.h>
 

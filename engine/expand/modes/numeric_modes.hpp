@@ -6,9 +6,9 @@
 //   x'' = -2 x + y,  y'' = -3 y + x + w,  w'' = -5 w + y:   three undamped pairs; omega = 1.08..., ...
 #pragma once
 
-#include "expand/coefficient_ring.hpp"
-#include "expand/mode_blocks.hpp"
-#include "expand/numeric_block.hpp"
+#include "expand/modes/mode_blocks.hpp"
+#include "expand/modes/numeric_block.hpp"
+#include "expand/ring/coefficient_ring.hpp"
 
 #include <optional>
 #include <vector>

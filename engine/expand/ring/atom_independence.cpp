@@ -5,7 +5,7 @@
 // of their arguments and of exponentials is constant, as with different irreducible polynomials. What is
 // known by its name only is independent of everything. The number pi is transcendental, and of a function
 // of numbers beside it nothing is known.
-#include "expand/function_atoms.hpp"
+#include "expand/ring/function_atoms.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions become polynomials of a ring that is frozen, and back.
-#include "expand/coefficient_ring.hpp"
-#include "model/canonical.hpp"
+#include "expand/ring/coefficient_ring.hpp"
+#include "model/text/canonical.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/coefficient_domain.hpp"
+#include "expand/ring/coefficient_domain.hpp"
 
 namespace resonform {
 

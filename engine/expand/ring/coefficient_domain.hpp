@@ -3,7 +3,7 @@
 // s and c for sin(tau) and cos(tau).
 #pragma once
 
-#include "model/first_order_system.hpp"
+#include "model/exact/first_order_system.hpp"
 
 #include <ginac/ginac.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/coefficient_ring.hpp"
+#include "expand/ring/coefficient_ring.hpp"
 
-#include "model/canonical.hpp"
-#include "model/named_function.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

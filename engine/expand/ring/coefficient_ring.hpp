@@ -7,9 +7,9 @@
 //   convert:  an expression of weight 0 (and eps) -> its Polynomial
 #pragma once
 
-#include "algebra/ring.hpp"
-#include "expand/complex_expression.hpp"
-#include "expand/function_atoms.hpp"
+#include "algebra/ring/ring.hpp"
+#include "expand/ring/complex_expression.hpp"
+#include "expand/ring/function_atoms.hpp"
 
 #include <string>
 #include <vector>

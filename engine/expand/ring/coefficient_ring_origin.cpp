@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What expressions are at the origin, where the fast variables and eps are zero.
-#include "expand/coefficient_ring.hpp"
+#include "expand/ring/coefficient_ring.hpp"
 
-#include "algebra/error.hpp"
-#include "model/canonical.hpp"
-#include "model/exact_question.hpp"
+#include "algebra/number/error.hpp"
+#include "model/exact/question.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 #include <exception>

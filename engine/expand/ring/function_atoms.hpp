@@ -14,8 +14,8 @@
 // cannot says so.
 #pragma once
 
-#include "algebra/ring.hpp"
-#include "expand/power_product.hpp"
+#include "algebra/ring/ring.hpp"
+#include "expand/ring/power_product.hpp"
 
 #include <ginac/ginac.h>
 

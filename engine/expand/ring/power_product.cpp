@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/power_product.hpp"
+#include "expand/ring/power_product.hpp"
 
-#include "expand/coefficient_ring.hpp"
-#include "model/canonical.hpp"
-#include "model/constant_sign.hpp"
+#include "expand/ring/coefficient_ring.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/constant_sign.hpp"
 
 #include <algorithm>
 #include <optional>

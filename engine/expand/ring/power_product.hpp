@@ -7,9 +7,9 @@
 // The bases become the invertible generators of the coefficient ring.
 #pragma once
 
-#include "algebra/number.hpp"
-#include "expand/coefficient_domain.hpp"
-#include "model/diagnostic.hpp"
+#include "algebra/number/number.hpp"
+#include "expand/ring/coefficient_domain.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <ginac/ginac.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/first_order_system.hpp"
+#include "model/exact/first_order_system.hpp"
 
-#include "model/exact_question.hpp"
-#include "model/growth.hpp"
-#include "model/lexer.hpp"
+#include "model/exact/question.hpp"
+#include "model/text/growth.hpp"
+#include "model/text/lexer.hpp"
 
 #include <algorithm>
 #include <functional>

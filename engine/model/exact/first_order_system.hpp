@@ -5,8 +5,8 @@
 //   psi'' (xi^2 + r^2) + ... = 0, xi' = eps v   ->   (psi)' = psi', (psi')' = -(...)/(xi^2 + r^2), ...
 #pragma once
 
-#include "model/positivity.hpp"
-#include "model/system_file.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/system/system_file.hpp"
 
 #include <memory>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/exact_form.hpp"
+#include "model/exact/form.hpp"
 
-#include "model/canonical.hpp"
-#include "model/sign_prover.hpp"
+#include "model/signs/sign_prover.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 

@@ -9,9 +9,9 @@
 // is known of them.
 #pragma once
 
-#include "model/polynomial_quotients.hpp"
-#include "model/system_file.hpp"
-#include "model/zero_test.hpp"
+#include "model/signs/polynomial_quotients.hpp"
+#include "model/system/system_file.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <string>
 #include <vector>

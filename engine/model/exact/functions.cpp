@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Functions on their way into an exact form.
-#include "model/canonical.hpp"
-#include "model/exact_form.hpp"
-#include "model/named_function.hpp"
-#include "model/written_form.hpp"
+#include "model/exact/form.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/inverse_function.hpp"
+#include "model/exact/inverse_function.hpp"
 
-#include "model/canonical.hpp"
-#include "model/named_function.hpp"
-#include "model/written_form.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <vector>

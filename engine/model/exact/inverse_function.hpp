@@ -4,7 +4,7 @@
 //   log(y) + x = R  ->  y = exp(R - x)          exp(y) - x = R  ->  y = log(R + x), where R + x > 0 is proved
 #pragma once
 
-#include "model/exact_form.hpp"
+#include "model/exact/form.hpp"
 
 #include <functional>
 #include <optional>

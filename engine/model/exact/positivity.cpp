@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/positivity.hpp"
+#include "model/exact/positivity.hpp"
 
-#include "model/exact_question.hpp"
-#include "model/sign_prover.hpp"
+#include "model/exact/question.hpp"
+#include "model/signs/sign_prover.hpp"
 
 namespace resonform {
 

@@ -2,7 +2,7 @@
 // A sound prover of signs: what it says holds; "unknown" says nothing.
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 namespace resonform {
 

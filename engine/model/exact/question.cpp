@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/exact_question.hpp"
+#include "model/exact/question.hpp"
 
-#include "model/canonical.hpp"
-#include "model/exact_form.hpp"
-#include "model/growth.hpp"
-#include "model/named_function.hpp"
-#include "model/sign_prover.hpp"
+#include "model/exact/form.hpp"
+#include "model/signs/sign_prover.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/growth.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <iterator>

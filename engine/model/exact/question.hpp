@@ -7,8 +7,8 @@
 //   declared
 #pragma once
 
-#include "model/system_file.hpp"
-#include "model/zero_test.hpp"
+#include "model/system/system_file.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <optional>
 

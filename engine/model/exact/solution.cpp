@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/exact_solution.hpp"
+#include "model/exact/solution.hpp"
 
-#include "model/expression.hpp"
-#include "model/growth.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/growth.hpp"
 
 #include <algorithm>
 #include <utility>

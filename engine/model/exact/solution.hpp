@@ -2,7 +2,7 @@
 // Linear equations between exact forms.
 #pragma once
 
-#include "model/exact_form.hpp"
+#include "model/exact/form.hpp"
 
 #include <vector>
 

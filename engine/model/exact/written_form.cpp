@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/written_form.hpp"
+#include "model/exact/written_form.hpp"
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,7 @@
 //   "(xi^2 + r^2)*phi'' + xi*xi'*phi' + g*r*sin(phi) - g*xi*cos(phi)"
 #pragma once
 
-#include "model/exact_form.hpp"
+#include "model/exact/form.hpp"
 
 #include <string>
 

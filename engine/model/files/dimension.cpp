@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/dimension.hpp"
+#include "model/files/dimension.hpp"
 
-#include "model/expression.hpp"
-#include "model/lexer.hpp"
-#include "model/toml_values.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/lexer.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <cln/rational.h>
 

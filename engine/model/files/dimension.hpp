@@ -4,8 +4,8 @@
 //   "kg*m^2/s^2", "N*m", "J"  ->  { kg: 1, m: 2, s: -2 }
 #pragma once
 
-#include "algebra/number.hpp"
-#include "model/toml_tree.hpp"
+#include "algebra/number/number.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <map>
 #include <string>

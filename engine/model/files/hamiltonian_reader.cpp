@@ -3,10 +3,10 @@
 //
 //   energy = "p^2/2 + 1 - cos(q)"
 //   momenta = { q = "p" }              q' = p,  p' = -sin(q)
-#include "model/canonical.hpp"
-#include "model/system_reader.hpp"
-#include "model/toml_values.hpp"
-#include "model/zero_test.hpp"
+#include "model/files/system_reader.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/toml_values.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/heading.hpp"
+#include "model/files/heading.hpp"
 
-#include "model/mechanism_reader.hpp"
-#include "model/names.hpp"
-#include "model/toml_values.hpp"
+#include "model/files/mechanism_reader.hpp"
+#include "model/system/names.hpp"
+#include "model/text/toml_values.hpp"
 
 namespace resonform {
 

@@ -2,7 +2,7 @@
 // What the files of a user call themselves, read without anything that they describe.
 #pragma once
 
-#include "model/toml_tree.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/interval_length.hpp"
+#include "model/files/interval_length.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // floating-point number, its logarithm is not.
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <optional>
 

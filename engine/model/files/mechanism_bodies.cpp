@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [bodies] of a mechanism: in a plane by their angle, in space by Euler's angles.
-#include "model/mechanism_reader.hpp"
-#include "model/toml_values.hpp"
+#include "model/files/mechanism_reader.hpp"
+#include "model/text/toml_values.hpp"
 
 namespace resonform {
 

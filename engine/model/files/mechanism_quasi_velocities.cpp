@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [quasi_velocities] of a mechanism, and forces on them.
-#include "model/mechanism_reader.hpp"
-#include "model/toml_values.hpp"
+#include "model/files/mechanism_reader.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mechanism_reader.hpp"
+#include "model/files/mechanism_reader.hpp"
 
-#include "model/canonical.hpp"
-#include "model/dimension.hpp"
-#include "model/positivity.hpp"
-#include "model/toml_values.hpp"
-#include "model/zero_test.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/files/dimension.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/toml_values.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // The tables of a system.toml that describe a mechanism.
 #pragma once
 
-#include "model/mechanism.hpp"
-#include "model/toml_tree.hpp"
+#include "model/system/mechanism.hpp"
+#include "model/text/toml_tree.hpp"
 
 namespace resonform {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A system.toml with [coordinates]: its equations are derived, and read like those of every system.
-#include "model/mechanical_equations.hpp"
-#include "model/mechanism_reader.hpp"
-#include "model/system_reader.hpp"
-#include "model/toml_values.hpp"
-#include "model/unit_check.hpp"
+#include "model/files/mechanism_reader.hpp"
+#include "model/files/system_reader.hpp"
+#include "model/files/unit_check.hpp"
+#include "model/mechanics/mechanical_equations.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <algorithm>
 

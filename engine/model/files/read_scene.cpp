@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/read_scene.hpp"
+#include "model/files/read_scene.hpp"
 
-#include "model/scene_reader.hpp"
-#include "model/toml_tree.hpp"
+#include "model/files/scene_reader.hpp"
+#include "model/text/toml_tree.hpp"
 
 namespace resonform {
 

@@ -2,7 +2,7 @@
 // scenes/*.toml -> Scene, with its system.
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <filesystem>
 #include <string_view>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/read_system.hpp"
+#include "model/files/read_system.hpp"
 
-#include "algebra/error.hpp"
-#include "model/diagnostic.hpp"
-#include "model/nearest.hpp"
-#include "model/system_reader.hpp"
-#include "model/toml_tree.hpp"
+#include "algebra/number/error.hpp"
+#include "model/files/system_reader.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <algorithm>
 #include <vector>

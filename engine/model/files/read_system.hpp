@@ -2,7 +2,7 @@
 // system.toml -> System, by its path or its name.
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/scene_reader.hpp"
+#include "model/files/scene_reader.hpp"
 
-#include "model/constant_sign.hpp"
-#include "model/heading.hpp"
-#include "model/names.hpp"
-#include "model/read_system.hpp"
-#include "model/start_domain.hpp"
-#include "model/start_reader.hpp"
-#include "model/toml_values.hpp"
-#include "model/verify_reader.hpp"
-#include "model/zero_test.hpp"
+#include "model/files/heading.hpp"
+#include "model/files/read_system.hpp"
+#include "model/files/start_domain.hpp"
+#include "model/files/start_reader.hpp"
+#include "model/files/verify_reader.hpp"
+#include "model/system/names.hpp"
+#include "model/text/constant_sign.hpp"
+#include "model/text/toml_values.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 

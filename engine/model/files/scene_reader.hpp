@@ -2,8 +2,8 @@
 // From the tree of a scene file to a checked Scene, table by table.
 #pragma once
 
-#include "model/scene_file.hpp"
-#include "model/toml_tree.hpp"
+#include "model/system/scene_file.hpp"
+#include "model/text/toml_tree.hpp"
 
 namespace resonform {
 

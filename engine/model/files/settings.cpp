@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/settings.hpp"
+#include "model/files/settings.hpp"
 
-#include "model/canonical.hpp"
-#include "model/constant_sign.hpp"
-#include "model/zero_test.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/constant_sign.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 #include <exception>

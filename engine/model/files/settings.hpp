@@ -2,7 +2,7 @@
 // Exact numbers in place of parameters: --set g=1 r=4/5.
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/start_domain.hpp"
+#include "model/files/start_domain.hpp"
 
 namespace resonform {
 

@@ -2,8 +2,8 @@
 // A motion begins where the system is declared to be defined.
 #pragma once
 
-#include "model/scene_file.hpp"
-#include "model/toml_tree.hpp"
+#include "model/system/scene_file.hpp"
+#include "model/text/toml_tree.hpp"
 
 namespace resonform {
 

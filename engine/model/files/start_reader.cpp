@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/start_reader.hpp"
+#include "model/files/start_reader.hpp"
 
-#include "model/names.hpp"
-#include "model/start_names.hpp"
-#include "model/toml_values.hpp"
+#include "model/system/names.hpp"
+#include "model/system/start_names.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/system_reader.hpp"
+#include "model/files/system_reader.hpp"
 
-#include "model/dimension.hpp"
-#include "model/eps_powers.hpp"
-#include "model/heading.hpp"
-#include "model/names.hpp"
-#include "model/toml_values.hpp"
+#include "model/files/dimension.hpp"
+#include "model/files/heading.hpp"
+#include "model/system/names.hpp"
+#include "model/text/eps_powers.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // From the tree of a system.toml to a checked System, table by table.
 #pragma once
 
-#include "model/system_file.hpp"
-#include "model/toml_tree.hpp"
+#include "model/system/system_file.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <map>
 #include <memory>

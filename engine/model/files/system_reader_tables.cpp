@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of a system.toml that say more about what is declared: domain, relations, normal form, notation.
-#include "model/eps_powers.hpp"
-#include "model/names.hpp"
-#include "model/positivity.hpp"
-#include "model/system_reader.hpp"
-#include "model/toml_values.hpp"
-#include "model/unit_check.hpp"
-#include "model/zero_test.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/files/system_reader.hpp"
+#include "model/files/unit_check.hpp"
+#include "model/system/names.hpp"
+#include "model/text/eps_powers.hpp"
+#include "model/text/toml_values.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 //   z' = eps*(x'*y - y'*x) with x, y, z in m: eps is in 1/m
 #pragma once
 
-#include "model/dimension.hpp"
-#include "model/mechanism.hpp"
+#include "model/files/dimension.hpp"
+#include "model/system/mechanism.hpp"
 
 namespace resonform {
 

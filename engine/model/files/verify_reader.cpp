@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/verify_reader.hpp"
+#include "model/files/verify_reader.hpp"
 
-#include "model/interval_length.hpp"
-#include "model/toml_values.hpp"
+#include "model/files/interval_length.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // [verify] of a scene: how its accuracy is put to the test.
 #pragma once
 
-#include "model/scene_file.hpp"
-#include "model/toml_tree.hpp"
+#include "model/system/scene_file.hpp"
+#include "model/text/toml_tree.hpp"
 
 namespace resonform {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/antiderivative.hpp"
+#include "model/integrals/antiderivative.hpp"
 
-#include "model/canonical.hpp"
-#include "model/circular_integral.hpp"
-#include "model/rational_integral.hpp"
+#include "model/integrals/circular_integral.hpp"
+#include "model/integrals/rational_integral.hpp"
+#include "model/text/canonical.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/circular_integral.hpp"
+#include "model/integrals/circular_integral.hpp"
 
-#include "model/canonical.hpp"
-#include "model/rational_integral.hpp"
+#include "model/integrals/rational_integral.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 #include <vector>

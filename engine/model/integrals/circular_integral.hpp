@@ -2,7 +2,7 @@
 // Integrals with sines and cosines: products become sums, quotients rational functions.
 #pragma once
 
-#include "model/antiderivative.hpp"
+#include "model/integrals/antiderivative.hpp"
 
 namespace resonform {
 

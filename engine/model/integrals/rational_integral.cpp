@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/rational_integral.hpp"
+#include "model/integrals/rational_integral.hpp"
 
-#include "model/canonical.hpp"
-#include "model/substitution.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/text/canonical.hpp"
 
 #include <utility>
 #include <vector>

@@ -2,7 +2,7 @@
 // Integrals of rational functions by partial fractions.
 #pragma once
 
-#include "model/antiderivative.hpp"
+#include "model/integrals/antiderivative.hpp"
 
 namespace resonform {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/change_of_variables.hpp"
+#include "model/mechanics/change_of_variables.hpp"
 
-#include "model/canonical.hpp"
-#include "model/exact_solution.hpp"
-#include "model/substitution.hpp"
-#include "model/written_form.hpp"
+#include "model/exact/solution.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 

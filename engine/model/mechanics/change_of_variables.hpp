@@ -3,7 +3,7 @@
 // constants of the constraints in place of dependent coordinates.
 #pragma once
 
-#include "model/integrals.hpp"
+#include "model/mechanics/integrals.hpp"
 
 namespace resonform {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/constraints.hpp"
+#include "model/mechanics/constraints.hpp"
 
-#include "model/canonical.hpp"
-#include "model/exact_solution.hpp"
-#include "model/written_form.hpp"
+#include "model/exact/solution.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 #include <optional>

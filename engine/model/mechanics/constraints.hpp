@@ -4,7 +4,7 @@
 //   z' = eps*(x'*y - y'*x)   ->   dependent z, independent x, y; slope (eps*y, -eps*x), rest 0
 #pragma once
 
-#include "model/motion.hpp"
+#include "model/mechanics/motion.hpp"
 
 namespace resonform {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/derivation_lines.hpp"
+#include "model/mechanics/derivation_lines.hpp"
 
-#include "model/frobenius.hpp"
-#include "model/written_form.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/mechanics/frobenius.hpp"
 
 #include <algorithm>
 

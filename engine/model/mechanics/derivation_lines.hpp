@@ -2,10 +2,10 @@
 // What is printed between a mechanism and its equations.
 #pragma once
 
-#include "model/equation_texts.hpp"
-#include "model/integrals.hpp"
-#include "model/mechanical_equations.hpp"
-#include "model/quasi_velocities.hpp"
+#include "model/mechanics/equation_texts.hpp"
+#include "model/mechanics/integrals.hpp"
+#include "model/mechanics/mechanical_equations.hpp"
+#include "model/mechanics/quasi_velocities.hpp"
 
 #include <optional>
 

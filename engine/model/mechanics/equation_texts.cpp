@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/equation_texts.hpp"
+#include "model/mechanics/equation_texts.hpp"
 
-#include "model/canonical.hpp"
-#include "model/expression.hpp"
-#include "model/growth.hpp"
-#include "model/written_form.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/growth.hpp"
 
 #include <algorithm>
 

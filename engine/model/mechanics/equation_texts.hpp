@@ -2,8 +2,8 @@
 // Equations of motion, linear in accelerations, as texts of a file.
 #pragma once
 
-#include "model/exact_solution.hpp"
-#include "model/mechanism.hpp"
+#include "model/exact/solution.hpp"
+#include "model/system/mechanism.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/frobenius.hpp"
+#include "model/mechanics/frobenius.hpp"
 
-#include "model/written_form.hpp"
+#include "model/exact/written_form.hpp"
 
 #include <functional>
 

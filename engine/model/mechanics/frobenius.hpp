@@ -4,7 +4,7 @@
 // X_i(b_d) - X_0(B_di) vanish.
 #pragma once
 
-#include "model/constraints.hpp"
+#include "model/mechanics/constraints.hpp"
 
 namespace resonform {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/gibbs_appell.hpp"
+#include "model/mechanics/gibbs_appell.hpp"
 
-#include "model/canonical.hpp"
-#include "model/exact_solution.hpp"
-#include "model/substitution.hpp"
+#include "model/exact/solution.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 // differentiated and put in, dS/dx'' = Q for every independent coordinate.
 #pragma once
 
-#include "model/constraints.hpp"
+#include "model/mechanics/constraints.hpp"
 
 namespace resonform {
 

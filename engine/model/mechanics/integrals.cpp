@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/integrals.hpp"
+#include "model/mechanics/integrals.hpp"
 
-#include "model/antiderivative.hpp"
-#include "model/canonical.hpp"
-#include "model/joint_integrals.hpp"
-#include "model/substitution.hpp"
-#include "model/written_form.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/integrals/antiderivative.hpp"
+#include "model/mechanics/joint_integrals.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 

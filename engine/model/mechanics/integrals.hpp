@@ -3,7 +3,7 @@
 // coordinates q_{n+mu} = phi_mu(x) of a weakly nonholonomic system.
 #pragma once
 
-#include "model/constraints.hpp"
+#include "model/mechanics/constraints.hpp"
 
 namespace resonform {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/joint_integrals.hpp"
+#include "model/mechanics/joint_integrals.hpp"
 
-#include "model/canonical.hpp"
-#include "model/inverse_function.hpp"
-#include "model/substitution.hpp"
+#include "model/exact/inverse_function.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 //   R = y + z, Q = y - z  ->  y = (Q + R)/2, z = (R - Q)/2
 #pragma once
 
-#include "model/constraints.hpp"
+#include "model/mechanics/constraints.hpp"
 
 namespace resonform {
 

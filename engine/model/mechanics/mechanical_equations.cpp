@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mechanical_equations.hpp"
+#include "model/mechanics/mechanical_equations.hpp"
 
-#include "model/canonical.hpp"
-#include "model/change_of_variables.hpp"
-#include "model/derivation_lines.hpp"
-#include "model/frobenius.hpp"
-#include "model/multipliers.hpp"
-#include "model/substitution.hpp"
-#include "model/written_form.hpp"
-#include "model/zero_test.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/exact/written_form.hpp"
+#include "model/mechanics/change_of_variables.hpp"
+#include "model/mechanics/derivation_lines.hpp"
+#include "model/mechanics/frobenius.hpp"
+#include "model/mechanics/multipliers.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 

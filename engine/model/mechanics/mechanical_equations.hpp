@@ -2,8 +2,8 @@
 // From a mechanism to the equations of an ordinary system, as texts.
 #pragma once
 
-#include "model/derivation.hpp"
-#include "model/mechanism.hpp"
+#include "model/mechanics/derivation.hpp"
+#include "model/system/mechanism.hpp"
 
 namespace resonform {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/motion.hpp"
+#include "model/mechanics/motion.hpp"
 
-#include "model/canonical.hpp"
-#include "model/positivity.hpp"
-#include "model/substitution.hpp"
+#include "model/exact/positivity.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 

@@ -2,8 +2,8 @@
 // The symbols of a mechanism in motion: what is the time derivative of what, and their values at eps = 0.
 #pragma once
 
-#include "model/exact_form.hpp"
-#include "model/mechanism.hpp"
+#include "model/exact/form.hpp"
+#include "model/system/mechanism.hpp"
 
 namespace resonform {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/multipliers.hpp"
+#include "model/mechanics/multipliers.hpp"
 
-#include "model/canonical.hpp"
-#include "model/substitution.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 

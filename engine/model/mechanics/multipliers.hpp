@@ -4,7 +4,7 @@
 // It shares nothing with the first but the expressions of the file.
 #pragma once
 
-#include "model/gibbs_appell.hpp"
+#include "model/mechanics/gibbs_appell.hpp"
 
 namespace resonform {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/quasi_velocities.hpp"
+#include "model/mechanics/quasi_velocities.hpp"
 
-#include "model/canonical.hpp"
-#include "model/exact_solution.hpp"
-#include "model/substitution.hpp"
+#include "model/exact/solution.hpp"
+#include "model/exact/substitution.hpp"
+#include "model/text/canonical.hpp"
 
 namespace resonform {
 

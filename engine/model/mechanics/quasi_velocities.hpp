@@ -5,7 +5,7 @@
 //   u = x'*cos(phi) + y'*sin(phi)   ->   x' = u*cos(phi), ...;  dS/du' = sum of Q_i dx_i'/du
 #pragma once
 
-#include "model/gibbs_appell.hpp"
+#include "model/mechanics/gibbs_appell.hpp"
 
 namespace resonform {
 

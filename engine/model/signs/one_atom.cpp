@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/one_atom.hpp"
+#include "model/signs/one_atom.hpp"
 
-#include "model/growth.hpp"
-#include "model/named_function.hpp"
+#include "model/text/growth.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <string>

@@ -4,8 +4,8 @@
 //   x - 1 with x > 0 and x^2 - 2 > 0 declared      3*sin(u) + 4*cos(u) + 6      exp(2*u) - exp(u) + 1
 #pragma once
 
-#include "algebra/sign_set.hpp"
-#include "model/system_file.hpp"
+#include "algebra/number/sign_set.hpp"
+#include "model/system/system_file.hpp"
 
 #include <optional>
 

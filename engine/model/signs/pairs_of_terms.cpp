@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/pairs_of_terms.hpp"
+#include "model/signs/pairs_of_terms.hpp"
 
-#include "model/canonical.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/polynomial_quotients.hpp"
+#include "model/signs/polynomial_quotients.hpp"
 
-#include "algebra/integer_polynomial.hpp"
+#include "algebra/ring/integer_polynomial.hpp"
 
 #include <algorithm>
 #include <map>

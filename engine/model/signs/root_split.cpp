@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/root_split.hpp"
+#include "model/signs/root_split.hpp"
 
-#include "model/canonical.hpp"
-#include "model/growth.hpp"
+#include "model/text/canonical.hpp"
+#include "model/text/growth.hpp"
 
 #include <algorithm>
 #include <vector>

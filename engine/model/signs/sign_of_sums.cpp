@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/sign_prover.hpp"
+#include "model/signs/sign_prover.hpp"
 
-#include "model/bounds.hpp"
-#include "model/constant_sign.hpp"
-#include "model/growth.hpp"
-#include "model/one_atom.hpp"
-#include "model/pairs_of_terms.hpp"
-#include "model/root_split.hpp"
+#include "model/signs/one_atom.hpp"
+#include "model/signs/pairs_of_terms.hpp"
+#include "model/signs/root_split.hpp"
+#include "model/text/bounds.hpp"
+#include "model/text/constant_sign.hpp"
+#include "model/text/growth.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/sign_prover.hpp"
+#include "model/signs/sign_prover.hpp"
 
-#include "model/constant_sign.hpp"
-#include "model/named_function.hpp"
+#include "model/text/constant_sign.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 

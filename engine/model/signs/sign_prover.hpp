@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rules by which signs are proved (model/positivity.hpp): by the structure of an expression
+// The rules by which signs are proved (model/exact/positivity.hpp): by the structure of an expression
 // (sign_prover.cpp), of sums by comparing (sign_of_sums.cpp), and what vanishes nowhere (nowhere_zero.cpp).
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <map>
 

@@ -2,7 +2,7 @@
 // What a mechanism is made of, as the user wrote it (docs/file_formats.md, "Mechanisms").
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <string>
 #include <vector>

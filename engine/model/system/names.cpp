@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/names.hpp"
+#include "model/system/names.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // Which names a user may give, and what the constants of a solution are called.
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <string>
 #include <vector>

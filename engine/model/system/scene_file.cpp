@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 
-#include "model/start_names.hpp"
-#include "model/zero_test.hpp"
+#include "model/system/start_names.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user wants of a system, from scenes/*.toml (model/read_scene.hpp); everything else is left out.
+// What the user wants of a system, from scenes/*.toml (model/files/read_scene.hpp); everything else is left
+// out.
 #pragma once
 
-#include "algebra/number.hpp"
-#include "model/system_file.hpp"
+#include "algebra/number/number.hpp"
+#include "model/system/system_file.hpp"
 
 #include <map>
 #include <memory>

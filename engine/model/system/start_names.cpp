@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/start_names.hpp"
+#include "model/system/start_names.hpp"
 
-#include "model/names.hpp"
+#include "model/system/names.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 // constants of the solution, by canonical name ("amplitude.psi") or by the system's notation (C_delta).
 #pragma once
 
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/style.hpp"
+#include "model/system/style.hpp"
 
 namespace resonform {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/system_file.hpp"
+#include "model/system/system_file.hpp"
 
 #include <algorithm>
 

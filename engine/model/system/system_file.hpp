@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user wrote into system.toml, checked, in the order of the file (model/read_system.hpp).
+// What the user wrote into system.toml, checked, in the order of the file (model/files/read_system.hpp).
 #pragma once
 
-#include "algebra/number.hpp"
-#include "model/expression.hpp"
-#include "model/style.hpp"
+#include "algebra/number/number.hpp"
+#include "model/system/style.hpp"
+#include "model/text/expression.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -105,7 +105,7 @@ template <class Change> void for_each_part(GivenMode& mode, const Change& change
     }
 }
 
-struct Derivation; // of the equations of a mechanism (model/derivation.hpp)
+struct Derivation; // of the equations of a mechanism (model/mechanics/derivation.hpp)
 
 // A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
 struct Setting {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/bounds.hpp"
+#include "model/text/bounds.hpp"
 
 #include <algorithm>
 #include <string>

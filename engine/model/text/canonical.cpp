@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/canonical.hpp"
+#include "model/text/canonical.hpp"
 
-#include "model/eps_powers.hpp"
-#include "model/named_function.hpp"
+#include "model/text/eps_powers.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/constant_sign.hpp"
+#include "model/text/constant_sign.hpp"
 
-#include "algebra/interval_functions.hpp"
-#include "model/named_function.hpp"
+#include "algebra/ring/interval_functions.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 // Values and signs of expressions, proved by intervals with rational ends: of any size, to any accuracy.
 #pragma once
 
-#include "algebra/interval.hpp"
+#include "algebra/number/interval.hpp"
 
 #include <ginac/ginac.h>
 

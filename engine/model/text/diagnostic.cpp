@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/diagnostic.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <algorithm>
 

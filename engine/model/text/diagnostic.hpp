@@ -2,7 +2,7 @@
 // Where a text of a user's file stands, and how a position inside it becomes the Place of a message.
 #pragma once
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <cstddef>
 #include <filesystem>

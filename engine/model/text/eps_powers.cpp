@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/eps_powers.hpp"
+#include "model/text/eps_powers.hpp"
 
-#include "model/toml_values.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <fmt/format.h>
 

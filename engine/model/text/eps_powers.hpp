@@ -3,8 +3,8 @@
 // e*x + e^2*x^3 over a symbol e that stands for eps^(1/q).
 #pragma once
 
-#include "algebra/number.hpp"
-#include "model/toml_tree.hpp"
+#include "algebra/number/number.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <ginac/ginac.h>
 

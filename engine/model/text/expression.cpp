@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/expression.hpp"
+#include "model/text/expression.hpp"
 
-#include "model/parser.hpp"
+#include "model/text/parser.hpp"
 
 #include <algorithm>
 

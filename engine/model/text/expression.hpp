@@ -12,8 +12,8 @@
 //   primary = number | name { "'" } | function "(" sum ")" | "(" sum ")"
 #pragma once
 
-#include "model/diagnostic.hpp"
-#include "model/nearest.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
 
 #include <ginac/ginac.h>
 

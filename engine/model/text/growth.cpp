@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/growth.hpp"
+#include "model/text/growth.hpp"
 
 #include <algorithm>
 #include <cmath>

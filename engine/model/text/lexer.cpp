@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/lexer.hpp"
+#include "model/text/lexer.hpp"
 
 #include <algorithm>
 #include <array>

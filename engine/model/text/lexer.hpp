@@ -4,7 +4,7 @@
 //   "2.5*psi'' = 0"  ->  number 2.5, star, name psi with 2 primes, equals, number 0, end
 #pragma once
 
-#include "model/diagnostic.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <string_view>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/named_function.hpp"
+#include "model/text/named_function.hpp"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/nearest.hpp"
+#include "model/text/nearest.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/parser.hpp"
+#include "model/text/parser.hpp"
 
-#include "algebra/number.hpp"
-#include "model/named_function.hpp"
-#include "model/zero_test.hpp"
+#include "algebra/number/number.hpp"
+#include "model/text/named_function.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the parser refuses, and how it says so.
-#include "model/parser.hpp"
-#include "model/zero_test.hpp"
+#include "model/text/parser.hpp"
+#include "model/text/zero_test.hpp"
 
 namespace resonform {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/toml_tree.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <toml++/toml.h>
 

@@ -3,8 +3,8 @@
 // value stands, and how a number is spelled (0.1 is one tenth, not a double).
 #pragma once
 
-#include "algebra/number.hpp"
-#include "model/diagnostic.hpp"
+#include "algebra/number/number.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <filesystem>
 #include <string>

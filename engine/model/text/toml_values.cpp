@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/toml_values.hpp"
+#include "model/text/toml_values.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -3,8 +3,8 @@
 // bad_input with the key, the value found and the type or range wanted.
 #pragma once
 
-#include "model/expression.hpp"
-#include "model/toml_tree.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/toml_tree.hpp"
 
 #include <string>
 #include <vector>

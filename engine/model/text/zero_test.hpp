@@ -2,7 +2,7 @@
 // Is an expression zero for all values of its symbols? Three answers (design, section 3).
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 
 #include <ginac/ginac.h>
 

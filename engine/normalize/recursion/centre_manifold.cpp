@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/centre_manifold.hpp"
+#include "normalize/recursion/centre_manifold.hpp"
 
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 
 #include <fmt/format.h>
 

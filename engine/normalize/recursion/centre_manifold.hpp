@@ -10,7 +10,7 @@
 // through the weight of the normal form.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <vector>
 

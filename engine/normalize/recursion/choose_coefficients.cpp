@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expand/graph_fit.hpp"
-#include "normalize/poincare.hpp"
+#include "expand/expansion/graph_fit.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 #include <algorithm>
 

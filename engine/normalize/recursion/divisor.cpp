@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/divisor.hpp"
+#include "normalize/recursion/divisor.hpp"
 
-#include "expand/power_product.hpp"
-#include "model/zero_test.hpp"
+#include "expand/ring/power_product.hpp"
+#include "model/text/zero_test.hpp"
 
 #include <cln/dfloat.h>
 #include <fmt/format.h>

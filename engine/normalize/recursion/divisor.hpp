@@ -7,9 +7,9 @@
 // with harmonics k_l of the angles; 1/D = (a - i b)/(a^2 + b^2).
 #pragma once
 
-#include "algebra/number_domain.hpp"
-#include "algebra/ring_domain.hpp"
-#include "normalize/normal_form.hpp"
+#include "algebra/series/number_domain.hpp"
+#include "algebra/series/ring_domain.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <map>
 #include <vector>

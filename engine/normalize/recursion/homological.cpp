@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/homological.hpp"
+#include "normalize/recursion/homological.hpp"
 
 #include <algorithm>
 

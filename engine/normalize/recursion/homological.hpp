@@ -9,8 +9,8 @@
 // frequencies of the angles are in D, not in the sum. What is c and what is N is up to a HomologicalStyle.
 #pragma once
 
-#include "normalize/divisor.hpp"
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/divisor.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <set>
 #include <vector>

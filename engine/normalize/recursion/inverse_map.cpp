@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/inverse_map.hpp"
+#include "normalize/recursion/inverse_map.hpp"
 
-#include "normalize/shifted_series.hpp"
+#include "normalize/recursion/shifted_series.hpp"
 
 namespace resonform {
 

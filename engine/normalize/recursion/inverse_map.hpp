@@ -6,7 +6,7 @@
 //                                              those of larger weight before the others
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 namespace resonform {
 

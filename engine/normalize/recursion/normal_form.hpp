@@ -7,8 +7,8 @@
 // h, m, k, l, N in (w, wbar, e^{i theta}, eps; zeta): the generators stand for the new variables.
 #pragma once
 
-#include "algebra/graph_domain.hpp"
-#include "expand/graded_field.hpp"
+#include "algebra/graph/domain.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -28,7 +28,8 @@ struct DivisorRecord {
     DivisorVerdict verdict;
 };
 
-// What the style hamiltonian keeps besides (normalize/hamiltonian.hpp). With the weight w of the modes:
+// What the style hamiltonian keeps besides (normalize/styles/hamiltonian.hpp). With the weight w of the
+// modes:
 //   K = H(old variables), {w_a, K} = rates;   old = exp(L_chi) new,  L_chi f = {f, chi}
 struct HamiltonianForm {
     struct Bracket { // {left, right} = value of modal coordinates, a constant; each has one partner
@@ -84,7 +85,7 @@ template <class Part> struct NormalizationOf {
 };
 using Normalization = NormalizationOf<Polynomial>;
 
-// The same with coefficients in a graph (algebra/coefficient_graph.hpp).
+// The same with coefficients in a graph (algebra/graph/coefficient_graph.hpp).
 struct GraphNormalization {
     GraphDomain domain;
     NormalizationOf<GraphPart> result;

@@ -2,8 +2,8 @@
 // The recursion over the weights, whatever the domain of the coefficients and the style.
 #pragma once
 
-#include "normalize/homological.hpp"
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/homological.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 #include <fmt/format.h>
 

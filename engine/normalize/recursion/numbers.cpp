@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/numbers.hpp"
+#include "normalize/recursion/numbers.hpp"
 
-#include "expand/number_index.hpp"
-#include "normalize/divisor.hpp"
+#include "expand/modes/number_index.hpp"
+#include "normalize/recursion/divisor.hpp"
 
 #include <fmt/format.h>
 

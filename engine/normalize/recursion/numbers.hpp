@@ -4,7 +4,7 @@
 //   field -> balls, with more and more bits until the digits of every coefficient are known -> rounded
 #pragma once
 
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 namespace resonform {
 
@@ -20,7 +20,7 @@ constexpr int fewest_digits = 4, most_digits = 1000;
 // of which are certain; a coefficient whose ball holds zero when all others are known, and that is then
 // smaller than the largest of its series by so many digits, is left out. The field of the result is one in
 // which modes and frequencies are rounded numbers in the same way. A divisor is zero only where that is
-// exact, by the eigenvalues' closed forms or the symmetries of the spectrum (expand/numeric_modes.hpp).
+// exact, by the eigenvalues' closed forms or the symmetries of the spectrum (expand/modes/numeric_modes.hpp).
 // Errors (refused): another style than poincare, a divisor that cannot be told from zero (ambiguous).
 Normalization normalize_in_numbers(const std::shared_ptr<const GradedField>& field, int through,
                                    const NormalizeOptions& options = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 
-#include "normalize/normalizer.hpp"
+#include "normalize/recursion/normalizer.hpp"
 
 namespace resonform {
 

@@ -2,7 +2,7 @@
 // Poincare normal form: h and l have no resonant component (design 2.3).
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <functional>
 
@@ -27,7 +27,7 @@ Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int t
 GraphNormalization normalize_in_graph(std::shared_ptr<const GradedField> field, int through,
                                       const NormalizeOptions& options = {});
 
-// The same over numbers of some precision (normalize/numbers.hpp). Throws UndecidedDivisor.
+// The same over numbers of some precision (normalize/recursion/numbers.hpp). Throws UndecidedDivisor.
 NormalizationOf<NumberPart> normalize_over(const std::shared_ptr<const GradedField>& field, int through,
                                            const NumberDomain& domain, const NormalizeOptions& options = {});
 

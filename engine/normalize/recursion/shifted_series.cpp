@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/shifted_series.hpp"
+#include "normalize/recursion/shifted_series.hpp"
 
 #include <algorithm>
 

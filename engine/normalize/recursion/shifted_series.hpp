@@ -3,7 +3,7 @@
 // xi + k, and with xi every root of the ring that depends on it.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/undecided_term.hpp"
+#include "normalize/recursion/undecided_term.hpp"
 
 namespace resonform {
 

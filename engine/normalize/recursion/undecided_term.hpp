@@ -3,7 +3,7 @@
 // coefficient may be zero by an identity that no relation of the ring shows, atan(a) + atan(1/a) - pi/2.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/hamiltonian.hpp"
+#include "normalize/styles/hamiltonian.hpp"
 
-#include "normalize/homological.hpp"
-#include "normalize/lie_series.hpp"
+#include "normalize/recursion/homological.hpp"
+#include "normalize/styles/lie_series.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 //   q'' + q + q^3 = 0, H = (p^2 + q^2)/2 + q^4/4:   K = I + 3/8 I^2 - 17/64 I^3 + ..., I = |w|^2/2
 #pragma once
 
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 namespace resonform {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/inner_product.hpp"
+#include "normalize/styles/inner_product.hpp"
 
-#include "algebra/rational_matrix.hpp"
-#include "normalize/nilpotent_flow.hpp"
-#include "normalize/normalizer.hpp"
+#include "algebra/number/rational_matrix.hpp"
+#include "normalize/recursion/normalizer.hpp"
+#include "normalize/styles/nilpotent_flow.hpp"
 
 #include <algorithm>
 #include <map>

@@ -11,7 +11,7 @@
 // (Elphick, Tirapegui, Brachet, Coullet, Iooss, Physica D 29 (1987) 95). Where n = 0 this is Poincare's.
 #pragma once
 
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 namespace resonform {
 

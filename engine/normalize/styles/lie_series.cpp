@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/lie_series.hpp"
+#include "normalize/styles/lie_series.hpp"
 
 namespace resonform {
 

@@ -7,7 +7,7 @@
 // chi_n stands in f^(1)_n only, as {f_0, chi_n}: what comes before it is known when chi_n is looked for.
 #pragma once
 
-#include "normalize/poisson.hpp"
+#include "normalize/styles/poisson.hpp"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/nilpotent_flow.hpp"
+#include "normalize/styles/nilpotent_flow.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 //   (L_n c)_j = sum_ab n_ab w_b dc_j/dw_a - sum_k n_jk c_k
 #pragma once
 
-#include "expand/graded_field.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <utility>
 #include <vector>

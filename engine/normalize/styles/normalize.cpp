@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/normalize.hpp"
+#include "normalize/styles/normalize.hpp"
 
-#include "normalize/hamiltonian.hpp"
-#include "normalize/inner_product.hpp"
+#include "normalize/styles/hamiltonian.hpp"
+#include "normalize/styles/inner_product.hpp"
 
 namespace resonform {
 

@@ -2,7 +2,7 @@
 // The normal form of a field in the style that its system asks for.
 #pragma once
 
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 namespace resonform {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normalize/poisson.hpp"
+#include "normalize/styles/poisson.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // eigenvalue only, as z = q - i p and zbar = q + i p with {z, zbar} = 2 i.
 #pragma once
 
-#include "normalize/normal_form.hpp"
+#include "normalize/recursion/normal_form.hpp"
 
 #include <map>
 #include <vector>

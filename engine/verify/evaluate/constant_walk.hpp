@@ -4,8 +4,8 @@
 #pragma once
 
 #include "runtime/scaled.hpp"
-#include "verify/graph_walk.hpp"
-#include "verify/interpretation.hpp"
+#include "verify/evaluate/graph_walk.hpp"
+#include "verify/evaluate/interpretation.hpp"
 
 #include <functional>
 #include <map>

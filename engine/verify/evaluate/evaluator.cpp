@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/evaluator.hpp"
+#include "verify/evaluate/evaluator.hpp"
 
-#include "emit/cpp.hpp"
-#include "verify/interpreter.hpp"
+#include "emit/cpp/cpp.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "runtime/status.hpp"
-#include "verify/interpretation.hpp"
-#include "verify/real.hpp"
-#include "verify/shared_object.hpp"
+#include "verify/evaluate/interpretation.hpp"
+#include "verify/run/real.hpp"
+#include "verify/run/shared_object.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -2,8 +2,8 @@
 // The nodes of a graph as numbers of some real type, computed one by one.
 #pragma once
 
-#include "algebra/binary_parts.hpp"
-#include "emit/graph.hpp"
+#include "algebra/number/binary_parts.hpp"
+#include "emit/program/graph.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/twice.hpp"
 

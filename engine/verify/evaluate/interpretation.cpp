@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/interpretation.hpp"
+#include "verify/evaluate/interpretation.hpp"
 
-#include "emit/prune.hpp"
+#include "emit/program/prune.hpp"
 
 namespace resonform {
 

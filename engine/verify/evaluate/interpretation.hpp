@@ -2,8 +2,8 @@
 // What all interpreters of one program share: it is as much work as a thousand calls.
 #pragma once
 
-#include "algebra/binary_parts.hpp"
-#include "emit/cpp_plan.hpp"
+#include "algebra/number/binary_parts.hpp"
+#include "emit/cpp/plan.hpp"
 
 #include <memory>
 #include <string>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/interpreter.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
-#include "emit/prune.hpp"
+#include "emit/program/prune.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/table.hpp"
-#include "verify/constant_walk.hpp"
+#include "verify/evaluate/constant_walk.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

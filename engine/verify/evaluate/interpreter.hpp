@@ -4,8 +4,8 @@
 #pragma once
 
 #include "runtime/status.hpp"
-#include "verify/interpretation.hpp"
-#include "verify/program_defaults.hpp"
+#include "verify/evaluate/interpretation.hpp"
+#include "verify/evaluate/program_defaults.hpp"
 
 #include <memory>
 #include <string>

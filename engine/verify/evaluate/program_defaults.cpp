@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/program_defaults.hpp"
+#include "verify/evaluate/program_defaults.hpp"
 
-#include "emit/prune.hpp"
-#include "verify/graph_walk.hpp"
-#include "verify/real.hpp"
+#include "emit/program/prune.hpp"
+#include "verify/evaluate/graph_walk.hpp"
+#include "verify/run/real.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

@@ -2,7 +2,7 @@
 // What an evaluator is given where the scene says it all.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 #include <vector>
 

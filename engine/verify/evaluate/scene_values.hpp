@@ -2,8 +2,8 @@
 // What [fix] of a scene gives, in numbers.
 #pragma once
 
-#include "model/scene_file.hpp"
-#include "verify/tape.hpp"
+#include "model/system/scene_file.hpp"
+#include "verify/integrate/tape.hpp"
 
 #include <vector>
 

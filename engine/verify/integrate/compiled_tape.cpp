@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/compiled_tape.hpp"
+#include "verify/integrate/compiled_tape.hpp"
 
-#include "verify/tape_code.hpp"
+#include "verify/integrate/tape_code.hpp"
 
 namespace resonform {
 

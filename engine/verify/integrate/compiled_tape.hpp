@@ -2,9 +2,9 @@
 // A tape as compiled code, with numbers put in for parameters and eps.
 #pragma once
 
-#include "verify/integrator.hpp"
-#include "verify/shared_object.hpp"
-#include "verify/tape.hpp"
+#include "verify/integrate/integrator.hpp"
+#include "verify/integrate/tape.hpp"
+#include "verify/run/shared_object.hpp"
 
 #include <functional>
 #include <vector>
@@ -19,7 +19,7 @@ public:
 
     // Valid as long as this object.
     [[nodiscard]] RightHandSide rates() const;
-    // rf_jet of verify/tape_code.hpp, and its rows: zeros.
+    // rf_jet of verify/integrate/tape_code.hpp, and its rows: zeros.
     void expand(int order, double* rows) const { jet_(constants_.data(), order, rows); }
     [[nodiscard]] std::vector<double> rows() const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Taylor-series integrator over a compiled jet, in double: steps, step lengths, dense output.
-#include "verify/compiled_tape.hpp"
-#include "verify/tape_code.hpp"
+#include "verify/integrate/compiled_tape.hpp"
+#include "verify/integrate/tape_code.hpp"
 
 #include <fmt/format.h>
 

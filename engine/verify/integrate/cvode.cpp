@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/cvode.hpp"
+#include "verify/integrate/cvode.hpp"
 
 #include <cvode/cvode.h>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/integrate.hpp"
+#include "verify/integrate/integrate.hpp"
 
-#include "verify/cvode.hpp"
-#include "verify/odeint.hpp"
+#include "verify/integrate/cvode.hpp"
+#include "verify/integrate/odeint.hpp"
 
 namespace resonform {
 

@@ -2,9 +2,9 @@
 // Direct integration of the ORIGINAL first-order system: the judge of every formula.
 #pragma once
 
-#include "model/first_order_system.hpp"
-#include "verify/integrator.hpp"
-#include "verify/tape.hpp"
+#include "model/exact/first_order_system.hpp"
+#include "verify/integrate/integrator.hpp"
+#include "verify/integrate/tape.hpp"
 
 #include <memory>
 #include <string>

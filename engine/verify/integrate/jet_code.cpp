@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text of rf_jet.
-#include "verify/tape_code.hpp"
+#include "verify/integrate/tape_code.hpp"
 
 #include <fmt/format.h>
 

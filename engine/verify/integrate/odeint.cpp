@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/odeint.hpp"
+#include "verify/integrate/odeint.hpp"
 
 #include <boost/numeric/odeint.hpp>
 #include <fmt/format.h>

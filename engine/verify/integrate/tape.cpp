@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/tape.hpp"
+#include "verify/integrate/tape.hpp"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 // Registers: constants (numbers, parameters, eps, prologue results), then states, then body results.
 #pragma once
 
-#include "model/first_order_system.hpp"
-#include "verify/real.hpp"
+#include "model/exact/first_order_system.hpp"
+#include "verify/run/real.hpp"
 
 #include <cstdint>
 #include <string>

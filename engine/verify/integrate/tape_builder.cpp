@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GiNaC expressions -> Tape. Operands of sums and products are taken in the order of a spelling made
 // here, because GiNaC's own order changes from run to run and with it the rounding.
-#include "verify/tape.hpp"
+#include "verify/integrate/tape.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <cln/cln.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/tape_code.hpp"
+#include "verify/integrate/tape_code.hpp"
 
 #include <fmt/format.h>
 

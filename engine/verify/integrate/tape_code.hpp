@@ -7,11 +7,11 @@
 //
 // c are the constants of a BoundTape. `rows` holds Taylor coefficients in time, a row of jet_stride for each
 // value of the tape (states first) and jet_pad zeros before each: rf_jet finds coefficient 0 of the states,
-// and fills in 1 ... order. The recurrences are those of verify/taylor_jet.hpp. A value that is a polynomial
-// in t, as all that depends on xi' = eps alone, makes its products short sums.
+// and fills in 1 ... order. The recurrences are those of verify/integrate/taylor_jet.hpp. A value that is a
+// polynomial in t, as all that depends on xi' = eps alone, makes its products short sums.
 #pragma once
 
-#include "verify/tape.hpp"
+#include "verify/integrate/tape.hpp"
 
 #include <cstddef>
 #include <functional>

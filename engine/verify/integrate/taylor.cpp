@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Taylor-series integrator: steps, step lengths, dense output.
-#include "verify/integrate.hpp"
-#include "verify/taylor_jet.hpp"
+#include "verify/integrate/integrate.hpp"
+#include "verify/integrate/taylor_jet.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/taylor_jet.hpp"
+#include "verify/integrate/taylor_jet.hpp"
 
 namespace resonform {
 

@@ -8,7 +8,7 @@
 // (R. E. Moore, Interval Analysis, 1966, ch. 11.)
 #pragma once
 
-#include "verify/tape.hpp"
+#include "verify/integrate/tape.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/conditions.hpp"
+#include "verify/judging/conditions.hpp"
 
-#include "model/interval_length.hpp"
-#include "model/verify_reader.hpp"
+#include "model/files/interval_length.hpp"
+#include "model/files/verify_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // What every verdict of a ladder is about: how long, from where, at which times, and down to which eps.
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <cstddef>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/deviation.hpp"
+#include "verify/judging/deviation.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Emitted minus direct, at every time of a reference.
 #pragma once
 
-#include "verify/trial.hpp"
+#include "verify/judging/trial.hpp"
 
 #include <string>
 #include <vector>

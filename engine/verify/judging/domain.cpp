@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/domain.hpp"
+#include "verify/judging/domain.hpp"
 
-#include "model/interval_length.hpp"
+#include "model/files/interval_length.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,8 +2,8 @@
 // Does the motion that is to be verified stay where the system is declared to be defined?
 #pragma once
 
-#include "model/first_order_system.hpp"
-#include "model/scene_file.hpp"
+#include "model/exact/first_order_system.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <string>
 #include <vector>

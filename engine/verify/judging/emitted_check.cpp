@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/emitted_check.hpp"
+#include "verify/judging/emitted_check.hpp"
 
-#include "model/start_names.hpp"
-#include "verify/emitted_points.hpp"
-#include "verify/interpreter.hpp"
-#include "verify/symbolic_table.hpp"
-#include "verify/ulp.hpp"
+#include "model/system/start_names.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/judging/emitted_points.hpp"
+#include "verify/symbolic/table.hpp"
+#include "verify/symbolic/ulp.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,9 +3,9 @@
 // units of the last place of an output's scale. The verdict is a pass up to the threshold of the scene.
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
-#include "verify/evaluator.hpp"
+#include "verify/evaluate/evaluator.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -48,10 +48,9 @@ struct EmittedCheckOptions {
     std::uint64_t seed = 1;
 };
 
-// At the points of verify/emitted_points.hpp. Statuses must agree, but for low_precision against ok, and
-// within 4 ulp of an edge; those at t = 0 of ten times as many starts, too.
-// library: made from the program, whose start values are the arguments. Precondition: every parameter is
-// fixed.
+// At the points of verify/judging/emitted_points.hpp. Statuses must agree, but for low_precision against ok,
+// and within 4 ulp of an edge; those at t = 0 of ten times as many starts, too. library: made from the
+// program, whose start values are the arguments. Precondition: every parameter is fixed.
 EmittedCheck check_emitted(const Program& program, const std::shared_ptr<const EvaluatorLibrary>& library,
                            const Solution& solution, const Scene& scene, const EmittedCheckOptions& options);
 

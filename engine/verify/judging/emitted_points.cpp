@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/emitted_points.hpp"
+#include "verify/judging/emitted_points.hpp"
 
-#include "model/interval_length.hpp"
-#include "model/start_names.hpp"
-#include "verify/scene_values.hpp"
+#include "model/files/interval_length.hpp"
+#include "model/system/start_names.hpp"
+#include "verify/evaluate/scene_values.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // The points at which emitted code is held against the exact solution: seeded, and the same for whoever asks.
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <cstdint>
 #include <string>

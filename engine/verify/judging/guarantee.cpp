@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/guarantee.hpp"
+#include "verify/judging/guarantee.hpp"
 
-#include "model/canonical.hpp"
-#include "model/interval_length.hpp"
-#include "model/settings.hpp"
-#include "model/start_names.hpp"
+#include "model/files/interval_length.hpp"
+#include "model/files/settings.hpp"
+#include "model/system/start_names.hpp"
+#include "model/text/canonical.hpp"
 #include "solve/neglected.hpp"
 #include "solve/route.hpp"
 #include "solve/solve.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judge.hpp"
+#include "verify/judging/judge.hpp"
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 
 #include <fmt/format.h>
 

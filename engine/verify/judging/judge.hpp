@@ -2,8 +2,8 @@
 // From the errors of an eps-ladder to a verdict: error = O(eps^q), which q?
 #pragma once
 
-#include "model/scene_file.hpp"
-#include "verify/guarantee.hpp"
+#include "model/system/scene_file.hpp"
+#include "verify/judging/guarantee.hpp"
 
 #include <optional>
 #include <string>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/ladder.hpp"
+#include "verify/judging/ladder.hpp"
 
-#include "emit/build_program.hpp"
-#include "model/interval_length.hpp"
-#include "verify/deviation.hpp"
-#include "verify/start_scaling.hpp"
-#include "verify/times.hpp"
-#include "verify/trial.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/interval_length.hpp"
+#include "verify/judging/deviation.hpp"
+#include "verify/judging/start_scaling.hpp"
+#include "verify/judging/times.hpp"
+#include "verify/judging/trial.hpp"
 
 #include <fmt/format.h>
 

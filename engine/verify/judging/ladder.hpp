@@ -3,12 +3,12 @@
 // eps, against direct integration in extended precision; the judge turns it into verdicts.
 #pragma once
 
-#include "emit/program.hpp"
-#include "model/first_order_system.hpp"
-#include "verify/conditions.hpp"
-#include "verify/emitted_check.hpp"
-#include "verify/guarantee.hpp"
-#include "verify/judge.hpp"
+#include "emit/program/program.hpp"
+#include "model/exact/first_order_system.hpp"
+#include "verify/judging/conditions.hpp"
+#include "verify/judging/emitted_check.hpp"
+#include "verify/judging/guarantee.hpp"
+#include "verify/judging/judge.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/stability.hpp"
+#include "verify/judging/stability.hpp"
 
-#include "emit/build_program.hpp"
-#include "model/interval_length.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/stability_reference.hpp"
-#include "verify/ulp.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/interval_length.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/judging/stability_reference.hpp"
+#include "verify/symbolic/ulp.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // decades of every input, corners included; errors in ulp of the output's scale.
 #pragma once
 
-#include "verify/ladder.hpp"
-#include "verify/stability_points.hpp"
+#include "verify/judging/ladder.hpp"
+#include "verify/judging/stability_points.hpp"
 
 #include <cstdint>
 #include <map>

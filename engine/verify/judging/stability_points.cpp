@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/stability_points.hpp"
+#include "verify/judging/stability_points.hpp"
 
-#include "verify/interpreter.hpp"
-#include "verify/start_scaling.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/judging/start_scaling.hpp"
 
 #include <algorithm>
 #include <cmath>

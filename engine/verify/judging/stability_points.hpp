@@ -2,7 +2,7 @@
 // The inputs of a stability sweep: how far each is driven, and the starts that are drawn.
 #pragma once
 
-#include "emit/program.hpp"
+#include "emit/program/program.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/stability_reference.hpp"
+#include "verify/judging/stability_reference.hpp"
 
-#include "model/start_names.hpp"
-#include "verify/scene_values.hpp"
-#include "verify/ulp.hpp"
+#include "model/system/start_names.hpp"
+#include "verify/evaluate/scene_values.hpp"
+#include "verify/symbolic/ulp.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // The exact solution behind a stability sweep: parameters are inputs, those of [fix] included.
 #pragma once
 
-#include "verify/stability_points.hpp"
-#include "verify/symbolic_evaluator.hpp"
+#include "verify/judging/stability_points.hpp"
+#include "verify/symbolic/evaluator.hpp"
 
 #include <map>
 #include <memory>

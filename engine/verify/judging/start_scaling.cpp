@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/start_scaling.hpp"
+#include "verify/judging/start_scaling.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Whether the start values of a scene follow the grading, without which a ladder in eps means nothing.
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/times.hpp"
+#include "verify/judging/times.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // The times at which a formula is compared with direct integration.
 #pragma once
 
-#include "expand/graded_field.hpp"
-#include "model/scene_file.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/trial.hpp"
+#include "verify/judging/trial.hpp"
 
-#include "algebra/error.hpp"
-#include "emit/build_program.hpp"
-#include "model/interval_length.hpp"
-#include "verify/cache.hpp"
-#include "verify/interpreter.hpp"
-#include "verify/scene_values.hpp"
+#include "algebra/number/error.hpp"
+#include "emit/program/build_program.hpp"
+#include "model/files/interval_length.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/evaluate/scene_values.hpp"
+#include "verify/run/cache.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 // code compiled, and for each eps the start of the integration and the integration itself.
 #pragma once
 
-#include "verify/domain.hpp"
-#include "verify/evaluator.hpp"
-#include "verify/integrate.hpp"
-#include "verify/ladder.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/integrate/integrate.hpp"
+#include "verify/judging/domain.hpp"
+#include "verify/judging/ladder.hpp"
 
 #include <memory>
 #include <optional>

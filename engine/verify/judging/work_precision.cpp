@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/work_precision.hpp"
+#include "verify/judging/work_precision.hpp"
 
-#include "emit/build_program.hpp"
+#include "emit/program/build_program.hpp"
 #include "solve/solve.hpp"
-#include "verify/compiled_tape.hpp"
-#include "verify/integrate.hpp"
-#include "verify/interpreter.hpp"
-#include "verify/times.hpp"
-#include "verify/trial.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/integrate/compiled_tape.hpp"
+#include "verify/integrate/integrate.hpp"
+#include "verify/judging/times.hpp"
+#include "verify/judging/trial.hpp"
 
 #include <fmt/format.h>
 

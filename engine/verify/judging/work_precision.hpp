@@ -3,7 +3,7 @@
 // the values of [fix] put in; all buffers are made before the clock runs; all give the wanted outputs only.
 #pragma once
 
-#include "verify/ladder.hpp"
+#include "verify/judging/ladder.hpp"
 
 #include <optional>
 #include <string>

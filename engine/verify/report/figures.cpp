@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/report_figures.hpp"
+#include "verify/report/figures.hpp"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 // The figures of a report, each from finished data.
 #pragma once
 
-#include "verify/ladder.hpp"
-#include "verify/plot.hpp"
-#include "verify/report_page.hpp"
-#include "verify/work_precision.hpp"
+#include "verify/judging/ladder.hpp"
+#include "verify/judging/work_precision.hpp"
+#include "verify/report/page.hpp"
+#include "verify/report/plot.hpp"
 
 #include <filesystem>
 #include <optional>

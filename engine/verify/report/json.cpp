@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/json.hpp"
+#include "verify/report/json.hpp"
 
 #include <cmath>
 

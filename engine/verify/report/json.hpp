@@ -3,9 +3,9 @@
 // what is not finite.
 #pragma once
 
-#include "verify/ladder.hpp"
-#include "verify/stability.hpp"
-#include "verify/work_precision.hpp"
+#include "verify/judging/ladder.hpp"
+#include "verify/judging/stability.hpp"
+#include "verify/judging/work_precision.hpp"
 
 #include <nlohmann/json.hpp>
 

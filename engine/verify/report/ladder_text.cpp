@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/ladder.hpp"
+#include "verify/judging/ladder.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

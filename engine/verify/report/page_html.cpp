@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/report_page.hpp"
+#include "verify/report/page.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/plot.hpp"
+#include "verify/report/plot.hpp"
 
-#include "algebra/error.hpp"
-#include "verify/cache.hpp"
-#include "verify/child.hpp"
+#include "algebra/number/error.hpp"
+#include "verify/run/cache.hpp"
+#include "verify/run/child.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

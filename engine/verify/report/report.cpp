@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/report.hpp"
+#include "verify/report/report.hpp"
 
-#include "emit/build_program.hpp"
-#include "emit/document.hpp"
+#include "emit/derive/document.hpp"
+#include "emit/program/build_program.hpp"
 #include "solve/transgression.hpp"
-#include "verify/report_figures.hpp"
+#include "verify/report/figures.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,10 +2,10 @@
 // The report of a scene: what was derived, how accurate it is, how fast, how stable.
 #pragma once
 
-#include "verify/ladder.hpp"
-#include "verify/report_page.hpp"
-#include "verify/stability.hpp"
-#include "verify/work_precision.hpp"
+#include "verify/judging/ladder.hpp"
+#include "verify/judging/stability.hpp"
+#include "verify/judging/work_precision.hpp"
+#include "verify/report/page.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/stability.hpp"
+#include "verify/judging/stability.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/cache.hpp"
+#include "verify/run/cache.hpp"
 
-#include "algebra/error.hpp"
-#include "verify/drafts.hpp"
+#include "algebra/number/error.hpp"
+#include "verify/run/drafts.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

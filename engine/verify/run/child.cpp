@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/child.hpp"
+#include "verify/run/child.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/drafts.hpp"
+#include "verify/run/drafts.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

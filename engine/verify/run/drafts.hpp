@@ -2,7 +2,7 @@
 // How files are written: beside their places, and put there when all of them are whole.
 #pragma once
 
-#include "verify/child.hpp"
+#include "verify/run/child.hpp"
 
 #include <filesystem>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/real.hpp"
+#include "verify/run/real.hpp"
 
-#include "algebra/error.hpp"
+#include "algebra/number/error.hpp"
 
 #include <cln/dfloat.h>
 #include <cln/rational_io.h>

@@ -9,7 +9,7 @@
 // Numbers pass from one type to another as unevaluated sums of three doubles.
 #pragma once
 
-#include "algebra/number.hpp"
+#include "algebra/number/number.hpp"
 #include "runtime/float128.hpp"
 
 #include <qd/dd_real.h>

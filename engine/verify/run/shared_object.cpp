@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/shared_object.hpp"
+#include "verify/run/shared_object.hpp"
 
-#include "algebra/error.hpp"
-#include "verify/cache.hpp"
-#include "verify/child.hpp"
-#include "verify/drafts.hpp"
+#include "algebra/number/error.hpp"
+#include "verify/run/cache.hpp"
+#include "verify/run/child.hpp"
+#include "verify/run/drafts.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_evaluator.hpp"
+#include "verify/symbolic/evaluator.hpp"
 
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
-#include "verify/symbolic_integral.hpp"
-#include "verify/symbolic_turning.hpp"
+#include "verify/symbolic/integral.hpp"
+#include "verify/symbolic/turning.hpp"
 
 #include <algorithm>
 #include <cmath>

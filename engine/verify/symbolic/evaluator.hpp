@@ -10,7 +10,7 @@
 #pragma once
 
 #include "runtime/flow.hpp"
-#include "verify/symbolic_solution.hpp"
+#include "verify/symbolic/solution.hpp"
 
 #include <memory>
 #include <vector>

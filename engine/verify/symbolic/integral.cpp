@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_integral.hpp"
+#include "verify/symbolic/integral.hpp"
 
 #include "runtime/flow.hpp"
-#include "verify/symbolic_propagation.hpp"
+#include "verify/symbolic/propagation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "runtime/interval.hpp"
-#include "verify/symbolic_solution.hpp"
+#include "verify/symbolic/solution.hpp"
 
 #include <functional>
 #include <memory>

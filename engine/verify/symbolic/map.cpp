@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_map.hpp"
+#include "verify/symbolic/map.hpp"
 
 #include "runtime/math.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "solve/near_identity.hpp"
-#include "verify/symbolic_ring.hpp"
+#include "verify/symbolic/ring.hpp"
 
 #include <vector>
 

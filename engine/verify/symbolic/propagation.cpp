@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_propagation.hpp"
+#include "verify/symbolic/propagation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 // condition, and one that is damped forgets. To one digit or two: a scale needs no more.
 #pragma once
 
-#include "verify/real.hpp"
+#include "verify/run/real.hpp"
 
 #include <functional>
 #include <vector>

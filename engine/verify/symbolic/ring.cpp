@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_ring.hpp"
+#include "verify/symbolic/ring.hpp"
 
-#include "emit/from_expression.hpp"
+#include "emit/program/from_expression.hpp"
 #include "runtime/math.hpp"
-#include "verify/graph_walk.hpp"
+#include "verify/evaluate/graph_walk.hpp"
 
 #include <limits>
 #include <numeric>

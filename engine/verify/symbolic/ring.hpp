@@ -3,8 +3,8 @@
 // the roots, whose radicands must be positive.
 #pragma once
 
-#include "model/system_file.hpp"
-#include "verify/symbolic_terms.hpp"
+#include "model/system/system_file.hpp"
+#include "verify/symbolic/terms.hpp"
 
 #include <map>
 #include <set>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_solution.hpp"
+#include "verify/symbolic/solution.hpp"
 
-#include "algebra/error.hpp"
-#include "emit/layers.hpp"
+#include "algebra/number/error.hpp"
+#include "emit/program/layers.hpp"
 
 #include <fmt/format.h>
 

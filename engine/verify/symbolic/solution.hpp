@@ -5,8 +5,8 @@
 #pragma once
 
 #include "solve/first_correction.hpp"
-#include "verify/symbolic_start.hpp"
-#include "verify/tape.hpp"
+#include "verify/integrate/tape.hpp"
+#include "verify/symbolic/start.hpp"
 
 #include <functional>
 #include <memory>

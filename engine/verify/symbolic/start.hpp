@@ -3,10 +3,10 @@
 // inverse map at its full weight where they are physical ones (solve/initial_values.hpp).
 #pragma once
 
-#include "model/scene_file.hpp"
+#include "model/system/scene_file.hpp"
 #include "runtime/status.hpp"
 #include "solve/solution.hpp"
-#include "verify/symbolic_ring.hpp"
+#include "verify/symbolic/ring.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/initial_values.hpp"
-#include "verify/symbolic_map.hpp"
-#include "verify/symbolic_start.hpp"
+#include "verify/symbolic/map.hpp"
+#include "verify/symbolic/start.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -99,7 +99,7 @@ private:
         return start;
     }
 
-    // The conditions of emit/start_constants.cpp; own: all but the constants is set.
+    // The conditions of emit/program/start_constants.cpp; own: all but the constants is set.
     [[nodiscard]] bool leads_back(const SymbolicInputs& inputs, const SymbolicStart& start,
                                   SymbolicValues<Wide>& own) const {
         own.set(solution_.modes.front().amplitude, start.amplitude);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/flow_start.hpp"
-#include "normalize/inverse_map.hpp"
-#include "verify/symbolic_map.hpp"
-#include "verify/symbolic_start.hpp"
+#include "emit/program/flow_start.hpp"
+#include "normalize/recursion/inverse_map.hpp"
+#include "verify/symbolic/map.hpp"
+#include "verify/symbolic/start.hpp"
 
 #include <algorithm>
 

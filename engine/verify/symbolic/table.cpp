@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_table.hpp"
+#include "verify/symbolic/table.hpp"
 
-#include "algebra/error.hpp"
-#include "verify/cache.hpp"
+#include "algebra/number/error.hpp"
+#include "verify/run/cache.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The exact solution at many starts and times, computed in parallel, and kept in a cache.
 #pragma once
 
-#include "verify/symbolic_evaluator.hpp"
+#include "verify/symbolic/evaluator.hpp"
 
 #include <filesystem>
 #include <functional>

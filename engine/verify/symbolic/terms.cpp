@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_terms.hpp"
+#include "verify/symbolic/terms.hpp"
 
 #include <algorithm>
 

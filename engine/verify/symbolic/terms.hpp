@@ -6,9 +6,9 @@
 // Nothing is factored, shared or reordered: this is what emitted code is held against.
 #pragma once
 
-#include "algebra/ring.hpp"
+#include "algebra/ring/ring.hpp"
 #include "runtime/math.hpp"
-#include "verify/real.hpp"
+#include "verify/run/real.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

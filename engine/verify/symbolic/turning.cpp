@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/symbolic_turning.hpp"
+#include "verify/symbolic/turning.hpp"
 
 #include <cmath>
 

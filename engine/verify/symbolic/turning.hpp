@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "verify/symbolic_integral.hpp"
+#include "verify/symbolic/integral.hpp"
 
 namespace resonform {
 

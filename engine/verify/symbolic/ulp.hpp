@@ -2,7 +2,7 @@
 // The unit in which emitted code is judged.
 #pragma once
 
-#include "verify/symbolic_terms.hpp"
+#include "verify/symbolic/terms.hpp"
 
 #include <array>
 #include <cmath>

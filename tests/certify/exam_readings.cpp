@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What certificates read of the pendulum's series: values at points, and what one pass over monomials tells.
-#include "normalize/certificate_point.hpp"
-#include "normalize/certificate_survey.hpp"
+#include "certify/point.hpp"
+#include "certify/survey.hpp"
 #include "normalize/certified.hpp"
-#include "normalize/poincare.hpp"
+#include "normalize/recursion/poincare.hpp"
 
 #include <gtest/gtest.h>
 

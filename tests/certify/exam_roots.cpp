@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fractional powers in the equations of the pendulum, as powers of its roots G^2 = g and
 // sigma^4 = xi^2 + r^2.
-#include "normalize/certificate_roots.hpp"
+#include "certify/roots.hpp"
 #include "normalize/certified.hpp"
 
 #include <gtest/gtest.h>
