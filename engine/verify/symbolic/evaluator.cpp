@@ -5,11 +5,11 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "verify/symbolic/integral.hpp"
+#include "verify/symbolic/margins.hpp"
 #include "verify/symbolic/turning.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace resonform {
 
@@ -20,23 +20,6 @@ using Numbers = std::vector<Wide>;
 using Moment = SymbolicMoment<Wide>;
 
 bool turns(const SymbolicVariable& v) { return v.kind == Of::mode || v.kind == Of::angle; }
-
-// What margin_of computes with.
-struct MarginAlgebra {
-    [[nodiscard]] static Wide rational(const Rational& x) {
-        return Wide(to_string(cln::numerator(x))) / Wide(to_string(cln::denominator(x)));
-    }
-    [[nodiscard]] static Wide power(const Wide& x, int n) { return math::power(x, n); }
-    [[nodiscard]] static Wide hypot(const Wide& x, const Wide& y) { return WideComplex{x, y}.size(); }
-    [[nodiscard]] static Wide add(const Numbers& terms) {
-        return std::accumulate(terms.begin(), terms.end(), Wide(0));
-    }
-    [[nodiscard]] static Wide multiply(const Numbers& factors) {
-        Wide product = 1;
-        for (const Wide& x : factors) product *= x;
-        return product;
-    }
-};
 
 } // namespace
 
@@ -81,19 +64,17 @@ struct SymbolicEvaluator::Impl {
             signs.push_back(keeps ? value_of(c.sum, frame.constants).re : Wide(1));
         }
         if (!conditions_hold(frame.constants, false)) return Status::outside_domain;
-        for (const SymbolicCorrection& added : solution().corrections())
-            if (added.is_layer && frame.any_moves(added.needs)) corrections.push_back(&added);
-        const bool has_layers = !solution().layers().empty() || !corrections.empty();
+        const bool has_layers = !margins.empty();
         Wide reach = has_layers ? inputs.slow_time_end : wanted;
         const auto tabulate = [&](Status built) {
             if (built != Status::ok) tabulated = std::min(tabulated, reach);
             return goes_on(built, reach);
         };
         SymbolicIntegral::GoesOn is_clear;
-        if (has_layers) is_clear = [&](const Moment& at) { return all_clear(margins(at)); };
+        if (has_layers) is_clear = [&](const Moment& at) { return all_clear(margins.at(at.values)); };
         if (const Status built = integral->build_flow(is_clear, reach); !tabulate(built)) return built;
         if (has_layers) {
-            const Status clear = keep_clear_of_layers(reach);
+            const Status clear = margins.keep_clear(*integral, reach);
             if (!goes_on(clear, reach)) return clear;
             if (clear != Status::ok) tabulated = inputs.slow_time_end; // behind a layer no table is missed
             reach = std::min(reach, wanted);
@@ -121,46 +102,12 @@ struct SymbolicEvaluator::Impl {
     [[nodiscard]] bool holds(std::size_t k, const SymbolicValues<Wide>& values) const {
         const SymbolicCondition& c = solution().conditions()[k];
         if (c.kind == SymbolicCondition::Kind::correction)
-            return margin(solution().corrections()[c.index], values) > 0;
+            return margins.of(solution().corrections()[c.index], values) > 0;
         if (c.kind != SymbolicCondition::Kind::declared) return value_of(c.sum, values).re * signs[k] > 0;
         std::vector<Wide> slow;
         for (const SymbolicVariable& v : variables())
             if (v.kind == Of::slow) slow.push_back(values[v.id].re);
         return solution().declared_at(slow, inputs)[c.index] > 0;
-    }
-
-    [[nodiscard]] Numbers margins(const Moment& at) const {
-        Numbers result;
-        for (const SymbolicLayer& layer : solution().layers()) {
-            const WideComplex divisor = value_of(layer.divisor, at.values),
-                              rate = value_of(layer.rate, at.values);
-            const Wide square = divisor.re * divisor.re + divisor.im * divisor.im;
-            for (const Wide& part : {rate.re, rate.im}) {
-                result.push_back(square + part);
-                result.push_back(square - part);
-            }
-        }
-        for (const SymbolicCorrection* added : corrections) result.push_back(margin(*added, at.values));
-        return result;
-    }
-
-    [[nodiscard]] Wide margin(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const {
-        Numbers coefficients;
-        for (const SymbolicSum& sum : added.coefficients)
-            coefficients.push_back(value_of(sum, values).size());
-        return margin_of(MarginAlgebra(), added.correction, frame.eps, solution().moduli(values, frame.eps),
-                         coefficients);
-    }
-
-    Status keep_clear_of_layers(Wide& reach) {
-        Moment at(frame);
-        const auto margins_at = [&](const Wide& T) {
-            integral->move_to(T, at);
-            return margins(at);
-        };
-        const std::vector<const char*> names(4 * solution().layers().size() + corrections.size(), "");
-        const int samples = solution().layers().empty() ? broad_layer_samples : layer_samples;
-        return clear_of_layers(margins_at, names, reach, samples).status;
     }
 
     void find_moved_phases() {
@@ -386,9 +333,9 @@ struct SymbolicEvaluator::Impl {
     static constexpr int pieces = 64;
     SymbolicInputs inputs;
     SymbolicFrame frame;
+    SymbolicMargins margins{frame};
     std::unique_ptr<SymbolicIntegral> integral;
-    std::vector<const SymbolicCorrection*> corrections; // that vary
-    std::vector<Wide> signs;                            // of the conditions at T = 0
+    std::vector<Wide> signs; // of the conditions at T = 0
     std::vector<MovedPhase> moved;
     std::vector<IntegralScale> integral_scales;
     Wide piece = 0; // of slow time

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/symbolic/margins.hpp"
+
+#include "runtime/layer.hpp"
+
+#include <numeric>
+
+namespace resonform {
+
+namespace {
+
+using Numbers = std::vector<Wide>;
+
+// What margin_of computes with.
+struct MarginAlgebra {
+    [[nodiscard]] static Wide rational(const Rational& x) {
+        return Wide(to_string(cln::numerator(x))) / Wide(to_string(cln::denominator(x)));
+    }
+    [[nodiscard]] static Wide power(const Wide& x, int n) { return math::power(x, n); }
+    [[nodiscard]] static Wide hypot(const Wide& x, const Wide& y) { return WideComplex{x, y}.size(); }
+    [[nodiscard]] static Wide add(const Numbers& terms) {
+        return std::accumulate(terms.begin(), terms.end(), Wide(0));
+    }
+    [[nodiscard]] static Wide multiply(const Numbers& factors) {
+        Wide product = 1;
+        for (const Wide& x : factors) product *= x;
+        return product;
+    }
+};
+
+} // namespace
+
+SymbolicMargins::SymbolicMargins(const SymbolicFrame& frame) : frame_(frame) {
+    for (const SymbolicCorrection& added : solution().corrections())
+        if (added.is_layer && frame.any_moves(added.needs)) corrections_.push_back(&added);
+}
+
+bool SymbolicMargins::empty() const { return solution().layers().empty() && corrections_.empty(); }
+
+std::vector<Wide> SymbolicMargins::at(const SymbolicValues<Wide>& values) const {
+    Numbers result;
+    for (const SymbolicLayer& layer : solution().layers()) {
+        const WideComplex divisor = value_of(layer.divisor, values), rate = value_of(layer.rate, values);
+        const Wide square = divisor.re * divisor.re + divisor.im * divisor.im;
+        for (const Wide& part : {rate.re, rate.im}) {
+            result.push_back(square + part);
+            result.push_back(square - part);
+        }
+    }
+    for (const SymbolicCorrection* added : corrections_) result.push_back(of(*added, values));
+    return result;
+}
+
+Wide SymbolicMargins::of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const {
+    Numbers coefficients;
+    for (const SymbolicSum& sum : added.coefficients) coefficients.push_back(value_of(sum, values).size());
+    return margin_of(MarginAlgebra(), added.correction, frame_.eps, solution().moduli(values, frame_.eps),
+                     coefficients);
+}
+
+Status SymbolicMargins::keep_clear(const SymbolicIntegral& integral, Wide& reach) const {
+    SymbolicMoment<Wide> here(frame_);
+    const auto margins_at = [&](const Wide& T) {
+        integral.move_to(T, here);
+        return at(here.values);
+    };
+    const std::vector<const char*> names(4 * solution().layers().size() + corrections_.size(), "");
+    const int samples = solution().layers().empty() ? broad_layer_samples : layer_samples;
+    return clear_of_layers(margins_at, names, reach, samples).status;
+}
+
+} // namespace resonform

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The margins of an exact solution, > 0 up to where its evaluator ends: of divisors that move
+// (emit/program/layers.hpp) and of the first corrections of the map (solve/first_correction.hpp).
+#pragma once
+
+#include "verify/symbolic/integral.hpp"
+
+#include <vector>
+
+namespace resonform {
+
+class SymbolicMargins {
+public:
+    explicit SymbolicMargins(const SymbolicFrame& frame); // must outlive it
+
+    [[nodiscard]] bool empty() const; // nothing moves that a margin is made of
+    [[nodiscard]] std::vector<Wide> at(const SymbolicValues<Wide>& values) const;
+    [[nodiscard]] Wide of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const;
+    // Draws `reach` back to before a margin fails; its status then.
+    Status keep_clear(const SymbolicIntegral& integral, Wide& reach) const;
+
+private:
+    [[nodiscard]] const SymbolicSolution& solution() const { return *frame_.solution; }
+
+    const SymbolicFrame& frame_;
+    std::vector<const SymbolicCorrection*> corrections_; // that vary
+};
+
+} // namespace resonform
