@@ -2,6 +2,7 @@
 #include "solve/route.hpp"
 
 #include "algebra/ring/constant.hpp"
+#include "solve/quadrature.hpp"
 
 #include <algorithm>
 
