@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace resonform {
@@ -93,6 +94,30 @@ TEST_F(Compare, ErrorsOfAMethodFallWithItsTolerance) {
                 errors.push_back(row.max_error[0]);
         EXPECT_GT(errors.front(), 1e6 * errors.back()) << method;
     }
+}
+
+// An evaluator that refuses is fast, and has no accuracy that anybody could reach.
+TEST(BreakEvenOf, AnEvaluatorWithoutNumbersIsNoWinner) {
+    ComparisonRow emitted;
+    emitted.method = "emitted";
+    emitted.max_error = {std::nan("")};
+    emitted.seconds.median = 1e-6;
+    emitted.failure = "outside_domain: x";
+    ComparisonRow rival;
+    rival.method = "Taylor";
+    rival.max_error = {1e-12};
+    rival.seconds.median = 1e-3;
+    Comparison c;
+    c.by_eps = {{Rational(1) / 10, {break_even({emitted, rival}, emitted, emitted)}}};
+    EXPECT_EQ(c.by_eps.front().tasks.front().winner, "");
+    const auto json = to_json(c);
+    EXPECT_EQ(json["break_even"]["final"]["winner"], nullptr);
+    EXPECT_EQ(json["break_even"]["final"]["emitted_seconds"], nullptr);
+    EXPECT_NE(
+        to_text(c).find("final: the emitted evaluator has no numbers (outside_domain: x), and nothing is "
+                        "compared\n"),
+        std::string::npos)
+        << to_text(c);
 }
 
 // Who is the fastest is said, whoever it is.

@@ -193,23 +193,33 @@ bool no_worse(const std::vector<double>& errors, const std::vector<double>& than
     return true;
 }
 
-// The accuracy asked of everyone is the emitted code's along the whole run: at a single time an error
-// may vanish by accident.
+RivalAtEqualAccuracy at_equal_accuracy(Method method, const std::vector<ComparisonRow>& rows,
+                                       const BreakEven& own, const std::vector<double>& accuracy) {
+    RivalAtEqualAccuracy rival;
+    rival.method = to_string(method);
+    for (const ComparisonRow& row : rows)
+        if (row.method == rival.method && row.task == own.task && row.failure.empty() &&
+            no_worse(row.max_error, accuracy) && row.total_seconds() < rival.seconds.value_or(INFINITY))
+            rival.seconds = row.total_seconds();
+    if (rival.seconds) rival.ratio = *rival.seconds / own.emitted_seconds;
+    return rival;
+}
+
+} // namespace
+
+const char* to_string(Task task) { return task == Task::final ? "final" : "dense"; }
+
 BreakEven break_even(const std::vector<ComparisonRow>& rows, const ComparisonRow& emitted,
-                     const std::vector<double>& accuracy) {
+                     const ComparisonRow& along) {
     BreakEven result;
     result.task = emitted.task;
     result.emitted_seconds = emitted.total_seconds();
+    result.failure = emitted.failure.empty() ? along.failure : emitted.failure;
+    if (!result.failure.empty()) return result;
     result.winner = emitted.method;
     double best = result.emitted_seconds;
     for (const Method method : rivals) {
-        RivalAtEqualAccuracy rival;
-        rival.method = to_string(method);
-        for (const ComparisonRow& row : rows)
-            if (row.method == rival.method && row.task == emitted.task && row.failure.empty() &&
-                no_worse(row.max_error, accuracy) && row.total_seconds() < rival.seconds.value_or(INFINITY))
-                rival.seconds = row.total_seconds();
-        if (rival.seconds) rival.ratio = *rival.seconds / result.emitted_seconds;
+        RivalAtEqualAccuracy rival = at_equal_accuracy(method, rows, result, along.max_error);
         if (rival.seconds.value_or(INFINITY) < best) {
             best = *rival.seconds;
             result.winner = rival.method;
@@ -218,10 +228,6 @@ BreakEven break_even(const std::vector<ComparisonRow>& rows, const ComparisonRow
     }
     return result;
 }
-
-} // namespace
-
-const char* to_string(Task task) { return task == Task::final ? "final" : "dense"; }
 
 namespace {
 
@@ -242,8 +248,7 @@ std::vector<BreakEven> compare_at(const Comparer& comparer, const std::vector<Em
                 found.push_back(comparer.direct(method, std::pow(10.0, -digits), work));
     }
     std::vector<BreakEven> even;
-    for (const ComparisonRow& emitted : highest)
-        even.push_back(break_even(found, emitted, highest.back().max_error));
+    for (const ComparisonRow& emitted : highest) even.push_back(break_even(found, emitted, highest.back()));
     rows.insert(rows.end(), found.begin(), found.end());
     return even;
 }

@@ -81,7 +81,10 @@ Json of(const BreakEven& b) {
         rivals.push_back({{"method", r.method},
                           {"seconds", r.seconds ? number(*r.seconds) : Json(nullptr)},
                           {"ratio", r.ratio ? number(*r.ratio) : Json(nullptr)}});
-    return {{"emitted_seconds", number(b.emitted_seconds)}, {"rivals", rivals}, {"winner", b.winner}};
+    const bool compared = b.failure.empty();
+    return {{"emitted_seconds", compared ? number(b.emitted_seconds) : Json(nullptr)},
+            {"rivals", rivals},
+            {"winner", compared ? Json(b.winner) : Json(nullptr)}};
 }
 
 Json of(const WorstPoint& w) {

@@ -169,11 +169,14 @@ Section speed(const Findings& f, const Figures& figures) {
     Table even{"Rivals at the accuracy of the emitted evaluator",
                {"task", "method", "seconds", "rival / emitted", "winner"},
                {}};
-    for (const BreakEven& b : f.comparison.by_eps.front().tasks)
+    for (const BreakEven& b : f.comparison.by_eps.front().tasks) {
+        if (!b.failure.empty())
+            even.rows.push_back({to_string(b.task), "emitted", b.failure, "–", "not compared"});
         for (const RivalAtEqualAccuracy& rival : b.rivals)
             even.rows.push_back({to_string(b.task), rival.method,
                                  rival.seconds ? short_number(*rival.seconds) : "not reached",
                                  rival.ratio ? short_number(*rival.ratio) : "–", b.winner});
+    }
     return {"Error against run time", {figures.work(f.comparison), even, rows}};
 }
 

@@ -21,6 +21,9 @@ std::string row_line(const ComparisonRow& r) {
 
 std::string even_lines(const BreakEven& b) {
     const std::string own = "emitted";
+    if (!b.failure.empty())
+        return fmt::format("  {}: the {} evaluator has no numbers ({}), and nothing is compared\n",
+                           to_string(b.task), own, b.failure);
     std::string text =
         fmt::format("  {}: {} {:.3g} s, construction included;", to_string(b.task), own, b.emitted_seconds);
     for (const RivalAtEqualAccuracy& r : b.rivals)
