@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# oracle.sh COMMIT: is everything that a user sees the same as at COMMIT? For changes of the house, which move
-# and merge code and must not change a result. Builds COMMIT under build/oracle (kept for the next time), records
+# oracle.sh COMMIT: is what a user sees the same as at COMMIT? For changes of the house, which move and merge
+# code and must not change a result. Builds COMMIT under build/oracle (kept for the next time), records
 # there and here
 #
 #   tests     the names of all tests
@@ -47,8 +47,15 @@ messages() {
     : >"$file.all"
     for test in model expand solve emit cli; do
         (cd "$tree/build/release/tests" && RESONFORM_ERRORS=$file.all LD_PRELOAD=$here/build/release/tests/librecord_errors.so \
-            ./test_$test --gtest_filter='-Slow*' >"$file.$test.log" 2>&1) || echo "test_$test of $tree fails" >&2
+            ./test_$test --gtest_filter='-Slow*' >"$file.$test.log" 2>&1) || {
+            echo "test_$test of $tree fails: $file.$test.log" >&2
+            exit 1
+        }
     done
+    if [ ! -s "$file.all" ]; then
+        echo "no message was recorded in $tree" >&2
+        exit 1
+    fi
     # Folders of a test run have names of their own.
     sed -E -e "s#$tree/#TREE/#g" -e 's#[^ ]*/resonform-test-[A-Za-z0-9]{6}#SCRATCH#g' "$file.all" | sort -u >"$file"
 }
@@ -67,8 +74,10 @@ record() {
 
 mkdir -p "$oracle"
 if [ ! -d "$before" ]; then
-    mkdir "$before"
-    git archive "$commit" | tar -x -C "$before"
+    rm -rf "$before.part"
+    mkdir "$before.part"
+    git archive "$commit" | tar -x -C "$before.part"
+    mv "$before.part" "$before"
 fi
 for tree in "$before" "$here"; do
     echo "== build: $tree"
