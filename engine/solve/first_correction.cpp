@@ -59,15 +59,15 @@ private:
 
     [[nodiscard]] std::vector<Found> first(const Series& added) const {
         std::map<int, int> first_weight; // of each degree
-        std::optional<int> beyond_linear;
+        std::optional<int> lowest;       // of all
         std::vector<Found> found;
         for (int n = 0; n <= std::min(added.through(), solution_.truncation); ++n)
             for (const auto& [monomial, coefficient] : ring_.collect(added.part(n), field_.outer())) {
                 Found f{degrees(monomial), ring_.exponent(monomial, field_.eps), coefficient};
                 const int degree = std::accumulate(f.degrees.begin(), f.degrees.end(), 0);
-                if (degree == 0) continue;
-                if (degree > 1 && !beyond_linear) beyond_linear = n;
-                if (first_weight.emplace(degree, n).first->second == n && (degree <= 3 || n == beyond_linear))
+                if (degree < 2) continue; // the divisors of linear terms that move have layers of their own
+                if (!lowest) lowest = n;
+                if (first_weight.emplace(degree, n).first->second == n && (degree <= 3 || n == lowest))
                     found.push_back(std::move(f));
             }
         return found;

@@ -31,9 +31,9 @@ struct FirstCorrection {
     std::vector<Term> terms;
 };
 
-// Of linear, quadratic and cubic terms those of the lowest weight each, and of all beyond linear ones those
-// of the lowest weight; no mode without such terms. For closed solutions the factor of the amplitude is one
-// more: 2 |F - 1| < 1.
+// Of quadratic and cubic terms those of the lowest weight each, and of all terms beyond linear ones those of
+// the lowest weight; no mode without such terms. (Linear ones have divisors that move, with layers of their
+// own.) For closed solutions the factor of the amplitude is one more: 2 |F - 1| < 1.
 std::vector<FirstCorrection> first_corrections(const Solution& solution);
 
 // Of a closed solution: C E, the leading part of the modulus over eps.

@@ -125,7 +125,7 @@ TEST(DomainLeft, AnswersUpToThePlaceAndAStatusBeyond) {
     const Interpreter<double> interpreter(program, eps, {}, {}, 3);
     const Evaluator<double> emitted(library, eps, {}, default_start<double>(*program, eps, {}), 3);
     for (const auto& [t, status] :
-         {std::pair(0.0, Status::ok), std::pair(9.99, Status::ok), std::pair(10.01, Status::outside_domain),
+         {std::pair(0.0, Status::ok), std::pair(9.9, Status::ok), std::pair(10.01, Status::outside_domain),
           std::pair(29.0, Status::outside_domain), std::pair(30.1, Status::outside_interval)}) {
         std::vector<double> expected, found(1);
         EXPECT_EQ(interpreter.call(t, expected), status) << t;

@@ -6,6 +6,7 @@
 
 #include "emit/cpp/cpp.hpp"
 #include "emit/cpp/plan.hpp"
+#include "model/files/read_scene.hpp"
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
@@ -95,7 +96,6 @@ TEST_F(ConstantsOf, SlowManyDigitsInWideTypes) {
     test::write(scratch.path() / "main.cpp", R"(
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include "scene.hpp"
-#include "model/files/read_scene.hpp"
 #include <cstdio>
 template <class Real> double lost_digits() {
     const Real eps = Real(1) / 5;

@@ -53,11 +53,11 @@ private:
     std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
-// omega = sqrt(2 - tau), and what is divided by is 2 omega: 4 omega^2 = |2 omega'| where omega^3 = eps/4. The
-// linear correction of the map is half of the amplitude at the same place, with a cubic one before.
+// omega = sqrt(2 - tau), and what is divided by is 2 omega: 4 omega^2 = |2 omega'| where omega^3 = eps/4.
 TEST_F(LayerOf, ATurningPoint) {
-    const auto turning = program("[domain]\npositive = [\"2 - tau\"]\n", "x = \"x'' + (2 - tau)*x = 0\"\n",
-                                 "tau = 1\namplitude.x = 1\nphase.x = 0\n");
+    const auto turning =
+        program("[domain]\npositive = [\"2 - tau\"]\n", "x = \"x'' + (2 - tau)*x + x^3 = 0\"\n",
+                "tau = 1\namplitude.x = 1\nphase.x = 0\n");
     for (const double eps : {0.01, 1e-4, 1e-7}) expect_end(turning, eps, 1 - std::pow(eps / 4, 2.0 / 3));
 }
 
