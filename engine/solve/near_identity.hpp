@@ -7,8 +7,9 @@
 //
 // or by less than eps^M/2. Slow variables, angles and drifts have physical values; where slow variables and
 // drifts begin to count says nothing, so that they are missed by less than 2^-M |h(w_0)|, each of M steps of
-// the inversion having gained a half (or by rounding, 10^-10 of themselves). What of h has no mode in it
-// drops out of these differences: its harmonics together are less than twice the start value, or than 2
+// the inversion having gained a half (or by rounding, 10^-10 of themselves and of what they are the sum of:
+// the constant of a drift and the course of its mean cancel at the start). What of h has no mode in it drops
+// out of these differences: its harmonics together are less than twice the start value, or than 2
 // eps^weight (of a slow variable or angle, than 2; modes of equations of the first degree are forced as far
 // as they like). A template over the numbers, for there are two users: the emitter computes with nodes of a
 // graph, the check of emitted code with 50 digits.
@@ -41,6 +42,7 @@ template <class Complex> struct StartShift {
     Complex old, now, added; // added: by the map to the new variables
     Complex added_to_old;    // by the map to the old ones; of modes that start from constants
     std::vector<Complex> forced = {};
+    std::vector<Complex> terms = {}; // of `now`, where it is a sum
 };
 template <class Complex> struct StartShifts {
     std::vector<StartShift<Complex>> modes, slow, angles, drift;
@@ -94,9 +96,12 @@ private:
                          {algebra_.little(), algebra_.square(s.old), algebra_.square(s.added)}, v.name);
         else
             require_half(algebra_.minus(found, s.old),
-                         {algebra_.little(), algebra_.gained(algebra_.square(s.added)),
-                          algebra_.rounding(algebra_.square(s.old))},
-                         v.name);
+                         {algebra_.little(), algebra_.gained(algebra_.square(s.added)), rounding(s)}, v.name);
+    }
+    [[nodiscard]] Real rounding(const StartShift<Complex>& s) const {
+        std::vector<Real> squares{algebra_.square(s.old)};
+        for (const Complex& term : s.terms) squares.push_back(algebra_.square(term));
+        return algebra_.rounding(algebra_.sum(std::move(squares)));
     }
     void require_moderate(const MovedVariable& v, const StartShift<Complex>& s, bool from_constants) {
         const bool constant = v.kind == MovedVariable::Kind::mode && from_constants;

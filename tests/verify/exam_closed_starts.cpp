@@ -125,6 +125,27 @@ TEST_F(ClosedFrom, ADriftFromItsValueIsGivenBack) {
     expect_outside(from("40"), "X");
 }
 
+// The constant of d and the course of its mean, eps a^2 sqrt(s), cancel at the start; from x' = 0, what the
+// map adds to d is less than a rounding of these. With 5 s^2 - 1 that course, s^(5/2) - s^(1/2), cancels by
+// itself.
+TEST_F(ClosedFrom, ADriftIsGivenBackWithinTheRoundingOfItsTerms) {
+    for (const std::string rate : {"x^2", "(5*s^2 - 1)*x^2"}) {
+        const std::string system =
+            "[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\", positive = true }\n"
+            "d = { role = \"drift\" }\n[equations]\nx = \"x'' + s*x + x^3 = 0\"\ns = \"s' = eps\"\n"
+            "d = \"d' = " +
+            rate + "\"\n";
+        for (const double eps : {1e-6, 1e-7, 1e-8, 3e-9, 1e-10, 1e-12}) {
+            const Answer found = answer(system,
+                                        "order = 3\noutputs = [\"d\"]\n[start]\nx = \"3/10*eps\"\n"
+                                        "\"x'\" = 0\ns = 1\nd = 0\n",
+                                        eps);
+            EXPECT_EQ(found.status, Status::ok) << rate << " " << eps << " " << found.why;
+            EXPECT_NEAR(found.x, 0, 1e-14 * eps) << rate << " " << eps;
+        }
+    }
+}
+
 // An oscillator on which no output depends is not asked about; the other one is.
 TEST_F(ClosedFrom, WhatNoOutputNeedsIsNotAskedAbout) {
     const std::string system = "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"

@@ -47,7 +47,7 @@ public:
                 for (int step = 0; step <= solution_.truncation; ++step) substitute(physical);
         }
         require_near_identity(program_, solution_, real_, surroundings_,
-                              {given_, new_, turns_, !physical, &sums_});
+                              {given_, new_, turns_, {}, !physical, &sums_});
         for (std::size_t k = 0; k < field_.drift.size(); ++k) new_.drift.push_back(drift(k));
         name_units();
         return std::move(new_);

@@ -145,7 +145,11 @@ void StartConstants::require_map(const Surroundings& surroundings) {
         const bool physical = is_physical(drift.variable);
         const std::string& name = solution_.system().variables[drift.variable].name;
         pair.old.drift.push_back(physical ? physical_.at(name) : -1);
-        pair.now.drift.push_back(physical ? lowered(drift.value.total(solution_.truncation)) : -1);
+        const Polynomial value = drift.value.total(solution_.truncation);
+        pair.now.drift.push_back(physical ? lowered(value) : -1);
+        pair.drift_terms.emplace_back();
+        for (std::size_t n = 0; physical && n < value.terms().size(); ++n)
+            pair.drift_terms.back().push_back(lowered(Polynomial::from_terms({value.terms()[n]})));
     }
     require_near_identity(program_, solution_, real, surroundings, pair);
 }

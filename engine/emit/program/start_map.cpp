@@ -99,6 +99,8 @@ void StartMap::pair_up() {
     for (const Graph::Node turn : start_.turns) at_.angles.push_back({zero, real(turn), zero, zero});
     for (std::size_t k = 0; k < now.drift.size(); ++k)
         at_.drift.push_back({real(old.drift[k]), real(now.drift[k]), zero, zero});
+    for (std::size_t k = 0; k < start_.drift_terms.size(); ++k)
+        for (const Graph::Node term : start_.drift_terms[k]) at_.drift[k].terms.push_back(real(term));
 }
 
 void StartMap::add_to_old() {

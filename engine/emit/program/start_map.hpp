@@ -13,6 +13,7 @@ namespace resonform {
 struct StartPair {
     FlowValues old, now;            // `drift` of both: of drifts that are checked, else -1, or empty
     std::vector<Graph::Node> turns; // of the angles, from the old to the new
+    std::vector<std::vector<Graph::Node>> drift_terms = {}; // of which now.drift are sums, or empty
     bool from_constants = false;
     const FlowSums* sums = nullptr; // of series of the map, if some are known
 };

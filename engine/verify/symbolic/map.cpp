@@ -110,7 +110,10 @@ StartShifts<WideComplex> SymbolicMap::shifts_at(const Pair& pair, const Symbolic
         at.slow.push_back({{pair.old.slow[k], 0}, {pair.now.slow[k], 0}, {}, {}});
     for (std::size_t k = 0; k < pair.now.angles.size(); ++k)
         at.angles.push_back({{}, {pair.now.angles[k] - pair.old.angles[k], 0}, {}, {}});
-    for (const Pair::Drift& drift : pair.drift) at.drift.push_back({{drift.old, 0}, {drift.now, 0}, {}, {}});
+    for (const Pair::Drift& drift : pair.drift) {
+        at.drift.push_back({{drift.old, 0}, {drift.now, 0}, {}, {}});
+        for (const Wide& term : drift.terms) at.drift.back().terms.push_back({term, 0});
+    }
     SymbolicValues<Wide> values = ring_.constants(inputs);
     set(values, inputs.eps, pair.now);
     const auto added = [&](const MovedVariable& v) {

@@ -40,6 +40,7 @@ public:
         struct Drift {
             bool checked = false;
             Wide old = 0, now = 0;
+            std::vector<Wide> terms = {}; // of `now`, where it is a sum
         };
         std::vector<Drift> drift; // or empty
         bool from_constants = false;

@@ -112,9 +112,12 @@ private:
         pair.now.modes = {(start.amplitude * value_of(envelope_, own).re * factor) *
                           unit(start.angles.front())};
         if (!oscillator_given_) pair.old.modes = {old_mode(inputs, pair.now)};
-        for (std::size_t k = 0; k < solution_.drift.size(); ++k)
+        for (std::size_t k = 0; k < solution_.drift.size(); ++k) {
             pair.drift.push_back({physical_drift_[k], inputs.start_of(name(solution_.drift[k].variable)),
                                   value_of(mean_[k], own).re});
+            for (const SymbolicTerm& term : mean_[k])
+                pair.drift.back().terms.push_back(value_of({term}, own).re);
+        }
         return SymbolicMap::is_close_to_one(factor, inputs) && map_.leads_back(pair, inputs);
     }
 
