@@ -220,6 +220,36 @@ TEST(Domain, ExcludesZeros) {
         EXPECT_FALSE(nonzero(text)) << text;
 }
 
+// A declared quotient is as positive as its numerator, where its denominator is; where that may have either
+// sign, as numerator times denominator.
+TEST(Domain, HoldsForNumerators) {
+    const auto proves = [](const std::string& declared, const char* text) {
+        const System system =
+            read_system_text("[system]\nname = \"s\"\n"
+                             "[parameters]\nK = { positive = true }\nL = {}\nm = { nonzero = true }\n"
+                             "[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
+                             "[equations]\nx = \"x'' = -x\"\ntau = \"tau' = eps\"\n"
+                             "[domain]\npositive = [\"" +
+                                 declared + "\"]\n",
+                             "system.toml");
+        Scope scope = system.constants();
+        scope.define("tau", system.variables[1].jet.front());
+        return provably_positive(read_expression(text, scope, SourceText{}), system);
+    };
+    for (const char* declared : {"1 + tau/K", "tau/K + 1", "2 + 2*tau/K", "K + tau", "(K + tau)/K^2",
+                                 "1/K + tau/K^2", "1/(K + tau)", "m^2/(K + tau)"})
+        for (const char* text :
+             {"K + tau", "(K + tau)/K", "1 + tau/K", "3 + 3*tau/K", "1/K + tau/K^2", "K^2 + K*tau",
+              "2*K + tau", "1/(1 + tau/K)", "sqrt(1 + tau/K)", "K + tau + exp(tau)"})
+            EXPECT_TRUE(proves(declared, text)) << text << " by " << declared;
+    EXPECT_TRUE(proves("1 + tau/m^2", "m^2 + tau"));
+    EXPECT_TRUE(proves("1 - tau/(1 + K)", "1 + K - tau"));
+    for (const char* text : {"m + tau", "L + tau"}) EXPECT_FALSE(proves("1 + tau/K", text)) << text;
+    EXPECT_FALSE(proves("1 + tau/K", "K + 2*tau"));
+    EXPECT_FALSE(proves("1 + tau/m", "m + tau"));
+    EXPECT_TRUE(proves("1 + tau/m", "m^2 + m*tau"));
+}
+
 TEST_F(Positivity, ZeroTestHasThreeAnswers) {
     EXPECT_EQ(vanishes(read("tau - k")), Zero::no);
     EXPECT_EQ(vanishes(read("sin(tau) - tau")), Zero::no);

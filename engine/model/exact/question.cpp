@@ -21,8 +21,24 @@ using GiNaC::ex;
 
 constexpr double most_terms_in_a_question = 1000; // larger ones take too long: a derivation asks often
 
-bool is_worth_converting(const ex& e) {
-    return holds_functions_or_roots(e) && terms_in_exact_form(e) <= most_terms_in_a_question;
+bool is_small(const ex& e) { return terms_in_exact_form(e) <= most_terms_in_a_question; }
+
+bool is_worth_converting(const ex& e) { return holds_functions_or_roots(e) && is_small(e); }
+
+bool is_small_quotient(const ex& e) {
+    return is_small(e) && std::any_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+               return GiNaC::is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::negative);
+           });
+}
+
+// 1 + tau/k is as positive as k + tau, where k is: where e or a declaration is a quotient, it is numerators
+// that are compared.
+bool is_worth_asking(const ex& e, const System& system) {
+    if (is_worth_converting(e)) return true;
+    if (system.positive.empty() || !is_small(e)) return false;
+    return is_small_quotient(e) ||
+           std::any_of(system.positive.begin(), system.positive.end(),
+                       [](const Declaration& declared) { return is_small_quotient(declared.value); });
 }
 
 ExactForm form_of(const System& system) {
@@ -115,7 +131,7 @@ Zero vanishes(const ex& e, const System& system) {
 }
 
 std::optional<ExactQuestion> exact_question(const ex& e, const System& system) {
-    if (!is_worth_converting(e)) return std::nullopt;
+    if (!is_worth_asking(e, system)) return std::nullopt;
     Exponentials exponentials;
     ExactQuestion question{domain_of(system), exponentials(e)};
     GiNaC::numeric denominator = denominator_of_arguments(question.asked);
@@ -135,7 +151,7 @@ std::optional<ExactQuestion> exact_question(const ex& e, const System& system) {
         question.asked = of_equal_sign(question.asked, form, prover, false);
         std::vector<Declaration> exact;
         for (const Declaration& declared : question.domain.positive)
-            if (is_worth_converting(declared.value))
+            if (is_worth_converting(declared.value) || is_small_quotient(declared.value))
                 exact.push_back(
                     {of_equal_sign(declared.value, form, prover, true), declared.text, declared.source});
         std::move(exact.begin(), exact.end(), std::back_inserter(question.domain.positive));
