@@ -112,7 +112,6 @@ private:
     template <class Number> struct Constants {
         Number xi_0{};
         Number c_1{};
-        Number eps{};
         Number c_2{};
         Number c_3{};
         Number C_X{};
@@ -124,7 +123,6 @@ private:
         Number c_8{};
         Number c_9{};
         Number c_10{};
-        Number c_11{};
     };
 
     template <class Number> static void compute_constants(
@@ -133,20 +131,19 @@ private:
         const Number C_delta = Number(start.C_delta);
         const Number k_1 = C_delta * C_delta;
         c.c_1 = Number(1) / Number(4) * k_1;
-        c.eps = Number(given_eps);
-        c.c_2 = c.eps * c.eps;
+        const Number eps = Number(given_eps);
+        c.c_2 = eps * eps;
         c.c_3 = -c.c_2;
         c.C_X = Number(start.C_X);
         c.C_Y = Number(start.C_Y);
         c.c_4 = Number(1) / Number(2);
         c.c_5 = c.c_4 * k_1;
-        c.c_6 = c.c_4 * c.eps;
-        c.c_7 = Number(1) / Number(8);
+        c.c_6 = c.c_4 * eps;
         const Number k_2 = hypot(C_delta, Number(0));
-        c.c_8 = Number(5) / Number(12) * c.eps * k_2;
-        c.c_9 = Number(3) / Number(64) * (k_2 * k_2);
-        c.c_10 = Number(2) * c.eps;
-        c.c_11 = Number(1) / Number(64) * c.c_2;
+        c.c_7 = Number(5) / Number(12) * eps * k_2;
+        c.c_8 = Number(3) / Number(64) * (k_2 * k_2);
+        c.c_9 = Number(2) * c.c_2;
+        c.c_10 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -173,16 +170,14 @@ private:
         const Number q_1 = per_s * per_s;
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
-        const Number s_m3_4 = s_4 * per_s;
         const Number s_m1_2 = s_2 * per_s;
         const Number s_m5_4 = s_2 * s_4 * q_1;
         const Number q_2 = c.c_6 * s_m5_4 * xi;
-        const Number q_3 = hypot(xi, Number(0));
         const Number s_m13_8 = s_4 * sqrt(s_4) * q_1;
+        const Number q_3 = hypot(xi, Number(0));
         const Number s_m1_4 = s_2 * s_4 * per_s;
-        const Number q_4 = c.c_7 * s_m3_4 * q_3 + c.eps * (c.c_8 * s_m13_8 * q_3 + c.c_9 * s_m1_4);
         const Number s_m3_2 = s_2 * q_1;
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_10 * q_4), Number(Number(1) - c.c_11 * s_m3_2 * (q_3 * q_3))};
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_9 * (c.c_7 * s_m13_8 * q_3 + c.c_8 * s_m1_4)), Number(Number(1) - c.c_10 * s_m3_2 * (q_3 * q_3))};
     }
 
     // dQ_x/dT

@@ -136,8 +136,8 @@ private:
         Number c_6{};
         Number C_X{};
         Number c_7{};
-        Number c_8{};
         Number C_Y{};
+        Number c_8{};
         Number c_9{};
         Number c_10{};
         Number c_11{};
@@ -145,7 +145,6 @@ private:
         Number c_13{};
         Number c_14{};
         Number c_15{};
-        Number c_16{};
     };
 
     template <class Number> static void compute_constants(
@@ -162,18 +161,17 @@ private:
         c.c_5 = Number(1) / Number(16) * k_1;
         c.c_6 = Number(1) / c.eps;
         c.C_X = Number(start.C_X);
-        c.c_7 = Number(1) / Number(8);
-        c.c_8 = c.c_7 * c.C_delta;
+        c.c_7 = Number(1) / Number(8) * c.C_delta;
         c.C_Y = Number(start.C_Y);
-        c.c_9 = Number(1) / Number(2);
-        c.c_10 = c.c_9 * k_1;
-        c.c_11 = Number(7) / Number(8) * c.C_delta;
-        c.c_12 = c.c_9 * c.eps;
+        c.c_8 = Number(1) / Number(2);
+        c.c_9 = c.c_8 * k_1;
+        c.c_10 = Number(7) / Number(8) * c.C_delta;
+        c.c_11 = c.c_8 * c.eps;
         const Number k_2 = hypot(c.C_delta, Number(0));
-        c.c_13 = Number(5) / Number(12) * c.eps * k_2;
-        c.c_14 = Number(3) / Number(64) * (k_2 * k_2);
-        c.c_15 = Number(2) * c.eps;
-        c.c_16 = Number(1) / Number(64) * c.c_2;
+        c.c_12 = Number(5) / Number(12) * c.eps * k_2;
+        c.c_13 = Number(3) / Number(64) * (k_2 * k_2);
+        c.c_14 = Number(2) * c.c_2;
+        c.c_15 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -277,17 +275,16 @@ private:
         const Number q_1 = per_s * per_s;
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
-        const Number s_m3_4 = s_4 * per_s;
         const Number theta_dot_0 = s_2 * s_4 * per_s;
         const Number s_m1_2 = s_2 * per_s;
         const Number s_8 = sqrt(s_4);
         const Number s_m5_4 = s_2 * s_4 * q_1;
-        const Number q_2 = c.c_12 * s_m5_4 * xi;
-        const Number q_3 = hypot(xi, Number(0));
+        const Number q_2 = c.c_11 * s_m5_4 * xi;
         const Number s_m13_8 = s_4 * s_8 * q_1;
-        const Number q_4 = c.c_7 * s_m3_4 * q_3 + c.eps * (c.c_13 * s_m13_8 * q_3 + c.c_14 * theta_dot_0);
+        const Number q_3 = hypot(xi, Number(0));
+        const Number q_4 = Number(1) - c.c_14 * (c.c_12 * s_m13_8 * q_3 + c.c_13 * theta_dot_0);
         const Number s_m3_2 = s_2 * q_1;
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_15 * q_4), Number(Number(1) - c.c_16 * s_m3_2 * (q_3 * q_3))};
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(Number(1) - c.c_15 * s_m3_2 * (q_3 * q_3))};
     }
 
     // dQ_x/dT
@@ -337,10 +334,10 @@ private:
         const Real s_8 = sqrt(s_4);
         const Real s_m3_8 = s_2 * s_8 * per_s;
         const Real s_m9_8 = s_2 * s_4 * s_8 * (per_s * per_s);
-        const Real x_3 = s_m9_8 * a.cos_theta * (-c.c_8 * q_1 - c.C_delta) - c.c_1 * s_m1_2 * a.cos_theta * a.sin_theta;
+        const Real x_3 = s_m9_8 * a.cos_theta * (-c.c_7 * q_1 - c.C_delta) - c.c_1 * s_m1_2 * a.cos_theta * a.sin_theta;
         const Real q_2 = asinh(xi) + Q_x + c.c_2 * (c.eps * x_3 - c.C_delta * s_m3_8 * xi * a.sin_theta) + c.C_X;
-        const Real y_3 = -c.c_11 * s_m9_8 * xi * a.cos_theta - c.c_1 * s_m1_2 * xi * a.cos_theta * a.sin_theta;
-        const Real q_3 = c.C_delta * s_m3_8 * a.sin_theta + c.eps * y_3 - c.c_9 * per_s - c.c_10 * s_4;
+        const Real y_3 = -c.c_10 * s_m9_8 * xi * a.cos_theta - c.c_1 * s_m1_2 * xi * a.cos_theta * a.sin_theta;
+        const Real q_3 = c.C_delta * s_m3_8 * a.sin_theta + c.eps * y_3 - c.c_8 * per_s - c.c_9 * s_4;
         values.x = q_2;
         values.y = s_2 + c.c_2 * q_3 + c.C_Y;
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;

@@ -119,8 +119,8 @@ private:
         Number eps{};
         Number c_1{};
         Number c_2{};
-        Number c_3{};
         Number u_x{};
+        Number c_3{};
         Number c_4{};
         Number c_5{};
         Number c_6{};
@@ -129,8 +129,8 @@ private:
         Number c_9{};
         Number c_10{};
         Number c_11{};
-        Number c_12{};
         Number v_x{};
+        Number c_12{};
         Number c_13{};
         Number c_14{};
         Number c_15{};
@@ -139,7 +139,6 @@ private:
         Number c_18{};
         Number c_19{};
         Number c_20{};
-        Number c_21{};
     };
 
     template <class Number> static void compute_constants(
@@ -165,85 +164,86 @@ private:
         const Number k_12 = x_0 * c.c_1 * k_10 + k_2 * k_4 * k_11 - Number(1) / Number(80) * v_phi;
         c.c_2 = Number(9) / Number(32);
         const Number k_13 = x_0 * c.c_1 * (Number(5) / Number(32) * k_2 * k_3 + c.c_2 * k_2 * k_4);
-        c.c_3 = Number(1) / Number(20);
         const Number k_14 = Number(1) / Number(4) * u_phi;
-        const Number k_15 = k_1 * (k_1 * k_12 + k_13 + c.c_3 * x_dot_0 * c.c_1 - k_14);
-        c.u_x = x_0 * c.c_1 + k_15;
-        const Number k_16 = k_1 * c.eps;
-        c.c_4 = Number(51) / Number(256) * k_16;
-        c.c_5 = Number(51) / Number(128) * k_16;
-        c.c_6 = Number(3) / Number(8) * c.eps;
-        c.c_7 = Number(3) / Number(16) * u_phi * k_16;
-        c.c_8 = c.c_2 * v_phi * k_16;
-        c.c_9 = Number(1) / Number(200) * k_16;
-        c.c_10 = Number(3) / Number(32) * v_phi * k_16;
-        c.c_11 = Number(1) / Number(10) * c.eps;
-        const Number k_17 = Number(1) / Number(40) * u_phi * k_1 + Number(1) / Number(2) * v_phi;
-        c.c_12 = c.eps * k_17;
-        const Number k_18 = Number(431) / Number(1024) * k_2 * k_3 + Number(199) / Number(512) * k_2 * k_4;
-        const Number k_19 = x_0 * c.c_1 * k_18 - Number(9) / Number(320) * x_dot_0 * c.c_1 - Number(3) / Number(128) * u_phi;
-        const Number k_20 = -Number(79) / Number(1024) * k_7 * k_8 - Number(33) / Number(256) * v_phi;
-        const Number k_21 = Number(1) / Number(400) + x_0 * c.c_1 * k_19 - x_dot_0 * c.c_1 * k_20;
-        const Number k_22 = Number(23) / Number(320) * x_0 * c.c_1 - Number(111) / Number(256) * v_phi;
-        const Number k_23 = k_2 * k_3 * k_22 + Number(1) / Number(80) * u_phi - x_dot_0 * c.c_1 * k_21;
-        const Number k_24 = x_0 * c.c_1 * (Number(15) / Number(32) * x_0 * x_dot_0 * k_2 - c.c_3);
-        const Number k_25 = Number(1) / Number(4) * v_phi;
-        const Number k_26 = k_1 * (k_1 * k_23 + k_24 + Number(3) / Number(32) * k_7 * k_8 + k_25);
-        c.v_x = k_26 - x_dot_0 * c.c_1;
-        c.c_13 = c.c_2 * u_phi * k_16;
-        c.c_14 = Number(3) / Number(16) * v_phi * k_16;
-        c.c_15 = Number(3) / Number(32) * u_phi * k_16;
-        const Number k_27 = Number(1) / Number(40) * v_phi * k_1 - Number(1) / Number(2) * u_phi;
-        c.c_16 = c.eps * k_27;
-        c.c_17 = Number(0);
-        const Number k_28 = k_2 * k_3;
-        const Number k_29 = k_2 * k_4;
-        const Number k_30 = k_1 * k_1;
-        const Number k_31 = k_30 * c.eps;
-        const Number k_32 = c.u_x * c.u_x;
-        const Number k_33 = c.v_x * c.v_x;
-        const Number k_34 = Number(25) / Number(256) * k_32 + Number(43) / Number(128) * k_33;
-        const Number k_35 = c.u_x * k_34 - Number(3) / Number(320) * c.v_x - Number(33) / Number(256) * u_phi;
-        const Number k_36 = k_33 * c.v_x;
-        const Number k_37 = Number(65) / Number(256) * k_36 - Number(15) / Number(128) * v_phi;
-        const Number k_38 = -Number(3) / Number(64) * c.v_x - Number(63) / Number(256) * u_phi;
-        const Number k_39 = k_1 * (c.u_x * (c.u_x * k_35 + c.v_x * k_37) + k_33 * k_38) + c.u_x * (-Number(5) / Number(32) * k_32 - c.c_2 * k_33) + c.c_3 * c.v_x + k_14;
-        const Number k_40 = -Number(89) / Number(256) * c.u_x * c.v_x - Number(9) / Number(160);
-        const Number k_41 = c.u_x * k_40 + Number(81) / Number(256) * v_phi - Number(61) / Number(128) * k_36;
-        const Number k_42 = Number(3) / Number(160) * c.v_x + Number(33) / Number(128) * u_phi;
-        const Number k_43 = Number(15) / Number(256) * v_phi - Number(13) / Number(256) * k_36;
-        const Number k_44 = k_1 * (c.u_x * (c.u_x * k_41 + c.v_x * k_42) + k_33 * k_43) + c.u_x * (c.c_3 + Number(15) / Number(32) * c.u_x * c.v_x) + Number(3) / Number(32) * k_36 - k_25;
-        const Number k_45 = k_15 + k_1 * k_39;
-        const Number k_46 = k_26 + k_1 * k_44;
-        c.c_18 = k_28 + k_29 + k_31 * k_31 + k_30 * (k_39 * k_39) + k_30 * (k_44 * k_44) - Number(4) * (k_45 * k_45 + k_46 * k_46);
-        c.c_19 = Number(4) + Number(4) * (k_28 + k_29) - Number(1) / Number(16) * k_30;
-        c.c_20 = Number(81) / Number(256) * k_1;
-        c.c_21 = Number(2) * k_1;
+        const Number k_15 = k_1 * k_12 + k_13 + Number(1) / Number(20) * x_dot_0 * c.c_1 - k_14;
+        const Number k_16 = k_1 * k_15;
+        c.u_x = x_0 * c.c_1 + k_16;
+        const Number k_17 = k_1 * c.eps;
+        c.c_3 = Number(51) / Number(256) * k_17;
+        c.c_4 = Number(51) / Number(128) * k_17;
+        c.c_5 = Number(3) / Number(8) * c.eps;
+        c.c_6 = Number(3) / Number(16) * u_phi * k_17;
+        c.c_7 = c.c_2 * v_phi * k_17;
+        c.c_8 = Number(1) / Number(200) * k_17;
+        c.c_9 = Number(3) / Number(32) * v_phi * k_17;
+        c.c_10 = Number(1) / Number(10) * c.eps;
+        const Number k_18 = Number(1) / Number(40) * u_phi * k_1 + Number(1) / Number(2) * v_phi;
+        c.c_11 = c.eps * k_18;
+        const Number k_19 = Number(431) / Number(1024) * k_2 * k_3 + Number(199) / Number(512) * k_2 * k_4;
+        const Number k_20 = x_0 * c.c_1 * k_19 - Number(9) / Number(320) * x_dot_0 * c.c_1 - Number(3) / Number(128) * u_phi;
+        const Number k_21 = -Number(79) / Number(1024) * k_7 * k_8 - Number(33) / Number(256) * v_phi;
+        const Number k_22 = Number(1) / Number(400) + x_0 * c.c_1 * k_20 - x_dot_0 * c.c_1 * k_21;
+        const Number k_23 = Number(23) / Number(320) * x_0 * c.c_1 - Number(111) / Number(256) * v_phi;
+        const Number k_24 = k_2 * k_3 * k_23 + Number(1) / Number(80) * u_phi - x_dot_0 * c.c_1 * k_22;
+        const Number k_25 = Number(15) / Number(32) * x_0 * x_dot_0 * k_2 - Number(1) / Number(20);
+        const Number k_26 = Number(1) / Number(4) * v_phi;
+        const Number k_27 = k_1 * k_24 + x_0 * c.c_1 * k_25 + Number(3) / Number(32) * k_7 * k_8 + k_26;
+        const Number k_28 = k_1 * k_27;
+        c.v_x = k_28 - x_dot_0 * c.c_1;
+        c.c_12 = c.c_2 * u_phi * k_17;
+        c.c_13 = Number(3) / Number(16) * v_phi * k_17;
+        c.c_14 = Number(3) / Number(32) * u_phi * k_17;
+        const Number k_29 = Number(1) / Number(40) * v_phi * k_1 - Number(1) / Number(2) * u_phi;
+        c.c_15 = c.eps * k_29;
+        c.c_16 = Number(0);
+        const Number k_30 = k_2 * k_3;
+        const Number k_31 = k_2 * k_4;
+        const Number k_32 = k_1 * k_1;
+        const Number k_33 = k_32 * c.eps;
+        const Number k_34 = c.u_x * c.u_x;
+        const Number k_35 = c.v_x * c.v_x;
+        const Number k_36 = Number(25) / Number(256) * k_34 + Number(43) / Number(128) * k_35;
+        const Number k_37 = c.u_x * k_36 - Number(3) / Number(320) * c.v_x - Number(33) / Number(256) * u_phi;
+        const Number k_38 = k_35 * c.v_x;
+        const Number k_39 = Number(65) / Number(256) * k_38 - Number(15) / Number(128) * v_phi;
+        const Number k_40 = -Number(3) / Number(64) * c.v_x - Number(63) / Number(256) * u_phi;
+        const Number k_41 = k_1 * (c.u_x * (c.u_x * k_37 + c.v_x * k_39) + k_35 * k_40) + c.u_x * (-Number(5) / Number(32) * k_34 - c.c_2 * k_35) + Number(1) / Number(20) * c.v_x + k_14;
+        const Number k_42 = -Number(89) / Number(256) * c.u_x * c.v_x - Number(9) / Number(160);
+        const Number k_43 = c.u_x * k_42 + Number(81) / Number(256) * v_phi - Number(61) / Number(128) * k_38;
+        const Number k_44 = Number(3) / Number(160) * c.v_x + Number(33) / Number(128) * u_phi;
+        const Number k_45 = Number(15) / Number(256) * v_phi - Number(13) / Number(256) * k_38;
+        const Number k_46 = c.u_x * (Number(1) / Number(20) + Number(15) / Number(32) * c.u_x * c.v_x);
+        const Number k_47 = k_1 * (c.u_x * (c.u_x * k_43 + c.v_x * k_44) + k_35 * k_45) + k_46 + Number(3) / Number(32) * k_38 - k_26;
+        const Number k_48 = k_16 + k_1 * k_41;
+        const Number k_49 = k_28 + k_1 * k_47;
+        c.c_17 = k_30 + k_31 + k_33 * k_33 + k_32 * (k_41 * k_41) + k_32 * (k_47 * k_47) - Number(4) * (k_48 * k_48 + k_49 * k_49);
+        c.c_18 = Number(4) + Number(4) * (k_30 + k_31) - Number(1) / Number(16) * k_32;
+        c.c_19 = Number(81) / Number(256) * k_1;
+        c.c_20 = Number(2) * k_1;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
         keep(scaled.eps, c.eps, "eps");
         keep(scaled.c_1, c.c_1, "c_1 in theta");
         keep(scaled.c_2, c.c_2, "c_2 in x");
-        keep(scaled.c_3, c.c_3, "c_3 in x");
         keep(scaled.u_x, c.u_x, "u_x");
+        keep(scaled.c_3, c.c_3, "c_3 in v_x");
         keep(scaled.c_4, c.c_4, "c_4 in v_x");
         keep(scaled.c_5, c.c_5, "c_5 in v_x");
-        keep(scaled.c_6, c.c_6, "c_6 in v_x");
+        keep(scaled.c_6, c.c_6, "c_6 in u_x");
         keep(scaled.c_7, c.c_7, "c_7 in u_x");
-        keep(scaled.c_8, c.c_8, "c_8 in u_x");
-        keep(scaled.c_9, c.c_9, "c_9 in v_x");
-        keep(scaled.c_10, c.c_10, "c_10 in u_x");
-        keep(scaled.c_11, c.c_11, "c_11 in v_x");
-        keep(scaled.c_12, c.c_12, "c_12 in u_x");
+        keep(scaled.c_8, c.c_8, "c_8 in v_x");
+        keep(scaled.c_9, c.c_9, "c_9 in u_x");
+        keep(scaled.c_10, c.c_10, "c_10 in v_x");
+        keep(scaled.c_11, c.c_11, "c_11 in u_x");
         keep(scaled.v_x, c.v_x, "v_x");
+        keep(scaled.c_12, c.c_12, "c_12 in v_x");
         keep(scaled.c_13, c.c_13, "c_13 in v_x");
         keep(scaled.c_14, c.c_14, "c_14 in v_x");
         keep(scaled.c_15, c.c_15, "c_15 in v_x");
-        keep(scaled.c_16, c.c_16, "c_16 in v_x");
-        keep(scaled.c_17, c.c_17, "c_17");
+        keep(scaled.c_16, c.c_16, "c_16");
+        keep(scaled.c_19, c.c_19, "c_19 in x");
         keep(scaled.c_20, c.c_20, "c_20 in x");
-        keep(scaled.c_21, c.c_21, "c_21 in x");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -251,8 +251,8 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
+        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         if (!(scaled.c_18 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -263,13 +263,13 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
         const Number v_x = flow[1];
         const Number u_x = flow[0];
-        const Number q_1 = c.c_4 * (u_x * u_x);
+        const Number q_1 = c.c_3 * (u_x * u_x);
         const Number q_2 = v_x * v_x;
-        const Number q_3 = c.c_5 * q_2;
-        const Number q_4 = c.c_4 * q_2;
-        const Number q_5 = u_x * (u_x * (q_1 + q_3 - c.c_6) - c.c_7) + v_x * (v_x * (q_4 - c.c_6) - c.c_8) + c.c_9;
-        const Number q_6 = u_x * (u_x * (c.c_6 - q_1 - q_3) + c.c_13) + v_x * (v_x * (c.c_6 - q_4) + c.c_14) - c.c_9;
-        return {Number(v_x * q_5 + u_x * (-c.c_10 * u_x - c.c_11) + c.c_12), Number(u_x * q_6 + v_x * (c.c_15 * v_x - c.c_11) + c.c_16)};
+        const Number q_3 = c.c_4 * q_2;
+        const Number q_4 = c.c_3 * q_2;
+        const Number q_5 = u_x * (u_x * (q_1 + q_3 - c.c_5) - c.c_6) + v_x * (v_x * (q_4 - c.c_5) - c.c_7) + c.c_8;
+        const Number q_6 = u_x * (u_x * (c.c_5 - q_1 - q_3) + c.c_12) + v_x * (v_x * (c.c_5 - q_4) + c.c_13) - c.c_8;
+        return {Number(v_x * q_5 + u_x * (-c.c_9 * u_x - c.c_10) + c.c_11), Number(u_x * q_6 + v_x * (c.c_14 * v_x - c.c_10) + c.c_15)};
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
@@ -279,8 +279,7 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
-        const Number q_2 = Number(1) - c.c_21 * (c.c_20 * q_1 + c.c_2 * (q_1 * q_1) + c.c_3);
-        return {Number(q_2)};
+        return {Number(Number(1) - c.c_20 * (c.c_19 * q_1 + c.c_2 * (q_1 * q_1)))};
     }
 
     // dtheta/dT
@@ -348,7 +347,7 @@ private:
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {theta_.build(theta_rates, wide.c_17, eps, reach), "theta"}, reach);
+                {theta_.build(theta_rates, wide.c_16, eps, reach), "theta"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

@@ -145,9 +145,9 @@ private:
         Number c_9{};
         Number c_10{};
         Number c_11{};
-        Number c_12{};
         Number C_X{};
         Number C_Y{};
+        Number c_12{};
         Number c_13{};
         Number c_14{};
         Number c_15{};
@@ -155,7 +155,6 @@ private:
         Number c_17{};
         Number c_18{};
         Number c_19{};
-        Number c_20{};
     };
 
     template <class Number> static void compute_constants(
@@ -171,24 +170,23 @@ private:
         c.c_4 = Number(1) / Number(32);
         c.c_5 = Number(1) / Number(16) * k_1;
         c.c_6 = Number(1) / c.eps;
-        c.c_7 = Number(1) / Number(8);
-        c.c_8 = c.c_7 * c.C_delta;
-        c.c_9 = Number(3) / Number(128) * c.C_delta;
-        c.c_10 = Number(1) / Number(16) * c.C_delta;
+        c.c_7 = Number(1) / Number(8) * c.C_delta;
+        c.c_8 = Number(3) / Number(128) * c.C_delta;
+        c.c_9 = Number(1) / Number(16) * c.C_delta;
         const Number k_2 = k_1 * c.C_delta;
-        c.c_11 = c.c_4 * k_2;
-        c.c_12 = Number(1) / Number(192) * k_2;
+        c.c_10 = c.c_4 * k_2;
+        c.c_11 = Number(1) / Number(192) * k_2;
         c.C_X = Number(start.C_X);
         c.C_Y = Number(start.C_Y);
-        c.c_13 = Number(1) / Number(2);
-        c.c_14 = c.c_13 * k_1;
-        c.c_15 = Number(7) / Number(8) * c.C_delta;
-        c.c_16 = c.c_13 * c.eps;
+        c.c_12 = Number(1) / Number(2);
+        c.c_13 = c.c_12 * k_1;
+        c.c_14 = Number(7) / Number(8) * c.C_delta;
+        c.c_15 = c.c_12 * c.eps;
         const Number k_3 = hypot(c.C_delta, Number(0));
-        c.c_17 = Number(5) / Number(12) * c.eps * k_3;
-        c.c_18 = Number(3) / Number(64) * (k_3 * k_3);
-        c.c_19 = Number(2) * c.eps;
-        c.c_20 = Number(1) / Number(64) * c.c_2;
+        c.c_16 = Number(5) / Number(12) * c.eps * k_3;
+        c.c_17 = Number(3) / Number(64) * (k_3 * k_3);
+        c.c_18 = Number(2) * c.c_2;
+        c.c_19 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -292,17 +290,16 @@ private:
         const Number q_1 = per_s * per_s;
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
-        const Number s_m3_4 = s_4 * per_s;
         const Number theta_dot_0 = s_2 * s_4 * per_s;
         const Number s_m1_2 = s_2 * per_s;
         const Number s_8 = sqrt(s_4);
         const Number s_m3_2 = s_2 * q_1;
         const Number s_m13_8 = s_4 * s_8 * q_1;
         const Number s_m5_4 = s_2 * s_4 * q_1;
-        const Number q_2 = c.c_16 * s_m5_4 * xi;
+        const Number q_2 = c.c_15 * s_m5_4 * xi;
         const Number q_3 = hypot(xi, Number(0));
-        const Number q_4 = c.c_7 * s_m3_4 * q_3 + c.eps * (c.c_17 * s_m13_8 * q_3 + c.c_18 * theta_dot_0);
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_19 * q_4), Number(Number(1) - c.c_20 * s_m3_2 * (q_3 * q_3))};
+        const Number q_4 = Number(1) - c.c_18 * (c.c_16 * s_m13_8 * q_3 + c.c_17 * theta_dot_0);
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(Number(1) - c.c_19 * s_m3_2 * (q_3 * q_3))};
     }
 
     // dQ_x/dT
@@ -356,18 +353,18 @@ private:
         const Real s_m7_8 = s_8 * per_s;
         const Real s_m13_8 = s_4 * s_8 * q_2;
         const Real s_m3_8 = s_2 * s_8 * per_s;
-        const Real q_3 = a.cos_theta * (s_m13_8 * (c.c_10 - c.c_9 * q_1) + c.c_11 * s_m3_8);
+        const Real q_3 = a.cos_theta * (s_m13_8 * (c.c_9 - c.c_8 * q_1) + c.c_10 * s_m3_8);
         const Real q_4 = a.sin_theta * a.sin_theta;
         const Real cos_2theta = a.cos_theta * a.cos_theta - q_4;
         const Real cos_3theta = a.cos_theta * cos_2theta - Real(2) * a.cos_theta * q_4;
-        const Real psi_3 = q_3 - c.c_12 * s_m3_8 * cos_3theta;
-        const Real q_5 = c.eps * (s_m3_2 * xi + c.c_8 * s_m7_8 * xi * a.sin_theta + c.eps * psi_3);
+        const Real psi_3 = q_3 - c.c_11 * s_m3_8 * cos_3theta;
+        const Real q_5 = c.eps * (s_m3_2 * xi + c.c_7 * s_m7_8 * xi * a.sin_theta + c.eps * psi_3);
         const Real Q_x = a.tables[0];
         const Real s_m9_8 = s_2 * s_4 * s_8 * q_2;
-        const Real x_3 = s_m9_8 * a.cos_theta * (-c.c_8 * q_1 - c.C_delta) - c.c_1 * s_m1_2 * a.cos_theta * a.sin_theta;
+        const Real x_3 = s_m9_8 * a.cos_theta * (-c.c_7 * q_1 - c.C_delta) - c.c_1 * s_m1_2 * a.cos_theta * a.sin_theta;
         const Real q_6 = asinh(xi) + Q_x + c.c_2 * (c.eps * x_3 - c.C_delta * s_m3_8 * xi * a.sin_theta) + c.C_X;
-        const Real y_3 = -c.c_15 * s_m9_8 * xi * a.cos_theta - c.c_1 * s_m1_2 * xi * a.cos_theta * a.sin_theta;
-        const Real q_7 = c.C_delta * s_m3_8 * a.sin_theta + c.eps * y_3 - c.c_13 * per_s - c.c_14 * s_4;
+        const Real y_3 = -c.c_14 * s_m9_8 * xi * a.cos_theta - c.c_1 * s_m1_2 * xi * a.cos_theta * a.sin_theta;
+        const Real q_7 = c.C_delta * s_m3_8 * a.sin_theta + c.eps * y_3 - c.c_12 * per_s - c.c_13 * s_4;
         values.psi = c.eps * (psi_1 + q_5);
         values.x = q_6;
         values.y = s_2 + c.c_2 * q_7 + c.C_Y;

@@ -139,19 +139,19 @@ private:
         c.eps = Number(given_eps);
         c.c_3 = c.eps * c.eps;
         c.c_4 = Number(1) / c.eps;
-        c.c_5 = Number(1) / Number(4);
-        c.c_6 = c.c_5 * c.C;
-        c.c_7 = Number(7) / Number(32) * c.C;
-        c.c_8 = Number(3) / Number(16);
+        c.c_5 = Number(1) / Number(4) * c.C;
+        c.c_6 = Number(7) / Number(32) * c.C;
+        c.c_7 = Number(3) / Number(16);
         const Number k_2 = k_1 * c.C;
-        c.c_9 = c.c_8 * k_2;
-        c.c_10 = Number(1) / Number(32);
-        c.c_11 = c.c_10 * k_2;
-        c.c_12 = Number(2) * c.eps;
-        c.c_13 = Number(1) / Number(16);
+        c.c_8 = c.c_7 * k_2;
+        c.c_9 = Number(1) / Number(32);
+        c.c_10 = c.c_9 * k_2;
+        c.c_11 = Number(2) * c.eps;
+        c.c_12 = Number(1) / Number(16);
         const Number k_3 = hypot(c.C, Number(0));
-        c.c_14 = k_3 * k_3;
-        c.c_15 = c.c_13 * c.c_3;
+        c.c_13 = k_3 * k_3;
+        c.c_14 = Number(2) * c.c_3;
+        c.c_15 = c.c_12 * c.c_3;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -437,13 +437,12 @@ private:
         const Number q_1 = per_s * per_s;
         const Number q_2 = Number(4) * s;
         const Number s_m1_2 = s_2 * per_s;
-        const Number q_3 = c.c_12 * s_m1_2 * tau;
+        const Number q_3 = c.c_11 * s_m1_2 * tau;
         const Number s_m3_2 = s_2 * q_1;
-        const Number q_4 = hypot(tau, Number(0));
-        const Number q_5 = c.c_14 * s_m3_2 * hypot(Number(c.c_13 * tau + c.c_13), Number(0));
-        const Number q_6 = c.c_14 * s_m3_2 * hypot(Number(-c.c_10 * tau - c.c_10), Number(0));
-        const Number q_7 = q_5 + c.c_14 * s_m3_2 * hypot(Number(-c.c_8 * tau - c.c_8), Number(0)) + q_6;
-        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_12 * (c.c_5 * s_m3_2 * q_4 + c.eps * q_7)), Number(Number(1) - c.c_15 * (q_1 * per_s) * (q_4 * q_4))};
+        const Number q_4 = c.c_13 * s_m3_2 * hypot(Number(c.c_12 * tau + c.c_12), Number(0));
+        const Number q_5 = q_4 + c.c_13 * s_m3_2 * hypot(Number(-c.c_7 * tau - c.c_7), Number(0)) + c.c_13 * s_m3_2 * hypot(Number(-c.c_9 * tau - c.c_9), Number(0));
+        const Number q_6 = hypot(tau, Number(0));
+        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_14 * q_5), Number(Number(1) - c.c_15 * (q_1 * per_s) * (q_6 * q_6))};
     }
 
     // dtheta/dT
@@ -475,13 +474,13 @@ private:
         const Real s_m1_4 = s_2 * s_4 * per_s;
         const Real x_1 = c.C * s_m1_4 * a.cos_theta;
         const Real s_m7_4 = s_4 * q_2;
-        const Real x_2 = c.c_6 * s_m7_4 * tau * a.sin_theta;
+        const Real x_2 = c.c_5 * s_m7_4 * tau * a.sin_theta;
         const Real s_m13_4 = s_2 * s_4 * (q_2 * q_2);
-        const Real q_3 = s_m13_4 * (c.c_6 - c.c_7 * q_1) + s_m7_4 * (-c.c_9 * tau - c.c_9);
+        const Real q_3 = s_m13_4 * (c.c_5 - c.c_6 * q_1) + s_m7_4 * (-c.c_8 * tau - c.c_8);
         const Real q_4 = a.sin_theta * a.sin_theta;
         const Real cos_2theta = a.cos_theta * a.cos_theta - q_4;
         const Real cos_3theta = a.cos_theta * cos_2theta - Real(2) * a.cos_theta * q_4;
-        const Real x_3 = a.cos_theta * q_3 + s_m7_4 * cos_3theta * (c.c_11 * tau + c.c_11);
+        const Real x_3 = a.cos_theta * q_3 + s_m7_4 * cos_3theta * (c.c_10 * tau + c.c_10);
         values.x = c.eps * (x_1 + c.eps * (x_2 + c.eps * x_3));
         return finite(values.x) ? Status::ok : Status::overflow;
     }

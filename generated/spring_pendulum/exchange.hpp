@@ -305,8 +305,7 @@ private:
         const Number q_3 = hypot(q_1, q_2);
         const Number q_4 = q_1 * q_1;
         const Number q_5 = c.eps * (c.c_20 * (q_4 * q_1) + c.c_17 * q_1 * (q_2 * q_2)) + c.c_18 * q_1 * q_2;
-        const Number q_6 = q_3 + c.c_19 - c.c_21 * (c.c_6 * q_2 + c.c_22 * q_2 * q_4 + c.c_15 * q_4);
-        return {Number(q_3 + c.c_19 - c.c_21 * q_5), Number(q_6)};
+        return {Number(q_3 + c.c_19 - c.c_21 * q_5), Number(q_3 + c.c_19 - c.c_21 * (c.c_22 * q_2 * q_4 + c.c_15 * q_4))};
     }
 
     // dtheta_1/dT

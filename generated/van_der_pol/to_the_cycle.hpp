@@ -142,7 +142,6 @@ private:
         Number c_17{};
         Number c_18{};
         Number c_19{};
-        Number c_20{};
     };
 
     template <class Number> static void compute_constants(
@@ -171,8 +170,7 @@ private:
         c.c_16 = Number(1) / Number(16);
         c.c_17 = Number(5) / Number(384);
         c.c_18 = Number(5) / Number(192);
-        c.c_19 = Number(5) / Number(32);
-        c.c_20 = Number(2) * c.eps;
+        c.c_19 = Number(5) / Number(16) * c.eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -261,7 +259,7 @@ private:
         const Number u_x = flow[0];
         const Number v_x = flow[1];
         const Number q_1 = hypot(u_x, v_x);
-        return {Number(Number(1) - c.c_20 * (c.c_19 * (q_1 * q_1) + c.c_13))};
+        return {Number(Number(1) - c.c_19 * (q_1 * q_1))};
     }
 
     // dtheta/dT
