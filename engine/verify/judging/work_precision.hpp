@@ -46,8 +46,8 @@ struct BreakEven {
     Task task = Task::final;
     double emitted_seconds = 0; // construction included, as in those of the rivals
     std::vector<RivalAtEqualAccuracy> rivals;
-    std::string winner;  // the fastest of all at equal accuracy
-    std::string failure; // why the emitted evaluator has no numbers: then nobody wins
+    std::string winner;       // the fastest of all at equal accuracy
+    std::string failure = {}; // why the emitted evaluator has no numbers: then nobody wins
 };
 
 // The accuracy asked of everyone is the emitted code's along the whole run: at a single time an error
