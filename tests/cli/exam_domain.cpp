@@ -26,6 +26,12 @@ std::string scene_of(const std::string& tau, const std::string& interval, const 
            "\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = \"" + interval + "\"\n";
 }
 
+// On a slow machine a line says how long the evaluator took.
+std::string message(const Outcome& outcome) {
+    const std::size_t at = outcome.err.find("resonform: ");
+    return at == std::string::npos ? outcome.err : outcome.err.substr(at);
+}
+
 class DomainOfASystem : public testing::Test {
 protected:
     DomainOfASystem() { write(scratch_.path() / "systems/bounded/system.toml", system_file); }
@@ -42,8 +48,8 @@ protected:
 TEST_F(DomainOfASystem, EvaluateAnswersPointByPoint) {
     const Outcome outcome = said("evaluate", scene_of("1", "3/eps"), "--eps 0.1 --t 0,5,8,9.9,10.1,25,31");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "resonform: outside_domain: 2*sqrt(tau)*sqrt(-tau + 2)\n"
-                           "resonform: outside_interval: t\n");
+    EXPECT_EQ(message(outcome), "resonform: outside_domain: 2*sqrt(tau)*sqrt(-tau + 2)\n"
+                                "resonform: outside_interval: t\n");
     std::string statuses;
     for (std::size_t at = 0, end; (end = outcome.out.find('\n', at)) != std::string::npos; at = end + 1)
         statuses += outcome.out.substr(0, end).substr(outcome.out.rfind(',', end) + 1) + " ";
@@ -116,19 +122,18 @@ TEST_F(DomainOfASystem, AVanishingDivisorIsNamed) {
                   "[equations]\nx = \"x'' + x + x*y = 0\"\ny = " + "\"y'' + (2*s)^2*y + x^2 = 0\"\n" + rates);
         write(scratch_.path() / "systems/resonant/scenes/s.toml",
               "order = 2\n" + at + "x = \"eps\"\n\"x'\" = 0\ny = \"eps/2\"\n\"y'\" = 0\n");
-        return run("resonform evaluate systems/resonant/scenes/s.toml --eps 0.1 --t 0,1", scratch_.path());
+        return message(
+            run("resonform evaluate systems/resonant/scenes/s.toml --eps 0.1 --t 0,1", scratch_.path()));
     };
     const std::string fast = "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n";
     const std::string slow = fast + "s = { role = \"slow\", positive = true }\n";
-    EXPECT_EQ(outcome(slow, "s = \"s' = eps\"\n", "[start]\ns = 1\n").err,
+    EXPECT_EQ(outcome(slow, "s = \"s' = eps\"\n", "[start]\ns = 1\n"),
               "resonform: outside_domain: -(s - 1)\n");
     EXPECT_EQ(outcome("[parameters]\ns = { positive = true }\n" + fast, "",
-                      "[fix]\ns = \"1 + 1/10000000\"\n[start]\n")
-                  .err,
+                      "[fix]\ns = \"1 + 1/10000000\"\n[start]\n"),
               "resonform: outside_domain: -2*(s - 1)\n");
     // Away from it, a start that is too large is named by its variable.
-    EXPECT_EQ(outcome(slow, "s = \"s' = eps\"\n", "[start]\ns = 1.001\n").err,
-              "resonform: outside_domain: x\n");
+    EXPECT_EQ(outcome(slow, "s = \"s' = eps\"\n", "[start]\ns = 1.001\n"), "resonform: outside_domain: x\n");
 }
 
 } // namespace resonform::test

@@ -80,8 +80,8 @@ TEST_F(LayerOf, NothingThatIsFarAway) {
         std::vector<double> values;
         for (const double t : {0.0, 1.0, 5.0, 10.0}) EXPECT_EQ(interpreter.call(t, values), Status::ok) << t;
     }
-    for (const ProgramCondition& layer : program("", "x = \"x'' + x + tau*x^3 = 0\"\n", start)->layers)
-        EXPECT_EQ(layer.quantity, "x");
+    const auto growing = program("", "x = \"x'' + x + tau*x^3 = 0\"\n", start);
+    for (const ProgramCondition& layer : growing->layers) EXPECT_EQ(layer.quantity, "x");
     EXPECT_TRUE(program("", "x = \"x'' + x + x^3 = 0\"\n", start)->layers.empty());
 }
 
