@@ -24,7 +24,7 @@ struct Home {
 // The current folder if it has systems/; else the source tree if that is still there.
 Home find_home();
 
-// SYSTEM of the command line: find_system of model/system/system_file.hpp. A line on standard error says if a
+// SYSTEM of the command line: find_system of model/files/read_system.hpp. A line on standard error says if a
 // name is one of the source tree.
 std::filesystem::path find_system(const std::string& argument, const Home& home);
 // The same for a file that was found by its name, in a folder of systems.

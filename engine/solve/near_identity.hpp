@@ -7,9 +7,9 @@
 //
 // or by less than eps^M/2. Slow variables, angles and drifts have physical values; where slow variables and
 // drifts begin to count says nothing, so that they are missed by less than 2^-M |h(w_0)|, each of M steps of
-// the inversion having gained a half (or by rounding, 10^-10 of themselves and of what they are the sum of:
-// the constant of a drift and the course of its mean cancel at the start). What of h has no mode in it drops
-// out of these differences: its harmonics together are less than twice the start value, or than 2
+// the inversion having gained a half (or 10^-10 of themselves and of the terms of their sum, which is
+// rounding: at the start the constant of a drift and its mean motion cancel). What of h has no mode in it
+// drops out of these differences: its harmonics together are less than twice the start value, or than 2
 // eps^weight (of a slow variable or angle, than 2; modes of equations of the first degree are forced as far
 // as they like). A template over the numbers, for there are two users: the emitter computes with nodes of a
 // graph, the check of emitted code with 50 digits.

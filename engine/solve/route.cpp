@@ -21,7 +21,7 @@ bool solves_by_quadratures(const GradedField& field) {
            std::all_of(field.slow.begin(), field.slow.end(),
                        [&](const SlowVariable& slow) { return has_explicit_law(field, slow); }) &&
            field.system().style != Style::hamiltonian &&
-           cln::zerop(field.system().near); // what is kept near is not resonant
+           cln::zerop(field.system().near); // a monomial kept by `near` is not resonant, and has a phase
 }
 
 } // namespace resonform

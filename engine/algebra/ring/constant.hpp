@@ -6,7 +6,7 @@
 
 namespace resonform {
 
-// Whether only parameters, and roots of what is constant, stand in p.
+// Whether p holds nothing but parameters and roots of constants.
 [[nodiscard]] bool is_constant(const Ring& ring, const Polynomial& p);
 
 } // namespace resonform

@@ -39,9 +39,9 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                 const std::function<Graph::Node(const Polynomial&)>& lower);
 
-// Likewise what is > 0 while the first corrections of the map are small; what needs quadratures is looked at
-// in every call, for tables are built behind the layers. modes: divided by eps^weight, at any slow time;
-// `lower`: the node of a real polynomial of the solution's ring.
+// Adds the margins of solve/first_correction.hpp to program.layers. One that needs a quadrature becomes a
+// condition of every call instead (program.positive), since tables are built only after the layers. modes:
+// divided by eps^weight, at any slow time; `lower`: the node of a real polynomial of the solution's ring.
 void add_corrections(Program& program, const Solution& solution, const Surroundings& surroundings,
                      const std::vector<FlowUnit>& modes,
                      const std::function<Graph::Node(const Polynomial&)>& lower);

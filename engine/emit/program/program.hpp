@@ -81,9 +81,8 @@ struct Program {
     std::vector<ProgramOutput> outputs;              // as the scene lists them
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
     std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first
-    std::vector<ProgramCondition>
-        layers; // > 0 up to where the evaluator ends (emit/program/layers.hpp); no tables
-    std::vector<ProgramOutput> names; // sub-expressions that a reader knows by name: "psi_2", "rho_8"
+    std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (layers.hpp); no tables
+    std::vector<ProgramOutput> names;       // sub-expressions that a reader knows by name: "psi_2", "rho_8"
     // The horizon in slow time that the scene asks for, verify.interval * eps: in eps and parameters, and
     // as a number (at the smallest eps of the scene's ladder if it depends on eps).
     Graph::Node slow_time_end = -1;

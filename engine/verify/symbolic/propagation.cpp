@@ -81,8 +81,8 @@ std::vector<long double> SymbolicPropagation::operator()(const Float128& T) cons
     return result;
 }
 
-// Through one piece, in steps that its first slopes ask for. Where a flow turns too often to be followed,
-// differences stay as they are: what is larger by shear or by instability would be an artefact of the steps.
+// Carries the differences through one piece; its first slopes say how many steps that takes. Where it would
+// take too many, the differences are left unchanged: their growth would come from the steps, not the flow.
 void SymbolicPropagation::carry_on(const Flow& flow, const Float128& left) {
     const auto length = static_cast<long double>(piece_);
     Row sizes = scales_.back();
