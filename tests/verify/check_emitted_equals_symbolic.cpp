@@ -52,9 +52,20 @@ EmittedCheck checked(const Made& m, const fs::path& folder = cache()) {
     return checked(m, EvaluatorLibrary::build(m.program, folder, {}), folder);
 }
 
+std::shared_ptr<const EvaluatorLibrary> interpreted(const Made& m) {
+    return EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program));
+}
+
 // Where the lie is in the graph, which compiled code and the interpreter have in common.
-EmittedCheck checked_interpreted(const Made& m) {
-    return checked(m, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)), cache());
+EmittedCheck checked_interpreted(const Made& m) { return checked(m, interpreted(m), cache()); }
+
+// The scene s of a system, from thirty starts.
+void expect_four_ulp(const fs::path& system) {
+    const Made m = made(read_scene(system / "scenes/s.toml", cache()));
+    const EmittedCheck check =
+        check_emitted(m.program, interpreted(m), m.solution, m.scene, {cache(), {}, 30});
+    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
+    EXPECT_LT(check.worst(), 4) << to_text(check);
 }
 
 // Compiled by another compiler, in a folder of its own.
@@ -176,12 +187,7 @@ TEST(EmittedEqualsSymbolic, ADivisorThatIsTheDifferenceOfARootKeepsItsDigits) {
     write_atomically(system / "scenes/s.toml",
                      "order = 1\n[start]\nx = \"0.3*eps\"\n\"x'\" = \"0.1*eps\"\ns = 0.4\np = 0.5\n"
                      "[verify]\neps = [0.01, 0.002]\ninterval = \"1\"\n");
-    const Made m = made(read_scene(system / "scenes/s.toml", cache()));
-    const EmittedCheck check =
-        check_emitted(m.program, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
-                      m.solution, m.scene, {cache(), {}, 30});
-    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
-    EXPECT_LT(check.worst(), 4) << to_text(check);
+    expect_four_ulp(system);
 }
 
 // The divisor 1 - w of a forced motion at w = pi/3: of a pi in double it had lost 20 ulp.
@@ -197,12 +203,7 @@ TEST(EmittedEqualsSymbolic, ADivisorOfFixedNumbersKeepsItsDigits) {
         system / "scenes/s.toml",
         "order = 1\n[fix]\nw = \"pi/3\"\n[start]\nx = \"0.3*eps\"\n\"x'\" = \"0.1*eps\"\ns = 0.4\n"
         "p = 0.5\n[verify]\neps = [0.01, 0.002]\ninterval = \"1\"\n");
-    const Made m = made(read_scene(system / "scenes/s.toml", cache()));
-    const EmittedCheck check =
-        check_emitted(m.program, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
-                      m.solution, m.scene, {cache(), {}, 30});
-    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
-    EXPECT_LT(check.worst(), 4) << to_text(check);
+    expect_four_ulp(system);
 }
 
 // A condition that holds wherever values are compared, and breaks at some of the starts of which only the
@@ -211,9 +212,7 @@ TEST(EmittedEqualsSymbolic, AConditionThatFewStartsBreakIsCaught) {
     Made m = stiffening();
     constexpr std::size_t starts = 10, times = 20;
     const auto check = [&m] {
-        return check_emitted(m.program,
-                             EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
-                             m.solution, m.scene, {cache(), {}, starts, times});
+        return check_emitted(m.program, interpreted(m), m.solution, m.scene, {cache(), {}, starts, times});
     };
     const EmittedCheck honest = check();
     EXPECT_EQ(honest.verdict, Verdict::pass) << to_text(honest);
@@ -243,8 +242,7 @@ TEST(EmittedEqualsSymbolic, TellsHowFarItIs) {
     options.starts = 8;
     options.times = 2;
     const auto check = [&] {
-        check_emitted(m.program, EvaluatorLibrary::interpreted(std::make_shared<const Program>(m.program)),
-                      m.solution, m.scene, options);
+        check_emitted(m.program, interpreted(m), m.solution, m.scene, options);
         if (!said.empty()) said.pop_back(); // the seconds that it took
         return std::exchange(said, {});
     };
