@@ -4,7 +4,8 @@
 # end, each in a Debian 12 of its own that has nothing but the minimal packages. Takes root, debootstrap and
 # about an hour; to be run after every change of the lists of packages or of the CMake presets.
 #
-#   $RESONFORM_BARE_ROOT  the folder of the roots, default build/bare_root: made anew, removed if all went well
+#   $RESONFORM_BARE_ROOT  the folder of the roots, default build/bare_root: made anew, removed if all went well;
+#                         a folder that holds anything must be one that this script has made
 #   $RESONFORM_MIRROR     the Debian mirror of debootstrap, default: that of this machine's apt
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -21,12 +22,32 @@ for command in "${commands[@]}"; do
         ;;
     esac
 done
+
+# The folder will be removed with all that is in it.
+roots=$(realpath -m "${RESONFORM_BARE_ROOT:-build/bare_root}")
+marker=.resonform_bare_root
+refuse() {
+    echo "check_bare_root.sh: RESONFORM_BARE_ROOT: $1" >&2
+    echo "  found: $roots" >&2
+    echo "  mend:  $2" >&2
+    exit 2
+}
+above=${roots%/} # "" of /
+for kept in "$(pwd -P)" "$(realpath -m "${HOME:-/}")"; do
+    case "$kept/" in
+    "$above"/*) refuse "the folder, which is removed, must not hold $kept" "give a folder of its own" ;;
+    esac
+done
+if [ -e "$roots" ] && [ ! -e "$roots/$marker" ] && { [ ! -d "$roots" ] || [ -n "$(ls -A "$roots")" ]; }; then
+    refuse "the folder, which is removed, must be empty or made by this script, with a file $marker" \
+        "give another folder, or delete this one yourself"
+fi
+
 if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap >/dev/null; then
     echo "check_bare_root.sh takes root and the package debootstrap" >&2
     exit 2
 fi
 
-roots=$(realpath -m "${RESONFORM_BARE_ROOT:-build/bare_root}")
 mirror=${RESONFORM_MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | head -n 1)}
 
 unmount() {
@@ -39,6 +60,7 @@ trap unmount EXIT
 unmount
 rm -rf "$roots"
 mkdir -p "$roots"
+touch "$roots/$marker"
 
 echo "== the minimal packages: $roots"
 debootstrap --variant=minbase bookworm "$roots/minbase" "$mirror"
