@@ -76,6 +76,18 @@ TEST(IncludeDirection, IsWhatTheDocumentOfTheRoomsSays) {
     EXPECT_EQ(listed, rooms);
 }
 
+TEST(IncludeDirection, IsWhatTheDrawingOfTheRoomsShows) {
+    std::ifstream document(RESONFORM_SOURCE_DIR "/docs/architecture.md");
+    std::string drawn;
+    bool inside = false;
+    for (std::string line; std::getline(document, line);) {
+        if (line == "```") inside = false;
+        if (inside) drawn += line + "\n";
+        if (line == "```mermaid") inside = true;
+    }
+    EXPECT_EQ(drawn, run("scripts/draw_rooms.sh", RESONFORM_SOURCE_DIR).out);
+}
+
 TEST(IncludeDirection, SeesAnUpwardIncludeTwoLevelsDeep) {
     const Scratch scratch;
     std::filesystem::create_directories(scratch.path() / "engine/algebra/ring/packed");
