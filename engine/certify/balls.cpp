@@ -2,6 +2,7 @@
 #include "certify/balls.hpp"
 
 #include "algebra/series/number_domain.hpp"
+#include "certify/readings.hpp"
 
 #include <stdexcept>
 

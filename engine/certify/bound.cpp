@@ -4,6 +4,7 @@
 #include "algebra/number/modular.hpp"
 #include "certify/hamiltonian.hpp"
 #include "certify/inner_product.hpp"
+#include "certify/readings.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/certificate.hpp"
 
+#include "algebra/number/elimination.hpp"
+#include "algebra/number/error.hpp"
 #include "certify/bound.hpp"
+#include "certify/build_plan.hpp"
 #include "certify/hamiltonian.hpp"
 #include "certify/lie.hpp"
 #include "certify/point.hpp"
 #include "certify/scan.hpp"
 #include "certify/source.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <fmt/format.h>
 
@@ -24,24 +28,6 @@ constexpr double wanted_error = 1e-30;
 constexpr int unlucky_points_allowed = 64;
 
 using Matrix = std::vector<std::vector<Residue>>;
-
-// Elimination without division: rows are multiplied by pivots, which are not zero.
-bool is_singular(const PrimeField& f, Matrix a) {
-    for (std::size_t column = 0; column < a.size(); ++column) {
-        std::size_t row = column;
-        while (row < a.size() && a[row][column] == 0) ++row;
-        if (row == a.size()) return true;
-        std::swap(a[row], a[column]);
-        const Residue pivot = a[column][column];
-        for (++row; row < a.size(); ++row) { // those above it have nothing in the column
-            const Residue factor = a[row][column];
-            if (factor == 0) continue;
-            for (std::size_t k = column; k < a.size(); ++k)
-                a[row][k] = f.subtract(f.multiply(a[row][k], pivot), f.multiply(factor, a[column][k]));
-        }
-    }
-    return false;
-}
 
 // At the n-th point, as all below.
 std::vector<Residue> at_origin(const PointRun& run, std::size_t n, const std::vector<Slot>& slots) {
@@ -133,7 +119,10 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
                 require_known_rates(plan, run, n, *field.ring, through);
                 // A residual that vanishes through M says that the highest derivatives are right through M
                 // only if they are determined at weight 0. A non-zero determinant at one point proves it.
-                if (is_singular(batch[n].field, at_origin(run, n, plan.jacobian))) throw UnluckyPoint();
+                Matrix jacobian = at_origin(run, n, plan.jacobian);
+                if (reduce_rows(jacobian, jacobian.size(), Residues{batch[n].field})->size() <
+                    jacobian.size())
+                    throw UnluckyPoint();
                 std::string here = complaint_of(plan, run, n, field.system(), shape.through);
                 if (here.empty() && shape.hamiltonian)
                     here = generator_complaint(plan, source.normal_form(), run, n, batch[n]);

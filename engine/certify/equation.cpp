@@ -6,39 +6,6 @@
 
 namespace resonform {
 
-void refuse_certificate(const std::string& rule, const Equation& equation, const std::string& part) {
-    const SourceText& source = equation.source;
-    refuse({"the certificate substitutes into the equation as written: " + rule,
-            part + equation.text,
-            "write the equation with what the expansion supports",
-            {source.file, source.line, source.column, source.key, source.source_line}});
-}
-
-Rational rational_of(const GiNaC::ex& number, const Equation& equation) {
-    if (!GiNaC::is_a<GiNaC::numeric>(number) || !GiNaC::ex_to<GiNaC::numeric>(number).is_rational())
-        refuse_certificate("numbers and exponents are rational", equation);
-    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(number).to_cl_N());
-}
-
-Elementary elementary_of(const GiNaC::ex& function, const Equation& equation) {
-    static const std::pair<const char*, Elementary> names[] = {
-        {"exp", Elementary::exponential},
-        {"log", Elementary::logarithm},
-        {"sin", Elementary::sine},
-        {"cos", Elementary::cosine},
-        {"tan", Elementary::tangent},
-        {"sinh", Elementary::hyperbolic_sine},
-        {"cosh", Elementary::hyperbolic_cosine},
-        {"tanh", Elementary::hyperbolic_tangent},
-        {"asin", Elementary::arc_sine},
-        {"atan", Elementary::arc_tangent},
-    };
-    const std::string name = GiNaC::ex_to<GiNaC::function>(function).get_name();
-    for (const auto& [known, elementary] : names)
-        if (name == known) return elementary;
-    refuse_certificate("functions are sin cos tan exp log sinh cosh tanh asin atan", equation);
-}
-
 namespace {
 
 // k of an argument k phi + rest, an integer; the angle is taken out of `argument`. Refuses what is not one.

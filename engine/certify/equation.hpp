@@ -2,7 +2,7 @@
 // Writes an equation of the file, as the user wrote it, into the program of a certificate.
 #pragma once
 
-#include "certify/program.hpp"
+#include "certify/as_written.hpp"
 #include "certify/roots.hpp"
 #include "model/text/named_function.hpp"
 
@@ -11,13 +11,6 @@
 #include <vector>
 
 namespace resonform {
-
-// Refuses with the equation as written, and before it what is meant: "log(s) in ".
-[[noreturn]] void refuse_certificate(const std::string& rule, const Equation& equation,
-                                     const std::string& part = {});
-
-Rational rational_of(const GiNaC::ex& number, const Equation& equation);       // refuses what is not rational
-Elementary elementary_of(const GiNaC::ex& function, const Equation& equation); // refuses unknown functions
 
 // What stands for the symbols of an equation; an angle is known by e^{i phi} and e^{-i phi}.
 struct Substituted {

@@ -2,7 +2,7 @@
 // Functions of weight 0 in the equations of the file, by the generators of the ring: each argument is
 // written as a sum of rational multiples of the generators' arguments. Angles are added as powers of
 // c + i s, not by the formulas of the expansion.
-#include "certify/equation.hpp"
+#include "certify/as_written.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/named_function.hpp"
 

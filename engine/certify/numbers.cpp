@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/recursion/numbers.hpp"
 #include "algebra/number/ball_matrix.hpp"
+#include "algebra/number/error.hpp"
 #include "certify/balls.hpp"
+#include "certify/build_plan.hpp"
 #include "certify/point.hpp"
 #include "certify/scan.hpp"
 

@@ -50,15 +50,4 @@ struct CertificatePlan {
     std::vector<Coordinate> coordinates;
 };
 
-// `hamiltonian`: its brackets are read, and its checks added (certificate_hamiltonian.hpp).
-// Errors (refused): an equation with constructs that cannot be substituted.
-CertificatePlan plan_certificate(const GradedField& field, const HamiltonianForm* hamiltonian);
-
-// The frequencies of modes and angles only, without anything to be checked.
-CertificatePlan plan_frequencies(const GradedField& field);
-
-// The series that a name stands for.
-const Series& series_of(SeriesName name, const CertificateProgram& program, const NormalForm& normal_form,
-                        const NearIdentityMap& map);
-
 } // namespace resonform

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/point.hpp"
 
+#include "algebra/number/error.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <utility>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <future>
+#include <stdexcept>
 #include <thread>
 
 namespace resonform {
@@ -70,6 +71,23 @@ void PointReadings::read(const Ring& ring, std::span<const Point> points, std::s
                 keep([&](std::size_t n) { return w.slope(k, n); });
         }
     }
+}
+
+const Series& series_of(SeriesName name, const CertificateProgram& program, const NormalForm& normal_form,
+                        const NearIdentityMap& map) {
+    switch (name.kind) {
+    case SeriesName::mode_rate: return normal_form.mode[name.index];
+    case SeriesName::angle_rate: return normal_form.angle[name.index];
+    case SeriesName::slow_rate: return normal_form.slow[name.index];
+    case SeriesName::drift_rate: return normal_form.drift[name.index];
+    case SeriesName::mode_shift: return map.mode[name.index];
+    case SeriesName::angle_shift: return map.angle[name.index];
+    case SeriesName::slow_shift: return map.slow[name.index];
+    case SeriesName::drift_shift: return map.drift[name.index];
+    case SeriesName::energy: return normal_form.hamiltonian->energy;
+    case SeriesName::polynomial: return program.polynomial(name.index);
+    }
+    throw std::logic_error("series_of: unknown kind");
 }
 
 } // namespace resonform

@@ -38,4 +38,8 @@ private:
     std::vector<Coefficient> coefficients_; // of the parts, one after the other
 };
 
+// The series that a name stands for.
+const Series& series_of(SeriesName name, const CertificateProgram& program, const NormalForm& normal_form,
+                        const NearIdentityMap& map);
+
 } // namespace resonform

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/resonance.hpp"
 
+#include "model/text/enclosure.hpp"
+
 #include <algorithm>
+#include <optional>
 
 namespace resonform {
 
@@ -54,11 +57,10 @@ bool Resonance::is_near(const std::vector<int>& exponents, int mode) const {
         imaginary += m.omega[k] * field_.basis.modes[k].eigenvalue.im;
     }
     for (std::size_t k = 0; k < m.angle.size(); ++k) imaginary += m.angle[k] * field_.angles[k].law;
-    const GiNaC::ex size = GiNaC::sqrt(real * real + imaginary * imaginary).evalf();
-    if (!GiNaC::is_a<GiNaC::numeric>(size)) return false;
-    constexpr double rounding = 1 + 1e-14;
-    return GiNaC::ex_to<GiNaC::numeric>(size).to_double() <=
-           cln::double_approx(field_.system().near) * rounding;
+    constexpr std::int64_t bits = 512;
+    const Rational limit = field_.system().near * field_.system().near;
+    const std::optional<RealBall> square = enclose(real * real + imaginary * imaginary, {}, bits);
+    return square && arb_gt(square->get(), RealBall(limit, bits).get()) == 0;
 }
 
 } // namespace resonform

@@ -2,9 +2,20 @@
 // Which monomials are resonant, as the certificate sees it.
 #pragma once
 
-#include "certify/scan.hpp"
+#include "algebra/number/modular.hpp"
+#include "normalize/recursion/normal_form.hpp"
+
+#include <vector>
 
 namespace resonform {
+
+// What the scan knows of one random point modulo a prime.
+struct FrequencySample {
+    PrimeField field;
+    std::vector<Residue> growth, omega; // of each mode
+    std::vector<Residue> angle;         // of each angle
+    std::vector<Residue> generators;    // of the ring
+};
 
 // <alpha, lambda> - lambda_mode = growth + i frequency, of a monomial given by all its exponents.
 class Resonance {

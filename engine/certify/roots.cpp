@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/roots.hpp"
 
-#include "certify/equation.hpp"
+#include "algebra/number/number.hpp"
+#include "certify/as_written.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/named_function.hpp"
+#include "model/text/regular.hpp"
 
 #include <fmt/format.h>
 
@@ -101,14 +103,13 @@ std::optional<GeneratorId> CertificateRoots::generator_of(const ex& symbol) cons
 
 ex CertificateRoots::at_origin(const ex& e, const Equation& equation) {
     if (const auto known = origins_.find(e); known != origins_.end()) return known->second;
-    try {
+    const auto value = where_regular([&] {
         const ex at_zero = e.subs(origin_, GiNaC::subs_options::no_pattern);
-        const ex value = lowered(with_symbols(at_zero, equation).normal());
-        const bool zero = without_whole_powers(value).is_zero();
-        return origins_.emplace(e, zero ? 0 : value).first->second;
-    } catch (const GiNaC::pole_error&) {
-        refuse_part("no denominator vanishes at the origin", e, equation);
-    }
+        const ex found = lowered(with_symbols(at_zero, equation).normal());
+        return without_whole_powers(found).is_zero() ? ex(0) : found;
+    });
+    if (!value) refuse_part("no denominator vanishes at the origin", e, equation);
+    return origins_.emplace(e, *value).first->second;
 }
 
 // The ring may have written a variable by a root in it, a = sigma^4: whole powers of radicands are put back.
@@ -140,11 +141,11 @@ const Radical& CertificateRoots::resolve(const ex& base, const Rational& exponen
         if (k.exponent == exponent && k.base.is_equal(base)) return k.radical;
     Product product{GiNaC::pow(base, GiNaC::numeric(exponent)), {}, {}, {}};
     product.roots.resize(roots_.size());
-    try {
+    const auto regular = where_regular([&] {
         split(base.subs(origin_, GiNaC::subs_options::no_pattern), exponent, equation, product);
-    } catch (const GiNaC::pole_error&) {
-        refuse_part("no denominator vanishes at the origin", product.whole, equation);
-    }
+        return true;
+    });
+    if (!regular) refuse_part("no denominator vanishes at the origin", product.whole, equation);
     known_.push_back({base, exponent, collect(product, equation)});
     return known_.back().radical;
 }

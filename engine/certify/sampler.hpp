@@ -2,7 +2,7 @@
 // Random points of a ring modulo random primes.
 #pragma once
 
-#include "algebra/number/montgomery.hpp"
+#include "algebra/number/modular.hpp"
 #include "algebra/ring/ring.hpp"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // Part (b) of the certificate: what can be read off the exponents of normal form and map.
 #pragma once
 
-#include "algebra/number/modular.hpp"
+#include "certify/resonance.hpp"
 #include "certify/survey.hpp"
 #include "normalize/recursion/normal_form.hpp"
 
@@ -16,14 +16,6 @@ namespace resonform {
 // One series for each variable, part n homogeneous of weight n; N from the weight of the mode, 0 (angles) or
 // 1 on, the map from 1 on; nothing beyond M, no negative power of what may vanish.
 std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map, Surveyor& surveys);
-
-// What the scan knows of one random point modulo a prime.
-struct FrequencySample {
-    PrimeField field;
-    std::vector<Residue> growth, omega; // of each mode
-    std::vector<Residue> angle;         // of each angle
-    std::vector<Residue> generators;    // of the ring
-};
 
 // Every monomial of N is resonant, <alpha, lambda> = lambda_j (0 for other variables), and none of the map
 // is; where the linear part is not semisimple, the condition of the inner product takes its place. A multiple

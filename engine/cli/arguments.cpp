@@ -2,7 +2,9 @@
 #include "cli/arguments.hpp"
 
 #include "model/system/scene_file.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/expression.hpp"
+#include "model/text/nearest.hpp"
 #include "normalize/recursion/numbers.hpp"
 
 #include <fmt/format.h>
@@ -61,11 +63,12 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 
 } // namespace
 
-void bad_argument(const std::string& option, const std::string& rule, const std::string& value,
+void bad_argument(const std::string& option, const std::string& rule, const std::optional<std::string>& value,
                   const std::string& mend) {
     Place place;
     place.key = option;
-    bad_input(Reason::command_line, {rule, printable(value), mend, place});
+    const std::string found = !value ? "" : value->empty() ? "''" : printable(*value);
+    bad_input(Reason::command_line, {rule, found, mend, place});
 }
 
 std::uint64_t read_integer(const std::string& option, const std::string& text, std::uint64_t lowest,

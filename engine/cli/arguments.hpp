@@ -14,9 +14,10 @@
 
 namespace resonform {
 
-// The complaint about an argument: its option is the place.
-[[noreturn]] void bad_argument(const std::string& option, const std::string& rule, const std::string& value,
-                               const std::string& mend);
+// The complaint about an argument: its option is the place. No value: none was given, which is not an empty
+// one.
+[[noreturn]] void bad_argument(const std::string& option, const std::string& rule,
+                               const std::optional<std::string>& value, const std::string& mend);
 
 // What `read` gives; the option is the place of its complaint, if that names none.
 template <class Read> auto of_argument(const std::string& option, const Read& read) {

@@ -3,8 +3,10 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
+#include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "cli/watch.hpp"
 #include "emit/display/json.hpp"
 #include "model/files/read_system.hpp"
 

@@ -2,6 +2,7 @@
 #include "cli/command.hpp"
 
 #include "cli/arguments.hpp"
+#include "model/system/style.hpp"
 #include "normalize/recursion/numbers.hpp"
 
 #include <fmt/format.h>

@@ -80,8 +80,8 @@ void refuse_swallowed(const CLI::App& app, const CLI::Option& missing) {
         if (option->get_required() && option->count() == 0) {
             refuse_swallowed(app, *option);
             bad_argument(one_name(*option),
-                         fmt::format("{} needs it, {}", chosen.get_name(), option->get_description()), "",
-                         see_help(app));
+                         fmt::format("{} needs it, {}", chosen.get_name(), option->get_description()),
+                         std::nullopt, see_help(app));
         }
     bad_input(Reason::command_line, {"a command must be given", "", see_help(app), {}});
 }
@@ -92,8 +92,22 @@ void refuse_swallowed(const CLI::App& app, const CLI::Option& missing) {
             bad_argument(one_name(*option), "must be given at most once",
                          fmt::format("{}", fmt::join(option->results(), ", ")), "leave out all but one");
     // "--order: 1 required INT missing"
-    bad_argument(explanation.substr(0, explanation.find(':')), "must be followed by its value", "",
+    bad_argument(explanation.substr(0, explanation.find(':')), "must be followed by its value", std::nullopt,
                  see_help(app));
+}
+
+// An option takes the next word, whatever it is: --order --stage equations.
+void refuse_option_as_value(const CLI::App& app) {
+    const CLI::App& chosen = chosen_in(app);
+    const auto names_option = [&](const std::string& word) {
+        return word.substr(0, 1) == "-" &&
+               chosen.get_option_no_throw(word.substr(0, word.find('='))) != nullptr;
+    };
+    for (const CLI::Option* option : chosen.get_options())
+        for (const std::string& value : option->results())
+            if (names_option(value))
+                bad_argument(one_name(*option), "must be followed by its value", value + ", another option",
+                             see_help(app));
 }
 
 // Without this an option with an empty value would be one that was not given.
@@ -102,7 +116,7 @@ void refuse_empty_values(const CLI::App& app) {
         if (option->get_positional() || option->get_required()) continue; // whose readers complain
         for (const std::string& value : option->results())
             if (value.empty() && option->get_default_str().empty())
-                bad_argument(one_name(*option), "must be followed by its value", "''",
+                bad_argument(one_name(*option), "must be followed by its value", value,
                              "give one, or leave the option out");
     }
 }
@@ -112,6 +126,7 @@ void refuse_empty_values(const CLI::App& app) {
 std::string read_command_line(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
+        refuse_option_as_value(app);
         refuse_empty_values(app);
         return "";
     } catch (const CLI::Success& asked) { // --help, --version
@@ -119,8 +134,10 @@ std::string read_command_line(CLI::App& app, int argc, char** argv) {
         app.exit(asked, text, text);
         return text.str();
     } catch (const CLI::ExtrasError&) {
+        refuse_option_as_value(app);
         unexpected_word(app);
     } catch (const CLI::RequiredError&) {
+        refuse_option_as_value(app);
         missing_argument(app);
     } catch (const CLI::ArgumentMismatch& mismatch) {
         wrong_count(app, mismatch.what());

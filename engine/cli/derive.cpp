@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform derive SYSTEM: one stage of the line, printed.
+#include "algebra/number/error.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
+#include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "cli/watch.hpp"
 #include "emit/derive/document.hpp"
 #include "model/files/read_system.hpp"
 #include "normalize/recursion/centre_manifold.hpp"

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform evaluate SCENE --eps E --t T1,T2,...: numbers without writing a program.
+#include "algebra/number/number.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
+#include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "cli/watch.hpp"
 #include "model/files/interval_length.hpp"
+#include "model/system/scene_file.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
 #include <fmt/format.h>

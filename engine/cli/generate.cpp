@@ -2,8 +2,10 @@
 // resonform generate SCENE [-o FILE]: the C++ header of a scene, and what pruning saved.
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
+#include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "cli/watch.hpp"
 #include "emit/cpp/cpp.hpp"
 
 #include <fmt/format.h>

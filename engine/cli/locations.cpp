@@ -5,10 +5,11 @@
 #include "cli/output.hpp"
 #include "model/files/read_system.hpp"
 #include "model/system/names.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
 #include "verify/run/drafts.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -84,6 +85,20 @@ std::vector<std::string> scenes_like(const std::string& argument, const Home& ho
     for (std::size_t i = 0; i < paths.size(); ++i)
         if (!near_name.empty() && names[i] == near_name) found.push_back(paths[i]);
     return found;
+}
+
+// "did you mean A or B? ", with names up to 300 bytes so that the hint behind it is not cut; "" for no names.
+std::string question(const std::vector<std::string>& scenes) {
+    constexpr std::size_t longest = 300;
+    std::string text;
+    for (const std::string& scene : scenes) {
+        if (text.size() + scene.size() > longest) {
+            text += text.empty() ? "" : " or another";
+            break;
+        }
+        text += (text.empty() ? "did you mean " : " or ") + scene;
+    }
+    return text.empty() ? "" : text + "? ";
 }
 
 // What is still empty of it is gone with the object.
@@ -180,12 +195,10 @@ void check_name_of_folder(const System& system, const Home& home) {
 fs::path find_scene(const std::string& argument, const Home& home) {
     std::error_code ignored;
     if (fs::is_regular_file(argument, ignored)) return argument;
-    const auto like = scenes_like(argument, home);
-    bad_input(Reason::file, {"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
-                             fs::exists(argument, ignored) ? "no regular file" : "no such file",
-                             (like.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(like, " or "))) +
-                                 "All scenes: resonform list",
-                             whole_file(argument)});
+    bad_input(Reason::file,
+              {"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
+               fs::exists(argument, ignored) ? "no regular file" : "no such file",
+               question(scenes_like(argument, home)) + "All scenes: resonform list", whole_file(argument)});
 }
 
 std::string read_file(const fs::path& file) {

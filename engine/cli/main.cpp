@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform COMMAND ...: reads the command line, runs one command, turns every failure into one
 // message on stderr and an exit code (0 done, 1 a check failed, 2 bad input, 3 refused).
+#include "algebra/number/error.hpp"
 #include "cli/command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/complaint.hpp"

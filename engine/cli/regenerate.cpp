@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform regenerate [--check]: generated/<system>/<scene>.hpp of every scene, byte for byte.
+#include "algebra/number/error.hpp"
 #include "cli/command.hpp"
 #include "cli/complaint.hpp"
 #include "cli/limits.hpp"
+#include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "cli/watch.hpp"
 #include "emit/cpp/cpp.hpp"
 #include "model/files/read_system.hpp"
 #include "model/text/diagnostic.hpp"

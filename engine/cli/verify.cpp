@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform verify SCENE [--report DIR]: the eps-ladder of every output, and a report to look at.
+#include "algebra/number/error.hpp"
 #include "cli/apart.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/complaint.hpp"
 #include "cli/limits.hpp"
+#include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "cli/watch.hpp"
+#include "verify/judging/guarantee.hpp"
+#include "verify/judging/stability.hpp"
 #include "verify/report/json.hpp"
 #include "verify/report/plot.hpp"
 #include "verify/report/report.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/amplitude_phase.hpp"
 
+#include "algebra/number/error.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/span.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/drift.hpp"
 
+#include "algebra/number/error.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/substitution.hpp"
 

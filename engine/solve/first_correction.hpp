@@ -8,12 +8,22 @@
 //
 // No phase is in it, so that it is smooth in slow time but where a coefficient vanishes. What is forced is in
 // h and has no mode in it: it is left out.
+//
+// What depends on a driven slow variable xi = zeta + k is expanded about zeta, what depends on an angle
+// phi = theta + m about theta: with p a declared variable, or what the equations take a root of or divide by,
+//
+//   2 sum_alpha |d^alpha p/dzeta^alpha| prod_j |k_j|^alpha_j / alpha!  <  |p(zeta)|,     2 |m|  <  1
+//
+// with 1 <= |alpha| <= 4, and of k and m the terms of the lowest weight of each product of modes, those
+// without a mode or linear in one among them. p keeps its sign at the old xi then, for every phase.
+// (Divisors that normalisation makes stand at zeta from the start.)
 #pragma once
 
 #include "solve/solution.hpp"
 
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,16 +34,26 @@ struct FirstCorrection {
     std::vector<std::size_t> modes; // whose |a_k| the terms hold, the mode itself among them
     std::vector<int> powers_of_eps; // of each of them, over that of the largest
     struct Term {                   // coefficient eps^power_of_eps prod |a_k|^powers_k
-        std::vector<int> powers;    // in the order of modes; a single one is divided out
+        std::vector<int> powers;    // in the order of modes; of a mode alone, one is divided out
         int power_of_eps;
         Polynomial coefficient; // in the ring of the solution
     };
-    std::vector<Term> terms;
+    std::vector<std::vector<Term>> sums; // one; of a quantity: |k_j| of each slow variable that moves it
+    std::optional<Polynomial> quantity;  // p, or 1, with which they are compared; else with the modes
+    struct Slope {                       // coefficient prod sums_j^powers_j
+        std::vector<int> powers;
+        Polynomial coefficient;
+    };
+    std::vector<Slope> slopes; // of a quantity; none: the sum itself
+
+    // Coefficients of terms, then of slopes, then the quantity: all of which sizes are asked for.
+    [[nodiscard]] std::vector<Polynomial> polynomials() const;
 };
 
 // Of quadratic and cubic terms those of the lowest weight each, and of all terms beyond linear ones those of
 // the lowest weight; no mode without such terms. (Linear ones have divisors that move, with layers of their
-// own.) For closed solutions the factor of the amplitude is one more: 2 |F - 1| < 1.
+// own.) Then those of slow variables and angles. For closed solutions the factor of the amplitude is one
+// more: 2 |F - 1| < 1.
 std::vector<FirstCorrection> first_corrections(const Solution& solution);
 
 // Of a closed solution: C E, the leading part of the modulus over eps.
@@ -42,24 +62,14 @@ Polynomial leading_modulus(const Solution& solution);
 // Whether a quadrature of a closed solution stands in it.
 bool needs_quadratures(const Solution& solution, const FirstCorrection& correction);
 
-// What must be > 0. Algebra: rational, add, multiply, power and hypot. moduli: of every mode of the field;
-// coefficients: |coefficient| of each term.
+// eps^power_of_eps |coefficient| prod |a_k|^powers_k, summed up by Horner's rule in eps; `sizes` moves on.
 template <class Algebra, class Real>
-Real margin_of(const Algebra& algebra, const FirstCorrection& correction, const Real& eps,
-               const std::vector<Real>& moduli, const std::vector<Real>& coefficients) {
-    Real size = algebra.rational(Rational(1));
-    if (correction.modes.size() > 1) {
-        size = algebra.rational(Rational(0));
-        for (std::size_t k = 0; k < correction.modes.size(); ++k)
-            size = algebra.hypot(size, algebra.multiply({algebra.power(eps, correction.powers_of_eps[k]),
-                                                         moduli[correction.modes[k]]}));
-        const Rational none = cln::expt(Rational(2), -100); // where all are at rest, nothing is large
-        size = algebra.add({size, algebra.rational(none)});
-    }
+Real sum_of_terms(const Algebra& algebra, const FirstCorrection& correction,
+                  const std::vector<FirstCorrection::Term>& terms, const Real& eps,
+                  const std::vector<Real>& moduli, typename std::vector<Real>::const_iterator& sizes) {
     std::map<int, std::vector<Real>> by_power;
-    for (std::size_t n = 0; n < coefficients.size(); ++n) {
-        const FirstCorrection::Term& term = correction.terms[n];
-        std::vector<Real> factors{coefficients[n]};
+    for (const FirstCorrection::Term& term : terms) {
+        std::vector<Real> factors{*sizes++};
         for (std::size_t k = 0; k < correction.modes.size(); ++k)
             factors.push_back(algebra.power(moduli[correction.modes[k]], term.powers[k]));
         by_power[term.power_of_eps].push_back(algebra.multiply(factors));
@@ -70,6 +80,35 @@ Real margin_of(const Algebra& algebra, const FirstCorrection& correction, const 
         const int power = group->first - (std::next(group) == by_power.rend() ? 0 : std::next(group)->first);
         sum = algebra.multiply({algebra.power(eps, power), algebra.add(group->second)});
     }
+    return sum;
+}
+
+// What must be > 0. Algebra: rational, add, multiply, power and hypot. moduli: of every mode of the field;
+// sizes: |p| of each of correction.polynomials().
+template <class Algebra, class Real>
+Real margin_of(const Algebra& algebra, const FirstCorrection& correction, const Real& eps,
+               const std::vector<Real>& moduli, const std::vector<Real>& sizes) {
+    Real size = correction.quantity ? sizes.back() : algebra.rational(Rational(1));
+    if (!correction.quantity && correction.modes.size() > 1) {
+        size = algebra.rational(Rational(0));
+        for (std::size_t k = 0; k < correction.modes.size(); ++k)
+            size = algebra.hypot(size, algebra.multiply({algebra.power(eps, correction.powers_of_eps[k]),
+                                                         moduli[correction.modes[k]]}));
+        const Rational none = cln::expt(Rational(2), -100); // where all are at rest, nothing is large
+        size = algebra.add({size, algebra.rational(none)});
+    }
+    std::vector<Real> sums;
+    auto next = sizes.begin();
+    for (const std::vector<FirstCorrection::Term>& terms : correction.sums)
+        sums.push_back(sum_of_terms(algebra, correction, terms, eps, moduli, next));
+    std::vector<Real> total;
+    for (const FirstCorrection::Slope& slope : correction.slopes) {
+        std::vector<Real> factors{*next++};
+        for (std::size_t j = 0; j < sums.size(); ++j)
+            factors.push_back(algebra.power(sums[j], slope.powers[j]));
+        total.push_back(algebra.multiply(factors));
+    }
+    const Real sum = correction.slopes.empty() ? sums.front() : algebra.add(total);
     return algebra.add({size, algebra.multiply({algebra.rational(Rational(-2)), sum})});
 }
 

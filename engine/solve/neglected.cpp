@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/neglected.hpp"
 
+#include "algebra/number/error.hpp"
+#include "solve/slow_flow.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

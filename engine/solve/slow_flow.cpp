@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/slow_flow.hpp"
 
+#include "algebra/number/error.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 
 #include <fmt/format.h>
@@ -11,19 +12,12 @@ namespace resonform {
 
 namespace {
 
-Place place_of_variable(const System& system, std::size_t variable) {
-    Place place = system.variables[variable].place;
-    if (place.file.empty()) place.file = system.file.string();
-    if (place.key.empty()) place.key = "variables." + system.variables[variable].name;
-    return place;
-}
-
 void check_modes(const NormalForm& normal_form) {
     const GradedField& field = *normal_form.field;
     const System& system = field.system();
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const Mode& mode = field.modes[k];
-        const Place place = place_of_variable(system, mode.variable);
+        const Place place = system.place_of(mode.variable);
         if (mode.is_real() || !mode.growth.empty())
             refuse({"a solution is for modes that oscillate without damping at eps = 0",
                     fmt::format("{}, a mode of {}, {}", mode.name, system.variables[mode.variable].name,

@@ -6,6 +6,7 @@
 #include "solve/drift.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/route.hpp"
+#include "solve/slow_flow.hpp"
 #include "solve/substitution.hpp"
 #include "solve/truncation.hpp"
 
@@ -18,18 +19,11 @@ namespace resonform {
 
 namespace {
 
-Place place_of(const System& system, std::size_t variable) {
-    Place place = system.variables[variable].place;
-    if (place.file.empty()) place.file = system.file.string();
-    if (place.key.empty()) place.key = "variables." + system.variables[variable].name;
-    return place;
-}
-
 void check_moves(const GradedField& field) {
     for (const SlowVariable& slow : field.slow)
         if (!slow.driven && slow.rate.empty())
             refuse({"a slow variable moves", slow.name + "' = 0", "declare " + slow.name + " as a parameter",
-                    place_of(field.system(), slow.variable)});
+                    field.system().place_of(slow.variable)});
 }
 
 void check_supported(const Normalization& normalization, const SolveOptions& options) {

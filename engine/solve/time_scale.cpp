@@ -20,7 +20,7 @@ void check_time_scale(const Solution& solution, const Scene& scene) {
             refuse({"on a time scale beyond 1/eps slow flow and drifts go a finite way",
                     fmt::format("time_scale = {}, {} of order eps^{}", p, what, *power),
                     fmt::format("use time_scale = {}, or give the truncation yourself", *power),
-                    {scene.file.string(), 0, 0, "time_scale", ""}});
+                    scene.time_scale_place});
     };
     if (solution.flow) require(flow_power(*normal_form.field, *solution.flow), "the flow has rates");
     for (std::size_t d = 0; d < normal_form.drift.size(); ++d)

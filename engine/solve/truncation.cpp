@@ -14,13 +14,6 @@ namespace {
 
 constexpr int largest_truncation = 99;
 
-Place place_of(const Scene& scene, const char* key) {
-    Place place;
-    place.file = scene.file.string();
-    place.key = key;
-    return place;
-}
-
 struct Count {
     int truncation;
     const char* formula;
@@ -68,13 +61,13 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
         if (p >= 2 && has_explicit_law(field, slow))
             refuse({"on a time scale beyond 1/eps the slow variables stay in a compact set",
                     fmt::format("time_scale = {}, {}' = O(eps) of constant sign", p, slow.name),
-                    "use time_scale = 1, or give the truncation yourself", place_of(scene, "time_scale")});
+                    "use time_scale = 1, or give the truncation yourself", scene.time_scale_place});
     const auto [truncation, formula] = counted(field, scene, p);
     if (truncation > largest_truncation)
         refuse(Reason::size,
                {fmt::format("normal forms are computed through weight {} at most", largest_truncation),
                 fmt::format("order = {}, time_scale = {} ask for weight {}", order, p, truncation),
-                "lower the order or the time scale", place_of(scene, "order")});
+                "lower the order or the time scale", scene.order_place});
     const std::string span = p == 1 ? "1/eps" : fmt::format("1/eps^{}", p);
     if (p == 0) return {truncation, fmt::format("order {} on t = O(1): M = {}", order, truncation)};
     return {truncation,

@@ -118,6 +118,8 @@ private:
         Number c_6{};
         Number c_7{};
         Number c_8{};
+        Number c_9{};
+        Number c_10{};
     };
 
     template <class Number> static void compute_constants(
@@ -161,6 +163,8 @@ private:
         const Number k_27 = c.J_mean * c.J_mean;
         const Number k_28 = c.eps * c.eps;
         c.c_4 = k_27 - Number(1) / Number(100000000) * k_28;
+        c.c_5 = Number(1) - Number(2) * c.eps * k_25;
+        c.c_6 = J_0 + k_17 - Number(2) * c.eps * c.per_J_mean;
         const Number k_29 = k_28 * k_28;
         const Number k_30 = k_29 * k_29;
         const Number k_31 = k_26 * k_26;
@@ -181,7 +185,7 @@ private:
         const Number k_46 = c.eps * (k_41 + k_43) + c.v_phi * k_45;
         const Number k_47 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
         const Number k_48 = k_17 + c.eps * k_32 * k_46;
-        c.c_5 = k_30 + Number(1) / Number(64) * k_28 * k_33 * (k_46 * k_46) + k_47 * k_10 - Number(4) * (k_48 * k_48);
+        c.c_7 = k_30 + Number(1) / Number(64) * k_28 * k_33 * (k_46 * k_46) + k_47 * k_10 - Number(4) * (k_48 * k_48);
         const Number k_49 = k_25 * k_25;
         const Number k_50 = k_49 * c.per_J_mean;
         const Number k_51 = k_50 * k_50;
@@ -193,19 +197,19 @@ private:
         const Number k_57 = Number(1) / Number(16) * k_28 - Number(1) / Number(8) * k_42;
         const Number k_58 = k_28 * c.eps;
         const Number k_59 = k_58 * k_58;
-        c.c_6 = Number(4) + Number(4) * k_10 - k_28 * k_51 * k_55 - k_28 * k_51 * (k_56 * k_56) - Number(2) * k_29 * k_33 * (k_57 * k_57) - Number(1) / Number(512) * k_51 * k_59 - Number(1) / Number(8192) * k_30 * k_33;
+        c.c_8 = Number(4) + Number(4) * k_10 - k_28 * k_51 * k_55 - k_28 * k_51 * (k_56 * k_56) - Number(2) * k_29 * k_33 * (k_57 * k_57) - Number(1) / Number(512) * k_51 * k_59 - Number(1) / Number(8192) * k_30 * k_33;
         const Number k_60 = k_49 * k_49;
         const Number k_61 = c.v_phi * (c.eps * (k_40 + Number(1) / Number(8) - k_36) - k_38) + k_27 * (Number(1) / Number(48) * k_34 + Number(5) / Number(16));
         const Number k_62 = c.eps * (c.eps * k_61 - Number(1) / Number(4) * c.v_phi * k_42) - k_45;
         const Number k_63 = k_22 + c.eps * c.u_phi * k_60 * k_62;
-        c.c_7 = Number(1) - Number(4) * (k_63 * k_63);
+        c.c_9 = Number(1) - Number(4) * (k_63 * k_63);
         const Number k_64 = k_60 * k_60;
         const Number k_65 = Number(1) / Number(32) * k_28;
         const Number k_66 = Number(1) / Number(16) * k_42;
         const Number k_67 = k_66 - k_65;
         const Number k_68 = k_65 - k_66;
         const Number k_69 = k_31 * k_31;
-        c.c_8 = Number(4) - k_29 * k_64 * (k_67 * k_67) - k_29 * k_64 * (k_68 * k_68) - Number(2) * k_28 * k_55 * k_69 - Number(1) / Number(4608) * k_59 * k_69 - Number(1) / Number(131072) * k_30 * k_64;
+        c.c_10 = Number(4) - k_29 * k_64 * (k_67 * k_67) - k_29 * k_64 * (k_68 * k_68) - Number(2) * k_28 * k_55 * k_69 - Number(1) / Number(4608) * k_59 * k_69 - Number(1) / Number(131072) * k_30 * k_64;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -226,10 +230,12 @@ private:
         compute_constants(eps, parameters, start, scaled);
         if (!(scaled.J_mean > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
         if (!(scaled.c_4 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
         if (!(scaled.c_6 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_7 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
-        if (!(scaled.c_8 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
+        if (!(scaled.c_7 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_8 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_9 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
+        if (!(scaled.c_10 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;

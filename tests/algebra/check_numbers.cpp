@@ -23,6 +23,15 @@ TEST(Ball, IsRoundedToDigits) {
     EXPECT_EQ(rounded(ball(2000003), 6), 2000000);
 }
 
+TEST(Ball, HasAMiddle) {
+    for (const Rational& exact : {Rational(0), Rational(-3) / 4, cln::expt(Rational(2), Integer(-300)),
+                                  Rational(5) * cln::expt(Rational(2), Integer(190))})
+        EXPECT_EQ(middle(RealBall(exact, bits)), exact);
+    EXPECT_LT(cln::abs(middle(ball(-1, 3)) + Rational(1) / 3), cln::expt(Rational(2), Integer(-190)));
+    EXPECT_EQ(nearest_double(ball(-1, 3)), -1.0 / 3);
+    EXPECT_EQ(ball(-1, 3).sign(), -1);
+}
+
 TEST(Ball, KnowsWhatItKnows) {
     RealBall difference;
     arb_sub(difference.get(), ball(1, 3).get(), ball(1, 3).get(), bits);

@@ -107,6 +107,20 @@ TEST(ZeroTest, NestedRoots) {
     EXPECT_EQ(ring->is_zero(gen(*ring, "t") - gen(*ring, "s")), Zero::no);
 }
 
+TEST(ZeroTest, FunctionsOfLargeNumbers) {
+    RingBuilder b;
+    Generator g = named(GeneratorKind::function, "L");
+    g.of.function = Function::logarithm;
+    g.of.argument = Polynomial(Rational(1000000));
+    b.add(g);
+    g.name = "E";
+    g.of.function = Function::exponential;
+    b.add(g);
+    const RingPtr ring = b.freeze();
+    EXPECT_EQ(ring->is_zero(gen(*ring, "L") - Polynomial(Rational(1381551) / 100000)), Zero::no);
+    EXPECT_EQ(ring->is_zero(gen(*ring, "E") - gen(*ring, "L")), Zero::no);
+}
+
 TEST(ZeroTest, EmptyDomainIsUnknown) {
     RingBuilder b;
     const GeneratorId x = b.add(named(GeneratorKind::slow, "x", true));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What certificates read of the pendulum's series: values at points, and what one pass over monomials tells.
+#include "certify/build_plan.hpp"
 #include "certify/point.hpp"
 #include "certify/survey.hpp"
 #include "normalize/certified.hpp"

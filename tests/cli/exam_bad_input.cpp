@@ -52,6 +52,16 @@ TEST(BadInput, CommandLine) {
     EXPECT_EQ(complaint("resonform derive almost_holonomic_pendulum --order"),
               "resonform: --order: must be followed by its value\n"
               "  mend:  see resonform derive --help\n");
+    // The next word is not its value, if it names an option; wherever the words stand.
+    const std::string order_of_nothing = "resonform: --order: must be followed by its value\n"
+                                         "  found: --stage, another option\n"
+                                         "  mend:  see resonform derive --help\n";
+    for (const char* words : {"henon_heiles --order --stage equations", "--order --stage equations",
+                              "--order --stage=equations henon_heiles", "--order --stage"})
+        EXPECT_SAYS(complaint(std::string("resonform derive ") + words),
+                    {"--order: must be followed by its value", "found: --stage", ", another option"});
+    EXPECT_EQ(complaint("resonform derive henon_heiles --order --stage equations"), order_of_nothing);
+    EXPECT_SAYS(complaint("resonform derive henon_heiles --order -1"), {"--order", "from 1 to 99", "-1"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --format txt"), {"txt", "text"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --stage normal"),
                 {"normal", "normal_form"});

@@ -77,6 +77,87 @@ TEST_F(Errors, OfTheCommandLine) {
     EXPECT_EQ(said("derive nope --style json").out, "");
 }
 
+// The columns of a setting count in its word, from 1.
+TEST_F(Errors, OfSettings) {
+    equation("x'' + x + a*x^3 = 0");
+    const std::vector<std::pair<std::string, int>> wrong = {{"a=)1", 3}, {"a=1)", 4}, {"a=2*(1+b)", 8}};
+    for (const auto& [word, column] : wrong) {
+        const Json json = document("derive bad --set '" + word + "'");
+        EXPECT_EQ(json["key"], "--set") << word;
+        EXPECT_EQ(json["found"], word);
+        EXPECT_EQ(json["column"], column) << word;
+        EXPECT_TRUE(json["file"].is_null());
+    }
+    const std::string said_of_it = said("derive bad --set 'a=1)'").err;
+    EXPECT_NE(
+        said_of_it.find("resonform: --set: every ')' closes a '('\n    a=1)\n       ^\n  found: a=1)\n"),
+        std::string::npos)
+        << said_of_it;
+}
+
+// An empty text was found; null is what was not there.
+TEST_F(Errors, OfEmptyTexts) {
+    for (const char* options : {"--order ''", "--stage ''", "--style ''", "--set ''"})
+        EXPECT_EQ(document(std::string("derive duffing ") + options)["found"], "''") << options;
+    EXPECT_EQ(document("derive ''")["found"], "''");
+    EXPECT_TRUE(document("derive")["found"].is_null());
+    const std::string scene = "systems/duffing/scenes/s.toml";
+    const std::string begins = "[start]\namplitude.x = 1\nphase.x = 0\n";
+    for (const std::string& text :
+         {std::string("order = \"\"\n"), std::string("outputs = [\"\"]\n"), std::string("\"\" = 1\n"),
+          std::string("[start]\namplitude.x = \"\"\n"), begins + "[verify]\ninterval = \"\"\n",
+          begins + "[verify]\neps = [\"\"]\n"}) {
+        write(scratch_.path() / scene, text);
+        EXPECT_EQ(document("evaluate " + scene + " --eps 0.1 --t 1")["found"], "\"\"") << text;
+    }
+}
+
+// What comes of a key of the scene has its line, though it is found when the truncation is counted.
+TEST_F(Errors, OfOrdersHaveALine) {
+    const std::string scene = "systems/duffing/scenes/s.toml";
+    const std::string begins = "[start]\namplitude.x = 1\nphase.x = 0\n";
+    write(scratch_.path() / scene, "title = \"t\"\norder = 95\ntime_scale = 9\n" + begins);
+    const Json size = document("evaluate " + scene + " --eps 0.1 --t 1", 3);
+    EXPECT_EQ(size["reason"], "size");
+    EXPECT_EQ(size["file"], scene);
+    EXPECT_EQ(size["key"], "order");
+    EXPECT_EQ(size["line"], 2);
+    EXPECT_EQ(size["column"], 9);
+    write(scratch_.path() / "systems/slow/system.toml",
+          "[system]\nname = \"slow\"\n[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\" }\n"
+          "[equations]\nx = \"x'' + x + s*x^3 = 0\"\ns = \"s' = eps\"\n");
+    write(scratch_.path() / "systems/slow/scenes/s.toml",
+          "order = 2\n\ntime_scale = 2\n" + begins + "s = 1\n");
+    const Json driven = document("evaluate systems/slow/scenes/s.toml --eps 0.1 --t 1", 3);
+    EXPECT_EQ(driven["rule"], "on a time scale beyond 1/eps the slow variables stay in a compact set");
+    EXPECT_EQ(driven["key"], "time_scale");
+    EXPECT_EQ(driven["line"], 3);
+    write(scratch_.path() / "systems/slow/system.toml",
+          "[system]\nname = \"slow\"\n[variables]\nx = { role = \"fast\" }\n"
+          "[equations]\nx = \"x'' + 2*eps*x' + x + x^3 = 0\"\n");
+    write(scratch_.path() / "systems/slow/scenes/s.toml", "order = 2\ntime_scale = 2\n" + begins);
+    const Json flow = document("evaluate systems/slow/scenes/s.toml --eps 0.1 --t 1", 3);
+    EXPECT_EQ(flow["rule"], "on a time scale beyond 1/eps slow flow and drifts go a finite way");
+    EXPECT_EQ(flow["line"], 2);
+}
+
+// A hint ends with its command, however many names stand before it.
+TEST_F(Errors, HintsEndWithTheirCommand) {
+    for (int i = 10; i < 40; ++i) {
+        const auto folder = scratch_.path() / "systems" / ("a_system_of_long_name_" + std::to_string(i));
+        write(folder / "system.toml", "");
+        write(folder / "scenes/s.toml", "");
+    }
+    const auto ends_with = [](const Json& hint, const std::string& end) {
+        const auto text = hint.get<std::string>();
+        return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+    };
+    const Json system = document("derive a_system_of_long_nam")["hint"];
+    EXPECT_TRUE(ends_with(system, ", ...; all systems: resonform list")) << system;
+    const Json scene = document("verify s")["hint"];
+    EXPECT_TRUE(ends_with(scene, " or another? All scenes: resonform list")) << scene;
+}
+
 TEST_F(Errors, HaveAReasonOfTheList) {
     EXPECT_EQ(document("derive nope")["reason"], "file");
     EXPECT_EQ(document("verify no/such.toml")["reason"], "file");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modes of blocks of more than two states: A T = T Lambda and rows from the inverse, for known spectra and
 // for random matrices made from them.
-#include "model/text/zero_test.hpp"
+#include "model/text/enclosure.hpp"
 #include "support/exact.hpp"
 
 #include <fmt/format.h>
@@ -28,9 +28,9 @@ GiNaC::exmap point_of(const System& system) {
 }
 
 Number value(const Complex& e, const GiNaC::exmap& point) {
-    const Ball re = evaluate(e.re, point), im = evaluate(e.im, point);
-    EXPECT_TRUE(std::isfinite(re.radius) && std::isfinite(im.radius));
-    return {re.middle, im.middle};
+    const auto re = enclose(e.re, point), im = enclose(e.im, point);
+    EXPECT_TRUE(re && im);
+    return {nearest_double(re.value()), nearest_double(im.value())};
 }
 
 // The laws of a modal basis; returns the eigenvalues, those of both of a pair.

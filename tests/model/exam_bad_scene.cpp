@@ -209,6 +209,24 @@ const BadInput bad_scenes[] = {
      "          ^\n"
      "  found: 1/(g-r)\n"
      "  mend:  give a value of moderate size"},
+    {"StartUnreal", "xi = 0", "xi = \"2 + r*log(-eps)\"",
+     "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
+     "    xi = \"2 + r*log(-eps)\"\n"
+     "          ^\n"
+     "  found: 2 + r*log(-eps), where -eps is negative at eps = 0.1\n"
+     "  mend:  write the real value meant"},
+    {"StartUnrealByAFixedValue", "xi = 0", "xi = \"sqrt(g - 2*r)\"",
+     "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
+     "    xi = \"sqrt(g - 2*r)\"\n"
+     "          ^\n"
+     "  found: sqrt(g - 2*r), where -2*r + g is negative at eps = 0.1\n"
+     "  mend:  write the real value meant"},
+    {"StartBeyondAnArcSine", "xi = 0", "xi = \"asin(1 + eps)\"",
+     "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
+     "    xi = \"asin(1 + eps)\"\n"
+     "          ^\n"
+     "  found: asin(1 + eps), where 1 + eps is not within -1 ... 1 at eps = 0.1\n"
+     "  mend:  write the real value meant"},
     {"StartOverflows", "xi = 0", "xi = \"exp(exp(exp(9)))\"",
      "2 scene.toml:13:7: start.xi: a start value is finite in double precision\n"
      "    xi = \"exp(exp(exp(9)))\"\n"
@@ -221,6 +239,12 @@ const BadInput bad_scenes[] = {
      "    interval = 0\n"
      "               ^\n"
      "  found: 0\n"
+     "  mend:  write one such as \"1/eps\""},
+    {"IntervalUnreal", "\"1/eps\"", "\"log(-eps)\"",
+     "2 scene.toml:20:13: verify.interval: the interval of verification is a real number for eps > 0\n"
+     "    interval = \"log(-eps)\"\n"
+     "                ^\n"
+     "  found: log(-eps), where -eps is negative at eps = 0.1\n"
      "  mend:  write one such as \"1/eps\""},
     {"IntervalNegative", "\"1/eps\"", "\"(g-2*r)/eps\"",
      "2 scene.toml:20:13: verify.interval: the interval of verification is positive, and finite in double "

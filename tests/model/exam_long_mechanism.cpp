@@ -2,7 +2,7 @@
 // Mechanisms of a few lines whose equations are long when they are multiplied out.
 #include "mechanisms.hpp"
 #include "model/files/read_system.hpp"
-#include "model/text/zero_test.hpp"
+#include "model/text/enclosure.hpp"
 
 namespace resonform {
 namespace {
@@ -34,7 +34,7 @@ double value(const System& system, const std::string& variable, int point) {
     put_jet("y", {y, y1, y2});
     put_jet("R_z", {GiNaC::numeric(1, 4)});
     for (const Equation& e : system.equations)
-        if (e.variable == variable) return evaluate(e.residual, values).middle;
+        if (e.variable == variable) return nearest_double(enclose(e.residual, values).value());
     throw std::logic_error("no equation of " + variable);
 }
 

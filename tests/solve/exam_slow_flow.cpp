@@ -137,23 +137,22 @@ TEST(ASlowFlow, MeansAreWhatDoesNotTurn) {
     EXPECT_EQ(first_oscillation(with, *solution.flow, "x"), 1);
 }
 
-Scene scene(int order, int time_scale) {
+Scene long_scene(int order, int time_scale) {
     Scene s;
     s.order = order;
     s.time_scale = time_scale;
-    s.file = "scene.toml";
     return s;
 }
 
 TEST(ASlowFlow, CountsItsWeights) {
     const auto one_to_one = field_of(read_system_text(
         oscillators("x = \"x'' + x + x*y^2 = 0\"\ny = \"y'' + y + x^2*y = 0\"\n"), "test.toml"));
-    EXPECT_EQ(count_truncation(*one_to_one, scene(3, 1)).truncation, 4);
-    EXPECT_EQ(count_truncation(*one_to_one, scene(3, 2)).truncation, 6);
-    EXPECT_EQ(count_truncation(*one_to_one, scene(3, 0)).truncation, 3);
+    EXPECT_EQ(count_truncation(*one_to_one, long_scene(3, 1)).truncation, 4);
+    EXPECT_EQ(count_truncation(*one_to_one, long_scene(3, 2)).truncation, 6);
+    EXPECT_EQ(count_truncation(*one_to_one, long_scene(3, 0)).truncation, 3);
     const auto rotation =
         field_of(read_system(std::string(RESONFORM_SOURCE_DIR) + "/systems/rotating_pendulum/system.toml"));
-    const auto count = count_truncation(*rotation, scene(2, 1)); // J' = eps cos(phi), phi' = J
+    const auto count = count_truncation(*rotation, long_scene(2, 1)); // J' = eps cos(phi), phi' = J
     EXPECT_EQ(count.truncation, 4);
     EXPECT_EQ(count.reason,
               "order 2 on t = O(1/eps): rates neglected at weight 5 act over 1/eps, so M = N + 2p = 4");
@@ -162,11 +161,11 @@ TEST(ASlowFlow, CountsItsWeights) {
 // On t = 1/eps^2 a flow of order eps^2 goes a finite way, one of order eps may go anywhere.
 TEST(ASlowFlow, LongTimesAreForFlowsThatAreSlowEnough) {
     const std::string one_to_one = oscillators("x = \"x'' + x + x*y^2 = 0\"\ny = \"y'' + y + x^2*y = 0\"\n");
-    EXPECT_NO_THROW(check_time_scale(solution_of_text(one_to_one, 2, 5), scene(2, 2)));
+    EXPECT_NO_THROW(check_time_scale(solution_of_text(one_to_one, 2, 5), long_scene(2, 2)));
     const std::string one_to_two = oscillators("x = \"x'' + x + x*y = 0\"\ny = \"y'' + 4*y + x^2 = 0\"\n");
-    EXPECT_NO_THROW(check_time_scale(solution_of_text(one_to_two, 2, 3), scene(2, 1)));
+    EXPECT_NO_THROW(check_time_scale(solution_of_text(one_to_two, 2, 3), long_scene(2, 1)));
     try {
-        check_time_scale(solution_of_text(one_to_two, 2, 5), scene(2, 2));
+        check_time_scale(solution_of_text(one_to_two, 2, 5), long_scene(2, 2));
         FAIL() << "not refused";
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);

@@ -18,7 +18,7 @@ Scene scene(int order, std::optional<int> time_scale, std::optional<int> truncat
     s.order = order;
     s.time_scale = time_scale;
     s.truncation = truncation;
-    s.file = "scene.toml";
+    s.time_scale_place = {"scene.toml", 2, 14, "time_scale", "time_scale = 2"};
     return s;
 }
 
@@ -53,6 +53,7 @@ TEST(Truncation, RefusesLongerTimesForASlowVariableThatRunsAway) {
         EXPECT_EQ(e.diagnostic().value, "time_scale = 2, xi' = O(eps) of constant sign");
         EXPECT_EQ(e.diagnostic().mend, "use time_scale = 1, or give the truncation yourself");
         EXPECT_EQ(e.diagnostic().place.file, "scene.toml");
+        EXPECT_EQ(e.diagnostic().place.line, 2);
     }
 }
 

@@ -2,6 +2,8 @@
 // The comparison of run times: what must hold on any machine.
 #include "scene_line.hpp"
 #include "support/documented.hpp"
+#include "support/shell.hpp"
+#include "verify/report/figures.hpp"
 #include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
@@ -94,6 +96,70 @@ TEST_F(Compare, ErrorsOfAMethodFallWithItsTolerance) {
                 errors.push_back(row.max_error[0]);
         EXPECT_GT(errors.front(), 1e6 * errors.back()) << method;
     }
+}
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+// A spring with negative damping, whose motion outgrows its evaluator where t is some 5/eps.
+test::SceneLine growing(const test::Scratch& scratch, const std::string& interval) {
+    const auto folder = scratch.path() / "systems/growing";
+    test::write(folder / "system.toml", "[system]\nname = \"growing\"\n[variables]\nx = { role = \"fast\" }\n"
+                                        "[equations]\nx = \"x'' - 2*eps*x' + x + x^3 = 0\"\n");
+    test::write(folder / "scenes/s.toml", "order = 2\n[start]\nx = \"eps\"\n\"x'\" = 0\n[verify]\n"
+                                          "interval = \"" +
+                                              interval + "\"\n");
+    return test::line_of(read_scene(folder / "scenes/s.toml", scratch.path() / "systems"));
+}
+
+Comparison comparison_of(const test::SceneLine& line, Lines& progress) {
+    CompareOptions options;
+    static_cast<VerifyOptions&>(options) = test::options();
+    options.progress = [&](const std::string& text) { progress.push_back(text); };
+    options.eps = {Rational(1) / 50};
+    options.dense_points = 2000;
+    options.silence = 0;
+    return compare(line.system, line.scene, line.solution, options);
+}
+
+bool told(const Lines& progress, const std::string& beginning) {
+    return std::any_of(progress.begin(), progress.end(),
+                       [&](const std::string& line) { return line.rfind(beginning, 0) == 0; });
+}
+
+} // namespace
+
+// The evaluator is asked first: where it has no numbers the long integrations would be in vain.
+TEST(CompareRefused, NothingIsIntegrated) {
+    const test::Scratch scratch;
+    Lines progress;
+    const Comparison c = comparison_of(growing(scratch, "10/eps"), progress);
+    EXPECT_FALSE(told(progress, "integrating directly"));
+    EXPECT_FALSE(told(progress, "timing"));
+    EXPECT_TRUE(
+        told(progress, "the emitted code of order 2 has no numbers at eps = 1/50 (outside_domain: x)"));
+    ASSERT_EQ(c.rows.size(), 4U); // two orders, two tasks
+    for (const ComparisonRow& row : c.rows) {
+        EXPECT_EQ(row.method, "emitted");
+        EXPECT_EQ(row.failure, "outside_domain: x");
+        EXPECT_TRUE(std::isnan(row.max_error.at(0)));
+    }
+    for (const BreakEven& b : c.by_eps.at(0).tasks) EXPECT_EQ(b.failure, "outside_domain: x");
+    EXPECT_NE(to_text(c).find("dense: the emitted evaluator has no numbers (outside_domain: x)"),
+              std::string::npos)
+        << to_text(c);
+    const report::Figures figures(*growing(scratch, "10/eps").scene.system, scratch.path());
+    EXPECT_TRUE(figures.work(c).figures.empty()); // a plot of no curve is none
+}
+
+// What is long says where it is.
+TEST(CompareRefused, RivalsTellWhatIsUnderWay) {
+    const test::Scratch scratch;
+    Lines progress;
+    const Comparison c = comparison_of(growing(scratch, "1/eps"), progress);
+    EXPECT_TRUE(told(progress, "timing CVODE Adams, dense, tolerance 1e-13"));
+    EXPECT_EQ(c.by_eps.at(0).tasks.at(0).failure, "");
 }
 
 // An evaluator that refuses is fast, and has no accuracy that anybody could reach.

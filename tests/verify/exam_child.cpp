@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-
 namespace resonform {
 namespace {
 
@@ -21,19 +19,16 @@ TEST(Child, PrintsAndEnds) {
     EXPECT_EQ(run_child("printf %s " + shell_quoted("it's $HOME"), {}).output, "it's $HOME");
 }
 
-// Whether it keeps its output open or not, and whatever it started.
+// Whether it keeps its output open or not, and whatever it started: else this test is ended by its own time.
 TEST(Child, IsEndedWithItsTime) {
     const test::Scratch scratch;
     const std::filesystem::path draft = scratch.path() / "draft";
     for (const char* command :
-         {"sleep 100", "exec >/dev/null 2>&1; sleep 100", "trap '' TERM; sleep 100 & wait"}) {
+         {"sleep 10000", "exec >/dev/null 2>&1; sleep 10000", "trap '' TERM; sleep 10000 & wait"}) {
         test::write(draft, "half");
-        const auto begin = std::chrono::steady_clock::now();
         const Finished finished = run_child(command, {draft}, 0.2);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         EXPECT_TRUE(finished.late) << command;
         EXPECT_NE(finished.status, 0) << command;
-        EXPECT_LT(taken.count(), 20) << command;
         EXPECT_FALSE(std::filesystem::exists(draft)) << command;
     }
 }

@@ -174,5 +174,95 @@ TEST_F(MapAlong, AmplitudesThatAreNotTooLarge) {
     for (const double x : at({0, 50, 100}, 0.1, 10.5, "")) EXPECT_FALSE(std::isnan(x));
 }
 
+// s = s(0) + eps sin t turns negative, though its mean does not; -0.0026 came out at t = 4.
+TEST_F(MapAlong, ASlowVariableThatOscillatesOutOfItsDomain) {
+    const std::string system = "[variables]\nphi = { role = \"angle\" }\n"
+                               "s = { role = \"slow\", positive = true }\nz = { role = \"drift\" }\n"
+                               "[equations]\nphi = \"phi' = 1\"\ns = \"s' = eps*cos(phi)\"\n"
+                               "z = \"z' = eps*sqrt(s)\"\n";
+    const auto from = [](const std::string& s) {
+        return "order = 2\noutputs = [\"s\"]\n[start]\nphi = 0\ns = \"" + s + "\"\nz = 0\n";
+    };
+    read(system, from("eps/2"));
+    for (const double s : at({0, 1, 4, 50}, 0.01, 1, "s")) EXPECT_TRUE(std::isnan(s)) << s;
+    read(system, from("3*eps"));
+    const std::vector<double> s = at({0, 1, 4, 50}, 0.01, 1, "");
+    for (const std::size_t k : {0U, 1U, 2U, 3U})
+        EXPECT_NEAR(s[k], 0.03 + 0.01 * std::sin(std::array{0., 1., 4., 50.}[k]), 1e-15);
+}
+
+// The same with a sign that is kept, and in a declaration that holds more than the variable.
+TEST_F(MapAlong, ADeclaredQuantityThatIsLeft) {
+    const std::string equations = "[equations]\nphi = \"phi' = 1\"\ns = \"s' = eps*sin(phi)\"\n"
+                                  "z = \"z' = eps/";
+    const auto scene = [](const std::string& s) {
+        return "order = 2\noutputs = [\"z\"]\n[start]\nphi = 0\ns = \"" + s + "\"\nz = 0\n";
+    };
+    const std::string variables = "[variables]\nphi = { role = \"angle\" }\nz = { role = \"drift\" }\ns = ";
+    read(variables + "{ role = \"slow\", nonzero = true }\n" + equations + "s\"\n", scene("-eps/2"));
+    EXPECT_TRUE(std::isnan(at({3}, 0.01, 1, "s")[0]));
+    read(variables + "{ role = \"slow\", nonzero = true }\n" + equations + "s\"\n", scene("-8*eps"));
+    EXPECT_FALSE(std::isnan(at({3}, 0.01, 1, "")[0]));
+    read(variables + "{ role = \"slow\" }\n[domain]\npositive = [\"1 - s\"]\n" + equations + "(1 - s)\"\n",
+         scene("1 - eps/2"));
+    EXPECT_TRUE(std::isnan(at({3}, 0.01, 1, "-s + 1")[0]));
+}
+
+// 1 + s is the square of a frequency, and x x' moves s by what grows; -97 came out at t = 1000.
+TEST_F(MapAlong, ASlowVariableThatAGrowingModeMoves) {
+    read("[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\" }\n[domain]\npositive = [\"1 + s\"]\n"
+         "[equations]\nx = \"x'' - 2*eps*x' + (1 + s)*x = 0\"\ns = \"s' = -eps*s + x*x'\"\n",
+         "order = 2\noutputs = [\"x\"]\n" + from_eps + "s = 0\n");
+    const std::vector<double> x = at({0, 100, 300, 600, 1000}, 0.01, 10.5, "s + 1");
+    EXPECT_LT(std::abs(x[2]), 0.3);
+    for (const std::size_t k : {3U, 4U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
+}
+
+// phi' = 1 + eps J cos(phi) stops turning where eps J = 1; its map is eps J sin(phi).
+TEST_F(MapAlong, AnAngleThatIsLocked) {
+    read("[variables]\nphi = { role = \"angle\" }\nJ = { role = \"slow\" }\nz = { role = \"drift\" }\n"
+         "[equations]\nphi = \"phi' = 1 + eps*J*cos(phi)\"\nJ = \"J' = eps*J\"\n"
+         "z = \"z' = eps*sin(phi)\"\n",
+         "order = 2\noutputs = [\"z\"]\n[start]\nphi = 0\nJ = 1\nz = 0\n");
+    const std::vector<double> z = at({0, 200, 380, 400, 800}, 0.01, 8.5, "phi");
+    for (const std::size_t k : {0U, 1U, 2U}) EXPECT_FALSE(std::isnan(z[k]));
+    for (const std::size_t k : {3U, 4U}) EXPECT_TRUE(std::isnan(z[k])) << z[k];
+}
+
+// d/ds of 1 + s^2 is zero at the mean, s = 0, where its second derivative counts; -214 came out at t = 800.
+TEST_F(MapAlong, AQuantityWithoutASlopeAtTheMean) {
+    read("[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\" }\nz = { role = \"drift\" }\n"
+         "[equations]\nx = \"x'' - 2*eps*x' + x = 0\"\ns = \"s' = x'\"\nz = \"z' = eps/(1 + s^2)\"\n",
+         "order = 2\noutputs = [\"z\"]\n" + from_eps + "s = \"eps\"\nz = 0\n");
+    const std::vector<double> z = at({0, 300, 600, 800}, 0.01, 15, "s^2 + 1");
+    EXPECT_NEAR(z[1], 3, 0.05);
+    for (const std::size_t k : {2U, 3U}) EXPECT_TRUE(std::isnan(z[k])) << z[k];
+}
+
+// x is lighter and dies out, y grows: each counts by itself.
+TEST_F(MapAlong, AHeavyModeBesideALightOne) {
+    read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\", weight = 2 }\n"
+         "s = { role = \"slow\", positive = true }\nz = { role = \"drift\" }\n"
+         "[equations]\nx = \"x'' + 2*eps*x' + x = 0\"\ny = \"y'' - 2*eps*y' + 2*y = 0\"\n"
+         "s = \"s' = x' + y'\"\nz = \"z' = eps/s\"\n",
+         "order = 2\noutputs = [\"s\"]\n" + from_eps + "y = \"eps^2\"\n\"y'\" = 0\ns = 1\nz = 0\n");
+    const std::vector<double> s = at({0, 500, 950, 1200}, 0.01, 15, "s");
+    EXPECT_NEAR(s[1], 1, 0.05);
+    for (const std::size_t k : {2U, 3U}) EXPECT_TRUE(std::isnan(s[k])) << s[k];
+}
+
+// Divisors such as 3 K - 2 J are made by normalisation, at the mean, and ask for nothing.
+TEST_F(MapAlong, ADivisorOfTheNormalForm) {
+    const std::string system = "[variables]\np = { role = \"angle\" }\nq = { role = \"angle\" }\n"
+                               "K = { role = \"slow\" }\nJ = { role = \"slow\" }\n[domain]\n"
+                               "positive = [\"J - K\"]\n[equations]\np = \"p' = K\"\nq = \"q' = J\"\n"
+                               "K = \"K' = eps*(sin(p) + sin(p - q))\"\nJ = \"J' = -eps*sin(p - q)\"\n";
+    for (const char* order : {"1", "2"}) {
+        read(system, std::string("order = ") + order +
+                         "\noutputs = [\"J\"]\n[start]\np = \"1/10\"\nq = \"2/5\"\nK = 1\nJ = \"1.62\"\n");
+        for (const double J : at({0, 50, 100}, 0.02, 2.5, "")) EXPECT_NEAR(J, 1.62, 0.1) << order;
+    }
+}
+
 } // namespace
 } // namespace resonform

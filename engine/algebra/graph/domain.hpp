@@ -6,6 +6,7 @@
 #pragma once
 
 #include "algebra/graph/derivative.hpp"
+#include "algebra/graph/keyed_part.hpp"
 #include "algebra/graph/outer_monomials.hpp"
 #include "algebra/graph/part.hpp"
 

@@ -2,7 +2,9 @@
 #include "algebra/graph/expansion.hpp"
 
 #include "algebra/graph/newton_grid.hpp"
+#include "algebra/number/elimination.hpp"
 #include "algebra/number/error.hpp"
+#include "algebra/number/modular.hpp"
 #include "algebra/number/rational_reconstruction.hpp"
 
 #include <fmt/format.h>
@@ -22,30 +24,15 @@ std::vector<NewtonGrid::Group> groups_of(const CoefficientShape& shape) {
     return groups;
 }
 
-// The inverse of the matrix scale_l^degree_i, by Gauss and Jordan: from values on rays to homogeneous parts.
+// The inverse of the matrix scale_l^degree_i: from values on rays to homogeneous parts.
 std::vector<std::vector<Residue>> separation(const PrimeField& field, const std::vector<Residue>& scales,
                                              const std::vector<int>& degrees) {
-    const std::size_t n = scales.size();
-    std::vector<std::vector<Residue>> rows(n, std::vector<Residue>(2 * n));
-    for (std::size_t l = 0; l < n; ++l) {
-        for (std::size_t i = 0; i < n; ++i) rows[l][i] = field.power(scales[l], degrees[i]);
-        rows[l][n + l] = 1;
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-        std::size_t pivot = k;
-        while (pivot < n && rows[pivot][k] == 0) ++pivot;
-        if (pivot == n) throw std::domain_error("expand: random scales are dependent");
-        std::swap(rows[k], rows[pivot]);
-        const Residue inverse = field.inverse(rows[k][k]);
-        for (Residue& x : rows[k]) x = field.multiply(x, inverse);
-        for (std::size_t l = 0; l < n; ++l) {
-            const Residue factor = rows[l][k];
-            for (std::size_t i = 0; i < 2 * n && l != k && factor != 0; ++i)
-                rows[l][i] = field.subtract(rows[l][i], field.multiply(factor, rows[k][i]));
-        }
-    }
-    for (auto& row : rows) row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(n));
-    return rows;
+    std::vector<std::vector<Residue>> rows(scales.size());
+    for (std::size_t l = 0; l < rows.size(); ++l)
+        for (const int degree : degrees) rows[l].push_back(field.power(scales[l], degree));
+    auto inverse = inverse_rows(std::move(rows), Residue{1}, Residues{field});
+    if (!inverse) throw std::domain_error("expand: random scales are dependent");
+    return *std::move(inverse);
 }
 
 // The numerator modulo primes, one after the other.

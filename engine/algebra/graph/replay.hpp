@@ -8,7 +8,7 @@
 #pragma once
 
 #include "algebra/graph/coefficient_graph.hpp"
-#include "algebra/number/montgomery.hpp"
+#include "algebra/number/modular.hpp"
 
 #include <optional>
 #include <vector>

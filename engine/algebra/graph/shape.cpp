@@ -2,6 +2,7 @@
 // The denominator and the degrees of a coefficient, from its values along lines.
 #include "algebra/graph/newton_grid.hpp"
 #include "algebra/graph/numerator.hpp"
+#include "algebra/number/modular.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/modular.hpp"
 
-#include "algebra/number/montgomery.hpp"
-
 #include <cln/integer.h>
+#include <flint/ulong_extras.h>
 #include <gmp.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <optional>
 
@@ -18,83 +16,14 @@ namespace {
 __extension__ using UnsignedWide = unsigned __int128;
 __extension__ using SignedWide = __int128;
 
-// Arithmetic modulo any n.
-class Division {
-public:
-    explicit Division(std::uint64_t n) : n_(n) {}
-    [[nodiscard]] std::uint64_t enter(std::uint64_t a) const { return a % n_; }
-    [[nodiscard]] std::uint64_t negate(std::uint64_t a) const { return a == 0 ? 0 : n_ - a; }
-    [[nodiscard]] std::uint64_t multiply(std::uint64_t a, std::uint64_t b) const {
-        return static_cast<std::uint64_t>(static_cast<UnsignedWide>(a) * b % n_);
-    }
-
-private:
-    std::uint64_t n_;
-};
-
-// base^exponent for each base, side by side, as each product waits for the one before.
-template <std::size_t Count, class Arithmetic>
-std::array<std::uint64_t, Count> powers_of(const Arithmetic& modulo, std::array<std::uint64_t, Count> base,
-                                           std::uint64_t exponent) {
-    std::array<std::uint64_t, Count> x;
-    x.fill(modulo.enter(1));
-    for (; exponent != 0; exponent >>= 1)
-        for (std::size_t k = 0; k < Count; ++k) {
-            if ((exponent & 1) != 0) x[k] = modulo.multiply(x[k], base[k]);
-            base[k] = modulo.multiply(base[k], base[k]);
-        }
-    return x;
-}
-
-// n - 1 = odd * 2^twos: for each base a^odd is 1, or one of its first `twos` squares is -1.
-template <std::size_t Count, class Arithmetic>
-bool is_strong_probable_prime(const Arithmetic& modulo, std::uint64_t n,
-                              const std::array<std::uint64_t, Count>& bases) {
-    const int twos = std::countr_zero(n - 1);
-    const std::uint64_t one = modulo.enter(1), minus_one = modulo.negate(one), odd = (n - 1) >> twos;
-    std::array<std::uint64_t, Count> base;
-    for (std::size_t k = 0; k < Count; ++k) base[k] = modulo.enter(bases[k] % n);
-    std::array<std::uint64_t, Count> x = powers_of(modulo, base, odd);
-    for (std::size_t k = 0; k < Count; ++k) {
-        bool found = base[k] == 0 || x[k] == one || x[k] == minus_one;
-        for (int j = 1; j < twos && !found; ++j) {
-            x[k] = modulo.multiply(x[k], x[k]);
-            found = x[k] == minus_one;
-        }
-        if (!found) return false;
-    }
-    return true;
-}
-
-// nullopt: none of these divides n.
-template <std::uint64_t... Primes> std::optional<bool> by_trial(std::uint64_t n) {
-    if (((n == Primes) || ...)) return true;
-    return ((n % Primes == 0) || ...) ? std::optional(false) : std::nullopt;
-}
-
-// Strong probable primes below 2^64 for all of these bases are primes (J. Sinclair, 2011).
-template <class Arithmetic> bool passes_all_bases(const Arithmetic& modulo, std::uint64_t n) {
-    return is_strong_probable_prime(modulo, n, std::array<std::uint64_t, 1>{2}) &&
-           is_strong_probable_prime(
-               modulo, n, std::array<std::uint64_t, 6>{325, 9375, 28178, 450775, 9780504, 1795265022});
-}
-
 } // namespace
-
-bool is_prime(std::uint64_t n) {
-    if (n < 2) return false;
-    if (const std::optional<bool> known =
-            by_trial<2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73>(n))
-        return *known;
-    return n >> 62 != 0 ? passes_all_bases(Division(n), n) : passes_all_bases(Montgomery(PrimeField(n)), n);
-}
 
 std::uint64_t random_prime(std::mt19937_64& random) {
     constexpr std::uint64_t top = std::uint64_t{1} << 60;
     while (true) {
         // Bits 2 ... 59 at random; the last two are 01, bit 60 is set.
         const std::uint64_t candidate = top | (random() & (top - 4)) | 1;
-        if (is_prime(candidate)) return candidate;
+        if (n_is_prime(candidate)) return candidate; // proved below 2^64
     }
 }
 

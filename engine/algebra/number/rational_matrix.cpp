@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/rational_matrix.hpp"
 
+#include "algebra/number/elimination.hpp"
+
 namespace resonform {
 
 namespace {
-
-void swap_rows(RationalMatrix& m, std::size_t p, std::size_t q) {
-    if (p == q) return;
-    for (std::size_t k = 0; k < m.columns(); ++k) std::swap(m.at(p, k), m.at(q, k));
-}
-
-void add_row(RationalMatrix& m, std::size_t to, std::size_t from, const Rational& factor) {
-    for (std::size_t k = 0; k < m.columns(); ++k)
-        if (!cln::zerop(m.at(from, k))) m.at(to, k) = m.at(to, k) + factor * m.at(from, k);
-}
 
 void scale_rows(RationalMatrix& m, const std::vector<Rational>& by) {
     for (std::size_t r = 0; r < m.rows(); ++r)
@@ -40,29 +32,16 @@ RationalMatrix transposed(const RationalMatrix& a) {
     return result;
 }
 
-// Gauss and Jordan.
-RationalMatrix solve(RationalMatrix a, RationalMatrix b) {
-    std::vector<std::pair<std::size_t, Rational>> pivots; // column and entry of the pivot of each row
-    for (std::size_t column = 0; column < a.columns() && pivots.size() < a.rows(); ++column) {
-        const std::size_t row = pivots.size();
-        std::size_t found = row;
-        while (found < a.rows() && cln::zerop(a.at(found, column))) ++found;
-        if (found == a.rows()) continue;
-        swap_rows(a, row, found);
-        swap_rows(b, row, found);
-        const Rational pivot = a.at(row, column);
-        for (std::size_t r = 0; r < a.rows(); ++r) {
-            if (r == row || cln::zerop(a.at(r, column))) continue;
-            const Rational factor = -a.at(r, column) / pivot;
-            add_row(a, r, row, factor);
-            add_row(b, r, row, factor);
-        }
-        pivots.emplace_back(column, pivot);
+RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b) {
+    std::vector<std::vector<Rational>> rows(a.rows());
+    for (std::size_t r = 0; r < a.rows(); ++r) {
+        for (std::size_t c = 0; c < a.columns(); ++c) rows[r].push_back(a.at(r, c));
+        for (std::size_t c = 0; c < b.columns(); ++c) rows[r].push_back(b.at(r, c));
     }
+    const auto pivots = reduce_rows(rows, a.columns(), Rationals());
     RationalMatrix x(a.columns(), b.columns());
-    for (std::size_t row = 0; row < pivots.size(); ++row)
-        for (std::size_t c = 0; c < b.columns(); ++c)
-            x.at(pivots[row].first, c) = b.at(row, c) / pivots[row].second;
+    for (std::size_t row = 0; row < pivots->size(); ++row)
+        for (std::size_t c = 0; c < b.columns(); ++c) x.at((*pivots)[row], c) = rows[row][a.columns() + c];
     return x;
 }
 

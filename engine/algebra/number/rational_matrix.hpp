@@ -3,11 +3,25 @@
 #pragma once
 
 #include "algebra/number/number.hpp"
+#include "algebra/number/zero.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace resonform {
+
+// The field of elimination.hpp.
+struct Rationals {
+    static Zero zero(const Rational& a) { return cln::zerop(a) ? Zero::yes : Zero::no; }
+    static bool is_zero(const Rational& a) { return cln::zerop(a); }
+    static bool settles(const Rational& /*a*/) { return true; }
+    static std::optional<Rational> divisor(const Rational& a) { return cln::recip(a); }
+    static Rational over(const Rational& a, const Rational& inverse) { return a * inverse; }
+    static Rational without(const Rational& a, const Rational& factor, const Rational& b) {
+        return a - factor * b;
+    }
+};
 
 class RationalMatrix {
 public:
@@ -29,7 +43,7 @@ private:
 RationalMatrix multiply(const RationalMatrix& a, const RationalMatrix& b);
 RationalMatrix transposed(const RationalMatrix& a);
 // A solution X of A X = B: unknowns that are free are 0. Precondition: there is a solution.
-RationalMatrix solve(RationalMatrix a, RationalMatrix b);
+RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b);
 
 // B+: of all h for which R - B h is as small as can be, B+ R is the smallest, measured by
 // |h|^2 = sum columns_k h_k^2 and |R|^2 = sum rows_k R_k^2 (all > 0). With G the diagonal matrices of these,

@@ -3,10 +3,7 @@
 
 #include "algebra/number/limbs.hpp"
 
-#include <cln/integer_io.h>
-
 #include <cmath>
-#include <memory>
 
 namespace resonform {
 
@@ -36,20 +33,27 @@ RealBall::RealBall(const Rational& number, std::int64_t bits) : RealBall() {
     arb_fmpz_div_fmpz(value_, numerator.get(), denominator.get(), bits);
 }
 
-// middle = m 2^e exactly; the rounding is done on integers, so that it is the same everywhere.
-Rational rounded(const RealBall& ball, int digits) {
-    if (arf_is_zero(arb_midref(ball.get())) != 0) return 0;
+Rational middle(const RealBall& ball) {
     FlintInteger mantissa, exponent;
     arf_get_fmpz_2exp(mantissa.get(), exponent.get(), arb_midref(ball.get()));
-    const std::unique_ptr<char, void (*)(void*)> text(fmpz_get_str(nullptr, 10, mantissa.get()), flint_free);
-    const Integer m(text.get());
-    const auto shift = static_cast<int>(fmpz_get_si(exponent.get()));
-    const Rational value =
-        shift >= 0 ? Rational(cln::ash(m, shift)) : Rational(m) / Rational(cln::ash(Integer(1), -shift));
+    mpz_class m;
+    fmpz_get_mpz(m.get_mpz_t(), mantissa.get());
+    const Integer size = from_limbs(mpz_limbs_read(m.get_mpz_t()), mpz_size(m.get_mpz_t()));
+    const Rational power = cln::expt(Rational(2), Integer(static_cast<long>(fmpz_get_si(exponent.get()))));
+    return (m < 0 ? -size : size) * power;
+}
+
+double nearest_double(const RealBall& ball) { return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR); }
+
+// The rounding is done on integers, so that it is the same everywhere.
+Rational rounded(const RealBall& ball, int digits) {
+    const Rational value = middle(ball);
+    if (cln::zerop(value)) return 0;
     // 10^scale <= |value| < 10^(scale + 1), but for the rounding of the logarithm: one digit more or less
     constexpr double log10_of_2 = 0.30102999566398119521;
-    const int scale = static_cast<int>(
-        std::floor((static_cast<double>(cln::integer_length(cln::abs(m))) - 1 + shift) * log10_of_2));
+    const double bits = static_cast<double>(cln::integer_length(cln::abs(cln::numerator(value)))) -
+                        static_cast<double>(cln::integer_length(cln::denominator(value)));
+    const int scale = static_cast<int>(std::floor(bits * log10_of_2));
     const int places = digits - 1 - scale;
     const Rational unit = power_of_ten(-places);
     return cln::round1(value / unit) * unit;

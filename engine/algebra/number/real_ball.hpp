@@ -40,6 +40,12 @@ public:
     [[nodiscard]] bool is_zero() const { return arb_is_zero(value_) != 0; } // exactly
     [[nodiscard]] bool contains_zero() const { return arb_contains_zero(value_) != 0; }
     [[nodiscard]] bool is_positive() const { return arb_is_positive(value_) != 0; } // all of it
+    [[nodiscard]] bool is_finite() const { return arb_is_finite(value_) != 0; }
+    [[nodiscard]] int sign() const { return arb_sgn_nonzero(value_); } // 0: zero is in it
+    // Are there numbers in both?
+    [[nodiscard]] bool overlaps(const RealBall& other) const {
+        return arb_overlaps(value_, other.value_) != 0;
+    }
     // The same middle and the same radius.
     friend bool operator==(const RealBall& a, const RealBall& b) {
         return arb_equal(a.value_, b.value_) != 0;
@@ -49,6 +55,8 @@ private:
     arb_t value_;
 };
 
+Rational middle(const RealBall& ball); // exactly
+double nearest_double(const RealBall& ball);
 // The middle, rounded to `digits` significant decimal digits.
 Rational rounded(const RealBall& ball, int digits);
 // How many bits of the middle are known: radius < 2^-n |middle|, and n <= 0 where zero is in the ball.

@@ -2,6 +2,7 @@
 #include "algebra/ring/cancellation.hpp"
 
 #include "algebra/ring/integer_polynomial.hpp"
+#include "algebra/ring/polynomial.hpp"
 #include "algebra/ring/products.hpp"
 
 #include <algorithm>

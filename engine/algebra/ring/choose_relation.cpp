@@ -2,6 +2,8 @@
 #include "algebra/ring/choose_relation.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
+#include "algebra/ring/polynomial.hpp"
 #include "algebra/ring/products.hpp"
 
 #include <algorithm>

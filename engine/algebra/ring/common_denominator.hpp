@@ -2,7 +2,7 @@
 // Products of fractions over one common denominator, so that their sum is one of whole numbers.
 #pragma once
 
-#include "algebra/ring/products.hpp"
+#include "algebra/ring/fractions.hpp"
 
 #include <cstdint>
 #include <deque>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ring::expanded_form: roots factored out, radicands written out again, for the printers.
+#include "algebra/ring/polynomial.hpp"
 #include "algebra/ring/products.hpp"
 #include "algebra/ring/ring.hpp"
 

@@ -7,7 +7,7 @@
 // meets neither fractions nor pointers. (CLN gives no access to limbs, GMP does.)
 #pragma once
 
-#include "algebra/ring/polynomial.hpp"
+#include "algebra/ring/term.hpp"
 
 #include <gmpxx.h>
 
@@ -30,6 +30,13 @@ struct Fractions {
     // Appends a term with the numerator of term k of `from`. An empty sum takes over the number of limbs and
     // the denominator of `from`; later terms must have the same.
     void append(const Monomial& monomial, const Fractions& from, std::size_t k);
+};
+
+// factor * left * right
+struct FractionProduct {
+    const Fractions* left;
+    const Fractions* right;
+    Rational factor = 1;
 };
 
 // A number times the monomial 1.

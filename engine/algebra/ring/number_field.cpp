@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/ring/number_field.hpp"
 
+#include "algebra/number/elimination.hpp"
+#include "algebra/number/rational_matrix.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -36,10 +39,10 @@ public:
                 rows[*row][column] = t.coefficient;
             }
         }
-        if (!eliminate(rows)) return std::nullopt;
+        if (!solve_rows(rows, Rationals())) return std::nullopt;
         std::vector<Term> terms;
         for (std::size_t k = 0; k < degree_; ++k)
-            if (!cln::zerop(rows[k][degree_])) terms.push_back({basis(k), rows[k][degree_]});
+            if (!cln::zerop(rows[k].front())) terms.push_back({basis(k), rows[k].front()});
         return Polynomial::from_terms(std::move(terms));
     }
 
@@ -81,24 +84,6 @@ private:
             m = m - ring_.monomial(id, e);
         }
         return m == Monomial{} ? std::optional(k) : std::nullopt;
-    }
-
-    static bool eliminate(std::vector<std::vector<Rational>>& rows) {
-        const std::size_t n = rows.size();
-        for (std::size_t k = 0; k < n; ++k) {
-            std::size_t pivot = k;
-            while (pivot < n && cln::zerop(rows[pivot][k])) ++pivot;
-            if (pivot == n) return false;
-            std::swap(rows[k], rows[pivot]);
-            const Rational head = cln::recip(rows[k][k]);
-            for (std::size_t j = k; j <= n; ++j) rows[k][j] = head * rows[k][j];
-            for (std::size_t i = 0; i < n; ++i) {
-                const Rational factor = rows[i][k];
-                if (i == k || cln::zerop(factor)) continue;
-                for (std::size_t j = k; j <= n; ++j) rows[i][j] = rows[i][j] - factor * rows[k][j];
-            }
-        }
-        return true;
     }
 
     const Ring& ring_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/ring/polynomial.hpp"
 
+#include "algebra/ring/fractions.hpp"
 #include "algebra/ring/products.hpp"
 
 #include <algorithm>
@@ -104,6 +105,12 @@ Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>
     for (const auto* addend : present)
         products.push_back({&addend->second->fractions(), &one, addend->first});
     return Polynomial::from_fractions(sum_of_products(products));
+}
+
+Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right) {
+    const std::vector<FractionProduct> products{{&left.fractions(), &right.fractions()}};
+    require_safe(packing, products);
+    return Polynomial::from_fractions(sum_of_products(products, &packing));
 }
 
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {

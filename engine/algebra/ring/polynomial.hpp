@@ -5,7 +5,7 @@
 #pragma once
 
 #include "algebra/number/number.hpp"
-#include "algebra/ring/monomial.hpp"
+#include "algebra/ring/term.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -15,15 +15,7 @@
 namespace resonform {
 
 struct Fractions;
-
-struct Term {
-    Monomial monomial;
-    Rational coefficient;
-
-    friend bool operator==(const Term& a, const Term& b) {
-        return a.monomial == b.monomial && a.coefficient == b.coefficient;
-    }
-};
+class Packing;
 
 // Invariant: terms strictly ascending by monomial key, no zero coefficient. Copies share what they hold.
 // It is held as terms, or as fractions over a common denominator, or both: each is made from the other
@@ -61,5 +53,7 @@ Polynomial operator*(const Rational& c, const Polynomial& p);
 Polynomial sum(const std::vector<Polynomial>& summands);
 // sum_k c_k p_k
 Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>& addends);
+// left * right, checked; no relation is applied.
+Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right);
 
 } // namespace resonform

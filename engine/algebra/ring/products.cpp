@@ -319,10 +319,4 @@ void require_safe(const Packing& packing, const std::vector<FractionProduct>& pr
             for (const Monomial& m : f->monomials) packing.require_safe(m);
 }
 
-Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right) {
-    const std::vector<FractionProduct> products{{&left.fractions(), &right.fractions()}};
-    require_safe(packing, products);
-    return Polynomial::from_fractions(sum_of_products(products, &packing));
-}
-
 } // namespace resonform

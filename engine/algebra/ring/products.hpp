@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of products of polynomials: where the time of the engine goes.
+// Sums of products of polynomials as fractions: where the time of the engine goes.
 #pragma once
 
 #include "algebra/ring/fractions.hpp"
@@ -8,13 +8,6 @@
 #include <vector>
 
 namespace resonform {
-
-// factor * left * right
-struct FractionProduct {
-    const Fractions* left;
-    const Fractions* right;
-    Rational factor = 1;
-};
 
 // sum_k c_k a_k b_k of operands with different monomials each: different monomials in an order of no meaning,
 // no zero, not reduced. No relation is applied. With the packing of the monomials large sums are collected in
@@ -26,8 +19,5 @@ Fractions collected(const Fractions& f);
 
 // Exponents that could overflow in one product are refused.
 void require_safe(const Packing& packing, const std::vector<FractionProduct>& products);
-
-// left * right, checked; no relation is applied.
-Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right);
 
 } // namespace resonform

@@ -9,6 +9,7 @@
 // A Ring is built once by a RingBuilder and is immutable afterwards (RingPtr).
 #pragma once
 
+#include "algebra/number/zero.hpp"
 #include "algebra/ring/packing.hpp"
 #include "algebra/ring/polynomial.hpp"
 #include "algebra/ring/relation.hpp"
@@ -51,8 +52,6 @@ struct FunctionOf {
 };
 
 struct FractionProduct;
-
-enum class Zero { yes, no, unknown };
 
 struct Generator {
     GeneratorKind kind = GeneratorKind::parameter;

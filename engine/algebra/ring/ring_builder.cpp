@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/error.hpp"
 #include "algebra/ring/choose_relation.hpp"
+#include "algebra/ring/polynomial.hpp"
 #include "algebra/ring/products.hpp"
 #include "algebra/ring/ring.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units of a Ring: which elements may be divided by, and which have roots in the ring.
+#include "algebra/number/number.hpp"
 #include "algebra/ring/division.hpp"
 #include "algebra/ring/number_field.hpp"
 #include "algebra/ring/ring.hpp"

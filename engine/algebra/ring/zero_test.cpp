@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a polynomial zero as a function? Yes by algebra, no by intervals, else unknown.
-#include "algebra/ring/interval_functions.hpp"
+// Is a polynomial zero as a function? Yes by algebra, no by balls, else unknown.
+#include "algebra/ring/enclosure.hpp"
 #include "algebra/ring/ring.hpp"
 
 #include <algorithm>
@@ -23,17 +23,15 @@ class Points {
 public:
     // One value for each generator, of this order of magnitude, or nothing if the point lies outside the
     // domain.
-    std::optional<std::vector<Interval>> next(const Ring& ring, int bits, const Rational& magnitude);
+    std::optional<std::vector<RealBall>> next(const Ring& ring, std::int64_t bits, const Rational& magnitude);
 
 private:
-    std::optional<Interval> root_at(const Ring& ring, const Generator& g, const std::vector<Interval>& point,
-                                    int bits);
-    std::optional<Interval> function_at(const Ring& ring, const Generator& g,
-                                        const std::vector<Interval>& point, int bits);
-    Interval any(bool positive) {
+    std::optional<RealBall> value_of(const Ring& ring, const Generator& g, const BallOf& before,
+                                     std::int64_t bits);
+    Rational any(bool positive) {
         const bool negative = !positive && integer() > 30;
         const Rational size = magnitude_ * fraction();
-        return Interval(negative ? -size : size);
+        return negative ? -size : size;
     }
     Rational fraction() { return Rational(integer()) / Rational(integer()); }
     int integer() { // 1 ... 60
@@ -42,75 +40,39 @@ private:
     }
     std::uint64_t state_ = 20;
     Rational magnitude_ = 1;
-    std::vector<std::pair<const Generator*, Interval>> named_; // of this point, with their arguments
+    std::vector<std::pair<const Generator*, RealBall>> named_; // of this point, with their arguments
 };
-
-// nullopt: divided by what may be zero.
-std::optional<Interval> value(const Ring& ring, const Polynomial& p, const std::vector<Interval>& point) {
-    Interval total{Rational(0)};
-    for (const Term& t : p.terms()) {
-        Interval product{t.coefficient};
-        for (GeneratorId id = 0; id < static_cast<GeneratorId>(point.size()); ++id) {
-            const int e = ring.exponent(t.monomial, id);
-            if (e == 0) continue;
-            const Interval& base = point[static_cast<std::size_t>(id)];
-            if (e < 0 && !base.excludes_zero()) return std::nullopt;
-            product = product * power(base, e);
-        }
-        total = total + product;
-    }
-    return total;
-}
-
-std::optional<Interval> Points::root_at(const Ring& ring, const Generator& g,
-                                        const std::vector<Interval>& point, int bits) {
-    const std::optional<Interval> radicand = value(ring, g.radicand, point);
-    if (!radicand) return std::nullopt;
-    if (g.index == 1) // a divisor, of either sign
-        return radicand->excludes_zero() ? radicand : std::nullopt;
-    if (!radicand->positive()) return std::nullopt;
-    const Interval result = root(*radicand, g.index, bits);
-    return result.positive() ? std::optional(result) : std::nullopt;
-}
 
 // A named function is any function: its values at different places, and those of its derivatives, are
 // whatever one likes.
-std::optional<Interval> Points::function_at(const Ring& ring, const Generator& g,
-                                            const std::vector<Interval>& point, int bits) {
-    const std::optional<Interval> u = value(ring, g.of.argument, point);
-    if (!u) return std::nullopt;
-    if (g.of.function != Function::named) {
-        const std::optional<Interval> result = function(g.of.function, *u, bits);
-        const bool meant =
-            result && (!g.positive || result->positive()) && (!g.invertible || result->excludes_zero());
-        return meant ? result : std::nullopt;
+std::optional<RealBall> Points::value_of(const Ring& ring, const Generator& g, const BallOf& before,
+                                         std::int64_t bits) {
+    auto value = enclose(ring, g, before, bits);
+    if (value || g.kind == GeneratorKind::root) return value;
+    if (g.kind == GeneratorKind::function) {
+        const RealBall u = enclose(ring, g.of.argument, before, bits).re();
+        if (!u.is_finite()) return std::nullopt;
+        for (const auto& [other, argument] : named_)
+            if (other->of.symbol == g.of.symbol && other->of.derivative == g.of.derivative &&
+                argument.overlaps(u))
+                return std::nullopt; // perhaps the same place
+        named_.emplace_back(&g, u);
     }
-    for (const auto& [other, argument] : named_)
-        if (other->of.symbol == g.of.symbol && other->of.derivative == g.of.derivative &&
-            argument.low <= u->high && u->low <= argument.high)
-            return std::nullopt; // perhaps the same place
-    named_.emplace_back(&g, *u);
-    return any(g.positive);
+    return RealBall(any(g.positive), bits);
 }
 
-std::optional<std::vector<Interval>> Points::next(const Ring& ring, int bits, const Rational& magnitude) {
-    std::vector<Interval> point;
+std::optional<std::vector<RealBall>> Points::next(const Ring& ring, std::int64_t bits,
+                                                  const Rational& magnitude) {
+    std::vector<RealBall> point;
     magnitude_ = magnitude;
     named_.clear();
+    const BallOf before = [&](GeneratorId id) -> auto& { return point[static_cast<std::size_t>(id)]; };
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
-        if (g.kind == GeneratorKind::parameter && g.name == "pi") { // the number: no parameter has the name
-            point.push_back(Interval(Rational(4)) *
-                            *function(Function::arc_tangent, Interval(Rational(1)), bits));
-            continue;
-        }
-        if (g.kind != GeneratorKind::root && g.kind != GeneratorKind::function) {
-            point.push_back(any(g.positive));
-            continue;
-        }
-        const std::optional<Interval> here =
-            g.kind == GeneratorKind::root ? root_at(ring, g, point, bits) : function_at(ring, g, point, bits);
-        if (!here) return std::nullopt;
+        const std::optional<RealBall> here = value_of(ring, g, before, bits);
+        if (!here || !here->is_finite() || (g.positive && !here->is_positive()) ||
+            (g.invertible && here->contains_zero()))
+            return std::nullopt;
         point.push_back(*here);
     }
     return point;
@@ -132,13 +94,16 @@ bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Poly
     const Rational magnitudes[] = {1, Rational(1) / 20, Rational(1) / 400}; // domains may be narrow
     Points points;
     for (int n = 0; n < tries; ++n) {
-        const int bits = 64 << (n / 10); // 64 to 512
+        const std::int64_t bits = 64 << (n / 10); // 64 to 512
         const auto point = points.next(ring, bits, magnitudes[n % 3]);
         if (!point) continue;
+        const BallOf at_point = [&](GeneratorId id) -> auto& {
+            return (*point)[static_cast<std::size_t>(id)];
+        };
         for (const auto& coefficient : coefficients) {
             if (holds_primitive(ring, coefficient.second)) continue;
-            const std::optional<Interval> here = value(ring, coefficient.second, *point);
-            if (here && here->excludes_zero()) return true;
+            const RealBall here = enclose(ring, coefficient.second, at_point, bits).re();
+            if (here.is_finite() && here.sign() != 0) return true;
         }
     }
     return false;

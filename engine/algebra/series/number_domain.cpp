@@ -2,6 +2,7 @@
 #include "algebra/series/number_domain.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/ring/enclosure.hpp"
 
 #include <cln/integer.h>
 
@@ -19,43 +20,16 @@ NumberDomain::NumberDomain(RingPtr ring, int largest, std::int64_t bits, GivenNu
 // where it is met.
 void NumberDomain::find_values() {
     const Ring& ring = *monomials().ring();
-    auto& values = state_->values;
-    values.resize(static_cast<std::size_t>(ring.size()));
+    const BallOf before = [&](GeneratorId id) -> auto& { return value_of(id); };
+    state_->values.resize(static_cast<std::size_t>(ring.size()));
     for (GeneratorId id = 0; id < ring.size(); ++id) {
-        const Generator& g = ring.generator(id);
+        auto& value = state_->values[static_cast<std::size_t>(id)];
         const auto given = state_->given.generators.find(id);
         if (given != state_->given.generators.end())
-            values[static_cast<std::size_t>(id)] = given->second;
-        else if (g.kind == GeneratorKind::parameter && g.name == "pi") // no user has that name
-            arb_const_pi(values[static_cast<std::size_t>(id)].emplace().get(), bits());
-        else if (g.kind == GeneratorKind::root)
-            values[static_cast<std::size_t>(id)] = root_of(g);
-        else if (g.kind == GeneratorKind::function)
-            values[static_cast<std::size_t>(id)] = function_of(g);
+            value = given->second;
+        else
+            value = enclose(ring, ring.generator(id), before, bits());
     }
-}
-
-std::optional<RealBall> NumberDomain::root_of(const Generator& g) const {
-    RealBall result;
-    const RealBall radicand = value(g.radicand).re();
-    if (g.index > 1 && !radicand.is_positive()) return std::nullopt;
-    arb_root_ui(result.get(), radicand.get(), static_cast<ulong>(g.index), bits());
-    return result;
-}
-
-std::optional<RealBall> NumberDomain::function_of(const Generator& g) const {
-    RealBall result;
-    if (g.of.function == Function::named) return std::nullopt;
-    const RealBall argument = value(g.of.argument).re();
-    switch (g.of.function) {
-    case Function::exponential: arb_exp(result.get(), argument.get(), bits()); break;
-    case Function::sine: arb_sin(result.get(), argument.get(), bits()); break;
-    case Function::cosine: arb_cos(result.get(), argument.get(), bits()); break;
-    case Function::logarithm: arb_log(result.get(), argument.get(), bits()); break;
-    case Function::arc_tangent: arb_atan(result.get(), argument.get(), bits()); break;
-    case Function::named: break;
-    }
-    return result;
 }
 
 const RealBall& NumberDomain::value_of(GeneratorId id) const {
@@ -69,23 +43,8 @@ const RealBall& NumberDomain::value_of(GeneratorId id) const {
 }
 
 ComplexBall NumberDomain::value(const Polynomial& p) const {
-    const Ring& ring = *monomials().ring();
-    RealBall re, im, factor;
-    for (const Term& t : p.terms()) {
-        RealBall product(t.coefficient, bits());
-        for (GeneratorId id = 1; id < ring.size(); ++id) {
-            const int exponent = ring.exponent(t.monomial, id);
-            if (exponent == 0) continue;
-            arb_pow_ui(factor.get(), value_of(id).get(), static_cast<ulong>(std::abs(exponent)), bits());
-            if (exponent > 0)
-                arb_mul(product.get(), product.get(), factor.get(), bits());
-            else
-                arb_div(product.get(), product.get(), factor.get(), bits());
-        }
-        RealBall& part = ring.exponent(t.monomial, Ring::imaginary_unit) == 1 ? im : re;
-        arb_add(part.get(), part.get(), product.get(), bits());
-    }
-    return {re, im};
+    const BallOf known = [&](GeneratorId id) -> auto& { return value_of(id); };
+    return enclose(*monomials().ring(), p, known, bits());
 }
 
 NumberPart NumberDomain::constant(const ComplexBall& c) const {

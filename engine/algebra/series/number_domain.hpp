@@ -84,8 +84,6 @@ private:
     };
     [[nodiscard]] const OuterKeysOf<WideKey>& keys() const { return state_->monomials.keys(); }
     void find_values();
-    [[nodiscard]] std::optional<RealBall> root_of(const Generator& g) const;
-    [[nodiscard]] std::optional<RealBall> function_of(const Generator& g) const;
     [[nodiscard]] const RealBall& value_of(GeneratorId id) const;
     [[nodiscard]] RealBall times(int number, const RealBall& c) const;
 

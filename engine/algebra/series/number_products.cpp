@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums of products of parts with coefficients in numbers.
+#include "algebra/graph/keyed_part.hpp"
 #include "algebra/series/number_domain.hpp"
 
 #include <algorithm>

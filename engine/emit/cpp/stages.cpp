@@ -2,6 +2,7 @@
 #include "emit/cpp/stages.hpp"
 
 #include "emit/cpp/function.hpp"
+#include "emit/cpp/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

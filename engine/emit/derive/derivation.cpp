@@ -3,6 +3,7 @@
 #include "model/mechanics/derivation.hpp"
 #include "emit/derive/derive.hpp"
 #include "emit/display/as_written.hpp"
+#include "emit/display/json.hpp"
 
 #include <utility>
 

@@ -2,7 +2,10 @@
 // The divisors of a normal form with their verdicts, and the resonance surfaces, on which one of those that
 // were divided by vanishes.
 #include "emit/derive/derive.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/json.hpp"
 #include "emit/display/normal_form_parts.hpp"
+#include "emit/display/page.hpp"
 #include "emit/display/vanishing.hpp"
 
 #include <fmt/format.h>

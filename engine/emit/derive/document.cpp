@@ -3,6 +3,12 @@
 
 #include "algebra/number/error.hpp"
 #include "emit/derive/derive.hpp"
+#include "emit/display/json.hpp"
+#include "emit/display/page.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
+#include "normalize/recursion/centre_manifold.hpp"
+#include "solve/transgression.hpp"
 
 #include <array>
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 // (15): the equations as the file has them.
 #include "emit/derive/derive.hpp"
 #include "emit/display/as_written.hpp"
+#include "emit/display/json.hpp"
 
 #include <utility>
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (16) and (19): the equations expanded, with their remainders.
 #include "emit/derive/derive.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/drift_frame.hpp"
+#include "emit/display/json.hpp"
 #include "emit/display/normal_form_parts.hpp"
+#include "emit/display/page.hpp"
 #include "emit/display/slow_rate.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <algorithm>
 #include <utility>

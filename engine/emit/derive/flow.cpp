@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/derive/flow.hpp"
 
-#include "emit/display/drift_frame.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/free_name.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "solve/real_form.hpp"
 

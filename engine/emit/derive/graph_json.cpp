@@ -3,6 +3,7 @@
 #include "algebra/graph/expansion.hpp"
 #include "emit/derive/derive.hpp"
 #include "emit/display/display.hpp"
+#include "emit/display/json.hpp"
 #include "emit/display/normal_form_json.hpp"
 
 #include <fmt/format.h>

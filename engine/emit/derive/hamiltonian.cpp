@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/derive/hamiltonian.hpp"
 
+#include "emit/display/display.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "emit/display/real_invariants.hpp"
 

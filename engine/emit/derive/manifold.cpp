@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The centre manifold: the flow on it, the manifold in the old variables, its fibres.
 #include "emit/derive/derive.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/json.hpp"
 #include "emit/display/normal_form_json.hpp"
 #include "emit/display/normal_form_parts.hpp"
+#include "emit/display/slow_rate.hpp"
 #include "emit/display/spelling.hpp"
 #include "emit/display/vanishing.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A normal form as a Maxima script: rate[z1], old_minus_new[z1] and so on.
 #include "emit/derive/derive.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "emit/display/spelling.hpp"
 

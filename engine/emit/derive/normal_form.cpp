@@ -2,11 +2,13 @@
 // (20): the normal form with the definitions of its variables, and the near-identity map.
 #include "emit/derive/derive.hpp"
 #include "emit/derive/hamiltonian.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/drift_frame.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "emit/display/slow_rate.hpp"
 #include "emit/display/spelling.hpp"
 #include "emit/display/vanishing.hpp"
+#include "expand/expansion/graded_field.hpp"
 
 #include <fmt/format.h>
 #include <utility>

@@ -3,6 +3,7 @@
 #include "emit/display/normal_form_json.hpp"
 #include "emit/derive/derive.hpp"
 #include "emit/derive/hamiltonian.hpp"
+#include "emit/display/json.hpp"
 #include "emit/display/normal_form_parts.hpp"
 
 #include <fmt/format.h>

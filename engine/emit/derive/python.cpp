@@ -2,6 +2,7 @@
 // A normal form as a Python script for SymPy: symbols with their assumptions, one dictionary of terms
 // for every variable. Importing it defines the dictionaries, running it prints the series.
 #include "emit/derive/derive.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "emit/display/spelling.hpp"
 

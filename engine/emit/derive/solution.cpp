@@ -2,7 +2,9 @@
 // (21) to (23): amplitude and phase, drift, and the outputs in sines and cosines.
 #include "emit/derive/derive.hpp"
 #include "emit/derive/flow.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/drift_frame.hpp"
+#include "emit/display/free_name.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "emit/display/slow_rate.hpp"
 #include "emit/display/solution_display.hpp"

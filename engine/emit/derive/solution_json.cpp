@@ -2,6 +2,7 @@
 // The solution as JSON: schema resonform.solution/1. Primitives are named, and listed before use.
 #include "emit/derive/derive.hpp"
 #include "emit/derive/flow.hpp"
+#include "emit/display/json.hpp"
 #include "emit/display/solution_display.hpp"
 
 #include <utility>

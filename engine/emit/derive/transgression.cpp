@@ -2,6 +2,7 @@
 // What is constant at eps = 0 on the time 1/eps: x = C_X + r*log(...) + O(eps^2), or averaged rates.
 #include "emit/derive/derive.hpp"
 #include "emit/derive/flow.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/solution_display.hpp"
 
 #include <fmt/format.h>

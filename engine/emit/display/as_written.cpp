@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/as_written.hpp"
 
+#include "algebra/number/number.hpp"
+#include "model/text/expression.hpp"
 #include "model/text/lexer.hpp"
 
 #include <cln/rational.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/decided.hpp"
 
+#include "algebra/number/error.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/spelling.hpp"
 #include "normalize/recursion/undecided_term.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/divisor_fractions.hpp"
 
+#include "algebra/ring/polynomial.hpp"
 #include "algebra/ring/products.hpp"
 
 #include <algorithm>

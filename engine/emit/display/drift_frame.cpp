@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/drift_frame.hpp"
 
+#include "emit/display/free_name.hpp"
 #include "emit/display/solution_display.hpp"
 
 #include <algorithm>
@@ -9,13 +10,6 @@
 namespace resonform {
 
 namespace {
-
-bool is_taken(const System& system, const std::string& name) {
-    const auto called = [&](const auto& entry) { return entry.name == name; };
-    return name == "eps" || system.variable(name) != nullptr || system.parameter(name) != nullptr ||
-           std::any_of(system.functions.begin(), system.functions.end(), called) ||
-           std::any_of(system.notation.begin(), system.notation.end(), called);
-}
 
 std::string capitalised(std::string name) {
     name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
@@ -73,12 +67,6 @@ Polynomial without_known_drift(const Ring& ring, GeneratorId eps, const Polynomi
     for (const Term& term : rate.terms())
         if (ring.weight(term.monomial) != 1 || ring.exponent(term.monomial, eps) != 1) terms.push_back(term);
     return Polynomial::from_terms(std::move(terms));
-}
-
-std::string free_name(const System& system, const std::string& wanted) {
-    std::string name = wanted;
-    while (is_taken(system, name)) name += "_new";
-    return name;
 }
 
 } // namespace resonform

@@ -27,7 +27,4 @@ std::vector<DriftFrame> drift_frames(const GradedField& field, const Solution* s
 // The terms of a rate but those of weight 1 in eps alone.
 Polynomial without_known_drift(const Ring& ring, GeneratorId eps, const Polynomial& rate);
 
-// `wanted` if no parameter, variable or constant of the system has this name, else wanted + "_new" ...
-std::string free_name(const System& system, const std::string& wanted);
-
 } // namespace resonform

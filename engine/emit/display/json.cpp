@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/json.hpp"
 
+#include "emit/display/display.hpp"
 #include "emit/display/spelling.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/normal_form_parts.hpp"
 
-#include "emit/display/drift_frame.hpp"
+#include "emit/display/display.hpp"
+#include "emit/display/free_name.hpp"
 
 #include <fmt/format.h>
 

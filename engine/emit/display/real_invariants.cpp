@@ -2,7 +2,7 @@
 #include "emit/display/real_invariants.hpp"
 
 #include "emit/display/display.hpp"
-#include "emit/display/drift_frame.hpp"
+#include "emit/display/free_name.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/solution_display.hpp"
 
-#include "emit/display/drift_frame.hpp"
+#include "emit/display/free_name.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -17,6 +17,7 @@
 #include "emit/program/start_constants.hpp"
 #include "emit/program/straight_line.hpp"
 #include "model/text/canonical.hpp"
+#include "solve/first_correction.hpp"
 
 #include <fmt/format.h>
 

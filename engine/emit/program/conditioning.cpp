@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/program/conditioning.hpp"
 
-#include "model/text/constant_sign.hpp"
+#include "model/text/enclosure.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -151,25 +151,23 @@ Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
         (sign_of_constant(*constant) == ConstantSign::positive ? above : below) = true;
     }
     if (!above || !below) return n;
-    const std::optional<Interval> value = enclosure(*constant_of(graph, n), {}, bits);
-    return value && value->excludes_zero() ? graph.rational(value->low) : n;
+    const std::optional<RealBall> value = enclose(*constant_of(graph, n), {}, bits);
+    return value && value->sign() != 0 ? graph.rational(middle(*value)) : n;
 }
 
 } // namespace
 
-Graph::Node lower_divisor(Graph& graph, const Ring& ring, Lowering& lowering, const Polynomial& divisor,
-                          const std::set<Graph::Node>& positive) {
-    const auto known = [&](const Polynomial& p) {
-        return sign_of(graph, lowering.radicand(p), positive) != Sign::unknown;
+Graph::Node Lowering::divisor(const Polynomial& p) {
+    const auto known = [&](const Polynomial& part) {
+        return sign_of(*graph_, radicand(part), positive_) != Sign::unknown;
     };
-    for (const RootSplit& split : root_splits(ring, divisor, [](GeneratorId) { return true; })) {
+    for (const RootSplit& split : root_splits(*ring_, p, [](GeneratorId) { return true; })) {
         const Polynomial &a = split.a, &r = split.r;
         if (!(known(a) && known(-r)) && !(known(-a) && known(r))) continue;
-        const Polynomial over = ring.multiply(a, a) - ring.multiply(r, r);
-        if (!over.empty())
-            return graph.multiply({lowering.polynomial(over), graph.power(lowering.radicand(a - r), -1)});
+        const Polynomial over = ring_->multiply(a, a) - ring_->multiply(r, r);
+        if (!over.empty()) return graph_->multiply({polynomial(over), graph_->power(radicand(a - r), -1)});
     }
-    return with_all_digits(graph, lowering.radicand(divisor));
+    return with_all_digits(*graph_, radicand(p));
 }
 
 } // namespace resonform

@@ -21,11 +21,4 @@ Sign sign_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& pos
 Graph::Node lower_logarithm(Graph& graph, const Ring& ring, Lowering& lowering, const Polynomial& argument,
                             const std::set<Graph::Node>& positive);
 
-// divisor = A + R, R a square root times something. Where A and R have different signs, which is
-// proved, it is (A^2 - R^2)/(A - R), of which numbers cancel exactly and the denominator loses nothing:
-//   sqrt(1 + s^2) - (1 + s^2)   ->   -s^2 (1 + s^2)/(sqrt(1 + s^2) + 1 + s^2)
-// A sum of numbers with different signs is formed here, not in a real type:   1 - pi/3 -> -0.0471975...
-Graph::Node lower_divisor(Graph& graph, const Ring& ring, Lowering& lowering, const Polynomial& divisor,
-                          const std::set<Graph::Node>& positive);
-
 } // namespace resonform

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/program/fixed_divisors.hpp"
 
+#include "algebra/number/error.hpp"
 #include "algebra/ring/constant.hpp"
+#include "emit/display/display.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "emit/display/spelling.hpp"
-#include "model/text/constant_sign.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/enclosure.hpp"
+#include "model/text/regular.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
@@ -16,14 +20,11 @@ namespace resonform {
 namespace {
 
 Zero zero_when_fixed(const GiNaC::ex& e, const Scene& scene) {
-    try {
-        const GiNaC::ex value = scene.fixed(e).expand();
-        if (is_constant(value) && sign_of_constant(value) != ConstantSign::unknown) return Zero::no;
-        const Zero zero = vanishes(value);
-        return zero == Zero::unknown && !is_constant(value) ? Zero::no : zero; // parameters are left
-    } catch (const GiNaC::pole_error&) { // what stands below it is a divisor, too
-        return Zero::no;
-    }
+    const auto value = where_regular([&] { return scene.fixed(e).expand(); });
+    if (!value) return Zero::no; // what stands below it is a divisor, too
+    if (is_constant(*value) && sign_of_constant(*value) != ConstantSign::unknown) return Zero::no;
+    const Zero zero = vanishes(*value);
+    return zero == Zero::unknown && !is_constant(*value) ? Zero::no : zero; // parameters are left
 }
 
 // "w1, w2"

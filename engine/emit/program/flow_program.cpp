@@ -11,6 +11,7 @@
 #include "emit/program/layers.hpp"
 #include "emit/program/prune.hpp"
 #include "emit/program/scene_program.hpp"
+#include "solve/slow_flow.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 #include "emit/program/from_expression.hpp"
 
 #include "algebra/number/error.hpp"
-#include "model/text/constant_sign.hpp"
+#include "algebra/number/number.hpp"
+#include "model/text/enclosure.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -104,9 +105,9 @@ private:
     // any real type has.
     [[nodiscard]] Rational value_of(const GiNaC::ex& e) const {
         constexpr int bits = 400;
-        const std::optional<Interval> value = enclosure(e, {}, bits);
+        const std::optional<RealBall> value = enclose(e, {}, bits);
         if (!value) refuse_function(e);
-        return value->low;
+        return middle(*value);
     }
 
     [[noreturn]] void refuse_function(const GiNaC::ex& e) const {

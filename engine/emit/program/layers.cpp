@@ -161,19 +161,23 @@ void add_corrections(Program& program, const Solution& solution, const Surroundi
     std::vector<Graph::Node> moduli;
     for (const FlowUnit& a : modes) moduli.push_back(algebra.hypot(a.u, a.v));
     for (const FirstCorrection& correction : first_corrections(solution)) {
-        std::vector<Graph::Node> coefficients;
-        for (const FirstCorrection::Term& term : correction.terms) {
-            const auto [re, im] = parts(ring, term.coefficient, lower);
-            coefficients.push_back(algebra.hypot(re, im));
+        std::vector<Graph::Node> sizes;
+        for (const Polynomial& p : correction.polynomials()) {
+            const auto [re, im] = parts(ring, p, lower);
+            sizes.push_back(algebra.hypot(re, im));
         }
-        const Graph::Node margin = margin_of(algebra, correction, program.eps, moduli, coefficients);
-        if (!varies(program, margin) ||
+        const Graph::Node margin = margin_of(algebra, correction, program.eps, moduli, sizes);
+        const bool moves = varies(program, margin);
+        // Of modes that keep their amplitudes the start has been asked.
+        if ((!moves && !correction.quantity) ||
             sign_of(program.graph, margin, surroundings.positive) == Sign::positive)
             continue;
-        if (needs_quadratures(solution, correction))
-            program.positive.push_back({margin, correction.name});
+        const std::string name =
+            correction.name.empty() ? quantity(ring, *correction.quantity) : correction.name;
+        if (!moves || needs_quadratures(solution, correction))
+            program.positive.push_back({margin, name});
         else
-            program.layers.push_back({margin, correction.name, false, true});
+            program.layers.push_back({margin, name, false, true});
     }
 }
 

@@ -4,7 +4,6 @@
 #include "emit/display/display.hpp"
 #include "emit/display/divisor_fractions.hpp"
 #include "emit/display/spelling.hpp"
-#include "emit/program/conditioning.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -120,10 +119,6 @@ Graph::Node Lowering::radicand(const Polynomial& p) {
     for (const Term& t : p.terms()) fold(t.monomial, t.coefficient, terms);
     std::vector<std::size_t> rows = collected(terms, {});
     return sum_of(terms, rows);
-}
-
-Graph::Node Lowering::divisor(const Polynomial& p) {
-    return lower_divisor(*graph_, *ring_, *this, p, positive_);
 }
 
 Graph::Node Lowering::sum_of(Terms& terms, Rows rows) {

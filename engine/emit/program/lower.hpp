@@ -46,7 +46,11 @@ public:
     Graph::Node fractions(const std::vector<Fraction>& list);
     // The same without looking for common root powers: for radicands, while roots are not yet defined.
     Graph::Node radicand(const Polynomial& p);
-    // What is divided by, in a form that keeps its digits (lower_divisor).
+    // What is divided by. divisor = A + R, R a square root times something: where A and R have different
+    // signs, which is proved, it is (A^2 - R^2)/(A - R), of which numbers cancel exactly and the denominator
+    // loses nothing:   sqrt(1 + s^2) - (1 + s^2)   ->   -s^2 (1 + s^2)/(sqrt(1 + s^2) + 1 + s^2)
+    // A sum of numbers with different signs is formed exactly:   1 - pi/3 -> -0.0471975...
+    // (conditioning.cpp)
     Graph::Node divisor(const Polynomial& p);
     // Nodes known to be positive.
     void set_positive(std::set<Graph::Node> positive) { positive_ = std::move(positive); }

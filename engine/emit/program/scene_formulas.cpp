@@ -3,7 +3,9 @@
 
 #include "emit/derive/derive.hpp"
 #include "emit/derive/flow.hpp"
+#include "emit/display/page.hpp"
 #include "emit/program/harmonics.hpp"
+#include "solve/slow_flow.hpp"
 
 #include <algorithm>
 #include <sstream>

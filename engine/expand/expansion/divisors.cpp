@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // More divisors for a field: its ring is built anew with an inverse for each.
+#include "algebra/number/error.hpp"
 #include "algebra/ring/division.hpp"
 #include "algebra/ring/fractions.hpp"
 #include "algebra/ring/number_field.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/expansion/graded_field.hpp"
 #include "expand/expansion/translate.hpp"
+#include "model/text/diagnostic.hpp"
 
 namespace resonform {
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/expansion/expansion.hpp"
 
+#include "algebra/number/error.hpp"
+#include "expand/modes/find_modes.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/expansion/graded_field.hpp"
 
+#include "algebra/number/error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What expand() does where modes are numbers that the ring does not hold.
+#include "algebra/number/error.hpp"
 #include "expand/expansion/expansion.hpp"
 #include "expand/modes/number_fit.hpp"
 #include "expand/modes/number_index.hpp"

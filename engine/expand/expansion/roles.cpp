@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the roles of the variables demand of the equations.
+#include "algebra/number/error.hpp"
 #include "expand/expansion/expansion.hpp"
 #include "model/exact/question.hpp"
 #include "model/text/canonical.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/expansion/translate.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/text/canonical.hpp"
 
 namespace resonform {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Angles in expressions: harmonics only, sin and cos of integer combinations.
+#include "algebra/number/error.hpp"
 #include "expand/expansion/translate.hpp"
 #include "model/text/canonical.hpp"
 

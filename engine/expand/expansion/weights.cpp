@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the weights of the variables demand of the equations: at the weight of a fast variable stand in its
 // rate nothing but its linear part, and what holds variables of lower weight only.
+#include "algebra/number/error.hpp"
 #include "expand/expansion/expansion.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/closed_roots.hpp"
 
+#include "algebra/number/error.hpp"
 #include "expand/ring/power_product.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/zero_test.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/eigen_field.hpp"
 
+#include "algebra/number/elimination.hpp"
 #include "expand/modes/matrix_inverse.hpp"
 #include "model/text/zero_test.hpp"
 
@@ -78,31 +79,31 @@ Zero EigenField::vanishes(const Element& a) {
     return result;
 }
 
-std::optional<EigenField::Rows> EigenField::echelon(Rows rows) const {
-    std::size_t done = 0;
-    for (std::size_t column = 0; done < rows.size() && column < rows.front().size(); ++column) {
-        std::size_t pivot = rows.size();
-        bool unknown = false;
-        for (std::size_t i = done; i < rows.size() && pivot == rows.size(); ++i) {
-            const Zero zero = vanishes(rows[i][column]);
-            if (zero == Zero::no) pivot = i;
-            unknown = unknown || zero == Zero::unknown;
-        }
-        if (pivot == rows.size() && unknown) return std::nullopt;
-        if (pivot == rows.size()) continue;
-        std::swap(rows[done], rows[pivot]);
-        const auto head = inverse(rows[done][column]);
-        if (!head) return std::nullopt;
-        for (Element& entry : rows[done]) entry = times(entry, *head);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const Element factor = rows[i][column];
-            if (i == done || vanishes(factor) == Zero::yes) continue;
-            for (std::size_t k = column; k < rows[i].size(); ++k)
-                rows[i][k] = minus(rows[i][k], times(factor, rows[done][k]));
-        }
-        ++done;
+namespace {
+
+struct Elements {
+    using Element = EigenField::Element;
+    const EigenField& field;
+
+    static Zero zero(const Element& a) { return EigenField::vanishes(a); }
+    static bool is_zero(const Element& a) { return EigenField::vanishes(a) == Zero::yes; }
+    static bool settles(const Element& /*a*/) { return true; }
+    [[nodiscard]] std::optional<Element> divisor(const Element& a) const { return field.inverse(a); }
+    [[nodiscard]] Element over(const Element& a, const Element& inverse) const {
+        return field.times(a, inverse);
     }
-    rows.resize(done);
+    [[nodiscard]] Element without(const Element& a, const Element& factor, const Element& b) const {
+        return field.minus(a, field.times(factor, b));
+    }
+};
+
+} // namespace
+
+std::optional<EigenField::Rows> EigenField::echelon(Rows rows) const {
+    const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+    const auto pivots = reduce_rows(rows, columns, Elements{*this});
+    if (!pivots) return std::nullopt;
+    rows.resize(pivots->size());
     return rows;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/given_modes.hpp"
 
+#include "algebra/number/error.hpp"
 #include "expand/modes/matrix_inverse.hpp"
 #include "expand/ring/power_product.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>

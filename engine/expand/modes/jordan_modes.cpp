@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/jordan_modes.hpp"
 
+#include "algebra/number/error.hpp"
+#include "expand/ring/complex_expression.hpp"
 #include "expand/ring/power_product.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/zero_test.hpp"

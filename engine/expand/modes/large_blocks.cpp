@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/large_blocks.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/real_ball.hpp"
 #include "expand/modes/closed_roots.hpp"
 #include "expand/modes/eigen_field.hpp"
 #include "expand/modes/number_fit.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/enclosure.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace resonform {
@@ -261,15 +265,22 @@ BlockMode LargeBlock::mode_of(const EigenRoot& root, const EigenField::Row& colu
 
 // By frequency and growth at parameters near one, if all have values there.
 void LargeBlock::sort() {
-    const auto value = [&](const ex& e) { return evaluate(e, near_one_); };
+    for (const BlockMode& m : modes_) {
+        add_named(m.eigenvalue.re, near_one_);
+        add_named(m.eigenvalue.im, near_one_);
+    }
+    const auto value = [&](const ex& e) {
+        constexpr std::int64_t bits = 64;
+        const auto ball = enclose(e, near_one_, bits);
+        return ball ? nearest_double(*ball) : std::numeric_limits<double>::quiet_NaN();
+    };
     if (std::any_of(modes_.begin(), modes_.end(), [&](const BlockMode& m) {
-            return !std::isfinite(value(m.eigenvalue.re).radius) ||
-                   !std::isfinite(value(m.eigenvalue.im).radius);
+            return !std::isfinite(value(m.eigenvalue.re)) || !std::isfinite(value(m.eigenvalue.im));
         }))
         return;
     const auto before = [&](const BlockMode& p, const BlockMode& q) {
-        const double omega = value(p.eigenvalue.im).middle - value(q.eigenvalue.im).middle;
-        const double growth = value(p.eigenvalue.re).middle - value(q.eigenvalue.re).middle;
+        const double omega = value(p.eigenvalue.im) - value(q.eigenvalue.im);
+        const double growth = value(p.eigenvalue.re) - value(q.eigenvalue.re);
         constexpr double equal = 1e-9;
         return std::abs(omega) > equal ? omega < 0 : growth < -equal;
     };

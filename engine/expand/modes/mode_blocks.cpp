@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/mode_blocks.hpp"
 
+#include "algebra/number/error.hpp"
 #include "expand/ring/power_product.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/enclosure.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>
@@ -102,16 +104,14 @@ BlockModes modes_with(const Matrix& a, const Eigenvalues& e) {
 // smaller is written by the larger.
 std::optional<ex> root_by_the_larger(const Eigenvalues& e, int sign) {
     const ex own = e.middle + sign * e.root, other = e.middle - sign * e.root;
-    const ex own_value = own.evalf(), other_value = other.evalf();
-    if (GiNaC::is_a<GiNaC::numeric>(e.root) || !GiNaC::is_a<GiNaC::numeric>(own_value)) return std::nullopt;
-    const auto size = [](const ex& value) { return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value)); };
-    if (size(own_value) >= size(other_value)) return std::nullopt;
-    const auto absolute = [](const ex& kappa, const ex& value) {
-        return GiNaC::ex_to<GiNaC::numeric>(value).is_negative() ? ex(-kappa) : kappa;
+    const bool smaller = !GiNaC::is_a<GiNaC::numeric>(e.root) && is_constant(own) &&
+                         sign_of_constant(sign * e.middle * e.root) == ConstantSign::negative;
+    if (!smaller) return std::nullopt;
+    const auto absolute = [](const ex& kappa) {
+        return sign_of_constant(kappa) == ConstantSign::negative ? ex(-kappa) : kappa;
     };
     const ex product = (e.middle * e.middle - e.root * e.root).expand();
-    return GiNaC::sqrt(absolute(other, other_value)) * absolute(own, own_value) /
-           GiNaC::sqrt(absolute(product, product.evalf()));
+    return GiNaC::sqrt(absolute(other)) * absolute(own) / GiNaC::sqrt(absolute(product));
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eigenvectors of a block, continued to the blocks that it drives or that drive it.
+#include "algebra/number/error.hpp"
 #include "expand/modes/block_order.hpp"
 #include "expand/modes/matrix_inverse.hpp"
 #include "expand/modes/mode_finder.hpp"
+#include "expand/ring/complex_expression.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/number_fit.hpp"
 
+#include "model/text/diagnostic.hpp"
+
 namespace resonform {
 
 std::optional<Diagnostic> hindrance_to_numbers(const System& system) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/modes/numeric_modes.hpp"
 
+#include "algebra/number/error.hpp"
 #include "expand/modes/block_order.hpp"
 
 #include <fmt/format.h>

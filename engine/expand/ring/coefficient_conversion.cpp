@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions become polynomials of a ring that is frozen, and back.
+#include "algebra/number/error.hpp"
 #include "expand/ring/coefficient_ring.hpp"
+#include "expand/ring/power_product.hpp"
 #include "model/text/canonical.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/ring/coefficient_domain.hpp"
 
+#include "model/exact/positivity.hpp"
+
 namespace resonform {
 
 namespace {

@@ -7,14 +7,22 @@
 
 #include <ginac/ginac.h>
 
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace resonform {
 
+// The inverse of a number made of roots in their own form; nullopt: the roots depend on one another.
+using InverseOfNumber = std::function<std::optional<GiNaC::ex>(const GiNaC::ex& number, const Place& place)>;
+
 class CoefficientDomain {
 public:
-    explicit CoefficientDomain(const System& system) : system_(&system) {}
+    CoefficientDomain(const System& system, InverseOfNumber inverse)
+        : inverse_of_number(std::move(inverse)), system_(&system) {}
+
+    InverseOfNumber inverse_of_number; // by a ring, which is made with the help of this domain
 
     void add(const GiNaC::ex& symbol, const GiNaC::ex& meaning) {
         meanings_[symbol] = meaning;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/ring/coefficient_ring.hpp"
 
+#include "algebra/number/error.hpp"
+#include "expand/ring/power_product.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/named_function.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -22,6 +24,14 @@ using GiNaC::is_a;
 int largest_root_index() { return Packing().largest(); }
 
 int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
+
+std::optional<ex> inverse_of_number(const ex& e, const Place& place) {
+    CoefficientRing numbers(std::make_shared<const System>());
+    numbers.collect(e, place);
+    numbers.freeze();
+    const auto inverse = numbers.ring()->inverse(numbers.convert(e, place));
+    return inverse ? std::optional(numbers.expression(*inverse)) : std::nullopt;
+}
 
 } // namespace
 
@@ -83,7 +93,7 @@ void CoefficientRing::collect_function(const ex& e, const ex& u, const Place& pl
 
 // The common parts of arguments, then the atoms with the powers inside, then all other powers.
 void CoefficientRing::learn_functions(int derivatives) {
-    functions_ = std::make_shared<FunctionAtoms>(system_, derivatives);
+    functions_ = std::make_shared<FunctionAtoms>(system_, derivatives, inverse_of_number);
     do {
         for (const Needed& n : needed_) functions_->learn(n.expression, n.place);
     } while (!functions_->forget_unless_settled());

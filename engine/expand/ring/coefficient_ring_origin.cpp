@@ -5,9 +5,9 @@
 #include "algebra/number/error.hpp"
 #include "model/exact/question.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/regular.hpp"
 
 #include <algorithm>
-#include <exception>
 
 namespace resonform {
 
@@ -18,12 +18,11 @@ using GiNaC::is_a;
 
 bool has_log_of_zero(const ex& e, const GiNaC::exmap& zero) {
     return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
-        try {
-            return is_a<GiNaC::function>(part) && GiNaC::ex_to<GiNaC::function>(part).get_name() == "log" &&
-                   part.op(0).subs(zero, GiNaC::subs_options::no_pattern).normal().is_zero();
-        } catch (const std::exception&) { // the argument is singular itself
+        if (!is_a<GiNaC::function>(part) || GiNaC::ex_to<GiNaC::function>(part).get_name() != "log")
             return false;
-        }
+        const auto argument =
+            where_regular([&] { return part.op(0).subs(zero, GiNaC::subs_options::no_pattern).normal(); });
+        return argument && argument->is_zero();
     });
 }
 
@@ -35,16 +34,14 @@ void CoefficientRing::refuse_pole(const ex& e, const Place& place) {
 }
 
 ex CoefficientRing::at_origin(const ex& e, const Place& place) const {
-    ex value;
-    try {
-        value = e.subs(zero_, GiNaC::subs_options::no_pattern).normal();
-    } catch (const std::exception&) { // GiNaC::pole_error, and division by zero in normal()
+    const auto value = where_regular([&] { return e.subs(zero_, GiNaC::subs_options::no_pattern).normal(); });
+    if (!value) {
         if (has_log_of_zero(e, zero_))
             bad_input({"log has no value at zero, where the fast variables and eps are", spell(e),
                        "remove the singularity, or expand about another point", place});
         refuse_pole(e, place);
     }
-    return simplified(value, place);
+    return simplified(*value, place);
 }
 
 Zero CoefficientRing::vanishes(const ex& e, const Place& place) const {
@@ -96,11 +93,8 @@ bool CoefficientRing::is_finite(const ex& e) const {
         return std::any_of(finite.begin(), finite.end(), [&](const ex& symbol) { return part.has(symbol); });
     };
     if (!holds_one(e)) return false;
-    try {
-        return holds_one(e.subs(small, GiNaC::subs_options::no_pattern).normal());
-    } catch (const std::exception&) { // a pole, refused elsewhere
-        return true;
-    }
+    const auto there = where_regular([&] { return e.subs(small, GiNaC::subs_options::no_pattern).normal(); });
+    return !there || holds_one(*there); // a pole is refused elsewhere
 }
 
 } // namespace resonform

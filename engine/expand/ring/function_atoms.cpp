@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/ring/function_atoms.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/named_function.hpp"
 
@@ -350,11 +351,12 @@ private:
     const Place& place_;
 };
 
-FunctionAtoms::FunctionAtoms(std::shared_ptr<const System> system, int derivatives)
-    : system_(std::move(system)), derivatives_(derivatives), domain_(new_domain()) {}
+FunctionAtoms::FunctionAtoms(std::shared_ptr<const System> system, int derivatives, InverseOfNumber inverse)
+    : system_(std::move(system)), derivatives_(derivatives), inverse_(std::move(inverse)),
+      domain_(new_domain()) {}
 
 CoefficientDomain FunctionAtoms::new_domain() const {
-    CoefficientDomain domain(*system_);
+    CoefficientDomain domain(*system_, inverse_);
     domain.add(pi_, GiNaC::Pi);
     return domain;
 }

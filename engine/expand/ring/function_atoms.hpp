@@ -40,7 +40,7 @@ struct FunctionAtom {
 class FunctionAtoms {
 public:
     // derivatives: how many of each function that is known by its name only are needed beyond those written.
-    FunctionAtoms(std::shared_ptr<const System> system, int derivatives);
+    FunctionAtoms(std::shared_ptr<const System> system, int derivatives, InverseOfNumber inverse);
 
     // Learns the atoms of e, an expression of weight 0. The common parts of arguments are known when all
     // expressions were learned and none of them changed any: until then, learn all again.
@@ -64,6 +64,7 @@ private:
 
     std::shared_ptr<const System> system_;
     int derivatives_;
+    InverseOfNumber inverse_;
     bool settled_ = true, has_pi_ = false;
     GiNaC::symbol pi_{"pi"};
     std::vector<FunctionAtom> atoms_;

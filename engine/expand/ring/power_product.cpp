@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/ring/power_product.hpp"
 
-#include "expand/ring/coefficient_ring.hpp"
+#include "algebra/number/error.hpp"
 #include "model/text/canonical.hpp"
-#include "model/text/constant_sign.hpp"
+#include "model/text/enclosure.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -204,11 +204,7 @@ private:
     // these. nullopt: symbols or functions are in it, or the roots depend on one another.
     [[nodiscard]] std::optional<ex> inverse_of_number(const ex& e) const {
         if (!is_algebraic_number(e)) return std::nullopt;
-        CoefficientRing numbers(std::make_shared<const System>());
-        numbers.collect(e, place_);
-        numbers.freeze();
-        const auto inverse = numbers.ring()->inverse(numbers.convert(e, place_));
-        return inverse ? std::optional(numbers.expression(*inverse)) : std::nullopt;
+        return domain_.inverse_of_number(e, place_);
     }
 
     void append_sum(const ex& base, const Rational& exponent) {

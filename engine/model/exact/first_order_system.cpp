@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/exact/first_order_system.hpp"
 
+#include "algebra/number/elimination.hpp"
+#include "algebra/number/error.hpp"
 #include "model/exact/question.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/expression_field.hpp"
 #include "model/text/growth.hpp"
 #include "model/text/lexer.hpp"
+#include "model/text/nearest.hpp"
+#include "model/text/regular.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -72,12 +78,11 @@ void check_growth(const Equation& equation, const Growth& growth) {
 
 // Runs what GiNaC may find singular.
 ex guarded(const Equation& equation, const std::function<ex()>& build) {
-    try {
-        return build();
-    } catch (const std::exception&) {
+    const auto value = where_regular(build);
+    if (!value)
         complain(equation, "an equation stays regular when the other rates are put in",
                  excerpt(equation.text), "a denominator becomes zero: correct it");
-    }
+    return *value;
 }
 
 // Marks the first occurrence of a derivative in the text of its equation.
@@ -100,26 +105,13 @@ ex guarded(const Equation& equation, const std::function<ex()>& build) {
 
 using EquationRow = std::vector<ex>; // coefficients of the unknowns, then the right-hand side
 
-// Gaussian elimination to the unit matrix; a pivot is an entry proved not to vanish. False: none is.
-bool eliminate(std::vector<EquationRow>& rows, const System& system) {
-    const std::size_t n = rows.size();
-    for (std::size_t column = 0; column < n; ++column) {
-        std::size_t pivot = column;
-        while (pivot < n && vanishes(rows[pivot][column], system) != Zero::no) ++pivot;
-        if (pivot == n) return false;
-        std::swap(rows[column], rows[pivot]);
-        const ex divisor = rows[column][column];
-        for (std::size_t k = column; k <= n; ++k) rows[column][k] = (rows[column][k] / divisor).normal();
-        for (std::size_t other = 0; other < n; ++other) {
-            const ex factor = rows[other][column];
-            if (other == column || factor.is_zero()) continue;
-            for (std::size_t k = column; k <= n; ++k) {
-                rows[other][k] = (rows[other][k] - factor * rows[column][k]).normal();
-            }
-        }
-    }
-    return true;
-}
+// Of expressions in the domain of a system.
+struct InDomain : ExpressionField {
+    explicit InDomain(const System& s) : system(s) {}
+    [[nodiscard]] Zero zero(const ex& a) const { return vanishes(a, system); }
+
+    const System& system;
+};
 
 std::vector<ex> HighestDerivatives::solve() {
     while (solve_a_single()) {
@@ -218,12 +210,12 @@ void HighestDerivatives::solve_the_rest() {
         row[n] = -p.rest;
         rows.push_back(std::move(row));
     }
-    if (!eliminate(rows, system_)) {
+    if (!solve_rows(rows, InDomain(system_))) {
         complain(*pending_.front().equation, "the equations can be solved for the highest derivatives",
                  "the determinant of their coefficients is not known to differ from zero",
                  "correct or simplify the equations");
     }
-    for (std::size_t k = 0; k < n; ++k) solved_[unknowns[k]] = rows[k][n];
+    for (std::size_t k = 0; k < n; ++k) solved_[unknowns[k]] = rows[k].front();
 }
 
 } // namespace

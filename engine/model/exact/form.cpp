@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/exact/form.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/signs/sign_prover.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <algorithm>
 

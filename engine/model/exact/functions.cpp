@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Functions on their way into an exact form.
+#include "algebra/number/error.hpp"
 #include "model/exact/form.hpp"
 #include "model/exact/written_form.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roots on their way into an exact form: sqrt(1 + xi^2/r^2) = sqrt(xi^2 + r^2)/r where r is positive.
+#include "algebra/number/error.hpp"
 #include "model/exact/form.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 
 namespace resonform {
 

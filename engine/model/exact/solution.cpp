@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/exact/solution.hpp"
 
+#include "algebra/number/elimination.hpp"
+#include "algebra/number/error.hpp"
 #include "model/text/expression.hpp"
+#include "model/text/expression_field.hpp"
 #include "model/text/growth.hpp"
 
 #include <algorithm>
@@ -70,30 +73,26 @@ double terms_when_solved(const std::vector<ExactRow>& rows, ExactForm& form) {
     return most;
 }
 
+struct InForm : ExpressionField {
+    explicit InForm(ExactForm& f) : form(f) {}
+    [[nodiscard]] Zero zero(const ex& a) const { return form.vanishes(a); }
+    [[nodiscard]] ex over(const ex& a, const ex& b) const { return form.simplified(a / b); }
+    [[nodiscard]] ex without(const ex& a, const ex& factor, const ex& b) const {
+        return form.simplified(a - factor * b);
+    }
+
+    ExactForm& form;
+};
+
 } // namespace
 
 std::vector<ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const Place& place) {
-    const std::size_t n = rows.size();
-    for (std::size_t column = 0; column < n; ++column) {
-        std::size_t pivot = column;
-        while (pivot < n && form.vanishes(rows[pivot][column]) != Zero::no) ++pivot;
-        if (pivot == n)
-            refuse(Reason::undecided,
-                   {"the accelerations can be solved for",
-                    "the determinant of their coefficients is not seen to differ from zero",
-                    "simplify the mechanism", place});
-        std::swap(rows[column], rows[pivot]);
-        const ex divisor = rows[column][column];
-        for (ex& entry : rows[column]) entry = form.simplified(entry / divisor);
-        for (std::size_t other = 0; other < n; ++other) {
-            const ex factor = rows[other][column];
-            if (other == column || factor.is_zero()) continue;
-            for (std::size_t k = column; k <= n; ++k)
-                rows[other][k] = form.simplified(rows[other][k] - factor * rows[column][k]);
-        }
-    }
+    if (!solve_rows(rows, InForm(form)))
+        refuse(Reason::undecided, {"the accelerations can be solved for",
+                                   "the determinant of their coefficients is not seen to differ from zero",
+                                   "simplify the mechanism", place});
     std::vector<ex> solution;
-    for (const ExactRow& row : rows) solution.push_back(row[n]);
+    for (const ExactRow& row : rows) solution.push_back(row.front());
     return solution;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/dimension.hpp"
 
+#include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/expression.hpp"
 #include "model/text/lexer.hpp"
 #include "model/text/toml_values.hpp"

@@ -3,8 +3,12 @@
 //
 //   energy = "p^2/2 + 1 - cos(q)"
 //   momenta = { q = "p" }              q' = p,  p' = -sin(q)
+#include "algebra/number/error.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 #include "model/text/zero_test.hpp"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/heading.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/files/mechanism_reader.hpp"
 #include "model/system/names.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/toml_values.hpp"
 
 namespace resonform {

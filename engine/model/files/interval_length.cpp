@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/interval_length.hpp"
 
+#include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/regular.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -136,7 +140,7 @@ std::string spelled(double length) {
 double length_at(const Scene& scene, const GiNaC::ex& interval, const Rational& eps) {
     constexpr double beyond_double = 1000;
     const GiNaC::symbol& symbol = scene.system->eps;
-    try {
+    const auto length = where_regular([&] {
         const GiNaC::ex fixed = scene.fixed(interval);
         const double log = log_length(fixed, symbol, ln(eps));
         if (std::abs(log) > beyond_double)
@@ -145,9 +149,8 @@ double length_at(const Scene& scene, const GiNaC::ex& interval, const Rational& 
         if (!GiNaC::is_a<GiNaC::numeric>(value)) return none;
         const auto& number = GiNaC::ex_to<GiNaC::numeric>(value);
         return number.is_real() && number.is_positive() ? number.to_double() : none;
-    } catch (const std::exception&) { // a pole
-        return none;
-    }
+    });
+    return length.value_or(none);
 }
 
 double interval_length(const Scene& scene, const Rational& eps) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [bodies] of a mechanism: in a plane by their angle, in space by Euler's angles.
+#include "algebra/number/error.hpp"
 #include "model/files/mechanism_reader.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/toml_values.hpp"
 
 namespace resonform {

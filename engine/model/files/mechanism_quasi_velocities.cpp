@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [quasi_velocities] of a mechanism, and forces on them.
+#include "algebra/number/error.hpp"
 #include "model/files/mechanism_reader.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/toml_values.hpp"
 
 #include <algorithm>

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/mechanism_reader.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/positivity.hpp"
 #include "model/files/dimension.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 #include "model/text/zero_test.hpp"
 

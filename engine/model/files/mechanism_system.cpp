@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A system.toml with [coordinates]: its equations are derived, and read like those of every system.
+#include "algebra/number/error.hpp"
 #include "model/files/mechanism_reader.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/files/unit_check.hpp"
-#include "model/mechanics/mechanical_equations.hpp"
+#include "model/mechanics/equations_of.hpp"
+#include "model/system/system_file.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/toml_values.hpp"
 
 #include <algorithm>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [modes]: the modal matrix as a user gives it, mode by mode. That it fits the equations is checked where
 // they have been solved for their highest derivatives.
+#include "algebra/number/error.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 
 #include <algorithm>

@@ -42,8 +42,8 @@ std::filesystem::path find_system(const std::string& argument, const std::filesy
     }
     bad_input(Reason::file,
               {"SYSTEM must be a folder with system.toml, that file, or a name in " + systems.string(),
-               excerpt(argument), suggest(argument, names_in(systems)) + ". All systems: resonform list",
-               Place{}});
+               argument.empty() ? "''" : excerpt(argument),
+               suggest(argument, names_in(systems)) + "; all systems: resonform list", Place{}});
 }
 
 System read_system(const std::filesystem::path& file) { return read_system_text(read_text(file), file); }

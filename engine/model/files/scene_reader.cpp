@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/scene_reader.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/files/heading.hpp"
 #include "model/files/read_system.hpp"
 #include "model/files/start_domain.hpp"
 #include "model/files/start_reader.hpp"
 #include "model/files/verify_reader.hpp"
 #include "model/system/names.hpp"
-#include "model/text/constant_sign.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/enclosure.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 #include "model/text/zero_test.hpp"
 
@@ -19,13 +22,16 @@ namespace {
 
 constexpr int highest_order = 99;
 constexpr int highest_time_scale = 9;
+constexpr std::int64_t bits_of_fixed = 512;
 
-// Values beyond this or its inverse overflow in double when they are squared and cubed.
-Rational smallest_value() { return Rational(1) / cln::expt_pos(cln::cl_I(10), 100); }
-
-// Of an interval without zero.
-Rational least_size(const Interval& x) { return x.positive() ? x.low : -x.high; }
-Rational largest_size(const Interval& x) { return x.positive() ? x.high : -x.low; }
+// Values beyond these overflow in double when they are squared and cubed.
+bool is_moderate(const RealBall& value) {
+    constexpr int decades = 100;
+    RealBall size;
+    arb_abs(size.get(), value.get());
+    return arb_lt(size.get(), RealBall(power_of_ten(-decades), bits_of_fixed).get()) == 0 &&
+           arb_gt(size.get(), RealBall(power_of_ten(decades), bits_of_fixed).get()) == 0;
+}
 
 } // namespace
 
@@ -34,14 +40,16 @@ SceneReader::SceneReader(TomlNode root, const std::filesystem::path& file,
     : root_(std::move(root)), systems_(systems) {
     scene_.file = file;
     scene_.name = file.stem().string();
-    const auto place_of_table = [&](const char* key) {
-        const TomlNode* table = root_.find(key);
-        Place place = table == nullptr ? whole_file(file) : place_of(table->source);
+    const auto place_of_key = [&](const char* key) {
+        const TomlNode* value = root_.find(key);
+        Place place = value == nullptr ? whole_file(file) : place_of(value->source);
         place.key = key;
         return place;
     };
-    scene_.fix_place = place_of_table("fix");
-    scene_.start_place = place_of_table("start");
+    scene_.fix_place = place_of_key("fix");
+    scene_.start_place = place_of_key("start");
+    scene_.order_place = place_of_key("order");
+    scene_.time_scale_place = place_of_key("time_scale");
 }
 
 Scene SceneReader::read() {
@@ -141,21 +149,19 @@ void SceneReader::read_outputs() {
 
 // A number as --set takes it: real, of known sign, and of moderate size.
 GiNaC::ex SceneReader::fixed_value(const TomlNode& node, const Parameter& parameter) {
-    constexpr int bits = 512;
     GiNaC::ex value = expression_of(node, Scope{});
     if (vanishes(value) == Zero::yes) value = 0;
-    const std::optional<Interval> range = enclosure(value, {}, bits);
-    if (!value.is_zero() && !(range && range->excludes_zero()))
+    const std::optional<RealBall> range = enclose(value, {}, bits_of_fixed);
+    if (!value.is_zero() && !(range && range->sign() != 0))
         refuse(Reason::undecided,
                {"a fixed value is real, and told from zero by intervals", excerpt(node.text),
                 "write it in a simpler form, or as a decimal number", place_of(node.source)});
-    if (!value.is_zero() &&
-        (least_size(*range) < smallest_value() || largest_size(*range) > 1 / smallest_value())) {
+    if (!value.is_zero() && !is_moderate(*range)) {
         bad_value(node, "a fixed value is zero or lies between 1e-100 and 1e100 in size",
                   "choose other units");
     }
     const std::string declared = "the parameter '" + parameter.name + "' is declared ";
-    if (parameter.positive && !range->positive())
+    if (parameter.positive && !range->is_positive())
         bad_value(node, declared + "positive", "give a positive value");
     if (parameter.nonzero && value.is_zero())
         bad_value(node, declared + "nonzero", "give a value other than zero");

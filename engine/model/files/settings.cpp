@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/settings.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/text/canonical.hpp"
-#include "model/text/constant_sign.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/enclosure.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/nearest.hpp"
+#include "model/text/regular.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <algorithm>
@@ -23,10 +28,19 @@ using GiNaC::ex;
     bad_input(Reason::command_line, {rule, value, mend, place});
 }
 
+// Errors show the word NAME=VALUE, and count columns in it.
 ex read_value(const Setting& setting, const std::string& option) {
     SourceText source;
-    source.key = option + " " + excerpt(setting.parameter + "=" + setting.value);
-    return read_expression(setting.value, Scope(), source);
+    source.key = option;
+    source.column = static_cast<int>(setting.parameter.size()) + 2;
+    source.source_line = printable(setting.parameter + "=" + setting.value);
+    try {
+        return read_expression(setting.value, Scope(), source);
+    } catch (const Error& error) {
+        Diagnostic d = error.diagnostic();
+        d.value = excerpt(source.source_line);
+        throw Error(error.kind(), std::move(d));
+    }
 }
 
 // Values are constants: where intervals do not decide what their signs are, nothing is claimed.
@@ -81,12 +95,11 @@ void put_into_domain(System& system, const GiNaC::exmap& values, const std::stri
 
 // Errors (bad_input): a pole at the values.
 void put_regularly(ex& e, const GiNaC::exmap& values, const Place& place, const std::string& option) {
-    try {
-        e = e.subs(values, GiNaC::subs_options::no_pattern);
-    } catch (const std::exception&) { // GiNaC::pole_error, division by zero
+    const auto value = where_regular([&] { return e.subs(values, GiNaC::subs_options::no_pattern); });
+    if (!value)
         bad_input({"the values of " + option + " make no denominator zero, and no logarithm one of zero",
                    in_quotes(spell(e)), "set other values", place});
-    }
+    e = *value;
 }
 
 } // namespace

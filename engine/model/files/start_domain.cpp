@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/start_domain.hpp"
 
+#include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/regular.hpp"
+
 namespace resonform {
 
 namespace {
@@ -14,11 +18,9 @@ public:
     }
 
     void check(const Declaration& declared) const {
-        Estimate estimate = Estimate::unbounded;
-        try {
-            estimate = scene_.estimate(declared.value.subs(values_));
-        } catch (const std::exception&) { // a denominator became zero
-        }
+        const Estimate estimate = where_regular([&] {
+                                      return scene_.estimate(declared.value.subs(values_));
+                                  }).value_or(Estimate::unbounded);
         if (estimate != Estimate::unknown && estimate != Estimate::positive) complain(declared);
     }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/start_reader.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/system/names.hpp"
 #include "model/system/start_names.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 
 #include <algorithm>
@@ -88,6 +91,9 @@ void StartReader::check_domain(const StartValue& value) const {
         bad_input({rule, excerpt(value.text), mend, place_of(value.source)});
     };
     if (estimate == Estimate::unbounded) {
+        if (const std::string why = scene_.why_unreal(value.value); !why.empty())
+            bad_input({"a start value is a real number for eps > 0", excerpt(value.text) + ", where " + why,
+                       "write the real value meant", place_of(value.source)});
         complain("a start value is finite in double precision", "give a value of moderate size");
     }
     const Variable* variable = system_.variable(value.name);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/system_reader.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/files/dimension.hpp"
 #include "model/files/heading.hpp"
 #include "model/system/names.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/eps_powers.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 
 #include <algorithm>

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of a system.toml that say more about what is declared: domain, relations, normal form, notation.
+#include "algebra/number/error.hpp"
 #include "model/exact/positivity.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/files/unit_check.hpp"
 #include "model/system/names.hpp"
+#include "model/system/style.hpp"
+#include "model/system/system_file.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/eps_powers.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/nearest.hpp"
+#include "model/text/regular.hpp"
 #include "model/text/toml_values.hpp"
 #include "model/text/zero_test.hpp"
 
@@ -139,11 +146,9 @@ GiNaC::ex SystemReader::at_rest(const GiNaC::ex& e) const {
 }
 
 GiNaC::ex SystemReader::regular_at_rest(const GiNaC::ex& e, const TomlNode& value) const {
-    try {
-        return at_rest(e);
-    } catch (const std::exception&) { // GiNaC::pole_error, division by zero
-        bad_value(value, "a relation has a value at eps = 0", "remove what is divided by eps");
-    }
+    const auto regular = where_regular([&] { return at_rest(e); });
+    if (!regular) bad_value(value, "a relation has a value at eps = 0", "remove what is divided by eps");
+    return *regular;
 }
 
 // d = { weight = 2 } is small: it stands for eps^2*d.

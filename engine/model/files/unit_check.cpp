@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/unit_check.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>

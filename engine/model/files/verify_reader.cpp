@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/verify_reader.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 #include "model/files/interval_length.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 
 #include <algorithm>
@@ -62,6 +66,10 @@ void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
     plan.interval_source = node->source;
     const Estimate estimate = scene.estimate(plan.interval);
     if (estimate != Estimate::positive && estimate != Estimate::unknown) {
+        if (const std::string why = scene.why_unreal(plan.interval); !why.empty())
+            bad_input({"the interval of verification is a real number for eps > 0",
+                       excerpt(node->text) + ", where " + why, "write one such as \"1/eps\"",
+                       place_of(node->source)});
         bad_value(*node, "the interval of verification is positive, and finite in double precision",
                   "write one such as \"1/eps\"");
     }

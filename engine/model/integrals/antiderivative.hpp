@@ -2,15 +2,11 @@
 // Elementary integrals.
 #pragma once
 
-#include <ginac/ginac.h>
+#include "model/integrals/positive_there.hpp"
 
-#include <functional>
 #include <optional>
 
 namespace resonform {
-
-// e > 0 is proved where the integral is used.
-using PositiveThere = std::function<bool(const GiNaC::ex&)>;
 
 // f with df/dx = e, e a sum of terms of these kinds; a, b are free of x, and a is a number, a product, or a
 // sum that is proved nonzero:

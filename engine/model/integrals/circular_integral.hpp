@@ -2,7 +2,9 @@
 // Integrals with sines and cosines: products become sums, quotients rational functions.
 #pragma once
 
-#include "model/integrals/antiderivative.hpp"
+#include "model/integrals/positive_there.hpp"
+
+#include <optional>
 
 namespace resonform {
 

@@ -2,7 +2,9 @@
 // Integrals of rational functions by partial fractions.
 #pragma once
 
-#include "model/integrals/antiderivative.hpp"
+#include "model/integrals/positive_there.hpp"
+
+#include <optional>
 
 namespace resonform {
 

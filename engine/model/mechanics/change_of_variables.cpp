@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mechanics/change_of_variables.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/solution.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/exact/written_form.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/regular.hpp"
 
 #include <algorithm>
 
@@ -164,16 +167,13 @@ ex ChangeOfVariables::at_origin(const ex& e) const {
         if (variable != nullptr && variable->role == Role::fast && variable->weight > 0) origin[c.at] = 0;
     }
     const ex value = put(e, positions_);
-    try {
-        return put(motion_.unperturbed(value), origin);
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception&) { // GiNaC::pole_error, division by zero
+    const auto there = where_regular([&] { return put(motion_.unperturbed(value), origin); });
+    if (!there)
         bad_input({"nothing is divided by an expression that is zero at the origin",
                    excerpt(written(motion_.form(), value)),
                    "choose other coordinates, or another origin by [change]",
                    place_of(motion_.mechanism().source)});
-    }
+    return *there;
 }
 
 } // namespace resonform

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mechanics/frobenius.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/written_form.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <functional>
 

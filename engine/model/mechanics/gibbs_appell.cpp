@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mechanics/gibbs_appell.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/solution.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/text/canonical.hpp"

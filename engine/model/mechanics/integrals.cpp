@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mechanics/integrals.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/exact/written_form.hpp"
 #include "model/integrals/antiderivative.hpp"
 #include "model/mechanics/joint_integrals.hpp"
+#include "model/system/mechanism.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mechanics/joint_integrals.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/inverse_function.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a mechanism to the equations of an ordinary system, as texts.
+// The equations of a mechanism as those of an ordinary system, as texts.
 #pragma once
 
 #include "model/mechanics/derivation.hpp"
@@ -22,10 +22,5 @@ struct MechanicalEquations {
     std::vector<Former> constants;
     Derivation derivation;
 };
-
-// Constraints, their constants, the equations of Gibbs and Appell, the same by multipliers, and the change of
-// variables. `system` has parameters, variables (three symbols in each jet) and domain.
-// Errors: those of every step.
-MechanicalEquations equations_of(const Mechanism& mechanism, const System& system);
 
 } // namespace resonform

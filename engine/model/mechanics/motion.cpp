@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mechanics/motion.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/positivity.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/regular.hpp"
 
 namespace resonform {
 
@@ -68,12 +71,11 @@ ex Motion::derivative(const ex& e) const {
 ex Motion::with_laws(const ex& e) const { return e.subs(laws_, GiNaC::subs_options::no_pattern); }
 
 ex Motion::unperturbed(const ex& e) const {
-    try {
-        return with_laws(e).subs(system_->eps == 0);
-    } catch (const std::exception&) {
+    const auto value = where_regular([&] { return with_laws(e).subs(system_->eps == 0); });
+    if (!value)
         bad_input({"a mechanism is regular at eps = 0", excerpt(spell(e)), "scale it by a power of eps",
                    place_of(mechanism_->source)});
-    }
+    return *value;
 }
 
 std::vector<const Prescribed*> Motion::moving() const {
@@ -90,11 +92,9 @@ bool Motion::positive_where_expanded(const ex& e) const {
     for (const Variable& v : system_->variables)
         if (v.role == Role::fast && v.weight > 0) origin[v.jet.front()] = 0;
     const auto value = put_through(e, changes);
-    try {
-        return value && provably_positive(put(unperturbed(*value), origin), *system_);
-    } catch (const std::exception&) { // a pole
-        return false;
-    }
+    if (!value) return false;
+    const auto there = where_regular([&] { return put(with_laws(*value).subs(system_->eps == 0), origin); });
+    return there && provably_positive(*there, *system_);
 }
 
 } // namespace resonform

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mechanics/quasi_velocities.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/solution.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 
 #include "model/signs/one_atom.hpp"
 #include "model/signs/root_split.hpp"
-#include "model/text/constant_sign.hpp"
+#include "model/text/enclosure.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>

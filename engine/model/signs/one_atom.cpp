@@ -3,6 +3,7 @@
 
 #include "model/text/growth.hpp"
 #include "model/text/named_function.hpp"
+#include "model/text/regular.hpp"
 
 #include <algorithm>
 #include <string>
@@ -61,13 +62,9 @@ public:
         GiNaC::exmap there;
         there[GiNaC::sin(kind().op(0))] = 0;
         there[GiNaC::cos(kind().op(0))] = -1;
-        try {
-            const ex value = e.subs(there, GiNaC::subs_options::no_pattern);
-            if (!value.info(GiNaC::info_flags::rational)) return std::nullopt;
-            return ex_to<numeric>(value).csgn();
-        } catch (const GiNaC::pole_error&) {
-            return std::nullopt;
-        }
+        const auto value = where_regular([&] { return e.subs(there, GiNaC::subs_options::no_pattern); });
+        if (!value || !value->info(GiNaC::info_flags::rational)) return std::nullopt;
+        return ex_to<numeric>(*value).csgn();
     }
 
 private:

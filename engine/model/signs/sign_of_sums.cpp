@@ -5,7 +5,7 @@
 #include "model/signs/pairs_of_terms.hpp"
 #include "model/signs/root_split.hpp"
 #include "model/text/bounds.hpp"
-#include "model/text/constant_sign.hpp"
+#include "model/text/enclosure.hpp"
 #include "model/text/growth.hpp"
 
 #include <algorithm>

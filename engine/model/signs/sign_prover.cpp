@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/signs/sign_prover.hpp"
 
-#include "model/text/constant_sign.hpp"
+#include "model/text/enclosure.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/system/names.hpp"
 
+#include "model/text/scope.hpp"
+
 #include <algorithm>
 
 namespace resonform {

@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/system/scene_file.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/real_ball.hpp"
 #include "model/system/start_names.hpp"
+#include "model/text/enclosure.hpp"
+#include "model/text/regular.hpp"
+#include "model/text/why_unreal.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace resonform {
+
+namespace {
+
+GiNaC::numeric estimated_eps() { return {1, 10}; }
+
+constexpr int double_exponent = 1000; // of two: beyond this a double may overflow
+
+bool holds_large_number(const GiNaC::ex& e) {
+    return std::any_of(e.preorder_begin(), e.preorder_end(), [](const GiNaC::ex& part) {
+        if (!GiNaC::is_a<GiNaC::numeric>(part)) return false;
+        const auto& n = GiNaC::ex_to<GiNaC::numeric>(part);
+        return n.numer().int_length() > double_exponent || n.denom().int_length() > double_exponent;
+    });
+}
+
+} // namespace
 
 const char* to_string(Verdict verdict) {
     switch (verdict) {
@@ -46,19 +66,26 @@ GiNaC::ex Scene::fixed(const GiNaC::ex& value) const {
 }
 
 Estimate Scene::estimate(const GiNaC::ex& value) const {
-    GiNaC::ex e;
-    try {
-        e = fixed(value);
-    } catch (const std::exception&) { // a denominator became zero
-        return Estimate::unbounded;
-    }
+    const auto regular = where_regular([&] { return fixed(value); });
+    if (!regular) return Estimate::unbounded;
+    const GiNaC::ex& e = *regular;
     if (vanishes(e) == Zero::yes) return Estimate::zero; // (sqrt(2) + 1)*(sqrt(2) - 1) - 1
     for (const Parameter& p : system->parameters) {
         if (e.has(p.symbol)) return Estimate::unknown;
     }
-    const Ball ball = evaluate(e, {{system->eps, GiNaC::numeric(1, 10)}});
-    if (ball.excludes_zero()) return ball.middle > 0 ? Estimate::positive : Estimate::negative;
-    return std::isfinite(ball.radius) ? Estimate::unknown : Estimate::unbounded;
+    const std::optional<RealBall> here = enclose(e, {{system->eps, estimated_eps()}});
+    if (!here || binary_exponent(*here) > double_exponent || holds_large_number(e))
+        return Estimate::unbounded;
+    const int sign = here->sign();
+    return sign > 0 ? Estimate::positive : sign < 0 ? Estimate::negative : Estimate::unknown;
+}
+
+std::string Scene::why_unreal(const GiNaC::ex& value) const {
+    GiNaC::exmap point{{system->eps, estimated_eps()}};
+    for (const Parameter& p : system->parameters)
+        if (const auto found = fix.find(p.name); found != fix.end()) point[p.symbol] = found->second;
+    const std::string why = resonform::why_unreal(value, point);
+    return why.empty() ? "" : why + " at eps = 0.1";
 }
 
 void not_fixed(const Scene& scene, const std::string& rule, const std::vector<std::string>& missing) {

@@ -65,6 +65,7 @@ struct Scene {
     std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
     std::vector<StartValue> start;        // in the order of the file
     Place fix_place, start_place;         // of the tables, else of the file: for what is missing there
+    Place order_place, time_scale_place;  // of the values, else of the file
     VerifyPlan verify;
 
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
@@ -77,6 +78,8 @@ struct Scene {
     // An expression with the values of [fix] put in; GiNaC throws if a denominator becomes zero.
     [[nodiscard]] GiNaC::ex fixed(const GiNaC::ex& value) const;
     [[nodiscard]] Estimate estimate(const GiNaC::ex& value) const;
+    // Of an unbounded one that is not even real: "-eps is negative at eps = 0.1". Else empty.
+    [[nodiscard]] std::string why_unreal(const GiNaC::ex& value) const;
 };
 
 // Errors: values of parameters are missing under [fix]; the rule says who needs them.

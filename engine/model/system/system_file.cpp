@@ -25,6 +25,13 @@ const char* to_string(Role role) {
     return "drift";
 }
 
+Place System::place_of(std::size_t variable) const {
+    Place place = variables[variable].place;
+    if (place.file.empty()) place.file = file.string();
+    if (place.key.empty()) place.key = "variables." + variables[variable].name;
+    return place;
+}
+
 const Variable* System::variable(const std::string& wanted) const { return find_named(variables, wanted); }
 
 std::string System::name_with_settings() const {

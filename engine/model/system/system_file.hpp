@@ -150,6 +150,8 @@ struct System {
     [[nodiscard]] std::string name_with_settings() const;
     // nullptr if there is none of that name.
     [[nodiscard]] const Variable* variable(const std::string& name) const;
+    // Where the file declares a variable: the key at least.
+    [[nodiscard]] Place place_of(std::size_t variable) const;
     [[nodiscard]] const Parameter* parameter(const std::string& name) const;
     // One of the file: in the equations, or cancelled.
     [[nodiscard]] const Parameter* declared_parameter(const std::string& name) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/eps_powers.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/text/toml_values.hpp"
 
 #include <fmt/format.h>

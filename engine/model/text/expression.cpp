@@ -1,45 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/expression.hpp"
 
+#include "model/text/lexer.hpp"
 #include "model/text/parser.hpp"
 
 #include <algorithm>
 
 namespace resonform {
-
-void Scope::define(const std::string& name, const GiNaC::ex& value) { define_derivative(name, 0, value); }
-
-void Scope::define_derivative(const std::string& name, int primes, const GiNaC::ex& value) {
-    values_[{name, primes}] = value;
-}
-
-bool Scope::is_function(const std::string& name) const {
-    return std::find(functions_.begin(), functions_.end(), name) != functions_.end();
-}
-
-const GiNaC::ex* Scope::find(const std::string& name, int primes) const {
-    const auto found = values_.find({name, primes});
-    return found == values_.end() ? nullptr : &found->second;
-}
-
-bool Scope::has_derivatives() const {
-    return std::any_of(values_.begin(), values_.end(),
-                       [](const auto& entry) { return entry.first.second > 0; });
-}
-
-std::vector<std::string> Scope::names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : values_) {
-        if (names.empty() || names.back() != entry.first.first) names.push_back(entry.first.first);
-    }
-    return names;
-}
-
-const std::vector<std::string>& function_names() {
-    static const std::vector<std::string> names = {"sin",  "cos",  "tan",  "exp",  "log",  "sqrt",
-                                                   "sinh", "cosh", "tanh", "asin", "acos", "atan"};
-    return names;
-}
 
 GiNaC::ex read_expression(std::string_view text, const Scope& scope, const SourceText& source,
                           const Limits& limits) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/lexer.hpp"
 
+#include "algebra/number/error.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>

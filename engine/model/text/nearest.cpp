@@ -44,16 +44,17 @@ std::string nearest(const std::string& name, const std::vector<std::string>& kno
 }
 
 std::string suggest(const std::string& name, const std::vector<std::string>& known) {
-    constexpr std::size_t listed = 20;
+    constexpr std::size_t listed = 20, longest_list = 300; // what is appended still fits into a message
     const std::string guess = nearest(name, known);
     std::string text = guess.empty() ? "" : "did you mean '" + guess + "'? ";
     if (known.empty()) return text + "no name is known here";
     text += guess.empty() ? "known are: " : "Known are: ";
-    for (std::size_t i = 0; i < known.size() && i < listed; ++i) {
+    for (std::size_t i = 0; i < known.size(); ++i) {
         if (i > 0) text += ", ";
-        text += known[i].substr(0, longest_compared);
+        const std::string shown = known[i].substr(0, longest_compared);
+        if (i == listed || text.size() + shown.size() > longest_list) return text + "...";
+        text += shown;
     }
-    if (known.size() > listed) text += ", ...";
     return text;
 }
 

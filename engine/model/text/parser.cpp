@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/parser.hpp"
 
+#include "algebra/number/error.hpp"
 #include "algebra/number/number.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/named_function.hpp"
 #include "model/text/zero_test.hpp"
 

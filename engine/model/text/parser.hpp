@@ -3,9 +3,9 @@
 // Limits::depth, its results by Limits::bits, terms and degree.
 #pragma once
 
-#include "model/text/expression.hpp"
 #include "model/text/growth.hpp"
 #include "model/text/lexer.hpp"
+#include "model/text/scope.hpp"
 
 #include <functional>
 

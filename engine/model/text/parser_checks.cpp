@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the parser refuses, and how it says so.
+#include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
 #include "model/text/parser.hpp"
+#include "model/text/scope.hpp"
 #include "model/text/zero_test.hpp"
 
 namespace resonform {
@@ -78,7 +82,9 @@ void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std:
 
 void Parser::missing_operand() const {
     const Token& token = next();
-    if (tokens_.size() == 1) complain(0, 0, "an expression is not empty", "write one");
+    if (tokens_.size() == 1)
+        bad_input(Reason::syntax, {"an expression is not empty", "\"" + excerpt(text_) + "\"", "write one",
+                                   place_at(source_, text_, 0)});
     if (token.kind == TokenKind::comma) {
         complain(token.begin, token.end, "a comma has no meaning in an expression",
                  "write decimals with a point; functions take one argument");

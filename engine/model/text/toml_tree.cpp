@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/toml_tree.hpp"
 
+#include "algebra/number/error.hpp"
+
 #include <toml++/toml.h>
 
 #include <algorithm>

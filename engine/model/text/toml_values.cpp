@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/toml_values.hpp"
 
+#include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -50,8 +54,9 @@ void check_keys(const TomlNode& table, const std::vector<std::string>& known) {
     check_table(table);
     for (const TomlEntry& entry : table.entries) {
         if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-        bad_input(Reason::name, {"a key is one of the known ones", excerpt(entry.key),
-                                 suggest(entry.key, known), entry.place});
+        bad_input(Reason::name,
+                  {"a key is one of the known ones", entry.key.empty() ? "\"\"" : excerpt(entry.key),
+                   suggest(entry.key, known), entry.place});
     }
 }
 

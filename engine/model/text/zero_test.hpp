@@ -19,15 +19,8 @@ bool differs_from_zero(const GiNaC::ex& e);
 Zero vanishes(const GiNaC::ex& e, const std::vector<GiNaC::ex>& positive);
 bool differs_from_zero(const GiNaC::ex& e, const std::vector<GiNaC::ex>& positive);
 
-// A real number known to lie within `radius` of `middle`; radius infinite: nothing is known.
-struct Ball {
-    double middle = 0;
-    double radius = 0;
-
-    [[nodiscard]] bool excludes_zero() const;
-};
-
-// The value at a point, with a bound for the rounding errors of the evaluation in double.
-Ball evaluate(const GiNaC::ex& e, const GiNaC::exmap& point);
+// Gives a value to each call in e of a function that is known by its name only: it may be 1 + exp(u/n), with
+// n from its name. What differs from zero for that differs from zero for some.
+void add_named(const GiNaC::ex& e, GiNaC::exmap& point);
 
 } // namespace resonform

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/recursion/centre_manifold.hpp"
 
+#include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 
 #include <fmt/format.h>

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/recursion/divisor.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/real_ball.hpp"
 #include "expand/ring/power_product.hpp"
-#include "model/text/zero_test.hpp"
+#include "model/text/enclosure.hpp"
 
-#include <cln/dfloat.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace resonform {
 
@@ -25,15 +26,21 @@ const char* to_string(DivisorVerdict verdict) {
 
 namespace {
 
-// What lies closer to near than by this part of its square is on neither side for sure: certificates compare
-// sizes in doubles. Equality is on one, where it is seen exactly.
-constexpr double undecided_part = 1e-12;
-Rational to_exact(double value) { return cln::rational(cln::cl_DF(value)); }
+// Is |D|^2 smaller than near^2? nullopt: it is closer to that than by 10^-12 of it, or than is known, and on
+// neither side for sure: a certificate may see rounded frequencies. Equality is on one, where it is seen
+// exactly.
+std::optional<bool> is_below(const RealBall& square, const Rational& near, std::int64_t bits) {
+    RealBall excess = square;
+    arb_sub(excess.get(), excess.get(), RealBall(near * near, bits).get(), bits);
+    const bool below = excess.sign() < 0;
+    arb_add_error(excess.get(), RealBall(near * near * power_of_ten(-12), bits).get());
+    return excess.sign() == 0 ? std::nullopt : std::optional(below);
+}
 
-double middle(const RealBall& c) { return arf_get_d(arb_midref(c.get()), ARF_RND_NEAR); }
-
-std::string size_for_message(double size, const Rational& near) {
-    return fmt::format(", |D| = {:.17g}, near = {:.17g}", size, cln::double_approx(near));
+std::string size_for_message(const RealBall& square, const Rational& near) {
+    RealBall size;
+    arb_sqrtpos(size.get(), square.get(), std::numeric_limits<double>::digits + 10);
+    return fmt::format(", |D| = {:.17g}, near = {:.17g}", nearest_double(size), cln::double_approx(near));
 }
 
 // 1/(a + i b), given that it is not zero and the norm a^2 + b^2 (a or b where the other vanishes); nullopt
@@ -140,15 +147,12 @@ Divisor<NumberPart> DivisorTable<NumberDomain>::judged(const Polynomial& growth,
     const Polynomial value = growth + field_.ring->multiply(field_.ring->imaginary(), frequency);
     const ComplexBall d = domain_.value(value);
     if (const Rational& near = field_.system().near; !cln::zerop(near)) {
-        RealBall excess = RealBall(-near * near, bits);
-        arb_addmul(excess.get(), d.re().get(), d.re().get(), bits);
-        arb_addmul(excess.get(), d.im().get(), d.im().get(), bits);
-        RealBall nearly = excess;
-        arb_add_error(nearly.get(), RealBall(near * near * to_exact(undecided_part), bits).get());
-        if (nearly.contains_zero())
-            throw UndecidedDivisor{
-                spell(asked) + size_for_message(std::hypot(middle(d.re()), middle(d.im())), near), true};
-        if (excess.negative().is_positive()) return {value, DivisorVerdict::kept_near, {}};
+        RealBall square;
+        arb_addmul(square.get(), d.re().get(), d.re().get(), bits);
+        arb_addmul(square.get(), d.im().get(), d.im().get(), bits);
+        const std::optional<bool> below = is_below(square, near, bits);
+        if (!below) throw UndecidedDivisor{spell(asked) + size_for_message(square, near), true};
+        if (*below) return {value, DivisorVerdict::kept_near, {}};
     }
     const auto inverse = domain_.inverse(domain_.constant(d));
     if (!inverse) throw UndecidedDivisor{spell(asked), false};
@@ -168,13 +172,16 @@ template <class Domain> bool DivisorTable<Domain>::is_near(const Asked& asked) c
         frequency += multiples[2 * field_.modes.size() + a] * field_.angles[a].law;
     const GiNaC::ex square = (growth * growth + frequency * frequency).expand();
     if ((square - to_ginac(near * near)).expand().is_zero()) return true;
-    if (!GiNaC::is_a<GiNaC::numeric>(square.evalf())) return false;
-    const Ball ball = evaluate(square, {});
-    const double limit = near < to_exact(1e-150) ? 0 : cln::double_approx(near * near); // or it underflows
-    const double excess = ball.middle - limit;
-    if (std::abs(excess) > ball.radius + undecided_part * limit) return excess < 0;
+    if (!is_constant(square)) return false;
+    RealBall size;
+    for (std::int64_t bits = 64; bits <= 512; bits *= 2) {
+        const std::optional<RealBall> here = enclose(square, {}, bits);
+        if (!here) break;
+        size = *here;
+        if (const std::optional<bool> below = is_below(size, near, bits)) return *below;
+    }
     refuse(Reason::undecided, {"a divisor is larger or smaller than near, by more than rounding errors",
-                               spell(asked) + size_for_message(std::sqrt(ball.middle), near),
+                               spell(asked) + size_for_message(size, near),
                                "change near in [normal_form] a little",
                                {}});
 }

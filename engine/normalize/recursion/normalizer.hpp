@@ -2,8 +2,11 @@
 // The recursion over the weights, whatever the domain of the coefficients and the style.
 #pragma once
 
+#include "algebra/number/error.hpp"
+#include "expand/expansion/graded_field.hpp"
+#include "model/system/style.hpp"
 #include "normalize/recursion/homological.hpp"
-#include "normalize/recursion/poincare.hpp"
+#include "normalize/recursion/options.hpp"
 
 #include <fmt/format.h>
 

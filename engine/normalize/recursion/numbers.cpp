@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/recursion/numbers.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/real_ball.hpp"
+#include "expand/expansion/graded_field.hpp"
 #include "expand/modes/number_index.hpp"
+#include "model/text/diagnostic.hpp"
 #include "normalize/recursion/divisor.hpp"
 
 #include <fmt/format.h>

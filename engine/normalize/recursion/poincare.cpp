@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/recursion/poincare.hpp"
 
+#include "algebra/number/error.hpp"
+#include "expand/expansion/graded_field.hpp"
 #include "normalize/recursion/normalizer.hpp"
 
 namespace resonform {

@@ -3,15 +3,9 @@
 #pragma once
 
 #include "normalize/recursion/normal_form.hpp"
-
-#include <functional>
+#include "normalize/recursion/options.hpp"
 
 namespace resonform {
-
-struct NormalizeOptions {
-    // Called after each weight with (weight, terms so far); may throw to stop.
-    std::function<void(int, std::size_t)> progress;
-};
 
 // Errors (bad_input): a weight (System::weight) that is not within 1 ... 99, or below that of a fast
 // variable.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/styles/hamiltonian.hpp"
 
+#include "algebra/number/error.hpp"
+#include "expand/expansion/graded_field.hpp"
 #include "normalize/recursion/homological.hpp"
 #include "normalize/styles/lie_series.hpp"
+#include "normalize/styles/poisson.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/styles/poisson.hpp"
 
+#include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

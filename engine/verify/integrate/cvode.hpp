@@ -2,7 +2,7 @@
 // SUNDIALS CVODE (Adams with fixed-point iteration, BDF with Newton and a dense difference Jacobian).
 #pragma once
 
-#include "verify/integrate/integrate.hpp"
+#include "verify/integrate/integrator.hpp"
 
 namespace resonform {
 

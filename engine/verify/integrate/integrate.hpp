@@ -45,7 +45,6 @@ Integration<Real> integrate_taylor(const FirstOrderSystem& system, const std::ve
     return integrate_taylor(Tape::rates(system), parameters, eps, start, times, tolerance, order);
 }
 
-enum class Method { taylor, cvode_adams, cvode_bdf, dopri5, fehlberg78 };
 const char* to_string(Method method);
 
 // Any method but taylor in double, dense output through the method's own interpolation where it has one

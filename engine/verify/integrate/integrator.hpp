@@ -10,6 +10,8 @@
 
 namespace resonform {
 
+enum class Method { taylor, cvode_adams, cvode_bdf, dopri5, fehlberg78 };
+
 // The rates of the states, as a function of C.
 struct RightHandSide {
     void (*call)(const void* context, const double* state, double* rates);

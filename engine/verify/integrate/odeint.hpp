@@ -2,7 +2,7 @@
 // Boost.odeint: Dormand-Prince 5(4) with its own dense output, Fehlberg 7(8) stepping to every time.
 #pragma once
 
-#include "verify/integrate/integrate.hpp"
+#include "verify/integrate/integrator.hpp"
 
 namespace resonform {
 

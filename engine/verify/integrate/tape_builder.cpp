@@ -4,6 +4,7 @@
 #include "verify/integrate/tape.hpp"
 
 #include "algebra/number/error.hpp"
+#include "verify/run/real.hpp"
 
 #include <cln/cln.h>
 #include <fmt/format.h>

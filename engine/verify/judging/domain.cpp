@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/domain.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 #include "model/files/interval_length.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/regular.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,14 +68,14 @@ Domain::Domain(const FirstOrderSystem& system, const Scene& scene)
 
 // NaN where it is none: outside, then.
 double Domain::number(const GiNaC::ex& value, const Rational& eps, double t) const {
-    try {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const auto found = where_regular([&] {
         const GiNaC::ex e =
             value.subs(GiNaC::lst{system_.eps == GiNaC::numeric(cln::cl_N(eps)), time_ == t}).evalf();
-        if (GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_real())
-            return GiNaC::ex_to<GiNaC::numeric>(e).to_double();
-    } catch (const std::exception&) { // a denominator became zero
-    }
-    return std::numeric_limits<double>::quiet_NaN();
+        const bool real = GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_real();
+        return real ? GiNaC::ex_to<GiNaC::numeric>(e).to_double() : none;
+    });
+    return found.value_or(none);
 }
 
 void Domain::require(const Rational& eps) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/ladder.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
 #include "verify/judging/deviation.hpp"
@@ -167,12 +169,6 @@ private:
 };
 
 } // namespace
-
-std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
-                                                   const VerifyOptions& options) {
-    if (!options.compiled) return EvaluatorLibrary::interpreted(std::move(program));
-    return EvaluatorLibrary::build(*program, options.cache, options.progress);
-}
 
 bool Verification::as_expected() const {
     return emitted.verdict == Verdict::pass &&

@@ -3,15 +3,13 @@
 // eps, against direct integration in extended precision; the judge turns it into verdicts.
 #pragma once
 
-#include "emit/program/program.hpp"
 #include "model/exact/first_order_system.hpp"
 #include "verify/judging/conditions.hpp"
 #include "verify/judging/emitted_check.hpp"
 #include "verify/judging/guarantee.hpp"
 #include "verify/judging/judge.hpp"
+#include "verify/judging/options.hpp"
 
-#include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,19 +23,6 @@ struct Verification {
     EmittedCheck emitted;
     [[nodiscard]] bool as_expected() const; // every verdict equals the expected one, and emitted = symbolic
 };
-
-struct VerifyOptions {
-    std::filesystem::path cache; // integrations and compiled evaluators, by content hash
-    std::function<void(const std::string&)> progress;
-    // The guaranteed orders of a scene; empty: the count of weights alone, which derives nothing.
-    std::function<Guarantees(const Scene&, const Solution&, const Claims&)> guarantee;
-    std::size_t emitted_starts = 50; // of emitted = symbolic, with 20 times each
-    bool compiled = true;            // false: programs are interpreted, and no compiler is waited for
-};
-
-// What is tried of a scene: its emitted code.
-std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
-                                                   const VerifyOptions& options);
 
 // Everything `resonform verify` prints.
 Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,

@@ -3,6 +3,7 @@
 
 #include "model/system/start_names.hpp"
 #include "verify/evaluate/scene_values.hpp"
+#include "verify/integrate/tape.hpp"
 #include "verify/symbolic/ulp.hpp"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/times.hpp"
 
+#include "model/text/regular.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,15 +49,15 @@ double largest_rate(const GradedField& field, const Scene& scene, const Rational
         if (const StartValue* value = scene.start_of(slow.name))
             start[scene.system->variables[slow.variable].jet.front()] = value->value;
     const auto size = [&](const GiNaC::ex& value) {
-        try {
+        const auto found = where_regular([&] {
             const GiNaC::ex number = scene.fixed(value.subs(start))
                                          .subs(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(eps)))
                                          .evalf();
-            if (GiNaC::is_a<GiNaC::numeric>(number))
-                return std::abs(GiNaC::ex_to<GiNaC::numeric>(number).to_double());
-        } catch (const GiNaC::pole_error&) { // it starts at a singularity of the frequency
-        }
-        return 0.0;
+            return GiNaC::is_a<GiNaC::numeric>(number)
+                       ? std::abs(GiNaC::ex_to<GiNaC::numeric>(number).to_double())
+                       : 0.0;
+        });
+        return found.value_or(0.0); // it may start at a singularity of the frequency
     };
     double rate = 0;
     for (const ModeShape& mode : field.basis.modes)

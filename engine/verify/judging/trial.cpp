@@ -4,9 +4,12 @@
 #include "algebra/number/error.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
+#include "model/system/scene_file.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/evaluate/scene_values.hpp"
+#include "verify/integrate/tape.hpp"
 #include "verify/run/cache.hpp"
+#include "verify/run/real.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/integrate/integrate.hpp"
 #include "verify/judging/domain.hpp"
-#include "verify/judging/ladder.hpp"
+#include "verify/judging/options.hpp"
 
 #include <memory>
 #include <optional>

@@ -25,36 +25,9 @@ namespace {
 constexpr std::array<Method, 3> rivals{Method::cvode_adams, Method::dopri5, Method::taylor};
 constexpr int loosest = 4, tightest = 13;   // tolerances 1e-4 ... 1e-13
 constexpr std::size_t judged_points = 2001; // of a dense output: where the reference is known
-constexpr double enough_time = 0.2;         // seconds after which nothing is repeated any more
-constexpr int fewest_repetitions = 3, most_repetitions = 15;
-constexpr double shortest_reading = 2e-5; // seconds on the clock: what is shorter is done several times
 
 using Clock = std::chrono::steady_clock;
 using OutputValues = std::vector<std::vector<double>>; // [output][point]
-
-template <class Work> double seconds_of(int times, Work&& work) {
-    const auto begin = Clock::now();
-    for (int i = 0; i < times; ++i) work();
-    return std::chrono::duration<double>(Clock::now() - begin).count() / times;
-}
-
-template <class Work> Timing measure(Work&& work) {
-    const double first = seconds_of(1, work);
-    const int each =
-        static_cast<int>(std::clamp(std::ceil(shortest_reading / std::max(first, 1e-9)), 1.0, 1e4));
-    std::vector<double> readings;
-    double spent = 0;
-    const auto count = [&] { return static_cast<int>(readings.size()); };
-    while (count() < fewest_repetitions || (count() < most_repetitions && spent < enough_time)) {
-        readings.push_back(seconds_of(each, work));
-        spent += each * readings.back();
-    }
-    std::sort(readings.begin(), readings.end());
-    const std::size_t half = readings.size() / 2;
-    const double median =
-        readings.size() % 2 == 1 ? readings[half] : (readings[half - 1] + readings[half]) / 2;
-    return {median, readings.front(), readings.back(), count()};
-}
 
 // The emitted evaluator of one order as users get it: without the states that verification keeps.
 class Emitted {
@@ -76,6 +49,8 @@ private:
     std::shared_ptr<const EvaluatorLibrary> library_;
 };
 
+std::string setting_of(double tolerance) { return fmt::format("tolerance {:.0e}", tolerance); }
+
 // Times to fill and where among them the reference is known.
 struct Workload {
     Task task;
@@ -90,57 +65,57 @@ Tape fixed_rates(const FirstOrderSystem& system, const Scene& scene) {
     return Tape::rates(fixed);
 }
 
-// All methods at one eps.
+// All methods at one eps. Nothing is integrated before a row wants it.
 class Comparer {
 public:
     Comparer(const Trial& trial, const Tape& rates, const Rational& eps, const CompareOptions& options)
-        : trial_(trial), at_(trial.point(eps)),
-          reference_(trial.reference(at_, even_times(at_.interval, judged_points))),
-          rates_(rates, convert_all<double>(at_.parameters), to_double_value(at_.eps_value), options.cache,
-                 [&] {
-                     if (options.progress) options.progress("compiling the equations for the direct methods");
-                 }) {
-        workloads_.push_back({Task::final, {reference_.times.back()}, judged_points - 1, 1});
+        : trial_(trial), options_(options), at_(trial.point(eps)),
+          judged_(even_times(at_.interval, judged_points)), tape_(rates) {
+        workloads_.push_back({Task::final, {judged_.back()}, judged_points - 1, 1});
         // Every interval of the reference is divided evenly.
         const std::size_t per = std::max<std::size_t>(1, options.dense_points / (judged_points - 1));
         Workload dense{Task::dense, {}, 0, per};
         for (std::size_t i = 0; i + 1 < judged_points; ++i)
             for (std::size_t j = 0; j < per; ++j) {
                 const double share = static_cast<double>(j) / static_cast<double>(per);
-                dense.times.push_back(reference_.times[i] +
-                                      share * (reference_.times[i + 1] - reference_.times[i]));
+                dense.times.push_back(judged_[i] + share * (judged_[i + 1] - judged_[i]));
             }
-        dense.times.push_back(reference_.times.back());
+        dense.times.push_back(judged_.back());
         workloads_.push_back(std::move(dense));
     }
 
+    [[nodiscard]] const Rational& eps() const { return at_.eps; }
     [[nodiscard]] const std::vector<Workload>& workloads() const { return workloads_; }
 
-    [[nodiscard]] ComparisonRow emitted(const Emitted& code, const Workload& work) const {
+    // Why the code has no number at one of the times; empty: it has them all.
+    [[nodiscard]] std::string refusal(const Emitted& code, const Workload& work) const {
+        const Evaluator<double> evaluator = code.construct(at_);
+        OutputValues values = room_for(work);
+        std::vector<unsigned char> status(work.times.size());
+        evaluator.batch(work.times, rows_of(values), status);
+        return first_refusal(evaluator, status);
+    }
+
+    [[nodiscard]] ComparisonRow emitted(const Emitted& code, const Workload& work) {
         ComparisonRow row = start("emitted", code.setting(), work);
         row.construction_seconds = measure([&] { (void)code.construct(at_); }).median;
         const Evaluator<double> evaluator = code.construct(at_);
         OutputValues values = room_for(work);
-        std::vector<double*> rows;
-        for (auto& v : values) rows.push_back(v.data());
+        const std::vector<double*> rows = rows_of(values);
         std::vector<unsigned char> status(work.times.size());
         row.seconds = measure([&] { evaluator.batch(work.times, rows, status); });
-        const auto bad = std::find_if(status.begin(), status.end(),
-                                      [](unsigned char s) { return static_cast<Status>(s) != Status::ok; });
-        if (bad != status.end()) {
-            const auto refused = static_cast<Status>(*bad);
-            row.failure = told(refused, evaluator.why(refused));
-        }
+        row.failure = first_refusal(evaluator, status);
         judge(row, work, values);
         return row;
     }
 
-    [[nodiscard]] ComparisonRow direct(Method method, double tolerance, const Workload& work) const {
-        ComparisonRow row = start(to_string(method), fmt::format("tolerance {:.0e}", tolerance), work);
+    [[nodiscard]] ComparisonRow direct(Method method, double tolerance, const Workload& work) {
+        ComparisonRow row = start(to_string(method), setting_of(tolerance), work);
+        const CompiledTape& rates = compiled_rates();
         const Start from{convert_all<double>(at_.start), tolerance, trial_.output_states()};
         const auto make = [&] {
-            return method == Method::taylor ? make_taylor(rates_, from)
-                                            : make_integrator(method, rates_.rates(), from);
+            return method == Method::taylor ? make_taylor(rates, from)
+                                            : make_integrator(method, rates.rates(), from);
         };
         row.construction_seconds = measure([&] { (void)make(); }).median;
         const std::unique_ptr<Integrator> integrator = make();
@@ -164,15 +139,51 @@ private:
     }
 
     [[nodiscard]] OutputValues room_for(const Workload& work) const {
-        return OutputValues(reference_.values.size(), std::vector<double>(work.times.size()));
+        return OutputValues(trial_.output_states().size(), std::vector<double>(work.times.size()));
     }
 
-    void judge(ComparisonRow& row, const Workload& work, const OutputValues& values) const {
+    [[nodiscard]] static std::vector<double*> rows_of(OutputValues& values) {
+        std::vector<double*> rows;
+        for (auto& v : values) rows.push_back(v.data());
+        return rows;
+    }
+
+    [[nodiscard]] static std::string first_refusal(const Evaluator<double>& evaluator,
+                                                   const std::vector<unsigned char>& status) {
+        const auto bad = std::find_if(status.begin(), status.end(),
+                                      [](unsigned char s) { return static_cast<Status>(s) != Status::ok; });
+        if (bad == status.end()) return "";
+        const auto refused = static_cast<Status>(*bad);
+        return told(refused, evaluator.why(refused));
+    }
+
+    const Reference& reference() {
+        if (!reference_) reference_ = trial_.reference(at_, judged_);
+        return *reference_;
+    }
+
+    const CompiledTape& compiled_rates() {
+        if (!rates_)
+            rates_.emplace(tape_, convert_all<double>(at_.parameters), to_double_value(at_.eps_value),
+                           options_.cache, [&] {
+                               if (options_.progress)
+                                   options_.progress("compiling the equations for the direct methods");
+                           });
+        return *rates_;
+    }
+
+    // What did not reach the end has no error.
+    void judge(ComparisonRow& row, const Workload& work, const OutputValues& values) {
+        if (!row.failure.empty()) {
+            row.max_error.assign(values.size(), NAN);
+            return;
+        }
+        const Reference& reference = this->reference();
         for (std::size_t k = 0; k < values.size(); ++k) {
             double worst = 0;
             for (std::size_t i = 0; work.first_judged + i < judged_points; ++i) {
                 const DoubleDouble error =
-                    DoubleDouble(values[k][i * work.stride]) - reference_.values[k][work.first_judged + i];
+                    DoubleDouble(values[k][i * work.stride]) - reference.values[k][work.first_judged + i];
                 const double size = std::abs(to_double_value(error));
                 worst = size <= worst ? worst : size; // NaN counts as worst
             }
@@ -181,9 +192,12 @@ private:
     }
 
     const Trial& trial_;
+    const CompareOptions& options_;
     TrialPoint at_;
-    Reference reference_;
-    CompiledTape rates_;
+    std::vector<double> judged_; // where the reference is known
+    const Tape& tape_;
+    std::optional<Reference> reference_;
+    std::optional<CompiledTape> rates_; // of the tape
     std::vector<Workload> workloads_;
 };
 
@@ -231,9 +245,48 @@ BreakEven break_even(const std::vector<ComparisonRow>& rows, const ComparisonRow
 
 namespace {
 
+// Direct integration may be long: after some silence it is said which is under way.
+class Pulse {
+public:
+    explicit Pulse(const CompareOptions& options) : options_(options) {}
+
+    void before(Method method, double tolerance, const Workload& work) {
+        const Clock::time_point now = Clock::now();
+        if (!options_.progress || std::chrono::duration<double>(now - told_).count() < options_.silence)
+            return;
+        options_.progress(
+            fmt::format("timing {}, {}, {}", to_string(method), to_string(work.task), setting_of(tolerance)));
+        told_ = now;
+    }
+
+private:
+    const CompareOptions& options_;
+    Clock::time_point told_ = Clock::now();
+};
+
+// Where the evaluator has no numbers nobody wins, and nothing is integrated: the rows are of the orders that
+// refuse.
+std::vector<BreakEven> refused_at(Comparer& comparer, const std::vector<Emitted>& codes,
+                                  const std::string& refusal, std::vector<ComparisonRow>& rows) {
+    std::vector<BreakEven> even;
+    for (const Emitted& code : codes)
+        for (const Workload& work : comparer.workloads())
+            if (!comparer.refusal(code, work).empty()) rows.push_back(comparer.emitted(code, work));
+    for (const Workload& work : comparer.workloads()) even.push_back({work.task, 0, {}, "", refusal});
+    return even;
+}
+
 // One eps: its rows go to `rows`.
-std::vector<BreakEven> compare_at(const Comparer& comparer, const std::vector<Emitted>& codes,
+std::vector<BreakEven> compare_at(Comparer comparer, const std::vector<Emitted>& codes,
                                   const CompareOptions& options, std::vector<ComparisonRow>& rows) {
+    const std::string refusal = comparer.refusal(codes.back(), comparer.workloads().back());
+    if (!refusal.empty()) {
+        if (options.progress)
+            options.progress(fmt::format("the emitted code of {} has no numbers at eps = {} ({}), so nothing "
+                                         "is integrated",
+                                         codes.back().setting(), to_string(comparer.eps()), refusal));
+        return refused_at(comparer, codes, refusal, rows);
+    }
     std::vector<ComparisonRow> found, highest; // highest: of the scene's own order, per workload
     for (const Emitted& code : codes) {
         if (options.progress) options.progress(fmt::format("timing the emitted code of {}", code.setting()));
@@ -243,9 +296,13 @@ std::vector<BreakEven> compare_at(const Comparer& comparer, const std::vector<Em
     }
     for (const Method method : rivals) {
         if (options.progress) options.progress(fmt::format("timing {}", to_string(method)));
+        Pulse pulse(options);
         for (const Workload& work : comparer.workloads())
-            for (int digits = loosest; digits <= tightest; ++digits)
-                found.push_back(comparer.direct(method, std::pow(10.0, -digits), work));
+            for (int digits = loosest; digits <= tightest; ++digits) {
+                const double tolerance = std::pow(10.0, -digits);
+                pulse.before(method, tolerance, work);
+                found.push_back(comparer.direct(method, tolerance, work));
+            }
     }
     std::vector<BreakEven> even;
     for (const ComparisonRow& emitted : highest) even.push_back(break_even(found, emitted, highest.back()));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "verify/judging/ladder.hpp"
+#include "verify/judging/timing.hpp"
 
 #include <optional>
 #include <string>
@@ -13,12 +14,6 @@ namespace resonform {
 
 enum class Task { final, dense }; // one point at the end; many points over the interval
 const char* to_string(Task task);
-
-// Over several runs.
-struct Timing {
-    double median = 0, low = 0, high = 0; // seconds
-    int repetitions = 0;
-};
 
 struct ComparisonRow {
     Rational eps;
@@ -70,6 +65,7 @@ struct Comparison {
 struct CompareOptions : VerifyOptions {
     std::vector<Rational> eps = {Rational(1) / 1000};
     std::size_t dense_points = 1000000;
+    double silence = 5; // seconds: progress of a method that takes longer says what is under way
 };
 
 Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/report/figures.hpp"
 
+#include "algebra/number/number.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -207,7 +209,12 @@ Figure Figures::work_of(const Comparison& comparison, Task task) const {
 
 Gallery Figures::work(const Comparison& comparison) const {
     if (!drawn_) return {};
-    return {{work_of(comparison, Task::final), work_of(comparison, Task::dense)}};
+    Gallery gallery;
+    for (const Task task : {Task::final, Task::dense})
+        if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
+                        [&](const ComparisonRow& row) { return row.task == task && row.failure.empty(); }))
+            gallery.figures.push_back(work_of(comparison, task));
+    return gallery;
 }
 
 } // namespace resonform::report

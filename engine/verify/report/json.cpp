@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/report/json.hpp"
 
+#include "algebra/number/number.hpp"
+
 #include <cmath>
 
 namespace resonform {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/number/number.hpp"
+#include "verify/judging/conditions.hpp"
 #include "verify/judging/ladder.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/report/report.hpp"
 
+#include "algebra/number/number.hpp"
 #include "emit/derive/document.hpp"
 #include "emit/program/build_program.hpp"
 #include "solve/transgression.hpp"
+#include "verify/judging/conditions.hpp"
 #include "verify/report/figures.hpp"
 
 #include <fmt/format.h>

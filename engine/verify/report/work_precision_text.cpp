@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/number/number.hpp"
 #include "verify/judging/work_precision.hpp"
 
 #include <fmt/format.h>

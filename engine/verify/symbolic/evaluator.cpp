@@ -101,8 +101,10 @@ struct SymbolicEvaluator::Impl {
 
     [[nodiscard]] bool holds(std::size_t k, const SymbolicValues<Wide>& values) const {
         const SymbolicCondition& c = solution().conditions()[k];
-        if (c.kind == SymbolicCondition::Kind::correction)
-            return margins.of(solution().corrections()[c.index], values) > 0;
+        if (c.kind == SymbolicCondition::Kind::correction) {
+            const SymbolicCorrection& added = solution().corrections()[c.index];
+            return (added.is_layer && frame.any_moves(added.needs)) || margins.of(added, values) > 0;
+        }
         if (c.kind != SymbolicCondition::Kind::declared) return value_of(c.sum, values).re * signs[k] > 0;
         std::vector<Wide> slow;
         for (const SymbolicVariable& v : variables())

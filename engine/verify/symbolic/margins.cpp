@@ -2,6 +2,7 @@
 #include "verify/symbolic/margins.hpp"
 
 #include "runtime/layer.hpp"
+#include "solve/first_correction.hpp"
 
 #include <numeric>
 
@@ -52,10 +53,10 @@ std::vector<Wide> SymbolicMargins::at(const SymbolicValues<Wide>& values) const 
 }
 
 Wide SymbolicMargins::of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const {
-    Numbers coefficients;
-    for (const SymbolicSum& sum : added.coefficients) coefficients.push_back(value_of(sum, values).size());
+    Numbers sizes;
+    for (const SymbolicSum& p : added.polynomials) sizes.push_back(value_of(p, values).size());
     return margin_of(MarginAlgebra(), added.correction, frame_.eps, solution().moduli(values, frame_.eps),
-                     coefficients);
+                     sizes);
 }
 
 Status SymbolicMargins::keep_clear(const SymbolicIntegral& integral, Wide& reach) const {

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "emit/program/layers.hpp"
+#include "solve/slow_flow.hpp"
 
 #include <fmt/format.h>
 
@@ -97,15 +98,14 @@ void SymbolicSolution::add_corrections() {
         if (solution_.flow)
             for (const std::size_t k : added.correction.modes)
                 added.needs.push_back({1, {{solution_.normalization->normal_form.field->modes[k].z, 1}}});
-        for (const FirstCorrection::Term& term : added.correction.terms) {
-            added.coefficients.push_back(ring_->fixed()(term.coefficient));
-            added.needs.insert(added.needs.end(), added.coefficients.back().begin(),
-                               added.coefficients.back().end());
+        for (const Polynomial& p : added.correction.polynomials()) {
+            added.polynomials.push_back(ring_->fixed()(p));
+            added.needs.insert(added.needs.end(), added.polynomials.back().begin(),
+                               added.polynomials.back().end());
         }
-        if (needs_quadratures(solution_, added.correction)) {
-            added.is_layer = false;
+        added.is_layer = !needs_quadratures(solution_, added.correction);
+        if (!added.is_layer || added.correction.quantity)
             conditions_.push_back({SymbolicCondition::Kind::correction, added.needs, corrections_.size()});
-        }
         corrections_.push_back(std::move(added));
     }
 }
@@ -330,8 +330,11 @@ std::string SymbolicSolution::text() const {
         text += "layer " + text_of(layer.divisor) + text_of(layer.rate);
     for (const SymbolicCorrection& added : corrections_) {
         text += fmt::format("correction {} {}", added.is_layer, text_of(added.needs));
-        for (const FirstCorrection::Term& term : added.correction.terms)
-            text += fmt::format("{} {};", term.power_of_eps, fmt::join(term.powers, " "));
+        for (const std::vector<FirstCorrection::Term>& terms : added.correction.sums)
+            for (const FirstCorrection::Term& term : terms)
+                text += fmt::format("{} {};", term.power_of_eps, fmt::join(term.powers, " "));
+        for (const FirstCorrection::Slope& slope : added.correction.slopes)
+            text += fmt::format("slope {};", fmt::join(slope.powers, " "));
     }
     return text + declared_->text();
 }

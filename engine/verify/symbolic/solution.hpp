@@ -67,9 +67,9 @@ struct SymbolicLayer {
 
 struct SymbolicCorrection { // of the map, > 0 while it is small
     FirstCorrection correction;
-    std::vector<SymbolicSum> coefficients;
-    SymbolicSum needs;     // all that it is made of
-    bool is_layer = false; // else a condition, or nothing
+    std::vector<SymbolicSum> polynomials; // of the correction
+    SymbolicSum needs;                    // all that it is made of
+    bool is_layer = false;                // where it moves; else a condition, or nothing
 };
 
 class SymbolicSolution {

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "verify/run/cache.hpp"
+#include "verify/run/real.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/symbolic/terms.hpp"
 
+#include "algebra/number/number.hpp"
+
 #include <algorithm>
 
 namespace resonform {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mechanics/mechanical_equations.hpp"
+#include "model/mechanics/equations_of.hpp"
 
+#include "algebra/number/error.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/exact/written_form.hpp"
 #include "model/mechanics/change_of_variables.hpp"
+#include "model/mechanics/constraints.hpp"
 #include "model/mechanics/derivation_lines.hpp"
 #include "model/mechanics/frobenius.hpp"
+#include "model/mechanics/gibbs_appell.hpp"
+#include "model/mechanics/integrals.hpp"
 #include "model/mechanics/multipliers.hpp"
+#include "model/mechanics/quasi_velocities.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/diagnostic.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <algorithm>

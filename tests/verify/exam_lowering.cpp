@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long the way from a solution to its program is: a field line of a tokamak, two angles with harmonics of
+// How large the program of a large map is: a field line of a tokamak, two angles with harmonics of
 // both.
 #include "emit/program/build_program.hpp"
 #include "model/files/read_system.hpp"
@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <ctime>
+#include <cstddef>
 
 namespace resonform {
 namespace {
@@ -30,12 +29,18 @@ theta = "theta' = psi + eps*(a*cos(2*theta - phi) + b*cos(3*theta - 2*phi))"
 phi = "phi' = 1"
 )toml";
 
-double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; } // of this program alone
+std::size_t terms_of_map(const Solution& solution) {
+    const NearIdentityMap& map = solution.normalization->map;
+    std::size_t count = 0;
+    for (const auto* of : {&map.mode, &map.angle, &map.slow, &map.drift})
+        for (const Series& series : *of) count += series.total(series.through()).size();
+    return count;
+}
 
-// M = 5: a map of 45 000 terms, lowered at each of six substitutions.
+// M = 5: a map of 45 000 terms, lowered at each of six substitutions: written out there, it took minutes.
 class LoweringOf : public testing::TestWithParam<int> {};
 
-TEST_P(LoweringOf, TakesNoLongerThanTheDerivation) {
+TEST_P(LoweringOf, HasNodesAsTheMapHasTerms) {
     Scene scene;
     scene.system = std::make_shared<const System>(read_system_text(field_line, "field_line.toml"));
     scene.order = 2;
@@ -50,11 +55,9 @@ TEST_P(LoweringOf, TakesNoLongerThanTheDerivation) {
     give("psi", GiNaC::numeric(137, 100));
     give("theta", GiNaC::numeric(1, 10));
     give("phi", 0);
-    const double begin = seconds();
     const Solution solution = test::solution_of(scene);
-    const double derived = seconds();
     const auto program = std::make_shared<const Program>(build_program(solution, scene));
-    EXPECT_LE(seconds() - derived, std::max(5.0, derived - begin));
+    EXPECT_LT(program->graph.size(), 6 * terms_of_map(solution));
     // psi at t = 50 by direct integration (Runge-Kutta, h = 0.005)
     const Interpreter<double> evaluator(program, 0.001, {}, {}, 1);
     std::vector<double> found;

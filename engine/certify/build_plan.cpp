@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/plan.hpp"
+#include "certify/build_plan.hpp"
 
 #include "certify/flow.hpp"
 #include "certify/hamiltonian.hpp"
@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace resonform {
 
@@ -118,23 +117,6 @@ CertificatePlan plan_frequencies(const GradedField& field) {
     plan.needed = needed_slots(plan);
     plan.readings = readings_of(plan);
     return plan;
-}
-
-const Series& series_of(SeriesName name, const CertificateProgram& program, const NormalForm& normal_form,
-                        const NearIdentityMap& map) {
-    switch (name.kind) {
-    case SeriesName::mode_rate: return normal_form.mode[name.index];
-    case SeriesName::angle_rate: return normal_form.angle[name.index];
-    case SeriesName::slow_rate: return normal_form.slow[name.index];
-    case SeriesName::drift_rate: return normal_form.drift[name.index];
-    case SeriesName::mode_shift: return map.mode[name.index];
-    case SeriesName::angle_shift: return map.angle[name.index];
-    case SeriesName::slow_shift: return map.slow[name.index];
-    case SeriesName::drift_shift: return map.drift[name.index];
-    case SeriesName::energy: return normal_form.hamiltonian->energy;
-    case SeriesName::polynomial: return program.polynomial(name.index);
-    }
-    throw std::logic_error("series_of: unknown kind");
 }
 
 } // namespace resonform

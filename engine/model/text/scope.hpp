@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the text of an expression may say, and how much of it.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+// The symbols that a text may use. Primes count derivatives: ("psi", 2) is psi''.
+class Scope {
+public:
+    void define(const std::string& name, const GiNaC::ex& value);
+    // The k-th time derivative of a declared variable; k beyond what is defined is an error that
+    // names the variable and the largest k.
+    void define_derivative(const std::string& name, int primes, const GiNaC::ex& value);
+    // A function that is known by its name only: omega(tau), omega'(tau).
+    void define_function(const std::string& name) { functions_.push_back(name); }
+    [[nodiscard]] bool is_function(const std::string& name) const;
+    [[nodiscard]] const GiNaC::ex* find(const std::string& name, int primes) const;
+    [[nodiscard]] std::vector<std::string> names() const; // for "nearest known"
+    [[nodiscard]] bool has_derivatives() const;           // as equations have them
+
+private:
+    std::map<std::pair<std::string, int>, GiNaC::ex> values_;
+    std::vector<std::string> functions_;
+};
+
+// What one expression may cost. All are checked before GiNaC evaluates anything.
+struct Limits {
+    std::size_t length = 100000; // bytes
+    int depth = 200;             // nested parentheses, functions and powers
+    int digits = 1000;           // of one number, its decimal exponent included
+    int exponent = 1000;         // |numerator|, |denominator| of a numeric exponent
+    double bits = 100000;        // of any number that the expression evaluates or expands to
+    double terms = 100000;       // of the expression when it is expanded
+    double degree = 10000;       // of the expression when it is expanded
+};
+
+// sin cos tan exp log sqrt sinh cosh tanh asin acos atan
+const std::vector<std::string>& function_names();
+
+} // namespace resonform

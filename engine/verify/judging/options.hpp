@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a scene is verified.
+#pragma once
+
+#include "emit/program/program.hpp"
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/judging/guarantee.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace resonform {
+
+struct VerifyOptions {
+    std::filesystem::path cache; // integrations and compiled evaluators, by content hash
+    std::function<void(const std::string&)> progress;
+    // The guaranteed orders of a scene; empty: the count of weights alone, which derives nothing.
+    std::function<Guarantees(const Scene&, const Solution&, const Claims&)> guarantee;
+    std::size_t emitted_starts = 50; // of emitted = symbolic, with 20 times each
+    bool compiled = true;            // false: programs are interpreted, and no compiler is waited for
+};
+
+// What is tried of a scene: its emitted code.
+std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
+                                                   const VerifyOptions& options);
+
+} // namespace resonform
