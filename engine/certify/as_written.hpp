@@ -5,12 +5,14 @@
 #include "algebra/number/error.hpp"
 #include "certify/program.hpp"
 #include "model/system/system_file.hpp"
+#include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
+#include "model/text/function_call.hpp"
 
 #include <ginac/ginac.h>
 
+#include <optional>
 #include <string>
-#include <utility>
 
 namespace resonform {
 
@@ -26,27 +28,22 @@ namespace resonform {
 inline Rational rational_of(const GiNaC::ex& number, const Equation& equation) {
     if (!GiNaC::is_a<GiNaC::numeric>(number) || !GiNaC::ex_to<GiNaC::numeric>(number).is_rational())
         refuse_certificate("numbers and exponents are rational", equation);
-    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(number).to_cl_N());
+    return to_rational(number);
 }
 
-// Which function a GiNaC call is. Error (refused): one that certificates do not know.
-inline Elementary elementary_of(const GiNaC::ex& function, const Equation& equation) {
-    static const std::pair<const char*, Elementary> names[] = {
-        {"exp", Elementary::exponential},
-        {"log", Elementary::logarithm},
-        {"sin", Elementary::sine},
-        {"cos", Elementary::cosine},
-        {"tan", Elementary::tangent},
-        {"sinh", Elementary::hyperbolic_sine},
-        {"cosh", Elementary::hyperbolic_cosine},
-        {"tanh", Elementary::hyperbolic_tangent},
-        {"asin", Elementary::arc_sine},
-        {"atan", Elementary::arc_tangent},
-    };
-    const std::string name = GiNaC::ex_to<GiNaC::function>(function).get_name();
-    for (const auto& [known, elementary] : names)
-        if (name == known) return elementary;
-    refuse_certificate("functions are sin cos tan exp log sinh cosh tanh asin atan", equation);
+// Which function a GiNaC call is. Error (refused): one that the table does not have.
+inline Function elementary_of(const GiNaC::ex& function, const Equation& equation) {
+    const std::optional<Function> known = function_of(function);
+    if (!known) refuse_certificate("functions are the elementary ones", equation);
+    return *known;
+}
+
+// f'(u) as the library differentiates, not as the expansion does.
+inline GiNaC::ex known_slope(Function f, const GiNaC::ex& u) {
+    if (f == Function::inverse_hyperbolic_cosine) // one root, as in the ring
+        return GiNaC::pow(u * u - 1, GiNaC::numeric(-1, 2));
+    const GiNaC::symbol x("x");
+    return call(f, x).diff(x).subs(x == u, GiNaC::subs_options::no_pattern);
 }
 
 } // namespace resonform

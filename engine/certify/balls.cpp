@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/balls.hpp"
 
+#include "algebra/number/taylor_law.hpp"
 #include "algebra/series/number_domain.hpp"
 #include "certify/readings.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 namespace resonform {
 
@@ -30,11 +32,8 @@ ComplexBall power_of(const ComplexBall& c, int n, std::int64_t bits) {
 }
 
 // c_0 ... c_through of the function at 0 (log: of log(1 + u)); tan and tanh are quotients and have none here.
-std::vector<Rational> taylor_coefficients(Elementary function, int through) {
-    const bool alternating =
-        function == Elementary::sine || function == Elementary::cosine || function == Elementary::arc_tangent;
-    const bool even = function == Elementary::cosine || function == Elementary::hyperbolic_cosine;
-    const bool arc = function == Elementary::arc_tangent || function == Elementary::arc_sine;
+std::vector<Rational> taylor_coefficients(Function function, int through) {
+    const TaylorLaw law = taylor_law(function);
     std::vector<Rational> c;
     Rational factorial = 1, central = 1; // k!, and binomial(2j, j)/4^j with j = (k - 1)/2
     for (int k = 0; k <= through; ++k) {
@@ -42,15 +41,11 @@ std::vector<Rational> taylor_coefficients(Elementary function, int through) {
         if (k > 0) factorial = factorial * k;
         if (odd && k > 1) central = central * (k - 2) / (k - 1);
         Rational value = 0;
-        if (function == Elementary::logarithm)
-            value = k == 0 ? Rational(0) : Rational(odd ? 1 : -1) / k;
-        else if (odd && function == Elementary::arc_tangent)
-            value = Rational(1) / k;
-        else if (odd && function == Elementary::arc_sine)
-            value = central / k;
-        else if (function == Elementary::exponential || (odd != even && !arc))
-            value = 1 / factorial;
-        c.push_back(alternating && k % 4 >= 2 ? -value : value);
+        if (law.has(k))
+            value = law.kind == TaylorLaw::factorial    ? 1 / factorial
+                    : law.kind == TaylorLaw::reciprocal ? Rational(1) / k
+                                                        : central / k;
+        c.push_back(law.negative(k) ? -value : value);
     }
     return c;
 }
@@ -115,9 +110,10 @@ BallRun::Value BallRun::run(const Step& step) const {
     case Operation::generator: return generator(step.index, step.power);
     case Operation::add: return add(operand(step.left), operand(step.right));
     case Operation::multiply: return multiply(operand(step.left), operand(step.right));
-    case Operation::function: return function(static_cast<Elementary>(step.index), operand(step.left));
+    case Operation::function: return function(static_cast<Function>(step.index), operand(step.left));
     case Operation::power: return power(operand(step.left), step.number, operand(step.right));
     case Operation::inverse_power: return inverse_power(operand(step.left), step.index);
+    case Operation::integral: return integral(operand(step.left), operand(step.right));
     case Operation::at_origin: {
         Value result(operand(step.left).size());
         result[0] = operand(step.left)[0];
@@ -178,13 +174,26 @@ BallRun::Value BallRun::taylor(const std::vector<Rational>& coefficients, Value 
     return result;
 }
 
-BallRun::Value BallRun::function(Elementary function, const Value& u) const {
-    const auto quotient_of = [&](Elementary above, Elementary below) {
+BallRun::Value BallRun::integral(Value u, const Value& slope) const {
+    const auto scaled = [&](Value value, const auto& factor) {
+        for (std::size_t n = 0; n < value.size(); ++n) {
+            Value one(value.size());
+            one[n] = value[n];
+            value[n] = multiply(one, number(factor(static_cast<long>(n))))[n];
+        }
+        return value;
+    };
+    const Value product = multiply(scaled(std::move(u), [](long n) { return Rational(n); }), slope);
+    return scaled(product, [](long n) { return n == 0 ? Rational(0) : Rational(1) / Rational(n); });
+}
+
+BallRun::Value BallRun::function(Function function, const Value& u) const {
+    const auto quotient_of = [&](Function above, Function below) {
         return multiply(this->function(above, u), inverse_power(this->function(below, u), 1));
     };
-    if (function == Elementary::tangent) return quotient_of(Elementary::sine, Elementary::cosine);
-    if (function == Elementary::hyperbolic_tangent)
-        return quotient_of(Elementary::hyperbolic_sine, Elementary::hyperbolic_cosine);
+    if (function == Function::tangent) return quotient_of(Function::sine, Function::cosine);
+    if (function == Function::hyperbolic_tangent)
+        return quotient_of(Function::hyperbolic_sine, Function::hyperbolic_cosine);
     return taylor(taylor_coefficients(function, through_), u);
 }
 

@@ -47,7 +47,8 @@ private:
     [[nodiscard]] Value add(const Value& a, const Value& b) const;
     [[nodiscard]] Value multiply(const Value& a, const Value& b) const;
     // Plain Taylor sums; u_0 is 0 (1 for the logarithm), but for rounding.
-    [[nodiscard]] Value function(Elementary function, const Value& u) const;
+    [[nodiscard]] Value integral(Value u, const Value& slope) const;
+    [[nodiscard]] Value function(Function function, const Value& u) const;
     [[nodiscard]] Value power(const Value& a, const Rational& exponent, const Value& lead) const;
     [[nodiscard]] Value inverse_power(const Value& a, int n) const;
     // sum_k coefficients[k] u^k with u_0 = 0

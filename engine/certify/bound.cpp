@@ -83,9 +83,9 @@ public:
         if (is_unit_number(b)) return a;
         return {a.degree + b.degree, a.denominator + b.denominator, a.bits + b.bits + length_bits_};
     }
-    [[nodiscard]] Size function(Elementary function, const Size& u) const {
+    [[nodiscard]] Size function(Function function, const Size& u) const {
         const Size sum = taylor(u, 4 * through_ * std::log2(2 * through_ + 2));
-        if (function != Elementary::tangent && function != Elementary::hyperbolic_tangent) return sum;
+        if (function != Function::tangent && function != Function::hyperbolic_tangent) return sum;
         return multiply(sum, inverse_power(sum, 1));
     }
     // (a/a_0 - 1)^k has the numerator of a_0 below.
@@ -137,7 +137,12 @@ private:
             const auto& right = operand(step.right);
             return left && right ? std::optional(multiply(*left, *right)) : std::nullopt;
         }
-        case Operation::function: return function(static_cast<Elementary>(step.index), some);
+        case Operation::integral: {
+            Size product = multiply(some, operand(step.right).value_or(Size{}));
+            product.bits += 2 * through_ + length_bits_; // 1/n, and the least common multiple of all n
+            return product;
+        }
+        case Operation::function: return function(static_cast<Function>(step.index), some);
         case Operation::power: return power(some, step.number, operand(step.right).value_or(Size{}));
         case Operation::inverse_power: return inverse_power(some, step.index);
         default: return left; // at_origin

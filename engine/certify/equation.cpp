@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/equation.hpp"
 
+#include "algebra/number/taylor_law.hpp"
+
 #include <cstdlib>
 #include <utility>
 
@@ -62,21 +64,21 @@ private:
             backward = program_.multiply(backward, k > 0 ? q : p);
         }
         if (!turns) return without_angles(e);
-        const Elementary name = is_named(e) ? Elementary::exponential : elementary_of(e, equation_);
-        if (name != Elementary::sine && name != Elementary::cosine)
+        const Function name = is_named(e) ? Function::exponential : elementary_of(e, equation_);
+        if (name != Function::sine && name != Function::cosine)
             refuse_certificate("angles stand in sines and cosines", equation_);
         return harmonic(name, forward, backward, argument);
     }
 
     // cos(a + u) = (e^{ia} (cos u + i sin u) + e^{-ia} (cos u - i sin u))/2, and the sine likewise.
-    Slot harmonic(Elementary name, Slot forward, Slot backward, const GiNaC::ex& u) {
+    Slot harmonic(Function name, Slot forward, Slot backward, const GiNaC::ex& u) {
         const Slot i = program_.generator(Ring::imaginary_unit, 1), minus = program_.number(-1);
         const Slot cosine = (*this)(GiNaC::cos(u));
         const Slot sine = program_.multiply(i, (*this)(GiNaC::sin(u)));
         const Slot turned = program_.multiply(forward, program_.add(cosine, sine));
         const Slot back = program_.multiply(backward, program_.difference(cosine, sine));
         const Slot half = program_.number(Rational(1) / 2);
-        if (name == Elementary::cosine) return program_.multiply(half, program_.add(turned, back));
+        if (name == Function::cosine) return program_.multiply(half, program_.add(turned, back));
         return program_.multiply(program_.multiply(minus, i),
                                  program_.multiply(half, program_.difference(turned, back)));
     }
@@ -114,52 +116,52 @@ private:
         const Slot u = (*this)(e.op(0));
         const Slot rest = program_.difference(u, program_.at_origin(u));
         if (is_named(e)) return named(named_call(e), rest);
-        const Elementary name = elementary_of(e, equation_);
-        if (origin.is_zero() && name != Elementary::logarithm) return program_.function(name, rest);
+        const Function name = elementary_of(e, equation_);
+        if (origin.is_zero() && has_taylor_law(name)) return program_.function(name, rest);
         const auto at_origin = [&](const GiNaC::ex& f) { return value_at_origin(f); };
         const GiNaC::ex& argument = e.op(0);
         const auto sine = [&] {
-            return program_.add(program_.multiply(at_origin(GiNaC::sin(argument)),
-                                                  program_.function(Elementary::cosine, rest)),
-                                program_.multiply(at_origin(GiNaC::cos(argument)),
-                                                  program_.function(Elementary::sine, rest)));
+            return program_.add(
+                program_.multiply(at_origin(GiNaC::sin(argument)), program_.function(Function::cosine, rest)),
+                program_.multiply(at_origin(GiNaC::cos(argument)), program_.function(Function::sine, rest)));
         };
         const auto cosine = [&] {
-            return program_.difference(program_.multiply(at_origin(GiNaC::cos(argument)),
-                                                         program_.function(Elementary::cosine, rest)),
-                                       program_.multiply(at_origin(GiNaC::sin(argument)),
-                                                         program_.function(Elementary::sine, rest)));
+            return program_.difference(
+                program_.multiply(at_origin(GiNaC::cos(argument)), program_.function(Function::cosine, rest)),
+                program_.multiply(at_origin(GiNaC::sin(argument)), program_.function(Function::sine, rest)));
         };
         const auto exponential = [&] {
             return program_.multiply(at_origin(GiNaC::exp(argument)),
-                                     program_.function(Elementary::exponential, rest));
+                                     program_.function(Function::exponential, rest));
         };
         const Slot half = program_.number(Rational(1) / 2);
         switch (name) {
-        case Elementary::sine: return sine();
-        case Elementary::cosine: return cosine();
-        case Elementary::tangent: return quotient(sine(), cosine());
-        case Elementary::exponential: return exponential();
-        case Elementary::hyperbolic_sine:
-        case Elementary::hyperbolic_cosine:
-        case Elementary::hyperbolic_tangent: {
+        case Function::sine: return sine();
+        case Function::cosine: return cosine();
+        case Function::tangent: return quotient(sine(), cosine());
+        case Function::exponential: return exponential();
+        case Function::hyperbolic_sine:
+        case Function::hyperbolic_cosine:
+        case Function::hyperbolic_tangent: {
             const Slot up = exponential(), down = program_.inverse_power(up, 1);
             const Slot s = program_.multiply(half, program_.difference(up, down));
             const Slot c = program_.multiply(half, program_.add(up, down));
-            return name == Elementary::hyperbolic_sine     ? s
-                   : name == Elementary::hyperbolic_cosine ? c
-                                                           : quotient(s, c);
+            return name == Function::hyperbolic_sine     ? s
+                   : name == Function::hyperbolic_cosine ? c
+                                                         : quotient(s, c);
         }
-        case Elementary::logarithm: // log(u_0) + log(u/u_0)
+        case Function::logarithm: // log(u_0) + log(u/u_0)
             return program_.add(at_origin(GiNaC::log(argument)),
                                 program_.function(name, quotient(u, program_.at_origin(u))));
-        case Elementary::arc_tangent: // atan(u_0) + atan((u - u_0)/(1 + u_0 u))
+        case Function::arc_tangent: // atan(u_0) + atan((u - u_0)/(1 + u_0 u))
             return program_.add(
                 at_origin(GiNaC::atan(argument)),
                 program_.function(name,
                                   quotient(rest, program_.add(program_.number(1),
                                                               program_.multiply(program_.at_origin(u), u)))));
-        case Elementary::arc_sine: break;
+        case Function::arc_sine: break;
+        default:
+            return program_.add(at_origin(e), program_.integral(u, (*this)(known_slope(name, argument))));
         }
         // asin(u_0) + asin(u sqrt(1 - u_0^2) - u_0 sqrt(1 - u^2))
         const Slot root = power(1 - argument * argument, Rational(1) / 2);

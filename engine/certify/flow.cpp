@@ -108,7 +108,7 @@ private:
 
     // f(u)' = f'(u) u'. Which generator is which function of what is read from the ring, its derivatives are
     // not. nullopt: the last derivative of a function that is known by its name.
-    std::optional<Slot> function_rate(GeneratorId id, const Moving& argument) const {
+    std::optional<Slot> function_rate(GeneratorId id, const Moving& argument) {
         const FunctionOf& of = field_.ring->generator(id).of;
         const auto times = [&](Slot slope) { return program_.multiply(slope, argument.rate); };
         const Slot u = argument.value;
@@ -121,9 +121,21 @@ private:
                 program_.inverse_power(program_.add(program_.number(1), program_.multiply(u, u)), 1));
         case Function::sine:
         case Function::named: break;
+        default: return times(slope_as_written(of.function, id));
         }
         const std::optional<GeneratorId> slope = slope_generator(*field_.ring, id);
         return slope ? std::optional(times(program_.generator(*slope, 1))) : std::nullopt;
+    }
+
+    // As if the slope stood in an equation, at weight 0.
+    Slot slope_as_written(Function f, GeneratorId id) {
+        const Equation& equation = field_.system().equations.front();
+        Substituted values;
+        add_constants(values);
+        for (const SlowVariable& slow : field_.slow)
+            values.symbols[jet(slow.variable, 0)] = program_.generator(slow.generator, 1);
+        const GiNaC::ex slope = roots_.at_origin(known_slope(f, roots_.argument_of(id)), equation);
+        return substitute(program_, roots_, values, equation, slope);
     }
 
     Slot times_i(Slot v) const { return program_.multiply(program_.generator(Ring::imaginary_unit, 1), v); }
@@ -158,9 +170,9 @@ private:
             values.angles.push_back(
                 {jet(angle.variable, 0),
                  program_.multiply(program_.generator(angle.phase, 1),
-                                   program_.function(Elementary::exponential, turn)),
+                                   program_.function(Function::exponential, turn)),
                  program_.multiply(program_.generator(angle.phase, -1),
-                                   program_.function(Elementary::exponential, program_.minus(turn)))});
+                                   program_.function(Function::exponential, program_.minus(turn)))});
             values.symbols[jet(angle.variable, 1)] =
                 program_.add(value({SeriesName::angle_rate, k}), shift.rate);
         }

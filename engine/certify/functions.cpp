@@ -3,7 +3,9 @@
 // written as a sum of rational multiples of the generators' arguments. Angles are added as powers of
 // c + i s, not by the formulas of the expansion.
 #include "certify/as_written.hpp"
+#include "certify/roots.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>
@@ -15,16 +17,11 @@ namespace {
 using GiNaC::ex;
 using GiNaC::is_a;
 
-std::vector<ex> terms_of(const ex& e) {
-    if (e.is_zero()) return {};
-    return is_a<GiNaC::add>(e) ? operands(e) : std::vector<ex>{e};
-}
-
 std::optional<Rational> ratio(const ex& a, const ex& b) {
     const ex quotient = (a / b).normal();
     if (!is_a<GiNaC::numeric>(quotient) || !GiNaC::ex_to<GiNaC::numeric>(quotient).is_rational())
         return std::nullopt;
-    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(quotient).to_cl_N());
+    return to_rational(quotient);
 }
 
 // b = factor * a for a whole factor
@@ -61,6 +58,10 @@ const CertificateRoots::FunctionAtom& CertificateRoots::atom(GeneratorId id) con
                          [id](const FunctionAtom& f) { return f.id == id; });
 }
 
+ex CertificateRoots::argument_of(GeneratorId function) const {
+    return atom(function).argument.subs(meanings_, GiNaC::subs_options::no_pattern);
+}
+
 // Expanded, with s^2 = 1 - c^2.
 ex CertificateRoots::lowered(const ex& e) const {
     ex result = e;
@@ -88,20 +89,20 @@ ex CertificateRoots::function_with_symbols(const ex& e, const Equation& equation
         return ex((up + sign / up) / 2);
     };
     switch (elementary_of(e, equation)) {
-    case Elementary::exponential: return exponential(u, equation);
-    case Elementary::sine: return circular(u, false, equation);
-    case Elementary::cosine: return circular(u, true, equation);
-    case Elementary::tangent: return circular(u, false, equation) / circular(u, true, equation);
-    case Elementary::hyperbolic_sine: return half_sum(-1);
-    case Elementary::hyperbolic_cosine: return half_sum(1);
-    case Elementary::hyperbolic_tangent: return half_sum(-1) / half_sum(1);
-    case Elementary::logarithm: return logarithm(u, equation);
-    case Elementary::arc_tangent: return arc_tangent(u, equation);
-    case Elementary::arc_sine: break;
+    case Function::exponential: return exponential(u, equation);
+    case Function::sine: return circular(u, false, equation);
+    case Function::cosine: return circular(u, true, equation);
+    case Function::tangent: return circular(u, false, equation) / circular(u, true, equation);
+    case Function::hyperbolic_sine: return half_sum(-1);
+    case Function::hyperbolic_cosine: return half_sum(1);
+    case Function::hyperbolic_tangent: return half_sum(-1) / half_sum(1);
+    case Function::logarithm: return logarithm(u, equation);
+    case Function::arc_sine: break;
+    default: return plain(elementary_of(e, equation), u, equation);
     }
     if (u.is_zero()) return 0;
     const ex cosine = radical_with_symbols((1 - u * u).expand(), Rational(1) / 2, equation);
-    return arc_tangent(lowered((u / cosine).normal()), equation);
+    return plain(Function::arc_tangent, lowered((u / cosine).normal()), equation);
 }
 
 // With radicands in place of whole powers of their roots.
@@ -120,19 +121,22 @@ ex CertificateRoots::without_whole_powers(const ex& e) const {
     return result;
 }
 
-ex CertificateRoots::arc_tangent(const ex& u, const Equation& equation) const {
-    if (u.is_zero()) return 0;
+// Of a function that the ring has as it stands: of the same argument or, if it is odd, of the negative one.
+ex CertificateRoots::plain(Function name, const ex& u, const Equation& equation) const {
+    const bool odd = row_of(name).parity == Parity::odd;
+    if (odd && u.is_zero()) return 0;
     for (const FunctionAtom& f : functions_) {
-        if (f.of.function != Function::arc_tangent) continue;
+        if (f.of.function != name) continue;
         const ex sign = without_whole_powers(u / f.argument);
-        if (sign.is_equal(1) || sign.is_equal(-1)) return sign * f.symbol;
+        if (sign.is_equal(1) || (odd && sign.is_equal(-1))) return sign * f.symbol;
     }
-    refuse_function(GiNaC::atan(u), equation);
+    refuse_function(call(name, u), equation);
 }
 
 ex CertificateRoots::exponential(const ex& u, const Equation& equation) {
     ex product = 1;
     for (const ex& term : terms_of(u)) {
+        if (term.is_zero()) continue;
         const auto factor = [&]() -> ex {
             for (const FunctionAtom& f : functions_) {
                 if (f.of.function == Function::exponential)
@@ -153,6 +157,7 @@ ex CertificateRoots::exponential(const ex& u, const Equation& equation) {
 ex CertificateRoots::circular(const ex& u, bool cosine, const Equation& equation) {
     ex turned = 1, back = 1;
     for (const ex& term : terms_of(u)) {
+        if (term.is_zero()) continue;
         bool found = false;
         if (const auto q = ratio(term, pi_)) { // with roots for values
             const ex angle = GiNaC::numeric(*q) * GiNaC::Pi;

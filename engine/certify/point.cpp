@@ -2,6 +2,7 @@
 #include "certify/point.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/taylor_law.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -85,9 +86,10 @@ void PointRun::run(const Step& step, Value& to) {
     }
     case Operation::add: return add(to, operand(step.left), operand(step.right));
     case Operation::multiply: return multiply(to, operand(step.left), operand(step.right), through_);
-    case Operation::function: return function(to, static_cast<Elementary>(step.index), operand(step.left));
+    case Operation::function: return function(to, static_cast<Function>(step.index), operand(step.left));
     case Operation::power: return power(to, operand(step.left), step.number, operand(step.right));
     case Operation::inverse_power: return inverse_power(to, operand(step.left), step.index);
+    case Operation::integral: return integral(to, operand(step.left), operand(step.right));
     case Operation::at_origin: return set(to, 0, operand(step.left).at[0]);
     case Operation::value:
     case Operation::slope: return; // read before
@@ -142,17 +144,17 @@ void PointRun::taylor(Value& to, const std::vector<Lanes>& coefficients, const V
     for (int k = sum.first; k <= sum.last; ++k) set(to, k, sum.at[k]);
 }
 
-void PointRun::function(Value& to, Elementary function, const Value& u) {
-    if (function == Elementary::tangent || function == Elementary::hyperbolic_tangent) {
-        const bool circular = function == Elementary::tangent;
+void PointRun::function(Value& to, Function function, const Value& u) {
+    if (function == Function::tangent || function == Function::hyperbolic_tangent) {
+        const bool circular = function == Function::tangent;
         Scratch above(*this), below(*this), inverse(*this);
         Value sine = above.value(), cosine = below.value(), quotient = inverse.value();
-        this->function(sine, circular ? Elementary::sine : Elementary::hyperbolic_sine, u);
-        this->function(cosine, circular ? Elementary::cosine : Elementary::hyperbolic_cosine, u);
+        this->function(sine, circular ? Function::sine : Function::hyperbolic_sine, u);
+        this->function(cosine, circular ? Function::cosine : Function::hyperbolic_cosine, u);
         inverse_power(quotient, cosine, 1);
         return multiply(to, sine, quotient, through_);
     }
-    if (u.at[0] != (function == Elementary::logarithm ? one_ : Lanes{}))
+    if (u.at[0] != (function == Function::logarithm ? one_ : Lanes{}))
         refuse({"a Taylor sum is taken where its argument vanishes at the origin (is 1 for log)",
                 "weight 0 of an argument",
                 "write the argument so that its value at the origin is plain",
@@ -174,6 +176,15 @@ void PointRun::inverse_power(Value& to, const Value& a, int n) {
     Value lead = number.value();
     set(lead, 0, power(inverse(a.at[0]), n));
     power(to, a, -n, lead);
+}
+
+void PointRun::integral(Value& to, const Value& u, const Value& slope) {
+    Scratch weighted(*this), sum(*this);
+    Value moving = weighted.value(), product_of_both = sum.value();
+    for (int k = std::max(u.first, 1); k <= u.last; ++k) set(moving, k, product(u.at[k], residues(k)));
+    multiply(product_of_both, moving, slope, through_);
+    for (int k = product_of_both.first; k <= product_of_both.last; ++k)
+        set(to, k, product(product_of_both.at[k], inverse_of(k)));
 }
 
 auto PointRun::residues(const Rational& value) const -> Lanes {
@@ -226,12 +237,11 @@ auto PointRun::binomial(const Rational& exponent) -> const std::vector<Lanes>& {
     return c;
 }
 
-auto PointRun::taylor_coefficients(Elementary function) -> const std::vector<Lanes>& {
+auto PointRun::taylor_coefficients(Function function) -> const std::vector<Lanes>& {
     if (const auto* known = find_in(taylor_, function)) return *known;
     std::vector<Lanes>& c = taylor_.emplace_back(function, std::vector<Lanes>{}).second;
     c.reserve(static_cast<std::size_t>(through_) + 1);
-    const bool alternating =
-        function == Elementary::sine || function == Elementary::cosine || function == Elementary::arc_tangent;
+    const TaylorLaw law = taylor_law(function);
     const auto negative = [&](const Lanes& a) {
         return by_point([&](const Montgomery& m, std::size_t n) { return m.negate(a[n]); });
     };
@@ -246,29 +256,11 @@ auto PointRun::taylor_coefficients(Elementary function) -> const std::vector<Lan
                               }));
         }
         Lanes value{};
-        switch (function) {
-        case Elementary::exponential: value = factorial; break;
-        case Elementary::sine:
-        case Elementary::hyperbolic_sine:
-            if (odd) value = factorial;
-            break;
-        case Elementary::cosine:
-        case Elementary::hyperbolic_cosine:
-            if (!odd) value = factorial;
-            break;
-        case Elementary::arc_tangent:
-            if (odd) value = inverse_of(k);
-            break;
-        case Elementary::arc_sine:
-            if (odd) value = product(central, inverse_of(k));
-            break;
-        case Elementary::logarithm:
-            if (k > 0) value = odd ? inverse_of(k) : negative(inverse_of(k));
-            break;
-        case Elementary::tangent:
-        case Elementary::hyperbolic_tangent: break; // quotients, see function()
-        }
-        c.push_back(alternating && k % 4 >= 2 ? negative(value) : value);
+        if (law.has(k))
+            value = law.kind == TaylorLaw::factorial    ? factorial
+                    : law.kind == TaylorLaw::reciprocal ? inverse_of(k)
+                                                        : product(central, inverse_of(k));
+        c.push_back(law.negative(k) ? negative(value) : value);
     }
     return c;
 }

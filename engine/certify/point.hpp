@@ -53,7 +53,8 @@ private:
     void multiply(Value& to, const Value& a, const Value& b, int last) const;
     // sum_k coefficients[k] u^k with u_0 = 0, by Horner's rule.
     void taylor(Value& to, const std::vector<Lanes>& coefficients, const Value& u);
-    void function(Value& to, Elementary function, const Value& u);
+    void integral(Value& to, const Value& u, const Value& slope);
+    void function(Value& to, Function function, const Value& u);
     void power(Value& to, const Value& a, const Rational& exponent, const Value& lead);
     void inverse_power(Value& to, const Value& a, int n);
 
@@ -64,7 +65,7 @@ private:
     // Of (1 + u)^exponent. What is returned stays until the next call.
     [[nodiscard]] const std::vector<Lanes>& binomial(const Rational& exponent);
     // The same.
-    [[nodiscard]] const std::vector<Lanes>& taylor_coefficients(Elementary function);
+    [[nodiscard]] const std::vector<Lanes>& taylor_coefficients(Function function);
 
     const Ring& ring_;
     const std::vector<Point>& points_;
@@ -74,7 +75,7 @@ private:
     std::vector<Lanes> inverses_;                    // of 1, 2, ...
     std::vector<std::pair<Lanes, Lanes>> quotients_; // inverses of what powers are taken of
     std::vector<std::pair<Rational, std::vector<Lanes>>> binomials_;
-    std::vector<std::pair<Elementary, std::vector<Lanes>>> taylor_;
+    std::vector<std::pair<Function, std::vector<Lanes>>> taylor_;
     std::vector<std::vector<Lanes>> unused_; // room of series that were needed on the way
     std::vector<std::size_t> offsets_;
     std::vector<Lanes> values_;

@@ -43,7 +43,7 @@ Slot CertificateProgram::multiply(Slot a, Slot b) {
     return slot_of({Operation::multiply, std::min(a, b), std::max(a, b)});
 }
 
-Slot CertificateProgram::function(Elementary function, Slot a) {
+Slot CertificateProgram::function(Function function, Slot a) {
     return slot_of({Operation::function, a, -1, static_cast<int>(function)});
 }
 
@@ -56,6 +56,8 @@ Slot CertificateProgram::power(Slot a, const Rational& exponent, Slot lead) {
 Slot CertificateProgram::inverse_power(Slot a, int n) {
     return slot_of({Operation::inverse_power, a, -1, n});
 }
+
+Slot CertificateProgram::integral(Slot u, Slot slope) { return slot_of({Operation::integral, u, slope}); }
 
 Slot CertificateProgram::at_origin(Slot a) {
     const Operation known = steps_[static_cast<std::size_t>(a)].operation;

@@ -5,11 +5,12 @@
 //
 //   CertificateProgram p;
 //   const Slot u = p.add(p.generator(z, 1), p.value({SeriesName::mode_shift, 0}, Side::itself));   // z = w +
-//   h const Slot sine = p.function(Elementary::sine, u);
+//   h const Slot sine = p.function(Function::sine, u);
 //
 // Equal steps are one step, so that slots are equal where what they stand for is seen to be.
 #pragma once
 
+#include "algebra/number/functions.hpp"
 #include "algebra/series/series.hpp"
 
 #include <map>
@@ -17,19 +18,6 @@
 #include <vector>
 
 namespace resonform {
-
-enum class Elementary {
-    exponential,
-    logarithm,
-    sine,
-    cosine,
-    tangent,
-    hyperbolic_sine,
-    hyperbolic_cosine,
-    hyperbolic_tangent,
-    arc_sine,
-    arc_tangent,
-};
 
 // The conjugate side reads i as -i and swaps the modes of a pair.
 enum class Side { itself, conjugate };
@@ -67,6 +55,7 @@ enum class Operation {
     function,
     power, // lead * (a/a_0)^number
     inverse_power,
+    integral,  // of right d(left) from weight 0: n f_n = sum_k k left_k right_(n - k)
     at_origin, // the weight-0 part
     value,     // of a series
     slope,     // of a series by a generator
@@ -75,7 +64,7 @@ enum class Operation {
 struct Step {
     Operation operation;
     Slot left = -1, right = -1;
-    int index = 0; // generator | exponent of inverse_power | Elementary
+    int index = 0; // generator | exponent of inverse_power | Function
     int power = 0;
     SeriesName series{SeriesName::polynomial};
     Side side = Side::itself;
@@ -88,9 +77,10 @@ public:
     Slot generator(GeneratorId id, int power);
     Slot add(Slot a, Slot b);
     Slot multiply(Slot a, Slot b);
-    Slot function(Elementary function, Slot a);
+    Slot function(Function function, Slot a);
     Slot power(Slot a, const Rational& exponent, Slot lead); // lead * (a/a_0)^exponent
     Slot inverse_power(Slot a, int n);                       // a^-n for n >= 1
+    Slot integral(Slot u, Slot slope);                       // f(u) - f(u_0) where f'(u) = slope
     Slot at_origin(Slot a);
     Slot value(SeriesName series, Side side);
     Slot slope(SeriesName series, Side side, GeneratorId by); // the partial derivative

@@ -4,6 +4,7 @@
 #include "algebra/number/number.hpp"
 #include "certify/as_written.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
 #include "model/text/regular.hpp"
 
@@ -34,15 +35,7 @@ int total_degree(const ex& e) {
 }
 
 ex meaning_of(const FunctionOf& f, const ex& u) {
-    switch (f.function) {
-    case Function::exponential: return GiNaC::exp(u);
-    case Function::sine: return GiNaC::sin(u);
-    case Function::cosine: return GiNaC::cos(u);
-    case Function::logarithm: return GiNaC::log(u);
-    case Function::arc_tangent: return GiNaC::atan(u);
-    case Function::named: break;
-    }
-    return named_function(f.symbol, f.derivative, u);
+    return f.function == Function::named ? named_function(f.symbol, f.derivative, u) : call(f.function, u);
 }
 
 } // namespace
@@ -185,7 +178,7 @@ std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex
                                                                         const Equation& equation) const {
     std::vector<std::pair<ex, Rational>> factors;
     Rational number = 1;
-    for (const ex& factor : is_a<GiNaC::mul>(product) ? operands(product) : std::vector<ex>{product}) {
+    for (const ex& factor : factors_of(product)) {
         if (is_a<GiNaC::numeric>(factor)) {
             number = number * rational_of(factor, equation);
             continue;

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Equation& equation);
     // The generator that a symbol in this expression stands for, or the number pi.
     [[nodiscard]] std::optional<GeneratorId> generator_of(const GiNaC::ex& symbol) const;
+    // The argument of a generator that is a function, as an expression in the names of the file.
+    [[nodiscard]] GiNaC::ex argument_of(GeneratorId function) const;
     // Has the ring this derivative of a function that is known by its name only?
     [[nodiscard]] bool knows(const GiNaC::ex& named, const Equation& equation);
 
@@ -93,7 +95,7 @@ private:
     [[nodiscard]] GiNaC::ex function_with_symbols(const GiNaC::ex& e, const Equation& equation);
     [[nodiscard]] GiNaC::ex exponential(const GiNaC::ex& u, const Equation& equation);
     [[nodiscard]] GiNaC::ex circular(const GiNaC::ex& u, bool cosine, const Equation& equation);
-    [[nodiscard]] GiNaC::ex arc_tangent(const GiNaC::ex& u, const Equation& equation) const;
+    [[nodiscard]] GiNaC::ex plain(Function name, const GiNaC::ex& u, const Equation& equation) const;
     [[nodiscard]] GiNaC::ex without_whole_powers(const GiNaC::ex& e) const;
     [[nodiscard]] GiNaC::ex logarithm(const GiNaC::ex& u, const Equation& equation) const;
     [[nodiscard]] GiNaC::ex logarithm_of_factors(GiNaC::ex& rest) const;

@@ -26,12 +26,14 @@ namespace resonform::math {
 using std::asinh;
 using std::atan2;
 using std::cos;
+using std::erf;
 using std::exp;
 using std::floor;
 using std::hypot;
 using std::log;
 using std::pow;
 using std::sin;
+using std::sinh;
 using std::sqrt;
 
 // Binary digits of a real type. (std::numeric_limits<__float128> is not specialised everywhere.)
@@ -115,6 +117,19 @@ template <class Real> Real root(const Real& x, int k) {
     Real guess = pow(x, Real(Real(1) / Real(k)));
     for (int step = 0; step < 2; ++step) guess = guess + (x / power(guess, k - 1) - guess) / Real(k);
     return guess;
+}
+
+// erf(x) = 2/sqrt(pi) exp(-x^2) sum_n 2^n x^(2n+1)/(2n+1)!!, where all terms have one sign; for types that
+// have none of their own. Beyond x^2 = digits*log(2) it is 1.
+template <class Real> Real erf(const Real& x) {
+    const Real square = x * x;
+    if (!(square < Real(0.7 * digits<Real> + 2))) return x < Real(0) ? Real(-1) : x > Real(0) ? Real(1) : x;
+    Real term = x, sum = x;
+    for (int n = 1; n < 8 * digits<Real> && magnitude(term) > epsilon<Real>() * magnitude(sum); ++n) {
+        term = term * square * Real(2) / Real(2 * n + 1);
+        sum = sum + term;
+    }
+    return sum * Real(exp(Real(-square))) * Real(2) / Real(sqrt(pi<Real>()));
 }
 
 } // namespace resonform::math

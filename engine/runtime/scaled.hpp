@@ -138,6 +138,24 @@ template <class Number> Scaled<Number> asinh(const Scaled<Number>& x) {
     return zero > x ? -result : result;
 }
 
+template <class Number> Scaled<Number> sinh(const Scaled<Number>& x) {
+    using math::sinh;
+    Number value;
+    if (!x.fits(value)) return x.exponent < 0 ? x : Scaled<Number>(math::not_a_number<Number>());
+    if (math::magnitude(value) < Number(600)) return Scaled<Number>(sinh(value));
+    const Scaled<Number> half{Number(Number(1) / Number(2))};
+    return value > Number(0) ? exp(x) * half : -(exp(-x) * half);
+}
+
+template <class Number> Scaled<Number> erf(const Scaled<Number>& x) {
+    using math::erf;
+    using math::sqrt;
+    Number value;
+    if (x.fits(value)) return Scaled<Number>(Number(erf(value)));
+    if (x.exponent < 0) return x * Scaled<Number>(Number(Number(2) / Number(sqrt(math::pi<Number>()))));
+    return Scaled<Number>(Number(x.mantissa > Number(0) ? 1 : -1));
+}
+
 template <class Number> Scaled<Number> hypot(const Scaled<Number>& x, const Scaled<Number>& y) {
     using math::hypot;
     if (x.mantissa == Number(0) || y.mantissa == Number(0)) {

@@ -138,6 +138,21 @@ template <class Real> Twice<Real> asinh(const Twice<Real>& x) {
     return x < Twice<Real>(0) ? -result : result;
 }
 
+// By its series where exp(x) - exp(-x) would lose digits.
+template <class Real> Twice<Real> sinh(const Twice<Real>& x) {
+    using Number = Twice<Real>;
+    if (math::magnitude(x.high) > Real(1)) {
+        const Number e = exp(math::magnitude(x)), result = (e - Number(1) / e) * Number(Real(1) / Real(2));
+        return x < Number(0) ? -result : result;
+    }
+    Number term = x, sum = x;
+    for (int n = 2; n <= math::digits<Real> / 2 + 10; n += 2) {
+        term = term * x * x / Number(n * (n + 1));
+        sum = sum + term;
+    }
+    return sum;
+}
+
 template <class Real> Twice<Real> hypot(const Twice<Real>& x, const Twice<Real>& y) {
     return sqrt(x * x + y * y);
 }

@@ -50,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                       "log(4*x) = 2*log(2) + log(x)", "log(sqrt(x/y)) = (log(x) - log(y))/2",
                       "exp(a*log(x))^2 = exp(2*a*log(x))", "exp(2*log(x)) = x^2",
                       "log(exp(tau)*x) = tau + log(x)", "atan(-tau) + atan(tau) = 0",
+                      "asinh(-tau) + asinh(tau) = 0", "erf(-tau) + erf(tau) = 0",
                       "sin(a*(b + tau)) = sin(a*b + a*tau)", "exp(sin(2*tau)) = exp(sin(tau)*cos(tau))^2",
                       "1/(1 + tau) = exp(-log(1 + tau))", "sqrt(2 + cos(2*tau))^2 = 1 + 2*cos(tau)^2",
                       "omega(tau)*omega(a)/omega(tau) = omega(a)",
@@ -70,6 +71,12 @@ TEST(Functions, DependentOnesAreNotCanonical) {
     EXPECT_FALSE(canonical("atan(tau) = atan(tau^3)"));
     EXPECT_FALSE(canonical("exp(1/(1 + tau)) = exp(tau/(1 + tau))"));
     EXPECT_FALSE(canonical("log(2) = log(3)"));
+    EXPECT_TRUE(canonical("asinh(tau) = log(x)"));
+    EXPECT_TRUE(canonical("erf(tau) = exp(-tau^2)"));
+    EXPECT_FALSE(canonical("asinh(tau) = atan(tau)"));
+    EXPECT_FALSE(canonical("atanh(tanh(tau)/2) = log(x)"));
+    EXPECT_FALSE(canonical("cos(atan(tau)) = exp(tau)"));  // 1/sqrt(1 + tau^2)
+    EXPECT_FALSE(canonical("exp(asinh(tau)) = sin(tau)")); // tau + sqrt(1 + tau^2)
     EXPECT_FALSE(canonical("log(2 + cos(tau)) = log(2 - cos(tau))"));
 }
 

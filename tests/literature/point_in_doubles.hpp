@@ -4,6 +4,8 @@
 // its name.
 #pragma once
 
+#include "algebra/number/functions.hpp"
+#include "algebra/number/real_ball.hpp"
 #include "normalize/recursion/normal_form.hpp"
 
 #include <gtest/gtest.h>
@@ -60,16 +62,11 @@ private:
     }
 
     [[nodiscard]] Value function(const FunctionOf& of) const {
-        const double u = (*this)(of.argument).real();
-        switch (of.function) {
-        case Function::exponential: return std::exp(u);
-        case Function::sine: return std::sin(u);
-        case Function::cosine: return std::cos(u);
-        case Function::logarithm: return std::log(u);
-        case Function::arc_tangent: return std::atan(u);
-        case Function::named: break;
-        }
-        return by_name(of.symbol + std::to_string(of.derivative));
+        if (of.function == Function::named) return by_name(of.symbol + std::to_string(of.derivative));
+        RealBall value;
+        arb_set_d(value.get(), (*this)(of.argument).real());
+        row_of(of.function).enclose(value.get(), value.get(), 64);
+        return nearest_double(value);
     }
 
     const Ring& ring_;

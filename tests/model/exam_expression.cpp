@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the reader makes of an expression, and what it refuses.
 #include "model/text/expression.hpp"
+#include "model/text/function_call.hpp"
 
 #include <gtest/gtest.h>
 
@@ -82,6 +83,12 @@ TEST_F(Expression, FunctionsAndPi) {
     EXPECT_EQ(read("sinh(x) + cosh(x) + tanh(x)"), sinh(x) + cosh(x) + tanh(x));
     EXPECT_EQ(read("asin(x) + atan(x)"), asin(x) + atan(x));
     EXPECT_EQ(read("acos(x)"), GiNaC::Pi / 2 - asin(x));
+    EXPECT_EQ(read("asinh(x) + acosh(x) + atanh(x)"), asinh(x) + acosh(x) + atanh(x));
+    EXPECT_EQ(read("erf(0) + erf(x) + erf(-1) + erf(1)"), call(Function::error_function, x));
+    EXPECT_EQ(complaint("acosh(1/2)"),
+              "1: acosh of this number is not real | acosh(1/2) | write the real value meant");
+    EXPECT_NE(complaint("atanh(2)"), "");
+    EXPECT_NE(complaint("atanh(1)"), "");
     EXPECT_EQ(read("sin(pi/6)"), numeric(1, 2));
     EXPECT_EQ(read("(xi^2 + r^2)^(1/4)"), pow(xi * xi + r * r, numeric(1, 4)));
 }
@@ -132,10 +139,10 @@ TEST_F(Expression, NamesAndFunctions) {
     EXPECT_EQ(complaint("E"), "1: a symbol is declared before it is used | E | write exp(1)");
     EXPECT_EQ(complaint("sim(x)"),
               "1: a function is one of the known ones | sim | did you mean 'sin'? Known are: sin, cos, tan, "
-              "exp, log, sqrt, sinh, cosh, tanh, asin, acos, atan");
+              "exp, log, sqrt, sinh, cosh, tanh, asin, acos, atan, asinh, acosh, atanh, erf");
     EXPECT_EQ(complaint("zeta(10^9)"),
               "1: a function is one of the known ones | zeta | known are: sin, cos, tan, exp, log, sqrt, "
-              "sinh, cosh, tanh, asin, acos, atan");
+              "sinh, cosh, tanh, asin, acos, atan, asinh, acosh, atanh, erf");
 }
 
 TEST_F(Expression, SignsOfThePaperAreNamedInAscii) {

@@ -56,20 +56,23 @@ INSTANTIATE_TEST_SUITE_P(
                       "x'' + cosh(tau)*x + sinh(tau)*x^2 = 0",
                       "x'' + (1 + log(1 + tau)^2)*x + log(1 + tau)*x^2 = 0",
                       "x'' + (2 + atan(tau))*x + atan(tau)*x^3 = 0",
+                      "x'' + (2 + erf(tau))*x + erf(tau)*x^2 = 0", "x'' + x + asinh(tau)*x^3 = 0",
+                      "x'' + x + acosh(2 + tau^2)*x^2 = 0", "x'' + x + atanh(tanh(tau))*x^2 = 0",
                       "x'' + cos(alpha)^2*x + sin(alpha)*x^2 = 0", "x'' + x/cos(alpha) + tan(alpha)*x^3 = 0",
                       "x'' + r^n*x + x^2 = 0", "x'' + (1 + tau)*x + exp(n*log(1 + tau))*x^2 = 0",
                       "x'' + exp(sin(tau))*x + x^2 = 0", "x'' + x + log(r^2*exp(tau))*x^2 = 0",
                       "x'' + (3 + sin(tau + alpha))*x + cos(tau - alpha)*x^2 = 0"));
 
-INSTANTIATE_TEST_SUITE_P(Mixed, EveryCoefficient,
-                         ::testing::Values("x'' + 2*x + sin(tau + x) - sin(tau) = 0",
-                                           "x'' + exp(tau + x) - exp(tau) = 0",
-                                           "x'' + log(1 + tau + x) - log(1 + tau) + x = 0",
-                                           "x'' + atan(tau + x) - atan(tau) + x = 0",
-                                           "x'' + 2*x + cos(alpha + 2*x) - cos(alpha) + 2*sin(alpha)*x = 0",
-                                           "x'' + x + tanh(tau + eps*x)*x^2 = 0",
-                                           "x'' + 3*x + eps*cosh(tau + x') = 0",
-                                           "x'' + x + tan(alpha + x)*x^2 = 0"));
+INSTANTIATE_TEST_SUITE_P(
+    Mixed, EveryCoefficient,
+    ::testing::Values("x'' + 2*x + sin(tau + x) - sin(tau) = 0", "x'' + exp(tau + x) - exp(tau) = 0",
+                      "x'' + log(1 + tau + x) - log(1 + tau) + x = 0",
+                      "x'' + atan(tau + x) - atan(tau) + x = 0", "x'' + asinh(tau + x) - asinh(tau) + x = 0",
+                      "x'' + x + acosh(3 + tau^2 + x)*x^2 = 0", "x'' + x + atanh(tanh(tau)/2 + x)*x^2 = 0",
+                      "x'' + erf(tau + x) - erf(tau) + x = 0",
+                      "x'' + 2*x + cos(alpha + 2*x) - cos(alpha) + 2*sin(alpha)*x = 0",
+                      "x'' + x + tanh(tau + eps*x)*x^2 = 0", "x'' + 3*x + eps*cosh(tau + x') = 0",
+                      "x'' + x + tan(alpha + x)*x^2 = 0"));
 
 INSTANTIATE_TEST_SUITE_P(Named, EveryCoefficient,
                          ::testing::Values("x'' + omega(tau)^2*x + x^3 = 0",

@@ -34,7 +34,9 @@ INSTANTIATE_TEST_SUITE_P(Functions, EveryEquation,
                          ::testing::Values("x'' + tan(x) = 0", "x'' + sinh(x) + eps*cosh(x) = 0",
                                            "x'' + tanh(x)*cos(x) = 0", "x'' + atan(x) = 0",
                                            "x'' + asin(x) + eps*x'^2 = 0", "x'' + exp(x) - 1 = 0",
-                                           "x'' + log(1 + x) = 0", "x'' + x/sqrt(1 + x^2) = 0",
+                                           "x'' + log(1 + x) = 0", "x'' + asinh(x) = 0",
+                                           "x'' + atanh(x) + eps*x*x' = 0", "x'' + x + acosh(2 + x)*x^2 = 0",
+                                           "x'' + erf(x) + x = 0", "x'' + x/sqrt(1 + x^2) = 0",
                                            "x'' + x + eps = 0", "(1 + x^2)*x'' + x + eps*x' = 0",
                                            "x'' + x/(1 + eps*x - x')^2 = 0"));
 

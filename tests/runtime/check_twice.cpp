@@ -2,6 +2,7 @@
 // Twice<double> against 100 digits: arithmetic and every elementary function, at seeded random points.
 #include "runtime/twice.hpp"
 
+#include <boost/math/special_functions/erf.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
@@ -55,6 +56,10 @@ TEST_F(TwiceDouble, FunctionsHave29Digits) {
         expect_close(exp(y), exp(exact(y)), 0, "exp");
         expect_close(log(x), log(exact(x)), 1, "log");
         expect_close(asinh(y), asinh(exact(y)), 1, "asinh");
+        expect_close(sinh(y), sinh(exact(y)), 1, "sinh");
+        expect_close(sinh(x * Number(1e-9)), sinh(exact(x * Number(1e-9))), 0, "sinh");
+        expect_close(math::erf(y), boost::math::erf(exact(y)), 0, "erf");
+        expect_close(math::erf(x * Number(1e-9)), boost::math::erf(exact(x * Number(1e-9))), 0, "erf");
         expect_close(sin(y), sin(exact(y)), 1, "sin");
         expect_close(cos(y), cos(exact(y)), 1, "cos");
         expect_close(atan2(y, x), atan2(exact(y), exact(x)), 1, "atan2");

@@ -50,6 +50,9 @@ TYPED_TEST(TapeTypes, IdentitiesHoldToThePrecisionOfTheType) {
                                       tan(atan(u)) - u,
                                       sin(asin(u / 2)) - u / 2,
                                       cos(acos(u / 2)) - u / 2,
+                                      sinh(asinh(u)) - u,
+                                      cosh(acosh(1 + u)) - 1 - u,
+                                      tanh(atanh(u)) - u,
                                       pow(cosh(u), 2) - pow(sinh(u), 2) - 1,
                                       pow(sqrt(1 + e), 2) - 1 - e,
                                       tanh(u) * cosh(u) - sinh(u)};
@@ -101,9 +104,8 @@ TEST(Tape, RefusesWhatItCannotIntegrate) {
         FAIL() << "tgamma was accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Kind::refused);
-        EXPECT_EQ(error.diagnostic().value, "tgamma");
-        EXPECT_EQ(error.diagnostic().rule,
-                  "direct integration knows sin cos tan exp log sqrt sinh cosh tanh asin acos atan");
+        EXPECT_NE(error.diagnostic().value.find("tgamma"), std::string::npos);
+        EXPECT_EQ(error.diagnostic().rule, "direct integration knows the elementary functions");
     }
 }
 

@@ -2,6 +2,8 @@
 // Every function and operation that a tape knows, each once.
 #pragma once
 
+#include "model/text/function_call.hpp"
+
 #include <ginac/ginac.h>
 
 #include <vector>
@@ -34,6 +36,10 @@ inline const std::vector<FunctionCase>& function_cases() {
         {"asin", [](const GiNaC::ex& u) -> GiNaC::ex { return asin(u); }},
         {"acos", [](const GiNaC::ex& u) -> GiNaC::ex { return acos(u / 2); }},
         {"atan", [](const GiNaC::ex& u) -> GiNaC::ex { return atan(3 * u); }},
+        {"asinh", [](const GiNaC::ex& u) -> GiNaC::ex { return asinh(2 * u); }},
+        {"acosh", [](const GiNaC::ex& u) -> GiNaC::ex { return acosh(1 + u); }},
+        {"atanh", [](const GiNaC::ex& u) -> GiNaC::ex { return atanh(u); }},
+        {"erf", [](const GiNaC::ex& u) -> GiNaC::ex { return call(Function::error_function, 2 * u); }},
         {"pi and a large rational",
          [](const GiNaC::ex& u) -> GiNaC::ex {
              return GiNaC::Pi * u + GiNaC::numeric("123456789123456789/7");

@@ -35,6 +35,7 @@ std::optional<Polynomial> Ring::slope(GeneratorId function) const {
     case Function::logarithm: return inverse(u);
     case Function::arc_tangent: return inverse(one() + multiply(u, u));
     case Function::named: break;
+    default: return of.slope;
     }
     return found([&](const FunctionOf& f) {
         return f.function == Function::named && f.symbol == of.symbol && f.derivative == of.derivative + 1 &&

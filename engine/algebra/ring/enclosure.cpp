@@ -7,14 +7,7 @@ namespace resonform {
 
 RealBall enclose(Function f, const RealBall& x, std::int64_t bits) {
     RealBall result;
-    switch (f) {
-    case Function::exponential: arb_exp(result.get(), x.get(), bits); break;
-    case Function::sine: arb_sin(result.get(), x.get(), bits); break;
-    case Function::cosine: arb_cos(result.get(), x.get(), bits); break;
-    case Function::logarithm: arb_log(result.get(), x.get(), bits); break;
-    case Function::arc_tangent: arb_atan(result.get(), x.get(), bits); break;
-    case Function::named: break;
-    }
+    row_of(f).enclose(result.get(), x.get(), bits);
     return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "algebra/ring/fractions.hpp"
 #include "algebra/ring/packing.hpp"
+#include "algebra/ring/polynomial.hpp"
 
 #include <vector>
 

@@ -9,6 +9,7 @@
 // A Ring is built once by a RingBuilder and is immutable afterwards (RingPtr).
 #pragma once
 
+#include "algebra/number/functions.hpp"
 #include "algebra/number/zero.hpp"
 #include "algebra/ring/packing.hpp"
 #include "algebra/ring/polynomial.hpp"
@@ -39,16 +40,15 @@ enum class GeneratorKind {
     primitive, // a function of slow variables known by its derivatives (a logarithm, a quadrature)
 };
 
-// Functions that have generators of their own; others are written with these: tan u = sin u/cos u.
-enum class Function { exponential, sine, cosine, logarithm, arc_tangent, named };
-
-// What a generator of kind function is.
+// What a generator of kind function is. Others are written with these: tan u = sin u/cos u.
 struct FunctionOf {
     Function function = Function::exponential;
     Polynomial argument;     // in earlier generators
     GeneratorId sine = -1;   // cosine: the generator of the sine of the same argument, an earlier one
     std::string symbol = {}; // named: known by its name only, omega(tau), ...
     int derivative = 0;      // ... and by how often it is differentiated
+    // f'(u), where it is no generator by itself (as that of a sine is) and no inverse (as of log, atan).
+    std::optional<Polynomial> slope = {};
 };
 
 struct FractionProduct;
@@ -227,6 +227,8 @@ public:
     //   else sigma^k -> radicand, which is sound; Ring::is_zero then clears denominators.
     // sin^2 -> 1 - cos^2, or the other way round where the cosine or its square is under a root.
     [[nodiscard]] RingPtr freeze() const;
+    // FunctionOf::slope of a generator, a polynomial of a ring that this builder has frozen.
+    void set_slope(GeneratorId id, const Ring& frozen, const Polynomial& slope);
 
 private:
     Packing packing_; // of 32 generators

@@ -143,6 +143,10 @@ Polynomial RingBuilder::import(const Ring& from, const Polynomial& p) const {
     return Polynomial::from_terms(std::move(terms));
 }
 
+void RingBuilder::set_slope(GeneratorId id, const Ring& frozen, const Polynomial& slope) {
+    generators_[static_cast<std::size_t>(id)].of.slope = import(frozen, slope);
+}
+
 RingPtr RingBuilder::freeze() const {
     const int size = static_cast<int>(generators_.size());
     const std::shared_ptr<Ring> ring(new Ring(size));
@@ -151,6 +155,7 @@ RingPtr RingBuilder::freeze() const {
     for (Generator& g : ring->generators_) {
         g.radicand = repack(packing_, ring->packing_, g.radicand);
         g.of.argument = repack(packing_, ring->packing_, g.of.argument);
+        if (g.of.slope) g.of.slope = repack(packing_, ring->packing_, *g.of.slope);
         for (auto& entry : g.derivatives) entry.second = repack(packing_, ring->packing_, entry.second);
         const bool pair = g.kind == GeneratorKind::fast && g.conjugate >= 0;
         if (pair &&

@@ -48,6 +48,7 @@ Size size_of_function(Graph::Op op, const std::vector<Size>& x) {
     case Graph::Op::sin: return {{}, larger(x[0].below, {0, nearest_to_zero})};
     case Graph::Op::log: return {{0, 16}, {0, nearest_to_zero}};
     case Graph::Op::asinh: return {x[0].above, larger(x[0].below, {0, 1})};
+    case Graph::Op::erf: return {{0, 1}, larger(x[0].below, {0, 1})};
     case Graph::Op::atan2: return {{0, 2}, larger(x[0].below + x[1].above, {0, 1})};
     case Graph::Op::sqrt_sum_squares: // both are squared
         return {{2 * larger(x[0].above, x[1].above).slope, 2 * larger(x[0].above, x[1].above).offset + 1},

@@ -34,6 +34,8 @@ std::string function_name(Graph::Op op) {
     case Graph::Op::log: return "log";
     case Graph::Op::exp: return "exp";
     case Graph::Op::asinh: return "asinh";
+    case Graph::Op::sinh: return "sinh";
+    case Graph::Op::erf: return "erf";
     case Graph::Op::atan2: return "atan2";
     default: return "hypot";
     }

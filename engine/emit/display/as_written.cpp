@@ -2,6 +2,7 @@
 #include "emit/display/as_written.hpp"
 
 #include "algebra/number/number.hpp"
+#include "model/text/canonical.hpp"
 #include "model/text/expression.hpp"
 #include "model/text/lexer.hpp"
 
@@ -70,7 +71,7 @@ private:
         unary();
         const std::size_t end = next().begin;
         const GiNaC::ex value = read_expression(text_.substr(begin, end - begin), Scope{}, SourceText{});
-        return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+        return to_rational(value);
     }
 
     DisplayTerm primary() {

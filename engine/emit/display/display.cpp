@@ -18,13 +18,8 @@ using Exponents = std::vector<int>;
 DisplaySum display_radicand(const Ring& ring, const Polynomial& radicand);
 
 DisplayFactor display_function(const Ring& ring, const FunctionOf& f) {
-    static const std::map<Function, const char*> names{
-        {Function::exponential, "exp"}, {Function::sine, "sin"},         {Function::cosine, "cos"},
-        {Function::logarithm, "log"},   {Function::arc_tangent, "atan"},
-    };
-    const auto known = names.find(f.function);
-    DisplayFactor factor =
-        function_factor(known == names.end() ? f.symbol : known->second, display(ring, f.argument));
+    const std::string name = f.function == Function::named ? f.symbol : std::string(row_of(f.function).name);
+    DisplayFactor factor = function_factor(name, display(ring, f.argument));
     factor.primes = f.derivative;
     return factor;
 }

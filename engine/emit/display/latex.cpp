@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/latex.hpp"
 
+#include "algebra/number/functions.hpp"
 #include "emit/display/decimal.hpp"
 #include "emit/display/powers.hpp"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <optional>
 #include <vector>
 
 namespace resonform {
@@ -58,10 +60,10 @@ std::string dotted(const std::string& symbol, int primes) {
 
 std::string parenthesised(const std::string& text) { return "\\left(" + text + "\\right)"; }
 
+// Re and Im have their own.
 std::string function_macro(const std::string& name) {
-    if (name == "log") return "ln";
-    const bool inverse = name == "asin" || name == "acos" || name == "atan";
-    return inverse ? "arc" + name.substr(1) : name;
+    const std::optional<Function> f = function_called(name);
+    return f ? std::string(row_of(*f).latex) : "\\" + name;
 }
 
 // 3 \theta, psi: read without parentheses behind \cos.
@@ -85,8 +87,7 @@ std::string function(const DisplayFactor& factor) {
             n <= 3 ? std::string(static_cast<std::size_t>(n), '\'') : "^{(" + std::to_string(n) + ")}";
         return name + primes + parenthesised(text);
     }
-    return "\\" + function_macro(factor.name) + " " +
-           (is_simple_argument(argument) ? text : parenthesised(text));
+    return function_macro(factor.name) + " " + (is_simple_argument(argument) ? text : parenthesised(text));
 }
 
 std::string integral(const DisplayFactor& factor) {

@@ -2,6 +2,8 @@
 // Building and factoring display sums; nothing here knows a ring.
 #include "emit/display/display.hpp"
 
+#include "algebra/number/functions.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -112,9 +114,8 @@ DisplayFactor function_factor(const std::string& name, DisplaySum argument) {
 }
 
 bool is_elementary(const DisplayFactor& function) {
-    static constexpr const char* names[] = {"sin",  "cos",  "tan",  "exp",  "log",  "sinh", "cosh",
-                                            "tanh", "asin", "acos", "atan", "conj", "Re",   "Im"};
-    return std::find(std::begin(names), std::end(names), function.name) != std::end(names);
+    return function_called(function.name) || function.name == "conj" || function.name == "Re" ||
+           function.name == "Im";
 }
 
 DisplaySum factor_sum(DisplayFactor factor) {

@@ -2,6 +2,7 @@
 #include "emit/program/conditioning.hpp"
 
 #include "model/text/enclosure.hpp"
+#include "model/text/function_call.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -131,6 +132,8 @@ std::optional<GiNaC::ex> constant_of(const Graph& graph, Graph::Node n) {
     case Graph::Op::log: return GiNaC::log(operands[0]);
     case Graph::Op::exp: return GiNaC::exp(operands[0]);
     case Graph::Op::asinh: return GiNaC::asinh(operands[0]);
+    case Graph::Op::sinh: return GiNaC::sinh(operands[0]);
+    case Graph::Op::erf: return call(Function::error_function, operands[0]);
     case Graph::Op::atan2:
         if (operands[0].is_zero() && operands[1].is_equal(-1)) return GiNaC::Pi;
         return std::nullopt;

@@ -3,7 +3,9 @@
 
 #include "algebra/number/error.hpp"
 #include "algebra/number/number.hpp"
+#include "model/text/canonical.hpp"
 #include "model/text/enclosure.hpp"
+#include "model/text/function_call.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -30,8 +32,8 @@ public:
     Graph::Node operator()(const GiNaC::ex& e) const {
         if (GiNaC::is_a<GiNaC::numeric>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e));
         if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
-        if (GiNaC::is_a<GiNaC::add>(e)) return graph_.add(operands(e));
-        if (GiNaC::is_a<GiNaC::mul>(e)) return graph_.multiply(operands(e));
+        if (GiNaC::is_a<GiNaC::add>(e)) return graph_.add(nodes(e));
+        if (GiNaC::is_a<GiNaC::mul>(e)) return graph_.multiply(nodes(e));
         if (GiNaC::is_a<GiNaC::power>(e)) return power(e);
         if (e.is_equal(GiNaC::Pi)) // every real type has its own digits of it
             return graph_.function(Graph::Op::atan2, {graph_.rational(0), graph_.rational(-1)});
@@ -50,29 +52,9 @@ private:
         return found->second;
     }
 
-    // A spelling that does not depend on the order of terms.
-    std::string key(const GiNaC::ex& e) const {
-        if (e.nops() == 0) return to_text(e);
-        std::vector<std::string> parts;
-        for (std::size_t i = 0; i < e.nops(); ++i) parts.push_back(key(e.op(i)));
-        const bool commutes = GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e);
-        if (commutes) std::sort(parts.begin(), parts.end());
-        std::string result = GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name()
-                             : GiNaC::is_a<GiNaC::add>(e)    ? "+"
-                             : GiNaC::is_a<GiNaC::mul>(e)    ? "*"
-                                                             : "^";
-        for (const std::string& part : parts) result += "(" + part + ")";
-        return result;
-    }
-
-    std::vector<Graph::Node> operands(const GiNaC::ex& e) const {
-        std::vector<std::pair<std::string, GiNaC::ex>> sorted;
-        for (std::size_t i = 0; i < e.nops(); ++i) sorted.emplace_back(key(e.op(i)), e.op(i));
-        std::sort(sorted.begin(), sorted.end(),
-                  [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Graph::Node> nodes(const GiNaC::ex& e) const {
         std::vector<Graph::Node> nodes;
-        nodes.reserve(sorted.size());
-        for (const auto& operand : sorted) nodes.push_back((*this)(operand.second));
+        for (const GiNaC::ex& operand : operands(e)) nodes.push_back((*this)(operand));
         return nodes;
     }
 
@@ -85,24 +67,53 @@ private:
         return graph_.power(root, value.numer().to_int());
     }
 
+    // By the functions that the runtime has, without loss of digits.
     Graph::Node function(const GiNaC::ex& e) const {
         using Op = Graph::Op;
-        static const std::map<std::string, Op> known{
-            {"sin", Op::sin}, {"cos", Op::cos}, {"exp", Op::exp}, {"log", Op::log}, {"asinh", Op::asinh}};
-        if (!GiNaC::is_a<GiNaC::function>(e)) refuse_function(e);
-        const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-        if (name == "tan") {
-            const Graph::Node x = (*this)(e.op(0));
-            return graph_.multiply(
-                {graph_.function(Op::sin, {x}), graph_.power(graph_.function(Op::cos, {x}), -1)});
+        const std::optional<Function> f = function_of(e);
+        if (!f) refuse_function(e);
+        const auto of = [&](Op op) { return graph_.function(op, {(*this)(e.op(0))}); };
+        switch (*f) {
+        case Function::sine: return of(Op::sin);
+        case Function::cosine: return of(Op::cos);
+        case Function::exponential: return of(Op::exp);
+        case Function::logarithm: return of(Op::log);
+        case Function::inverse_hyperbolic_sine: return of(Op::asinh);
+        case Function::tangent: return graph_.multiply({of(Op::sin), inverse(of(Op::cos))});
+        default: break;
         }
-        const auto found = known.find(name);
-        if (found == known.end()) return graph_.rational(value_of(e));
-        return graph_.function(found->second, {(*this)(e.op(0))});
+        if (is_constant(e)) return graph_.rational(value_of(e)); // atan(1/3)
+        // Operands stand in braces, where they are made from left to right.
+        const Graph::Node x = (*this)(e.op(0)), one = graph_.rational(1);
+        const auto cosh = [&] {
+            const Graph::Node up = of(Op::exp);
+            return graph_.multiply({graph_.rational(Rational(1) / 2), graph_.add({up, inverse(up)})});
+        };
+        const auto root_beside_one = [&] { // sqrt((1 + x)(1 - x))
+            return graph_.root(graph_.multiply({graph_.add({one, x}), graph_.add({one, graph_.negate(x)})}),
+                               2);
+        };
+        switch (*f) {
+        case Function::hyperbolic_sine: return of(Op::sinh);
+        case Function::hyperbolic_cosine: return cosh();
+        case Function::hyperbolic_tangent: return graph_.multiply({of(Op::sinh), inverse(cosh())});
+        case Function::arc_sine: return graph_.function(Op::atan2, {x, root_beside_one()});
+        case Function::arc_tangent: return graph_.function(Op::atan2, {x, one});
+        case Function::inverse_hyperbolic_cosine: // asinh(sqrt((x + 1)(x - 1)))
+            return graph_.function(
+                Op::asinh,
+                {graph_.root(graph_.multiply({graph_.add({x, one}), graph_.add({x, graph_.rational(-1)})}),
+                             2)});
+        case Function::inverse_hyperbolic_tangent:
+            return graph_.function(Op::asinh, {graph_.multiply({x, inverse(root_beside_one())})});
+        case Function::error_function: return of(Op::erf);
+        default: refuse_function(e);
+        }
     }
 
-    // A function that emitted code does not have, of a number, as in atan(1/3): its value to more digits than
-    // any real type has.
+    Graph::Node inverse(Graph::Node n) const { return graph_.power(n, -1); }
+
+    // Its value to more digits than any real type has.
     [[nodiscard]] Rational value_of(const GiNaC::ex& e) const {
         constexpr int bits = 400;
         const std::optional<RealBall> value = enclose(e, {}, bits);
@@ -111,9 +122,8 @@ private:
     }
 
     [[noreturn]] void refuse_function(const GiNaC::ex& e) const {
-        refuse({"a value in emitted code uses pi, sin, cos, tan, exp, log, sqrt and rational powers, and any "
-                "function of numbers",
-                to_text(e), "write it with these, or as a number", place_});
+        refuse({"a value in emitted code is made of elementary functions and rational powers", to_text(e),
+                "write it with these, or as a number", place_});
     }
 
     Graph& graph_;

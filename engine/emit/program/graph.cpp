@@ -180,7 +180,7 @@ Graph::Node Graph::root(Node base, int k) {
 
 Graph::Node Graph::function(Op op, std::vector<Node> operands) {
     const Node x = operands.front();
-    const bool odd = op == Op::sin || op == Op::asinh;
+    const bool odd = op == Op::sin || op == Op::asinh || op == Op::sinh || op == Op::erf;
     if (is_rational(x, 0) && odd) return x;
     if (is_rational(x, 0) && (op == Op::cos || op == Op::exp)) return rational(1);
     if (is_rational(x, 1) && op == Op::log) return rational(0);

@@ -34,6 +34,8 @@ public:
         log,
         exp,
         asinh,
+        sinh,
+        erf,
         atan2,           // (y, x)
         sqrt_sum_squares // hypot(a, b)
     };

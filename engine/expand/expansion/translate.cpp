@@ -3,6 +3,10 @@
 
 #include "algebra/number/error.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
+#include "model/text/function_slope.hpp"
+
+#include <optional>
 
 namespace resonform {
 
@@ -85,8 +89,6 @@ Node Translator::function(const ex& e, const Place& place) {
     const auto at_origin = [&](const ex& f) { return program_.constant(coefficients_.convert(f, place)); };
     const Node rest = u0.is_zero() ? u : program_.sum({{1, u}, {-1, at_origin(u0)}});
     if (is_named(e)) return named(named_call(e), u0, rest, place);
-    const std::string name = ex_to<GiNaC::function>(e).get_name();
-    const auto value = [&] { return at_origin(with_argument(e, u0)); };
     const auto sine = [&] {
         if (u0.is_zero()) return program_.sine(u);
         return sum(program_.product(at_origin(GiNaC::sin(u0)), program_.cosine(rest)),
@@ -105,19 +107,22 @@ Node Translator::function(const ex& e, const Place& place) {
         const Rational half = Rational(1) / 2;
         return program_.sum({{half, exponential(1)}, {sign * half, exponential(-1)}});
     };
-    if (name == "sin") return sine();
-    if (name == "cos") return cosine();
-    if (name == "tan") return quotient(sine(), cosine());
-    if (name == "exp") return exponential(1);
-    if (name == "log") return sum(value(), program_.antiderivative(u, program_.power(u, -1)));
-    if (name == "sinh") return hyperbolic(-1);
-    if (name == "cosh") return hyperbolic(1);
-    if (name == "tanh") return quotient(hyperbolic(-1), hyperbolic(1));
-    if (name == "atan") return sum(value(), integral_of(u, 1, -1));
-    if (name == "asin") return sum(value(), integral_of(u, -1, Rational(-1) / 2));
-    refuse({"functions of fast variables are sin cos tan exp log sqrt sinh cosh tanh asin atan and those "
-            "under [functions]",
-            spell(e), "write it with these", place});
+    const std::optional<Function> f = function_of(e);
+    if (!f)
+        refuse({"a function is an elementary one or stands under [functions]", spell(e),
+                "write it with these", place});
+    switch (*f) {
+    case Function::sine: return sine();
+    case Function::cosine: return cosine();
+    case Function::tangent: return quotient(sine(), cosine());
+    case Function::exponential: return exponential(1);
+    case Function::hyperbolic_sine: return hyperbolic(-1);
+    case Function::hyperbolic_cosine: return hyperbolic(1);
+    case Function::hyperbolic_tangent: return quotient(hyperbolic(-1), hyperbolic(1));
+    default: // f(u_0) and the integral of f'(u) du
+        return sum(at_origin(with_argument(e, u0)),
+                   program_.antiderivative(u, (*this)(slope_of(*f, e.op(0)), place)));
+    }
 }
 
 // sum_k f^(k)(u_0) rest^k / k!, as far as the ring has derivatives: through that weight.
@@ -135,13 +140,6 @@ Node Translator::named(const NamedCall& call, const ex& u0, Node rest, const Pla
         addends.emplace_back(1 / factorial, program_.product(coefficient, power));
     }
     return program_.sum(addends);
-}
-
-// f(u) - f(u_0) with f'(u) = (1 + sign u^2)^exponent.
-Node Translator::integral_of(Node u, const Rational& sign, const Rational& exponent) {
-    const Node one = program_.constant(coefficients_.ring()->one());
-    const Node slope = program_.power(program_.sum({{1, one}, {sign, program_.product(u, u)}}), exponent);
-    return program_.antiderivative(u, slope);
 }
 
 Node Translator::sum(Node a, Node b) { return program_.sum({{1, a}, {1, b}}); }

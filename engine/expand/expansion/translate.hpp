@@ -41,7 +41,6 @@ private:
     SeriesProgram::Node function(const GiNaC::ex& e, const Place& place);
     [[nodiscard]] bool holds_angle(const GiNaC::ex& e) const;
     SeriesProgram::Node of_angles(const GiNaC::ex& e, const Place& place);
-    SeriesProgram::Node integral_of(SeriesProgram::Node u, const Rational& sign, const Rational& exponent);
     SeriesProgram::Node named(const NamedCall& call, const GiNaC::ex& u0, SeriesProgram::Node rest,
                               const Place& place);
     SeriesProgram::Node sum(SeriesProgram::Node a, SeriesProgram::Node b);

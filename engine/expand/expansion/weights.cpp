@@ -105,7 +105,7 @@ void Expansion::refuse_leading_term(const State& state, int weight) const {
         });
     };
     const ex rate = state.rate.expand();
-    const std::vector<ex> terms = is_a<GiNaC::add>(rate) ? operands(rate) : std::vector<ex>{rate};
+    const std::vector<ex> terms = terms_of(rate);
     const auto term = std::find_if(terms.begin(), terms.end(), offends);
     refuse({weight < variable.weight
                 ? "a term in the rate of a fast variable has its weight at least"

@@ -20,15 +20,14 @@ using GiNaC::numeric;
 ex root_of(const ex& e) { return GiNaC::sqrt(e); }
 
 // The factors of a rational function: (base, exponent), numbers among them.
-std::vector<std::pair<ex, int>> factors_of(const ex& e) {
+std::vector<std::pair<ex, int>> powers_of(const ex& e) {
     const ex fraction = e.normal().numer_denom();
     std::vector<std::pair<ex, int>> factors;
     for (const int side : {0, 1}) {
         GiNaC::exmap atoms; // pi and roots, which are no polynomials
         const ex polynomial = fraction.op(static_cast<std::size_t>(side)).to_polynomial(atoms);
         const ex factored = GiNaC::factor(polynomial);
-        for (const ex& f :
-             GiNaC::is_a<GiNaC::mul>(factored) ? operands(factored) : std::vector<ex>{factored}) {
+        for (const ex& f : factors_of(factored)) {
             const bool power = GiNaC::is_a<GiNaC::power>(f) && f.op(1).info(GiNaC::info_flags::posint);
             const int exponent = power ? GiNaC::ex_to<numeric>(f.op(1)).to_int() : 1;
             factors.emplace_back((power ? f.op(0) : f).subs(atoms, GiNaC::subs_options::no_pattern),
@@ -74,7 +73,7 @@ private:
     // sqrt(q) of a positive q, squares taken out.
     [[nodiscard]] Root extracted(const ex& q) const {
         Root root{1, 1};
-        for (const auto& [base, exponent] : factors_of(q)) {
+        for (const auto& [base, exponent] : powers_of(q)) {
             if (GiNaC::is_a<numeric>(base)) {
                 root = with_number(root, GiNaC::pow(base, exponent));
                 continue;
@@ -165,7 +164,7 @@ private:
     // c = n^2: sqrt(h +- sqrt(q)) = alpha +- beta with alpha^2 = (h + n)/2, beta^2 = (h - n)/2.
     [[nodiscard]] std::optional<Squares> denested(const ex& h, const ex& c) const {
         ex n = 1;
-        for (const auto& [base, exponent] : factors_of(c)) {
+        for (const auto& [base, exponent] : powers_of(c)) {
             const ex part = GiNaC::is_a<numeric>(base) ? root_of(GiNaC::pow(base, exponent)) : base;
             if (GiNaC::is_a<numeric>(base) ? !part.info(GiNaC::info_flags::rational) : (exponent & 1) != 0)
                 return std::nullopt;

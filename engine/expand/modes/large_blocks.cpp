@@ -97,7 +97,7 @@ std::vector<Factor> LargeBlock::factors() const {
     const ex characteristic = matrix.charpoly(lambda_).normal().numer().to_polynomial(atoms).expand();
     const ex factored = GiNaC::factor(characteristic);
     std::vector<Factor> found;
-    for (const ex& f : GiNaC::is_a<GiNaC::mul>(factored) ? operands(factored) : std::vector<ex>{factored}) {
+    for (const ex& f : factors_of(factored)) {
         const bool power = GiNaC::is_a<GiNaC::power>(f);
         const ex base = (power ? f.op(0) : f).subs(atoms, GiNaC::subs_options::no_pattern).expand();
         if (!base.has(lambda_)) continue;

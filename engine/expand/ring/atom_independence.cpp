@@ -21,7 +21,14 @@ struct Shape {
     bool sums_inverted = false; // a sum under a root or in a denominator
     bool roots = false;
     bool circles = false, atoms = false;
+    bool inverses = false; // exp(asinh(u)) and cos(atan(u)) are algebraic
 };
+
+// Whose arguments do not factor uniquely: atan, asinh, ...
+bool is_inverse(const FunctionAtom& a) {
+    return a.function != Function::named && a.function != Function::logarithm &&
+           !row_of(a.function).slope.empty();
+}
 
 Shape shape_of(const ex& e, const std::vector<FunctionAtom>& atoms, const GiNaC::symbol* pi) {
     Shape shape;
@@ -41,6 +48,7 @@ Shape shape_of(const ex& e, const std::vector<FunctionAtom>& atoms, const GiNaC:
         shape.atoms = true;
         shape.circles =
             shape.circles || atom->function == Function::sine || atom->function == Function::cosine;
+        shape.inverses = shape.inverses || is_inverse(*atom);
         shape.constant = shape.constant && shape_of(atom->argument, atoms, pi).constant;
     }
     return shape;
@@ -56,11 +64,13 @@ void FunctionAtoms::judge_independence() {
         for (std::size_t k = 0; k < atoms_.size(); ++k) n += is_meant(atoms_[k], shapes[k]) ? 1 : 0;
         return n;
     };
-    const auto is_arc = [](const FunctionAtom& a) { return a.function == Function::arc_tangent; };
-    // Those whose arguments do not factor uniquely, and what has a logarithm in it with the circle.
+    // Inverses, and what has a logarithm in it with the circle.
     const int odd = count([&](const FunctionAtom& a, const Shape& s) {
-        return is_arc(a) || (a.function == Function::logarithm && (s.circles || s.roots || s.sums_inverted));
+        return is_inverse(a) ||
+               (a.function == Function::logarithm && (s.circles || s.roots || s.sums_inverted));
     });
+    const int logarithms =
+        count([](const FunctionAtom& a, const Shape&) { return a.function == Function::logarithm; });
     const int constants = count([](const FunctionAtom&, const Shape& s) { return s.constant; });
     for (std::size_t k = 0; k < atoms_.size(); ++k) {
         FunctionAtom& a = atoms_[k];
@@ -69,14 +79,17 @@ void FunctionAtoms::judge_independence() {
         switch (a.function) {
         case Function::exponential:
         case Function::sine:
-        case Function::cosine: a.independent = plain && (!s.constant || !s.atoms); break;
+        case Function::cosine: a.independent = plain && !s.inverses && (!s.constant || !s.atoms); break;
         case Function::logarithm:
             a.independent = plain && !s.roots && (!s.circles || odd == 1) && (!s.constant || constants == 1);
             break;
-        case Function::arc_tangent:
-            a.independent = plain && !s.roots && !s.circles && odd == 1 && !s.constant;
-            break;
         case Function::named: a.independent = plain && !s.roots; break;
+        default:
+            a.independent = plain && !s.roots && !s.circles && odd == 1 && !s.constant;
+            if (a.function != Function::arc_tangent && s.atoms) a.independent = false;
+            // (log(1 + u) - log(1 - u))/2
+            if (a.function == Function::inverse_hyperbolic_tangent && logarithms > 0) a.independent = false;
+            break;
         }
         if (has_pi_ && s.constant && a.function != Function::named) a.independent = false;
     }

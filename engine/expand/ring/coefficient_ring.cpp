@@ -4,12 +4,15 @@
 #include "algebra/number/error.hpp"
 #include "expand/ring/power_product.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
+#include "model/text/function_slope.hpp"
 #include "model/text/named_function.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -80,15 +83,15 @@ ex CoefficientRing::without_angles(const ex& argument) const {
 // What f(u_0 + ...) needs: f(u_0) itself, and of what is expanded about u_0 the slope there.
 void CoefficientRing::collect_function(const ex& e, const ex& u, const Place& place) {
     const auto need = [&](const ex& expression) { needed_.push_back({expression, place}); };
-    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if ((name == "log" && u.is_zero()) || (name == "asin" && (1 - u * u).expand().is_zero()))
+    const std::optional<Function> f = function_of(e);
+    const ex asked = f ? asked_of(u, *f).expand() : ex(1);
+    const bool unreal = asked.info(GiNaC::info_flags::negative) && f != Function::logarithm;
+    if (asked.is_zero() || unreal)
         refuse({"a function is regular at the origin", spell(e),
                 "remove the singularity, or expand about another point", place});
     if (!u.is_zero() || is_named(e)) need(with_argument(e, u));
     expands_named_ = expands_named_ || (is_named(e) && has_weight(e));
-    if (name == "log") need(GiNaC::pow(u, -1));
-    if (name == "atan") need(GiNaC::pow(1 + u * u, -1));
-    if (name == "asin") need(GiNaC::pow(1 - u * u, GiNaC::numeric(-1, 2)));
+    if (f && !row_of(*f).slope.empty()) need(slope_of(*f, u));
 }
 
 // The common parts of arguments, then the atoms with the powers inside, then all other powers.
@@ -185,6 +188,20 @@ void CoefficientRing::freeze(const Divisors& divisors) {
         divisors_.push_back(builder.add(std::move(g)));
     }
     ring_ = builder.freeze();
+    if (set_slopes(builder)) ring_ = builder.freeze();
+}
+
+// The slopes that the ring does not find by itself, as elements of it.
+bool CoefficientRing::set_slopes(RingBuilder& builder) const {
+    bool any = false;
+    for (const FunctionAtom& atom : functions_->atoms()) {
+        const bool found = atom.function == Function::logarithm || atom.function == Function::arc_tangent;
+        if (found || atom.function == Function::named || row_of(atom.function).slope.empty()) continue;
+        const ex slope = slope_of(atom.function, functions_->domain().meaning(atom.argument));
+        builder.set_slope(*ring_->find(atom.symbol.get_name()), *ring_, convert(slope, atom.place));
+        any = true;
+    }
+    return any;
 }
 
 void CoefficientRing::add_symbols(RingBuilder& builder) {
@@ -289,9 +306,9 @@ void CoefficientRing::add_function(const FunctionAtom& atom, std::vector<Generat
 // A sum of products of powers of what the builder has.
 Polynomial CoefficientRing::polynomial(const ex& e, const RingBuilder& builder, const Place& place) const {
     std::vector<Term> terms;
-    for (const ex& term : is_a<GiNaC::add>(e) ? operands(e) : std::vector<ex>{e}) {
+    for (const ex& term : terms_of(e)) {
         Term product{Monomial{}, 1};
-        for (const ex& f : is_a<GiNaC::mul>(term) ? operands(term) : std::vector<ex>{term}) {
+        for (const ex& f : factors_of(term)) {
             const Term t = factor(f, builder, place);
             product = {product.monomial + t.monomial, product.coefficient * t.coefficient};
         }

@@ -91,6 +91,7 @@ public:
     [[nodiscard]] GiNaC::ex expression(const Polynomial& p) const;
 
 private:
+    bool set_slopes(RingBuilder& builder) const; // true: there are some
     struct Base {
         GiNaC::ex expression;
         int index = 1;   // least common denominator of the exponents seen

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ std::vector<Multiple> multiples(const ex& argument) {
     const auto add = [&](const ex& term) {
         Rational factor = 1;
         ex part = 1;
-        for (const ex& f : is_a<GiNaC::mul>(term) ? operands(term) : std::vector<ex>{term}) {
+        for (const ex& f : factors_of(term)) {
             if (is_rational_number(f))
                 factor = factor * to_rational(f);
             else
@@ -118,25 +119,30 @@ private:
                 for (int k = 0; k <= call.derivative + learner_->derivatives_; ++k) named(call.name, k, u);
             return named(call.name, call.derivative, u);
         }
-        const std::string name = ex_to<GiNaC::function>(e).get_name();
-        if (name == "exp") return exponential(u);
-        if (name == "sin") return domain().expanded(angle(u).sine);
-        if (name == "cos") return domain().expanded(angle(u).cosine);
-        if (name == "tan") return domain().expanded(angle(u).sine) / domain().expanded(angle(u).cosine);
-        if (name == "sinh" || name == "cosh") {
-            const ex up = exponential(u);
-            return (up + GiNaC::numeric(name == "cosh" ? 1 : -1) / up) / 2;
-        }
-        if (name == "tanh") {
+        const std::optional<Function> f = function_of(e);
+        if (!f)
+            refuse({"a function is an elementary one or stands under [functions]", spell(e),
+                    "write it with these", place_});
+        switch (*f) {
+        case Function::exponential: return exponential(u);
+        case Function::sine: return domain().expanded(angle(u).sine);
+        case Function::cosine: return domain().expanded(angle(u).cosine);
+        case Function::tangent: return domain().expanded(angle(u).sine) / domain().expanded(angle(u).cosine);
+        case Function::hyperbolic_sine: return half_sum(exponential(u), -1);
+        case Function::hyperbolic_cosine: return half_sum(exponential(u), 1);
+        case Function::hyperbolic_tangent: {
             const ex square = GiNaC::pow(exponential(u), 2);
             return (square - 1) / (square + 1);
         }
-        if (name == "log") return logarithm(u);
-        if (name == "atan") return arc_tangent(u);
-        if (name == "asin") return arc_sine(u);
-        refuse({"functions of slow variables and parameters are sin cos tan exp log sqrt sinh cosh tanh "
-                "asin acos atan and those under [functions]",
-                spell(e), "write it with these", place_});
+        case Function::logarithm: return logarithm(u);
+        case Function::arc_sine: return arc_sine(u);
+        default: return plain(*f, u);
+        }
+    }
+
+    // (E + sign/E)/2
+    static ex half_sum(const ex& exponential, int sign) {
+        return (exponential + GiNaC::numeric(sign) / exponential) / 2;
     }
 
     [[nodiscard]] const CoefficientDomain& domain() const { return known_.domain(); }
@@ -327,23 +333,34 @@ private:
         return sum;
     }
 
-    ex arc_tangent(const ex& u) {
-        if (u.is_zero()) return 0;
-        const bool turned = !is_a<GiNaC::add>(u) && spell(u).front() == '-';
-        const ex chosen = is_a<GiNaC::add>(u) ? canonical_sign(u) : turned ? ex(-u) : u;
-        const ex value = atom(Function::arc_tangent, GiNaC::atan(domain().meaning(chosen)), chosen);
+    // f(u) is an atom; of an odd f the argument has the sign that it always has.
+    ex plain(Function f, const ex& u) {
+        const bool odd = row_of(f).parity == Parity::odd;
+        if (odd && u.is_zero()) return 0;
+        require_slope(f, u);
+        const bool turned = odd && !is_a<GiNaC::add>(u) && spell(u).front() == '-';
+        const ex chosen = odd && is_a<GiNaC::add>(u) ? canonical_sign(u) : turned ? ex(-u) : u;
+        const ex value = atom(f, call(f, domain().meaning(chosen)), chosen);
         return chosen.is_equal(u) ? value : -value;
     }
 
     // asin(u) = atan(u/sqrt(1 - u^2)) for -1 < u < 1
     ex arc_sine(const ex& u) {
         if (u.is_zero()) return 0;
-        const ex square = domain().expanded(1 - u * u);
-        if (!domain().positive(square))
-            refuse(Reason::undecided,
-                   {"an arcsine or arccosine is taken only of what is proved to lie between -1 and 1",
-                    spell(domain().meaning(u)), how_to_make_positive(domain().meaning(square)), place_});
-        return arc_tangent(argument(u * GiNaC::pow(square, GiNaC::numeric(-1, 2))));
+        require_slope(Function::arc_sine, u);
+        const ex square = domain().expanded(asked_of(u, Function::arc_sine));
+        return plain(Function::arc_tangent, argument(u * GiNaC::pow(square, GiNaC::numeric(-1, 2))));
+    }
+
+    void require_slope(Function f, const ex& u) const {
+        const ex asked = domain().expanded(asked_of(u, f));
+        if (asked.is_equal(1) || domain().positive(asked)) return;
+        const bool above = row_of(f).argument == Argument::at_least_one;
+        refuse(Reason::undecided,
+               {fmt::format("{} is taken only of what is proved to {}",
+                            f == Function::arc_sine ? "an arcsine or arccosine" : row_of(f).name,
+                            above ? "be greater than 1" : "lie between -1 and 1"),
+                spell(domain().meaning(u)), how_to_make_positive(domain().meaning(asked)), place_});
     }
 
     const FunctionAtoms& known_;

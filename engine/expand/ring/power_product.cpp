@@ -280,12 +280,6 @@ PowerProduct split_power(const ex& base, const Rational& exponent, const Coeffic
     return splitter.result;
 }
 
-Rational to_rational(const ex& number) {
-    return cln::the<cln::cl_RA>(ex_to<GiNaC::numeric>(number).to_cl_N());
-}
-
-ex to_ginac(const Rational& number) { return GiNaC::numeric(number); }
-
 std::string how_to_make_positive(const ex& e) {
     if (is_constant(e)) return mend_of_constant;
     const std::string declare = "declare what is positive: ";

@@ -34,9 +34,6 @@ struct PowerProduct {
 PowerProduct split_power(const GiNaC::ex& base, const Rational& exponent, const CoefficientDomain& domain,
                          const Place& place);
 
-Rational to_rational(const GiNaC::ex& number); // precondition: a rational GiNaC number
-GiNaC::ex to_ginac(const Rational& number);
-
 // The mend where e is not proved to be positive: what to write into the system file.
 std::string how_to_make_positive(const GiNaC::ex& e);
 

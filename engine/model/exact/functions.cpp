@@ -5,9 +5,11 @@
 #include "model/exact/written_form.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace resonform {
@@ -18,11 +20,6 @@ using GiNaC::numeric;
 namespace {
 
 constexpr int most_multiples = 16; // of u in sin(n*u), exp(n*u)
-
-std::vector<ex> terms_of(const ex& sum) {
-    if (GiNaC::is_a<GiNaC::add>(sum)) return operands(sum);
-    return {sum};
-}
 
 // c * rest with a rational c.
 std::pair<numeric, ex> split(const ex& term) {
@@ -59,8 +56,6 @@ bool is_rational_operation(const ex& e) {
     return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e) ||
            (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer));
 }
-
-std::string name_of(const ex& function) { return GiNaC::ex_to<GiNaC::function>(function).get_name(); }
 
 } // namespace
 
@@ -107,21 +102,28 @@ ex ExactForm::function(const ex& e) {
     if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1)
         refuse({"an expression of a mechanism is made of rational powers and the known functions",
                 excerpt(spell(e)), "write it in these", place_});
-    const std::string name = name_of(e);
-    if (name == "sin") return angle(e.op(0)).sine;
-    if (name == "cos") return angle(e.op(0)).cosine;
-    if (name == "exp") return exponential(e.op(0));
-    if (name == "tan" || name == "tanh") {
-        const Unit unit = angle(e.op(0), name == "tanh");
-        return unit.sine / unit.cosine;
+    const std::optional<Function> f = function_of(e);
+    if (!f)
+        refuse({"a function is an elementary one or stands under [functions]", excerpt(spell(e)),
+                "write it with these", place_});
+    const auto tangent = [](const Unit& unit) { return unit.sine / unit.cosine; };
+    switch (*f) {
+    case Function::sine: return angle(e.op(0)).sine;
+    case Function::cosine: return angle(e.op(0)).cosine;
+    case Function::exponential: return exponential(e.op(0));
+    case Function::tangent: return tangent(angle(e.op(0)));
+    case Function::hyperbolic_tangent: return tangent(angle(e.op(0), true));
+    case Function::hyperbolic_sine: return angle(e.op(0), true).sine;
+    case Function::hyperbolic_cosine: return angle(e.op(0), true).cosine;
+    default: break;
     }
-    if (name == "sinh") return angle(e.op(0), true).sine;
-    if (name == "cosh") return angle(e.op(0), true).cosine;
+    const std::string name(row_of(*f).name);
     const Signed argument = signed_argument(e.op(0));
-    if (argument.value.is_zero()) return name == "log" ? e : ex(0);
-    if (name == "log") return generator(GiNaC::log(argument.sign * argument.value), name, e.op(0));
-    if (name == "asin") return argument.sign * generator(GiNaC::asin(argument.value), name, argument.value);
-    return argument.sign * generator(GiNaC::atan(argument.value), name, argument.value);
+    if (row_of(*f).parity != Parity::odd)
+        return argument.value.is_zero() ? e
+                                        : generator(call(*f, argument.sign * argument.value), name, e.op(0));
+    if (argument.value.is_zero()) return 0;
+    return argument.sign * generator(call(*f, argument.value), name, argument.value);
 }
 
 ExactForm::Signed ExactForm::signed_argument(const ex& argument) {
@@ -184,19 +186,26 @@ ExactForm::Unit ExactForm::angle_of_term(const ex& term, bool hyperbolic) {
 
 // cos(atan(u)) = 1/sqrt(1 + u^2)
 ExactForm::Unit ExactForm::unit_of_arc(const ex& function) {
-    const std::string name = name_of(function);
-    if (name != "atan" && name != "asin") return circle(function);
+    const std::optional<Function> f = function_of(function);
+    if (f != Function::arc_tangent && f != Function::arc_sine) return circle(function);
     const ex u = converted(function.op(0));
-    if (name == "asin") return {root(1 - u * u, 2), u};
+    if (f == Function::arc_sine) return {root(1 - u * u, 2), u};
     const ex hypotenuse = root(1 + u * u, 2);
     return {1 / hypotenuse, u / hypotenuse};
 }
 
-// cosh(log(u)) = (u + 1/u)/2
+// cosh(log(u)) = (u + 1/u)/2, cosh(asinh(u)) = sqrt(1 + u^2)
 ExactForm::Unit ExactForm::unit_of_logarithm(const ex& function) {
-    if (name_of(function) != "log") return circle(function, true);
+    const std::optional<Function> f = function_of(function);
+    if (f != Function::logarithm && f != Function::inverse_hyperbolic_sine &&
+        f != Function::inverse_hyperbolic_cosine && f != Function::inverse_hyperbolic_tangent)
+        return circle(function, true);
     const ex u = converted(function.op(0));
-    return {(u + 1 / u) / 2, (u - 1 / u) / 2};
+    if (f == Function::logarithm) return {(u + 1 / u) / 2, (u - 1 / u) / 2};
+    if (f == Function::inverse_hyperbolic_sine) return {root(1 + u * u, 2), u};
+    if (f == Function::inverse_hyperbolic_cosine) return {u, root(u * u - 1, 2)};
+    const ex cosine = 1 / root(1 - u * u, 2);
+    return {cosine, u * cosine};
 }
 
 ExactForm::Unit ExactForm::angle_of_multiple_of_pi(const numeric& multiple) {

@@ -3,7 +3,7 @@
 
 #include "model/exact/written_form.hpp"
 #include "model/text/canonical.hpp"
-#include "model/text/named_function.hpp"
+#include "model/text/function_call.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -89,35 +89,41 @@ private:
     }
 
     bool invert_function(ex& f, ex& t) {
-        if (!GiNaC::is_a<GiNaC::function>(f) || is_named(f)) return false;
-        const std::string name = GiNaC::ex_to<GiNaC::function>(f).get_name();
-        const ex u = f.op(0), right = GiNaC::Pi / 2;
-        const std::optional<ex> value = inverse_of(name, u, t, right);
+        if (!function_of(f)) return false;
+        const ex u = f.op(0);
+        const std::optional<ex> value = inverse_of(*function_of(f), u, t);
         if (!value) return false;
         f = u;
         t = *value;
         return true;
     }
 
-    // u, where name(u) = t
-    std::optional<ex> inverse_of(const std::string& name, const ex& u, const ex& t, const ex& right) {
+    // u, where f(u) = t
+    std::optional<ex> inverse_of(Function f, const ex& u, const ex& t) {
+        const ex right = GiNaC::Pi / 2;
         const auto where = [](bool holds, const ex& value) {
             return holds ? std::optional<ex>(value) : std::nullopt;
         };
-        if (name == "log") return GiNaC::exp(t);
-        if (name == "exp") return where(proved(t), GiNaC::log(t));
-        if (name == "sinh") return GiNaC::log(t + GiNaC::sqrt(t * t + 1));
-        if (name == "cosh") {
+        switch (f) {
+        case Function::logarithm: return GiNaC::exp(t);
+        case Function::exponential: return where(proved(t), GiNaC::log(t));
+        case Function::hyperbolic_sine: return GiNaC::log(t + GiNaC::sqrt(t * t + 1));
+        case Function::hyperbolic_cosine: {
             const int s = sign(u);
             return where(s != 0, s * GiNaC::log(t + GiNaC::sqrt(t * t - 1)));
         }
-        if (name == "tanh") return where(proved_between(-1, t, 1), GiNaC::log((1 + t) / (1 - t)) / 2);
-        if (name == "atan") return where(proved_between(-right, t, right), GiNaC::tan(t));
-        if (name == "asin") return where(proved_between(-right, t, right), GiNaC::sin(t));
-        if (name == "tan") return where(proved_between(-right, u, right), GiNaC::atan(t));
-        if (name == "sin") return where(proved_between(-right, u, right), GiNaC::asin(t));
-        if (name == "cos") return where(proved_between(0, u, GiNaC::Pi), right - GiNaC::asin(t));
-        return std::nullopt;
+        case Function::hyperbolic_tangent:
+            return where(proved_between(-1, t, 1), GiNaC::log((1 + t) / (1 - t)) / 2);
+        case Function::arc_tangent: return where(proved_between(-right, t, right), GiNaC::tan(t));
+        case Function::arc_sine: return where(proved_between(-right, t, right), GiNaC::sin(t));
+        case Function::inverse_hyperbolic_sine: return GiNaC::sinh(t);
+        case Function::inverse_hyperbolic_cosine: return where(proved(t), GiNaC::cosh(t));
+        case Function::inverse_hyperbolic_tangent: return GiNaC::tanh(t);
+        case Function::tangent: return where(proved_between(-right, u, right), GiNaC::atan(t));
+        case Function::sine: return where(proved_between(-right, u, right), GiNaC::asin(t));
+        case Function::cosine: return where(proved_between(0, u, GiNaC::Pi), right - GiNaC::asin(t));
+        default: return std::nullopt;
+        }
     }
 
     const GiNaC::symbol& y_;

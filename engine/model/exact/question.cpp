@@ -4,12 +4,13 @@
 #include "model/exact/form.hpp"
 #include "model/signs/sign_prover.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/growth.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,11 +51,11 @@ ExactForm form_of(const System& system) {
     return form;
 }
 
-std::vector<ex> factors_of(const ex& polynomial) {
+std::vector<ex> factorised(const ex& polynomial) {
     const bool factors =
         polynomial.nops() <= largest_compared && polynomial.info(GiNaC::info_flags::rational_polynomial);
     const ex factored = factors ? GiNaC::factor(polynomial) : polynomial;
-    return GiNaC::is_a<GiNaC::mul>(factored) ? operands(factored) : std::vector<ex>{factored};
+    return factors_of(factored);
 }
 
 // The factors of numerator and denominator whose sign is not known. `declared`: it is positive, so that no
@@ -64,7 +65,7 @@ ex of_equal_sign(const ex& e, ExactForm& form, const SignProver& prover, bool de
     const ProvedSign least = declared ? ProvedSign::nonnegative : ProvedSign::positive;
     ex result = 1;
     for (const ex& polynomial : {f.numerator, f.denominator})
-        for (const ex& factor : factors_of(polynomial)) {
+        for (const ex& factor : factorised(polynomial)) {
             const ex value = form.meaning(factor).expand();
             if (prover.sign(value) >= least) continue;
             result *= prover.sign((-value).expand()) >= least ? ex(-1) : value;
@@ -77,12 +78,12 @@ ex of_equal_sign(const ex& e, ExactForm& form, const SignProver& prover, bool de
 struct Exponentials : GiNaC::map_function {
     ex operator()(const ex& e) override {
         ex mapped = e.map(*this);
-        if (!GiNaC::is_a<GiNaC::function>(mapped) || is_named(mapped)) return mapped;
-        const std::string name = GiNaC::ex_to<GiNaC::function>(mapped).get_name();
+        const std::optional<Function> f = function_of(mapped);
+        if (!f) return mapped;
         const ex up = GiNaC::exp(mapped.op(0)), down = GiNaC::exp(-mapped.op(0));
-        if (name == "sinh") return (up - down) / 2;
-        if (name == "cosh") return (up + down) / 2;
-        return name == "tanh" ? (up - down) / (up + down) : mapped;
+        if (f == Function::hyperbolic_sine) return (up - down) / 2;
+        if (f == Function::hyperbolic_cosine) return (up + down) / 2;
+        return f == Function::hyperbolic_tangent ? (up - down) / (up + down) : mapped;
     }
 };
 

@@ -2,6 +2,7 @@
 #include "model/files/dimension.hpp"
 
 #include "algebra/number/error.hpp"
+#include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/expression.hpp"
 #include "model/text/lexer.hpp"
@@ -38,8 +39,7 @@ GiNaC::ex value_of(const std::string& text, const SourceText& source, Units& uni
 bool take(Dimension& dimension, const GiNaC::ex& factor) {
     const bool raised = GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::rational);
     const GiNaC::ex base = raised ? factor.op(0) : factor;
-    const Rational exponent =
-        raised ? cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_cl_N()) : Rational(1);
+    const Rational exponent = raised ? to_rational(factor.op(1)) : Rational(1);
     if (!GiNaC::is_a<GiNaC::symbol>(base)) return factor.is_equal(1);
     dimension = product(dimension, {{GiNaC::ex_to<GiNaC::symbol>(base).get_name(), exponent}});
     return true;

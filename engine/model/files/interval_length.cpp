@@ -2,7 +2,9 @@
 #include "model/files/interval_length.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/real_ball.hpp"
 #include "model/text/diagnostic.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/regular.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +24,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double cancelled = 1e-12; // of the largest term: what is left of a sum has too few digits
-constexpr double tiny_angle = -30;  // ln of an angle that is its own sine and tangent
+constexpr double tiny_angle = -30;  // ln of an angle that is its own sine, tangent, ...
 
 // sign exp(log): a number of any size. Not known: log is NaN.
 struct Size {
@@ -98,13 +101,16 @@ public:
 private:
     [[nodiscard]] Size function(const GiNaC::ex& e) const {
         const Size argument = of(e.op(0));
-        const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-        if (name == "exp") return {1, plain(argument)};
-        if (name == "log") return argument.sign > 0 ? of_number(argument.log) : unknown;
+        const std::optional<Function> f = function_of(e);
+        if (!f) return unknown;
+        if (f == Function::exponential) return {1, plain(argument)};
+        if (f == Function::logarithm) return argument.sign > 0 ? of_number(argument.log) : unknown;
         const bool tiny = argument.sign == 0 || argument.log < tiny_angle;
-        if (name == "sin") return tiny ? argument : of_number(std::sin(plain(argument)));
-        if (name == "tan") return tiny ? argument : of_number(std::tan(plain(argument)));
-        if (name == "cos") return of_number(std::cos(plain(argument)));
+        if (tiny && row_of(*f).parity == Parity::odd && f != Function::error_function) return argument;
+        RealBall value;
+        arb_set_d(value.get(), plain(argument));
+        row_of(*f).enclose(value.get(), value.get(), 64);
+        if (value.is_finite()) return of_number(nearest_double(value));
         return unknown;
     }
 

@@ -90,8 +90,7 @@ Dimension UnitCheck::unit(const ex& e, const SourceText& source) {
         return result;
     }
     if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::rational))
-        return power(unit(e.op(0), source),
-                     cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_cl_N()));
+        return power(unit(e.op(0), source), to_rational(e.op(1)));
     if (GiNaC::is_a<GiNaC::function>(e)) return of_function(e, source);
     return {};
 }

@@ -4,7 +4,9 @@
 #include "model/integrals/circular_integral.hpp"
 #include "model/integrals/rational_integral.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace resonform {
@@ -23,7 +25,7 @@ public:
     std::optional<ex> of(const ex& e) const {
         ex result = 0;
         const ex sum = e.expand();
-        for (const ex& term : GiNaC::is_a<GiNaC::add>(sum) ? operands(sum) : std::vector<ex>{sum}) {
+        for (const ex& term : terms_of(sum)) {
             const auto one = of_term(term);
             if (!one) return std::nullopt;
             result += *one;
@@ -40,10 +42,6 @@ private:
         if (auto f = integral_by_substitution(term, x_, positive_)) return f;
         if (auto f = by_parts(term)) return f;
         return by_chain_rule(term);
-    }
-
-    static std::vector<ex> factors_of(const ex& term) {
-        return GiNaC::is_a<GiNaC::mul>(term) ? operands(term) : std::vector<ex>{term};
     }
 
     // c x^n (a x + b)^r, in u = a x + b
@@ -72,11 +70,10 @@ private:
     std::optional<ex> by_parts(const ex& term) const {
         ex polynomial = 1, inverse = 0;
         for (const ex& factor : factors_of(term)) {
-            const std::string name =
-                GiNaC::is_a<GiNaC::function>(factor) ? GiNaC::ex_to<GiNaC::function>(factor).get_name() : "";
+            const std::optional<Function> f = function_of(factor);
             if (factor.is_polynomial(x_))
                 polynomial *= factor;
-            else if ((name == "log" || name == "atan") && inverse.is_zero())
+            else if ((f == Function::logarithm || f == Function::arc_tangent) && inverse.is_zero())
                 inverse = factor;
             else
                 return std::nullopt;
@@ -118,7 +115,7 @@ private:
             }
             if (!GiNaC::is_a<GiNaC::function>(part)) continue;
             if (part.nops() == 1) add(part.op(0));
-            if (GiNaC::ex_to<GiNaC::function>(part).get_name() != "tan") add(part);
+            if (function_of(part) != Function::tangent) add(part);
         }
         return found;
     }

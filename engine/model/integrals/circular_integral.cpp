@@ -3,8 +3,10 @@
 
 #include "model/integrals/rational_integral.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace resonform {
@@ -15,9 +17,8 @@ using GiNaC::ex;
 
 constexpr std::size_t most_terms = 1024; // of a product of sines and cosines
 
-std::string function_of(const ex& e) {
-    return GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name() : "";
-}
+bool is_circular(Function f) { return f == Function::sine || f == Function::cosine; }
+bool is_hyperbolic(Function f) { return f == Function::hyperbolic_sine || f == Function::hyperbolic_cosine; }
 
 // exp(growth)*(c*cos(angle) + s*sin(angle)), or with cosh and sinh
 struct Wave {
@@ -36,10 +37,10 @@ public:
             constant_ *= factor;
         } else if (base.is_equal(x_) && n > 0) {
             degree_ += n;
-        } else if (function_of(base) == "exp") {
+        } else if (function_of(base) == Function::exponential) {
             for (Wave& wave : waves_) wave.growth += n * base.op(0);
-        } else if (const std::string name = function_of(base); n > 0 && is_wave(name)) {
-            for (int k = 0; k < n; ++k) multiply(name.substr(0, 3) == "cos", base.op(0));
+        } else if (const std::optional<Function> f = function_of(base); f && n > 0 && is_wave(*f)) {
+            for (int k = 0; k < n; ++k) multiply(row_of(*f).parity == Parity::even, base.op(0));
         } else {
             return false;
         }
@@ -58,8 +59,8 @@ public:
 
 private:
     // All circular, or all hyperbolic.
-    bool is_wave(const std::string& name) {
-        const bool circular = name == "sin" || name == "cos", hyperbolic = name == "sinh" || name == "cosh";
+    bool is_wave(Function f) {
+        const bool circular = is_circular(f), hyperbolic = is_hyperbolic(f);
         if ((circular && hyperbolic_) || (hyperbolic && circular_)) return false;
         circular_ = circular_ || circular;
         hyperbolic_ = hyperbolic_ || hyperbolic;
@@ -145,10 +146,10 @@ public:
 private:
     // false: a function with x in it that is none of these, or of another argument.
     bool note(const ex& part) {
-        const std::string name = function_of(part);
-        if (name.empty()) return true;
-        const bool hyperbolic = name == "sinh" || name == "cosh" || name == "tanh";
-        if (!hyperbolic && name != "sin" && name != "cos" && name != "tan") return false;
+        if (!GiNaC::is_a<GiNaC::function>(part)) return true;
+        const std::optional<Function> f = function_of(part);
+        const bool hyperbolic = f && (is_hyperbolic(*f) || f == Function::hyperbolic_tangent);
+        if (!hyperbolic && !(f && (is_circular(*f) || f == Function::tangent))) return false;
         if (argument_.is_zero()) {
             argument_ = part.op(0);
             hyperbolic_ = hyperbolic;
@@ -196,7 +197,7 @@ private:
         const auto h = even_part(f.subs(s_ == t * c_), c_, 1 / square);
         auto result = integrated(h ? std::optional<ex>(*h / square) : h, t, sine() / cosine());
         if (result) result = result->subs(GiNaC::atan(sine() / cosine()) == argument_); // without its jumps
-        const auto is_arc = [](const ex& part) { return function_of(part) == "atan"; };
+        const auto is_arc = [](const ex& part) { return function_of(part) == Function::arc_tangent; };
         if (result && std::any_of(result->preorder_begin(), result->preorder_end(), is_arc))
             return std::nullopt;
         return result;

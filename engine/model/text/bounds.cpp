@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/bounds.hpp"
 
+#include "algebra/number/number.hpp"
+#include "model/text/function_call.hpp"
+
 #include <algorithm>
-#include <string>
+#include <string_view>
 
 namespace resonform {
 
@@ -40,13 +43,12 @@ Bounds product_of_bounds(const Bounds& a, const Bounds& b) {
 }
 
 Bounds bounds_of_function(const ex& e) {
-    const std::string name = ex_to<GiNaC::function>(e).get_name();
-    if (name == "sin" || name == "cos" || name == "tanh") return {numeric(-1), numeric(1)};
-    const numeric half_pi(11, 7); // a little more
-    if (name == "atan" || name == "asin") return {-half_pi, half_pi};
-    if (name == "cosh") return {numeric(1), std::nullopt};
-    if (name == "exp") return {numeric(0), std::nullopt};
-    return {};
+    const std::optional<Function> f = function_of(e);
+    if (!f) return {};
+    const auto bound = [](std::string_view text) {
+        return text.empty() ? std::nullopt : std::optional(numeric(cln::cl_N(parse_rational(text))));
+    };
+    return {bound(row_of(*f).low), bound(row_of(*f).high)};
 }
 
 } // namespace

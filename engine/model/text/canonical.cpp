@@ -125,4 +125,14 @@ bool holds_functions_or_roots(const ex& e) {
 
 ex canonical_sign(const ex& sum) { return begins_negative(sum) ? (-sum).expand() : sum; }
 
+std::vector<ex> terms_of(const ex& e) { return is_a<GiNaC::add>(e) ? operands(e) : std::vector<ex>{e}; }
+
+std::vector<ex> factors_of(const ex& e) { return is_a<GiNaC::mul>(e) ? operands(e) : std::vector<ex>{e}; }
+
+Rational to_rational(const ex& number) {
+    return cln::the<cln::cl_RA>(ex_to<GiNaC::numeric>(number).to_cl_N());
+}
+
+ex to_ginac(const Rational& number) { return GiNaC::numeric(number); }
+
 } // namespace resonform

@@ -3,6 +3,8 @@
 // over them and may refuse, choose or print does it in the order of their spelling instead.
 #pragma once
 
+#include "algebra/number/number.hpp"
+
 #include <ginac/ginac.h>
 
 #include <string>
@@ -17,6 +19,13 @@ std::string spell(const GiNaC::ex& e);
 // The operands of any expression; those of a sum or a product sorted by their spelling. Cost: that of
 // spelling e, so that a walk through all levels costs size times depth.
 std::vector<GiNaC::ex> operands(const GiNaC::ex& e);
+
+// The terms of a sum, or e alone; the factors of a product.
+std::vector<GiNaC::ex> terms_of(const GiNaC::ex& e);
+std::vector<GiNaC::ex> factors_of(const GiNaC::ex& e);
+
+Rational to_rational(const GiNaC::ex& number); // precondition: a rational GiNaC number
+GiNaC::ex to_ginac(const Rational& number);
 
 // What is more than a rational expression in its symbols.
 bool holds_functions_or_roots(const GiNaC::ex& e);

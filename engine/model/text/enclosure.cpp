@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/enclosure.hpp"
 
+#include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
-#include <string>
 
 namespace resonform {
 
@@ -77,15 +76,11 @@ private:
     }
 
     [[nodiscard]] Value of_function(const ex& e) const {
-        static const std::map<std::string, void (*)(arb_t, const arb_t, slong)> functions{
-            {"exp", arb_exp},   {"log", arb_log},   {"sin", arb_sin},   {"cos", arb_cos},
-            {"tan", arb_tan},   {"sinh", arb_sinh}, {"cosh", arb_cosh}, {"tanh", arb_tanh},
-            {"asin", arb_asin}, {"acos", arb_acos}, {"atan", arb_atan}};
-        const auto function = functions.find(ex_to<GiNaC::function>(e).get_name());
-        const Value argument = function == functions.end() ? std::nullopt : of(e.op(0));
+        const std::optional<Function> f = function_of(e);
+        const Value argument = f ? of(e.op(0)) : std::nullopt;
         if (!argument) return std::nullopt;
         RealBall result;
-        function->second(result.get(), argument->get(), bits_);
+        row_of(*f).enclose(result.get(), argument->get(), bits_);
         return checked(std::move(result));
     }
 

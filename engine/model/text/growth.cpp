@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/growth.hpp"
 
+#include "model/text/function_call.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace resonform {
 
@@ -74,8 +77,9 @@ double terms_in_exact_form(const GiNaC::ex& e) {
     if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
         return of_power({first, 1, 0, 0}, GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_double()).terms;
     if (GiNaC::is_a<GiNaC::function>(e)) {
-        const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-        const bool divided = name == "sin" || name == "cos" || name == "sinh" || name == "cosh";
+        const std::optional<Function> f = function_of(e);
+        const bool divided = f == Function::sine || f == Function::cosine || f == Function::hyperbolic_sine ||
+                             f == Function::hyperbolic_cosine;
         return divided ? terms_of_circular(e.op(0), first) : 1;
     }
     double total = first;

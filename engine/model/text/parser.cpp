@@ -4,12 +4,14 @@
 #include "algebra/number/error.hpp"
 #include "algebra/number/number.hpp"
 #include "model/text/diagnostic.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 
 namespace resonform {
 
@@ -24,18 +26,8 @@ bool is_function(const std::string& name) {
 }
 
 ex apply(const std::string& function, const ex& x) {
-    if (function == "sin") return GiNaC::sin(x);
-    if (function == "cos") return GiNaC::cos(x);
-    if (function == "tan") return GiNaC::tan(x);
-    if (function == "exp") return GiNaC::exp(x);
-    if (function == "log") return GiNaC::log(x);
-    if (function == "sinh") return GiNaC::sinh(x);
-    if (function == "cosh") return GiNaC::cosh(x);
-    if (function == "tanh") return GiNaC::tanh(x);
-    if (function == "asin") return GiNaC::asin(x);
-    if (function == "acos") return GiNaC::Pi / 2 - GiNaC::asin(x); // so that pi cancels where it can
-    if (function == "atan") return GiNaC::atan(x);
-    return GiNaC::sqrt(x);
+    const std::optional<Function> known = function_called(function);
+    return known ? call(*known, x) : ex(GiNaC::sqrt(x));
 }
 
 bool begins_operand(TokenKind kind) {

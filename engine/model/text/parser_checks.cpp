@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the parser refuses, and how it says so.
 #include "algebra/number/error.hpp"
+#include "algebra/number/functions.hpp"
 #include "model/text/diagnostic.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/nearest.hpp"
 #include "model/text/parser.hpp"
 #include "model/text/scope.hpp"
 #include "model/text/zero_test.hpp"
+
+#include <optional>
 
 namespace resonform {
 
@@ -42,9 +46,9 @@ void Parser::check_argument(const std::string& function, const Piece& argument) 
         complain(argument.begin, argument.end, "log has no value at zero", "correct the argument");
     }
     if (!GiNaC::is_a<numeric>(argument.value)) return;
-    const numeric x = GiNaC::ex_to<numeric>(argument.value);
-    const bool real = ((function != "log" && function != "sqrt") || !x.is_negative()) &&
-                      ((function != "asin" && function != "acos") || GiNaC::abs(x) <= numeric(1));
+    const std::optional<Function> known = function_called(function);
+    const GiNaC::ex asked = known ? asked_of(argument.value, *known) : argument.value;
+    const bool real = (!known && function != "sqrt") || !asked.info(GiNaC::info_flags::negative);
     if (!real) {
         complain(argument.begin, argument.end, function + " of this number is not real",
                  "write the real value meant");

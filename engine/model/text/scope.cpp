@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/text/scope.hpp"
 
+#include "algebra/number/functions.hpp"
+
 #include <algorithm>
 
 namespace resonform {
@@ -34,8 +36,14 @@ std::vector<std::string> Scope::names() const {
 }
 
 const std::vector<std::string>& function_names() {
-    static const std::vector<std::string> names = {"sin",  "cos",  "tan",  "exp",  "log",  "sqrt",
-                                                   "sinh", "cosh", "tanh", "asin", "acos", "atan"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const FunctionRow& row : function_rows()) {
+            all.emplace_back(row.name);
+            if (row.function == Function::logarithm) all.emplace_back("sqrt");
+        }
+        return all;
+    }();
     return names;
 }
 

@@ -42,7 +42,7 @@ struct Limits {
     double degree = 10000;       // of the expression when it is expanded
 };
 
-// sin cos tan exp log sqrt sinh cosh tanh asin acos atan
+// Of the table of functions, and sqrt, which is read as a power.
 const std::vector<std::string>& function_names();
 
 } // namespace resonform

@@ -2,6 +2,7 @@
 #include "model/text/toml_values.hpp"
 
 #include "algebra/number/error.hpp"
+#include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/nearest.hpp"
 
@@ -97,7 +98,7 @@ Rational number_of(const TomlNode& node) {
         bad_value(node, "'" + node.source.key + "' is a rational number",
                   "write a number such as 0.25 or \"1/3\"");
     }
-    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+    return to_rational(value);
 }
 
 GiNaC::ex expression_of(const TomlNode& node, const Scope& scope) {

@@ -3,6 +3,9 @@
 
 #include "model/text/canonical.hpp"
 #include "model/text/enclosure.hpp"
+#include "model/text/function_call.hpp"
+
+#include <optional>
 
 namespace resonform {
 
@@ -11,17 +14,15 @@ std::string why_unreal(const GiNaC::ex& e, const GiNaC::exmap& point) {
         const bool fractional = GiNaC::is_a<GiNaC::power>(*part) &&
                                 GiNaC::is_a<GiNaC::numeric>(part->op(1)) &&
                                 !GiNaC::ex_to<GiNaC::numeric>(part->op(1)).is_integer();
-        const std::string name =
-            GiNaC::is_a<GiNaC::function>(*part) ? GiNaC::ex_to<GiNaC::function>(*part).get_name() : "";
-        if (!fractional && name != "log" && name != "asin" && name != "acos") continue;
-        const GiNaC::ex argument = part->op(0);
-        const auto sign = [&](const GiNaC::ex& value) {
-            const std::optional<RealBall> there = enclose(value, point);
-            return there ? there->sign() : 0;
-        };
-        if ((fractional || name == "log") && sign(argument) < 0) return spell(argument) + " is negative";
-        if (name.substr(0, 1) == "a" && (sign(argument - 1) > 0 || sign(argument + 1) < 0))
-            return spell(argument) + " is not within -1 ... 1";
+        const std::optional<Function> f = function_of(*part);
+        if (!fractional && !f) continue;
+        const std::optional<RealBall> asked =
+            enclose(fractional ? part->op(0) : asked_of(part->op(0), *f), point);
+        if (!asked || asked->sign() >= 0) continue;
+        const Argument wanted = fractional ? Argument::positive : row_of(*f).argument;
+        return spell(part->op(0)) + (wanted == Argument::positive       ? " is negative"
+                                     : wanted == Argument::at_least_one ? " is less than 1"
+                                                                        : " is not within -1 ... 1");
     }
     return "";
 }

@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "algebra/number/real_ball.hpp"
 #include "expand/ring/power_product.hpp"
+#include "model/text/canonical.hpp"
 #include "model/text/enclosure.hpp"
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 #include "algebra/number/real_ball.hpp"
 #include "expand/expansion/graded_field.hpp"
 #include "expand/modes/number_index.hpp"
+#include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
 #include "normalize/recursion/divisor.hpp"
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "runtime/scaled.hpp"
+#include "verify/evaluate/graph_function.hpp"
 #include "verify/evaluate/graph_walk.hpp"
 #include "verify/evaluate/interpretation.hpp"
 
@@ -57,15 +58,7 @@ private:
         case StraightLine::Op::root: return i.index == 2 ? sqrt(x(0)) : root(x(0), i.index);
         case StraightLine::Op::function: break;
         }
-        switch (i.function) {
-        case Graph::Op::sin: return sin(x(0));
-        case Graph::Op::cos: return cos(x(0));
-        case Graph::Op::log: return log(x(0));
-        case Graph::Op::exp: return exp(x(0));
-        case Graph::Op::asinh: return asinh(x(0));
-        case Graph::Op::atan2: return atan2(x(0), x(1));
-        default: return hypot(x(0), x(1));
-        }
+        return graph_function(i.function, x(0), x(i.operands.size() - 1));
     }
 
     const CppPlan* plan_;

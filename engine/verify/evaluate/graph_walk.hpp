@@ -5,7 +5,7 @@
 #include "algebra/number/binary_parts.hpp"
 #include "emit/program/graph.hpp"
 #include "runtime/scaled.hpp"
-#include "runtime/twice.hpp"
+#include "verify/evaluate/graph_function.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -90,13 +90,7 @@ private:
             result = power(x(0), e.exponent < 0 ? -e.exponent : e.exponent);
             return e.exponent < 0 ? per(result) : result;
         case Graph::Op::root: return e.exponent == 2 ? Number(sqrt(x(0))) : root(x(0), e.exponent);
-        case Graph::Op::sin: return sin(x(0));
-        case Graph::Op::cos: return cos(x(0));
-        case Graph::Op::log: return log(x(0));
-        case Graph::Op::exp: return exp(x(0));
-        case Graph::Op::asinh: return asinh(x(0));
-        case Graph::Op::atan2: return atan2(x(0), x(1));
-        case Graph::Op::sqrt_sum_squares: return hypot(x(0), x(1));
+        default: return graph_function(e.op, x(0), x(e.operands.size() - 1));
         }
         return result;
     }

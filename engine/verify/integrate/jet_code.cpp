@@ -140,7 +140,7 @@ private:
     [[nodiscard]] std::string short_sum(int a, const std::string& b) const {
         return short_sum(a, b, [](int) { return std::string(); });
     }
-    // sum_{j=1}^{n} j a_j b_{n-j}; b is another register than a.
+    // sum_{j=1}^{n} j a_j b_{n-j}; b is another register than a, or a constant.
     std::string derivative_sum(int a, int b) {
         if (polynomial(a))
             return short_sum(a, name(b), [](int j) { return j == 1 ? "" : fmt::format("{}.0*", j); });
@@ -203,13 +203,6 @@ private:
         set(s.result, derivative_sum(s.left, s.result + 1) + "*im");
         square(s.result, s.result + 1, sign);
     }
-    // b' = a'/w
-    void antiderivative(const Step& s) {
-        const std::string lower = polynomial(s.right) ? short_sum(s.right, weighted(s.result))
-                                                      : full(name(s.right), weighted(s.result));
-        set(s.result, fmt::format("({} - {}*im)*{}", at(s.left, "n"), lower, inverse(at(s.right, "0"))));
-    }
-
     void coefficient(const Step& s) {
         switch (s.op) {
         case Op::add: return set(s.result, at(s.left, "n") + " + " + at(s.right, "n"));
@@ -225,10 +218,7 @@ private:
         case Op::sinh_cosh: return pair(s, "");
         case Op::tan_secant: return with_square(s, "");
         case Op::tanh_sech: return with_square(s, "-");
-        case Op::log:
-        case Op::asin:
-        case Op::acos:
-        case Op::atan: return antiderivative(s);
+        case Op::function: return set(s.result, derivative_sum(s.left, s.right) + "*im");
         }
     }
 

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/integrate/tape.hpp"
 
+#include "algebra/number/functions.hpp"
+
 #include <fmt/format.h>
+
+#include <string_view>
 
 namespace resonform {
 
 namespace {
 
-constexpr std::array<const char*, 17> op_names{
-    "add",     "subtract",  "multiply",   "scale",     "square", "divide", "sqrt", "power", "exp",
-    "sin_cos", "sinh_cosh", "tan_secant", "tanh_sech", "log",    "asin",   "acos", "atan"};
+constexpr std::array<std::string_view, 13> op_names{"add",       "subtract",   "multiply", "scale", "square",
+                                                    "divide",    "sqrt",       "power",    "exp",   "sin_cos",
+                                                    "sinh_cosh", "tan_secant", "tanh_sech"};
 
 std::string line(const Tape::Step& s) {
-    return fmt::format("{} {} {} {}\n", op_names[static_cast<std::size_t>(s.op)], s.result, s.left, s.right);
+    const std::string_view name =
+        s.op == Tape::Op::function ? row_of(s.function).name : op_names[static_cast<std::size_t>(s.op)];
+    return fmt::format("{} {} {} {}\n", name, s.result, s.left, s.right);
 }
 
 } // namespace
@@ -60,10 +66,7 @@ template <class Real> void run(const Tape::Step& step, Real* registers) {
         result[0] = M::tanh(left);
         result[1] = Real(1) - result[0] * result[0];
         break;
-    case Op::log: *result = M::log(left); break;
-    case Op::asin: *result = M::asin(left); break;
-    case Op::acos: *result = M::acos(left); break;
-    case Op::atan: *result = M::atan(left); break;
+    case Op::function: *result = value_of(step.function, left); break;
     }
 }
 

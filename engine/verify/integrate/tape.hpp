@@ -8,6 +8,7 @@
 // Registers: constants (numbers, parameters, eps, prologue results), then states, then body results.
 #pragma once
 
+#include "algebra/number/functions.hpp"
 #include "model/exact/first_order_system.hpp"
 #include "verify/run/real.hpp"
 
@@ -33,16 +34,14 @@ public:
         sinh_cosh,  // result = sinh(left), result + 1 = cosh(left)
         tan_secant, // result = tan(left), result + 1 = 1 + tan(left)^2
         tanh_sech,  // result = tanh(left), result + 1 = 1 - tanh(left)^2
-        log,        // b' = left'/right, right = left
-        asin,       // b' = left'/right, right = sqrt(1 - left^2)
-        acos,       // b' = left'/right, right = -sqrt(1 - left^2)
-        atan,       // b' = left'/right, right = 1 + left^2
+        function,   // f(left), known by its slope: b' = left' right
     };
     struct Step {
         Op op;
         int result;
         int left;
-        int right; // unused by unary operations
+        int right;                           // unused by unary operations
+        Function function = Function::named; // of Op::function
     };
     struct Number {
         int target;

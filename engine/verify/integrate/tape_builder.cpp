@@ -4,6 +4,8 @@
 #include "verify/integrate/tape.hpp"
 
 #include "algebra/number/error.hpp"
+#include "model/text/function_call.hpp"
+#include "model/text/function_slope.hpp"
 #include "verify/run/real.hpp"
 
 #include <cln/cln.h>
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <tuple>
 
@@ -65,6 +68,7 @@ private:
     struct LooseStep {
         Op op;
         Value result, left, right;
+        Function function;
     };
     using Exponents = std::vector<std::pair<GiNaC::ex, GiNaC::ex>>;
 
@@ -78,17 +82,17 @@ private:
     Value integer(long n) { return number(cln::cl_I(n), std::to_string(n)); }
 
     // One operation; an equal one is not repeated.
-    Value step(Op op, Value left, Value right, int results = 1) {
+    Value step(Op op, Value left, Value right, int results = 1, Function function = Function::named) {
         if ((op == Op::add || op == Op::multiply) && right < left) std::swap(left, right);
         if (op == Op::multiply && left == right) op = Op::square;
         if (op == Op::multiply && !left.varying && right.varying) op = Op::scale;
-        const auto [at, fresh] = steps_.try_emplace(std::tuple(op, left, right));
+        const auto [at, fresh] = steps_.try_emplace(std::tuple(op, left, right, function));
         if (!fresh) return at->second;
         const bool varying = left.varying || right.varying;
         int& count = varying ? varying_ : constants_;
         at->second = {varying, count};
         count += results;
-        (varying ? body_ : prologue_).push_back({op, at->second, left, right});
+        (varying ? body_ : prologue_).push_back({op, at->second, left, right, function});
         return at->second;
     }
     Value step(Op op, Value operand, int results = 1) { return step(op, operand, operand, results); }
@@ -111,7 +115,7 @@ private:
     Value product(const std::vector<Value>& factors);
     Value lower_power(const GiNaC::ex& base, const GiNaC::ex& exponent);
     Value integer_power(Value base, unsigned long exponent);
-    Value lower_function(const GiNaC::function& f);
+    Value lower_function(const GiNaC::ex& e);
     void finish(const std::vector<Value>& outputs);
 
     Tape tape_;
@@ -119,7 +123,7 @@ private:
     std::map<GiNaC::ex, Value, GiNaC::ex_is_less> known_; // symbols, then everything lowered
     std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> spellings_;
     std::map<std::string, Value> numbers_;
-    std::map<std::tuple<Op, Value, Value>, Value> steps_;
+    std::map<std::tuple<Op, Value, Value, Function>, Value> steps_;
     std::vector<LooseStep> prologue_, body_;
 };
 
@@ -172,7 +176,7 @@ TapeBuilder::Value TapeBuilder::lower_fresh(const GiNaC::ex& e) {
     if (GiNaC::is_a<GiNaC::add>(e)) return lower_sum(e);
     if (GiNaC::is_a<GiNaC::mul>(e)) return lower_product(e);
     if (GiNaC::is_a<GiNaC::power>(e)) return lower_power(e.op(0), e.op(1));
-    if (GiNaC::is_a<GiNaC::function>(e)) return lower_function(GiNaC::ex_to<GiNaC::function>(e));
+    if (GiNaC::is_a<GiNaC::function>(e)) return lower_function(e);
     refuse({"direct integration knows numbers, symbols, + - * / ^ and elementary functions",
             spelling(e),
             "write the equation with these",
@@ -225,8 +229,7 @@ TapeBuilder::Value TapeBuilder::lower_power(const GiNaC::ex& base, const GiNaC::
     if (exponent.is_equal(GiNaC::ex(1) / 2)) return step(Op::sqrt, b);
     const Value x = lower(exponent);
     if (!x.varying) return step(Op::power, b, x);
-    const Value logarithm = step(Op::log, b);
-    return step(Op::exp, multiply(x, logarithm));
+    return step(Op::exp, multiply(x, lower(GiNaC::log(base))));
 }
 
 TapeBuilder::Value TapeBuilder::integer_power(Value base, unsigned long exponent) {
@@ -237,32 +240,31 @@ TapeBuilder::Value TapeBuilder::integer_power(Value base, unsigned long exponent
     return exponent % 2 == 0 ? square : multiply(square, base);
 }
 
-TapeBuilder::Value TapeBuilder::lower_function(const GiNaC::function& f) {
-    const std::string name = f.get_name();
-    const Value a = lower(f.op(0));
-    const auto one_minus_square = [&] { return step(Op::subtract, integer(1), step(Op::square, a)); };
-    if (name == "sin") return step(Op::sin_cos, a, 2);
-    if (name == "cos") return second(step(Op::sin_cos, a, 2));
-    if (name == "sinh") return step(Op::sinh_cosh, a, 2);
-    if (name == "cosh") return second(step(Op::sinh_cosh, a, 2));
-    if (name == "tan") return step(Op::tan_secant, a, 2);
-    if (name == "tanh") return step(Op::tanh_sech, a, 2);
-    if (name == "exp") return step(Op::exp, a);
-    if (name == "log") return step(Op::log, a);
-    if (name == "asin") return step(Op::asin, a, step(Op::sqrt, one_minus_square()));
-    if (name == "acos")
-        return step(Op::acos, a, step(Op::subtract, integer(0), step(Op::sqrt, one_minus_square())));
-    if (name == "atan") return step(Op::atan, a, step(Op::add, integer(1), step(Op::square, a)));
-    refuse({"direct integration knows sin cos tan exp log sqrt sinh cosh tanh asin acos atan",
-            name,
-            "write the equation with these",
-            {}});
+TapeBuilder::Value TapeBuilder::lower_function(const GiNaC::ex& e) {
+    const std::optional<Function> f = function_of(e);
+    if (!f)
+        refuse({"direct integration knows the elementary functions",
+                spelling(e),
+                "write the equation with these",
+                {}});
+    const Value a = lower(e.op(0));
+    switch (*f) {
+    case Function::sine: return step(Op::sin_cos, a, 2);
+    case Function::cosine: return second(step(Op::sin_cos, a, 2));
+    case Function::hyperbolic_sine: return step(Op::sinh_cosh, a, 2);
+    case Function::hyperbolic_cosine: return second(step(Op::sinh_cosh, a, 2));
+    case Function::tangent: return step(Op::tan_secant, a, 2);
+    case Function::hyperbolic_tangent: return step(Op::tanh_sech, a, 2);
+    case Function::exponential: return step(Op::exp, a);
+    default: return step(Op::function, a, lower(slope_of(*f, e.op(0))), 1, *f);
+    }
 }
 
 void TapeBuilder::finish(const std::vector<Value>& outputs) {
     const auto place = [this](const Value& v) { return v.varying ? constants_ + v.index : v.index; };
     const auto settle = [&](const std::vector<LooseStep>& from, std::vector<Tape::Step>& to) {
-        for (const LooseStep& s : from) to.push_back({s.op, place(s.result), place(s.left), place(s.right)});
+        for (const LooseStep& s : from)
+            to.push_back({s.op, place(s.result), place(s.left), place(s.right), s.function});
     };
     settle(prologue_, tape_.prologue_);
     settle(body_, tape_.body_);

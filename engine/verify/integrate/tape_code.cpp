@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/integrate/tape_code.hpp"
 
+#include "algebra/number/functions.hpp"
+
 #include <fmt/format.h>
+
+#include <string_view>
 
 namespace resonform {
 
@@ -32,7 +36,7 @@ std::string value_line(const Tape::Step& s, const std::string& type,
     const auto second = [&](const std::string& text) {
         return "    " + type + value(s.result + 1) + " = " + text + ";\n";
     };
-    const auto call = [&](const char* f) { return to + "std::" + f + "(" + a + ");\n"; };
+    const auto call = [&](std::string_view f) { return fmt::format("{}std::{}({});\n", to, f, a); };
     const std::string result = value(s.result);
     switch (s.op) {
     case Op::add: return to + a + " + " + b + ";\n";
@@ -48,10 +52,7 @@ std::string value_line(const Tape::Step& s, const std::string& type,
     case Op::sinh_cosh: return call("sinh") + second("std::cosh(" + a + ")");
     case Op::tan_secant: return call("tan") + second("1 + " + result + "*" + result);
     case Op::tanh_sech: return call("tanh") + second("1 - " + result + "*" + result);
-    case Op::log: return call("log");
-    case Op::asin: return call("asin");
-    case Op::acos: return call("acos");
-    case Op::atan: return call("atan");
+    case Op::function: return call(row_of(s.function).name);
     }
     return "";
 }

@@ -39,11 +39,6 @@ template <class Real> Real power(const Real* p, const Real* a, const Real& e, in
     return sum / (Real(n) * a[0]);
 }
 
-// b' = a'/w: n w_0 b_n = n a_n - sum_{j=1}^{n-1} j b_j w_{n-j}
-template <class Real> Real antiderivative(const Real* b, const Real* a, const Real* w, int n) {
-    return (Real(n) * a[n] - weighted(b, w, n, 1, n - 1)) / (Real(n) * w[0]);
-}
-
 } // namespace
 
 template <class Real>
@@ -100,10 +95,7 @@ template <class Real> void TaylorJet<Real>::coefficient(const Tape::Step& step, 
         out[n] = weighted(a, out2, n, 1, n) / Real(n);
         out2[n] = -square(out, n);
         break;
-    case Op::log:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan: out[n] = antiderivative(out, a, b, n); break;
+    case Op::function: out[n] = weighted(a, b, n, 1, n) / Real(n); break;
     }
 }
 

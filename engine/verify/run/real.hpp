@@ -9,8 +9,9 @@
 // Numbers pass from one type to another as unevaluated sums of three doubles.
 #pragma once
 
+#include "algebra/number/functions.hpp"
 #include "algebra/number/number.hpp"
-#include "runtime/float128.hpp"
+#include "runtime/math.hpp"
 
 #include <qd/dd_real.h>
 #include <quadmath.h>
@@ -83,6 +84,10 @@ template <class Real> struct Math {
     static Real asin(Real x) { return std::asin(x); }
     static Real acos(Real x) { return std::acos(x); }
     static Real atan(Real x) { return std::atan(x); }
+    static Real asinh(Real x) { return std::asinh(x); }
+    static Real acosh(Real x) { return std::acosh(x); }
+    static Real atanh(Real x) { return std::atanh(x); }
+    static Real erf(Real x) { return std::erf(x); }
     static Real pow(Real x, Real y) { return std::pow(x, y); }
 };
 
@@ -99,6 +104,10 @@ template <> struct Math<Float128> {
     static Float128 asin(Float128 x) { return asinq(x); }
     static Float128 acos(Float128 x) { return acosq(x); }
     static Float128 atan(Float128 x) { return atanq(x); }
+    static Float128 asinh(Float128 x) { return asinhq(x); }
+    static Float128 acosh(Float128 x) { return acoshq(x); }
+    static Float128 atanh(Float128 x) { return atanhq(x); }
+    static Float128 erf(Float128 x) { return erfq(x); }
     static Float128 pow(Float128 x, Float128 y) { return powq(x, y); }
 };
 
@@ -115,7 +124,26 @@ template <> struct Math<DoubleDouble> {
     static DoubleDouble asin(const DoubleDouble& x) { return ::asin(x); }
     static DoubleDouble acos(const DoubleDouble& x) { return ::acos(x); }
     static DoubleDouble atan(const DoubleDouble& x) { return ::atan(x); }
+    static DoubleDouble asinh(const DoubleDouble& x) { return ::asinh(x); }
+    static DoubleDouble acosh(const DoubleDouble& x) { return ::acosh(x); }
+    static DoubleDouble atanh(const DoubleDouble& x) { return ::atanh(x); }
+    static DoubleDouble erf(const DoubleDouble& x) { return math::erf(x); }
     static DoubleDouble pow(const DoubleDouble& x, const DoubleDouble& y) { return ::exp(y * ::log(x)); }
 };
+
+// Of the functions that are known by their slope (algebra/number/functions.hpp).
+template <class Real> Real value_of(Function f, const Real& x) {
+    using M = Math<Real>;
+    switch (f) {
+    case Function::logarithm: return M::log(x);
+    case Function::arc_sine: return M::asin(x);
+    case Function::arc_cosine: return M::acos(x);
+    case Function::arc_tangent: return M::atan(x);
+    case Function::inverse_hyperbolic_sine: return M::asinh(x);
+    case Function::inverse_hyperbolic_cosine: return M::acosh(x);
+    case Function::inverse_hyperbolic_tangent: return M::atanh(x);
+    default: return M::erf(x);
+    }
+}
 
 } // namespace resonform

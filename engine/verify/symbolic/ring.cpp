@@ -2,6 +2,7 @@
 #include "verify/symbolic/ring.hpp"
 
 #include "emit/program/from_expression.hpp"
+#include "model/text/canonical.hpp"
 #include "runtime/math.hpp"
 #include "verify/evaluate/graph_walk.hpp"
 
@@ -27,7 +28,7 @@ std::map<std::string, Rational> rational_part(const SymbolicRing::Fix& fix) {
     std::map<std::string, Rational> rational;
     for (const auto& [name, value] : fix)
         if (GiNaC::is_a<GiNaC::numeric>(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_rational())
-            rational.emplace(name, cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()));
+            rational.emplace(name, to_rational(value));
     return rational;
 }
 
