@@ -162,7 +162,7 @@ void PointReader::read_denominator(AtPoint& at, const Fractions& part) {
     at.cofactor = montgomery.enter(1);
     const mpz_srcptr denominator = part.denominator.get_mpz_t();
     if (mpz_cmp_ui(denominator, 1) == 0) return;
-    const Residue below = montgomery.field().from_limbs(mpz_limbs_read(denominator), mpz_size(denominator));
+    const Residue below = mpz_fdiv_ui(denominator, montgomery.field().prime());
     if (below == 0) throw UnluckyPoint();
     auto known = std::lower_bound(at.inverses.begin(), at.inverses.end(), std::pair(below, Residue{0}));
     if (known == at.inverses.end() || known->first != below)

@@ -44,18 +44,17 @@ int LeafPolynomial::degree() const {
 }
 
 LeafPolynomial::Parts LeafPolynomial::parts() const {
-    Integer numerators = 0, denominators = 1;
+    Rational content = 0;
     LeafPowers common = terms_.begin()->first;
     for (const auto& [powers, coefficient] : terms_) {
-        numerators = cln::gcd(numerators, cln::numerator(coefficient));
-        denominators = cln::lcm(denominators, cln::denominator(coefficient));
+        content = common_measure(content, coefficient);
         LeafPowers least;
         for (const auto& [id, exponent] : common)
             if (const int other = exponent_of(powers, id); other > 0)
                 least.emplace_back(id, std::min(exponent, other));
         common = std::move(least);
     }
-    Parts parts{Rational(numerators) / denominators, common, {}};
+    Parts parts{content, common, {}};
     std::map<LeafPowers, Rational> terms;
     for (const auto& [powers, coefficient] : terms_)
         terms.emplace(quotient(powers, common), coefficient / parts.content);

@@ -3,10 +3,8 @@
 
 #include <cln/integer.h>
 #include <flint/ulong_extras.h>
-#include <gmp.h>
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 
 namespace resonform {
@@ -27,46 +25,25 @@ std::uint64_t random_prime(std::mt19937_64& random) {
     }
 }
 
-PrimeField::PrimeField(std::uint64_t prime)
-    : prime_(prime), bits_(static_cast<int>(std::bit_width(prime))),
-      reciprocal_((UnsignedWide{1} << (2 * bits_)) / prime) {}
-
-Residue PrimeField::from_limbs(const std::uint64_t* limbs, std::size_t count) const {
-    Residue value = 0;
-    const Residue base = static_cast<Residue>((UnsignedWide{1} << 64) % prime_);
-    for (std::size_t k = count; k-- > 0;) value = add(multiply(value, base), limbs[k] % prime_);
-    return value;
-}
-
 Residue PrimeField::power(Residue a, std::int64_t exponent) const {
     if (exponent < 0) return power(inverse(a), -exponent);
     return raise(a, static_cast<std::uint64_t>(exponent));
 }
 
 Residue PrimeField::raise(Residue a, std::uint64_t exponent) const {
-    constexpr std::uint64_t large = 1024; // Montgomery's form is worth while
-    if (exponent < large) return power_of(*this, a, exponent);
-    const Montgomery m(*this);
-    return m.leave(power_of(m, m.enter(a), exponent));
+    return nmod_pow_ui(a, exponent, modulus_);
 }
 
 Residue PrimeField::inverse(Residue a) const {
-    // Invariant of Euclid's algorithm: old_x * a = old_r, x * a = r (mod p).
-    std::int64_t old_r = static_cast<std::int64_t>(a), r = static_cast<std::int64_t>(prime_);
-    std::int64_t old_x = 1, x = 0;
-    while (r != 0) {
-        const std::int64_t q = old_r / r;
-        const std::int64_t next_r = old_r - q * r, next_x = old_x - q * x;
-        old_r = r, r = next_r;
-        old_x = x, x = next_x;
-    }
-    return from(old_x);
+    Residue result = 0;
+    n_gcdinv(&result, a, prime());
+    return result;
 }
 
 Residue PrimeField::from(std::int64_t n) const {
-    const auto p_signed = static_cast<std::int64_t>(prime_);
+    const auto p_signed = static_cast<std::int64_t>(prime());
     if (-p_signed < n && n < p_signed) return static_cast<Residue>(n < 0 ? n + p_signed : n);
-    const auto p = static_cast<SignedWide>(prime_);
+    const auto p = static_cast<SignedWide>(prime());
     const SignedWide r = n % p;
     return static_cast<Residue>(r < 0 ? r + p : r);
 }
@@ -74,7 +51,7 @@ Residue PrimeField::from(std::int64_t n) const {
 std::optional<Residue> PrimeField::from(const Rational& value) const {
     const auto reduced = [&](const Integer& n) {
         if (cln::integer_length(n) < 63) return from(static_cast<std::int64_t>(cln::cl_I_to_long(n)));
-        return Residue{cln::cl_I_to_UQ(cln::mod(n, Integer(static_cast<unsigned long>(prime_))))};
+        return Residue{cln::cl_I_to_UQ(cln::mod(n, Integer(static_cast<unsigned long>(prime()))))};
     };
     const Residue numerator = reduced(cln::numerator(value));
     const Integer& denominator = cln::denominator(value);
@@ -84,12 +61,7 @@ std::optional<Residue> PrimeField::from(const Rational& value) const {
     return multiply(numerator, inverse(divisor));
 }
 
-// Legendre's symbol, without a power.
-bool PrimeField::is_square(Residue a) const {
-    mpz_t above, below;
-    const mp_limb_t a_limb = a, p_limb = prime_;
-    return mpz_jacobi(mpz_roinit_n(above, &a_limb, 1), mpz_roinit_n(below, &p_limb, 1)) >= 0;
-}
+bool PrimeField::is_square(Residue a) const { return n_jacobi_unsigned(a, prime()) >= 0; }
 
 std::optional<Residue> PrimeField::root(Residue a, int k) const {
     if (a == 0) return Residue{0};
@@ -112,7 +84,7 @@ std::optional<Residue> PrimeField::root(Residue a, int k) const {
 std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t factor, int times) const {
     std::uint64_t q = 1;
     for (int j = 0; j < times; ++j) q *= factor;
-    std::uint64_t cofactor = prime_ - 1, order = 1;
+    std::uint64_t cofactor = prime() - 1, order = 1;
     for (; cofactor % factor == 0; cofactor /= factor) order *= factor;
     if (factor == 2 && order > 1 && !is_square(a)) return std::nullopt; // seen soonest
     const Residue w = raise(a, cofactor / q);
@@ -140,22 +112,22 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
 
 Residue PrimeField::sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const {
     for (Residue x = 2;; ++x)
-        if (factor == 2 ? !is_square(x) : raise(x, (prime_ - 1) / factor) != 1) return raise(x, cofactor);
+        if (factor == 2 ? !is_square(x) : raise(x, (prime() - 1) / factor) != 1) return raise(x, cofactor);
 }
 
 // x^((p - 1)/4) for the first x that is no square.
 Residue PrimeField::imaginary_unit() const {
     Residue x = 2;
     while (is_square(x)) ++x;
-    return raise(x, (prime_ - 1) / 4);
+    return raise(x, (prime() - 1) / 4);
 }
 
 Residue PrimeField::random_unit(std::mt19937_64& random) const {
     // Rejection keeps it uniform; the standard distributions differ between libraries.
     while (true) {
         const std::uint64_t x = random() >> 2;
-        const std::uint64_t whole = (std::uint64_t{1} << 62) / (prime_ - 1) * (prime_ - 1);
-        if (x < whole) return 1 + x % (prime_ - 1);
+        const std::uint64_t whole = (std::uint64_t{1} << 62) / (prime() - 1) * (prime() - 1);
+        if (x < whole) return 1 + x % (prime() - 1);
     }
 }
 

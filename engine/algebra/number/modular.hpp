@@ -7,7 +7,8 @@
 #include "algebra/number/number.hpp"
 #include "algebra/number/zero.hpp"
 
-#include <cstddef>
+#include <flint/nmod.h>
+
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -21,33 +22,16 @@ using Residue = std::uint64_t; // 0 <= value < prime
 std::uint64_t random_prime(std::mt19937_64& random);
 inline constexpr double primes_to_choose_from = 1.3e16; // (pi(2^61) - pi(2^60)) / 2 = 1.37e16
 
-// a^exponent, of what `modulo` has entered.
-template <class Arithmetic>
-std::uint64_t power_of(const Arithmetic& modulo, std::uint64_t a, std::uint64_t exponent) {
-    std::uint64_t result = modulo.enter(1);
-    for (; exponent != 0; exponent >>= 1) {
-        if ((exponent & 1) != 0) result = modulo.multiply(result, a);
-        a = modulo.multiply(a, a);
-    }
-    return result;
-}
-
 // The field of residues modulo a prime below 2^62. Residues that are handed in must be reduced.
 class PrimeField {
 public:
-    explicit PrimeField(std::uint64_t prime);
+    explicit PrimeField(std::uint64_t prime) { nmod_init(&modulus_, prime); }
 
-    [[nodiscard]] std::uint64_t prime() const { return prime_; }
-    [[nodiscard]] Residue add(Residue a, Residue b) const {
-        const Residue s = a + b;
-        return s >= prime_ ? s - prime_ : s;
-    }
-    [[nodiscard]] Residue subtract(Residue a, Residue b) const { return a >= b ? a - b : a + prime_ - b; }
-    [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : prime_ - a; }
-    [[nodiscard]] static Residue enter(Residue a) { return a; } // residues are held as they are
-    [[nodiscard]] Residue multiply(Residue a, Residue b) const { return reduce(Wide{a} * b); }
-    // sum of limbs[k] 2^(64 k)
-    [[nodiscard]] Residue from_limbs(const std::uint64_t* limbs, std::size_t count) const;
+    [[nodiscard]] std::uint64_t prime() const { return modulus_.n; }
+    [[nodiscard]] Residue add(Residue a, Residue b) const { return _nmod_add(a, b, modulus_); }
+    [[nodiscard]] Residue subtract(Residue a, Residue b) const { return _nmod_sub(a, b, modulus_); }
+    [[nodiscard]] Residue negate(Residue a) const { return nmod_neg(a, modulus_); }
+    [[nodiscard]] Residue multiply(Residue a, Residue b) const { return nmod_mul(a, b, modulus_); }
     [[nodiscard]] Residue power(Residue a, std::int64_t exponent) const; // exponent < 0: a != 0
     [[nodiscard]] Residue inverse(Residue a) const;                      // a != 0
     [[nodiscard]] Residue from(std::int64_t n) const;
@@ -67,7 +51,7 @@ public:
     class ProductSum {
     public:
         explicit ProductSum(const PrimeField& field)
-            : field_(&field), square_(Wide{field.prime_} * field.prime_) {}
+            : field_(&field), square_(Wide{field.prime()} * field.prime()) {}
         void add(Residue a, Residue b) {
             total_ += Wide{a} * b; // below 2 p^2 < 2^125
             if (total_ >= square_) total_ -= square_;
@@ -80,12 +64,10 @@ public:
     };
 
 private:
-    // x mod p for x < p^2, by Barrett's method: with n the bits of p and m = floor(2^2n / p), the estimate
-    // floor(floor(x / 2^(n-1)) m / 2^(n+1)) of x / p is too small by 2 at most.
+    // x mod p for x < p^2
     [[nodiscard]] Residue reduce(Wide x) const {
-        const auto quotient = static_cast<std::uint64_t>(((x >> (bits_ - 1)) * reciprocal_) >> (bits_ + 1));
-        std::uint64_t rest = static_cast<std::uint64_t>(x) - quotient * prime_;
-        while (rest >= prime_) rest -= prime_;
+        Residue rest = 0;
+        NMOD_RED2(rest, static_cast<Residue>(x >> 64), static_cast<Residue>(x), modulus_);
         return rest;
     }
 
@@ -94,9 +76,7 @@ private:
     // The generator of the subgroup of order factor^times, with p - 1 = factor^times * cofactor.
     [[nodiscard]] Residue sylow_generator(std::uint64_t factor, std::uint64_t cofactor) const;
 
-    std::uint64_t prime_;
-    int bits_;        // 2^(bits - 1) < prime < 2^bits <= 2^62
-    Wide reciprocal_; // below 2^(bits + 1)
+    nmod_t modulus_;
 };
 
 // The field of elimination.hpp.
@@ -136,7 +116,12 @@ public:
     [[nodiscard]] Residue from(std::int64_t n) const { return enter(field_.from(n)); }
     [[nodiscard]] Residue inverse(Residue a) const { return enter(field_.inverse(leave(a))); } // a != 0
     [[nodiscard]] Residue power(Residue a, std::uint64_t exponent) const {
-        return power_of(*this, a, exponent);
+        Residue result = unit_;
+        for (; exponent != 0; exponent >>= 1) {
+            if ((exponent & 1) != 0) result = multiply(result, a);
+            a = multiply(a, a);
+        }
+        return result;
     }
     [[nodiscard]] const PrimeField& field() const { return field_; }
 

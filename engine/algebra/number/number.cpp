@@ -130,6 +130,11 @@ Rational power_of_ten(int n) {
     return n > 0 ? Rational(power) : 1 / Rational(power);
 }
 
+Rational common_measure(const Rational& a, const Rational& b) {
+    return Rational(cln::gcd(cln::numerator(a), cln::numerator(b))) /
+           cln::lcm(cln::denominator(a), cln::denominator(b));
+}
+
 double to_double(const Rational& value) { return cln::double_approx(value); }
 
 bool exact_root(const Rational& value, int k, Rational& root) {

@@ -22,6 +22,9 @@ double to_double(const Rational& value);
 
 Rational power_of_ten(int n); // n of any sign
 
+// The largest number of which both are whole multiples: 4/3, -2 -> 2/3;  0, -2 -> 2.
+Rational common_measure(const Rational& a, const Rational& b);
+
 // The exact k-th root if there is one (k >= 1): exact_root(9/4, 2) = 3/2. Returns false otherwise.
 bool exact_root(const Rational& value, int k, Rational& root);
 

@@ -3,10 +3,9 @@
 // reconstruction).
 #pragma once
 
+#include "algebra/number/flint.hpp"
 #include "algebra/number/modular.hpp"
 #include "algebra/number/number.hpp"
-
-#include <gmpxx.h>
 
 #include <optional>
 #include <vector>
@@ -23,10 +22,10 @@ public:
 private:
     [[nodiscard]] std::optional<std::vector<Rational>> confirmed(const PrimeField& field,
                                                                  const std::vector<Residue>& residues) const;
-    [[nodiscard]] std::optional<mpq_class> reconstruct(const mpz_class& value, mpz_class& denominator) const;
+    [[nodiscard]] std::optional<Rational> reconstruct(const Whole& value, Whole& denominator) const;
 
-    mpz_class modulus_{1};
-    std::vector<mpz_class> values_; // modulo the product of the primes
+    Whole modulus_{1};
+    std::vector<Whole> values_; // modulo the product of the primes
     std::size_t primes_ = 0;
 };
 

@@ -1,46 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/real_ball.hpp"
 
-#include "algebra/number/limbs.hpp"
+#include "algebra/number/flint.hpp"
 
 #include <cmath>
 
 namespace resonform {
 
-namespace {
-
-// A number of FLINT that is cleared at the end of its scope.
-class FlintInteger {
-public:
-    FlintInteger() { fmpz_init(value_); }
-    explicit FlintInteger(const Integer& number) : FlintInteger() {
-        fmpz_set_mpz(value_, to_mpz(number).get_mpz_t());
-    }
-    FlintInteger(const FlintInteger&) = delete;
-    FlintInteger& operator=(const FlintInteger&) = delete;
-    ~FlintInteger() { fmpz_clear(value_); }
-
-    [[nodiscard]] fmpz* get() { return value_; }
-
-private:
-    fmpz_t value_;
-};
-
-} // namespace
-
 RealBall::RealBall(const Rational& number, std::int64_t bits) : RealBall() {
-    FlintInteger numerator(cln::numerator(number)), denominator(cln::denominator(number));
+    Whole numerator(cln::numerator(number)), denominator(cln::denominator(number));
     arb_fmpz_div_fmpz(value_, numerator.get(), denominator.get(), bits);
 }
 
 Rational middle(const RealBall& ball) {
-    FlintInteger mantissa, exponent;
+    Whole mantissa, exponent;
     arf_get_fmpz_2exp(mantissa.get(), exponent.get(), arb_midref(ball.get()));
-    mpz_class m;
-    fmpz_get_mpz(m.get_mpz_t(), mantissa.get());
-    const Integer size = from_limbs(mpz_limbs_read(m.get_mpz_t()), mpz_size(m.get_mpz_t()));
-    const Rational power = cln::expt(Rational(2), Integer(static_cast<long>(fmpz_get_si(exponent.get()))));
-    return (m < 0 ? -size : size) * power;
+    return mantissa.value() * cln::expt(Rational(2), exponent.value());
 }
 
 double nearest_double(const RealBall& ball) { return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR); }

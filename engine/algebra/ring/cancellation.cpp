@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/ring/cancellation.hpp"
 
-#include "algebra/ring/integer_polynomial.hpp"
 #include "algebra/ring/polynomial.hpp"
 #include "algebra/ring/products.hpp"
+#include "algebra/ring/translation.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,56 +13,6 @@ namespace resonform {
 namespace {
 
 using Ids = std::vector<GeneratorId>;
-
-// Polynomials in some generators of a ring as those of FLINT, and back.
-class Translation {
-public:
-    Translation(const Ring& ring, Ids ids) : ring_(ring), ids_(std::move(ids)), context_(ids_.size()) {}
-
-    // Of p times the common denominator of its coefficients; nullopt: an exponent is negative.
-    [[nodiscard]] std::optional<Packed> packed(const Polynomial& p) const {
-        Packed result(context_);
-        const Rational scale(denominator(p));
-        std::vector<ulong> exponents(ids_.size());
-        for (const Term& t : p.terms()) {
-            for (std::size_t k = 0; k < ids_.size(); ++k) {
-                const int exponent = ring_.exponent(t.monomial, ids_[k]);
-                if (exponent < 0) return std::nullopt;
-                exponents[k] = static_cast<ulong>(exponent);
-            }
-            Whole coefficient(cln::numerator(scale * t.coefficient));
-            fmpz_mpoly_push_term_fmpz_ui(result.get(), coefficient.get(), exponents.data(), context_.get());
-        }
-        fmpz_mpoly_sort_terms(result.get(), context_.get());
-        return result;
-    }
-
-    [[nodiscard]] Polynomial unpacked(const Packed& p) const {
-        std::vector<Term> terms;
-        std::vector<ulong> exponents(ids_.size());
-        Whole coefficient;
-        for (slong n = 0; n < p.terms(); ++n) {
-            fmpz_mpoly_get_term_exp_ui(exponents.data(), p.get(), n, context_.get());
-            fmpz_mpoly_get_term_coeff_fmpz(coefficient.get(), p.get(), n, context_.get());
-            Monomial monomial;
-            for (std::size_t k = 0; k < ids_.size(); ++k)
-                monomial = monomial + ring_.monomial(ids_[k], static_cast<int>(exponents[k]));
-            terms.push_back({monomial, coefficient.value()});
-        }
-        return Polynomial::from_terms(std::move(terms));
-    }
-
-    static Integer denominator(const Polynomial& p) {
-        Integer result = 1;
-        for (const Term& t : p.terms()) result = cln::lcm(result, cln::denominator(t.coefficient));
-        return result;
-    }
-
-private:
-    const Ring& ring_;
-    Ids ids_;
-    PolynomialContext context_;
-};
 
 // Generators in p; the others.
 std::pair<Ids, Ids> divided_by_occurrence(const Ring& ring, const Polynomial& p) {
@@ -90,27 +40,24 @@ std::optional<Polynomial> common_factor(const Ring& ring, const Polynomial& p, c
     return translation.unpacked(*common);
 }
 
-// p/divisor, where the divisor has whole coefficients and divides what stands in p beside each monomial in
-// other generators; these may have negative exponents.
+// p/divisor, where the divisor divides what stands in p beside each monomial in other generators; these may
+// have negative exponents.
 Polynomial quotient(const Ring& ring, const Polynomial& p, const Polynomial& divisor) {
     const auto [inside, outside] = divided_by_occurrence(ring, divisor);
     const Translation translation(ring, inside);
     const Packed below = *translation.packed(divisor);
     std::vector<Term> terms;
     for (const auto& [outer, coefficient] : ring.collect(p, outside)) {
-        const Rational number = Rational(1) / Translation::denominator(coefficient);
+        const Rational number = content(coefficient) / content(divisor);
         const Polynomial part = translation.unpacked(translation.packed(coefficient)->divided_by(below));
         for (const Term& t : part.terms()) terms.push_back({outer + t.monomial, number * t.coefficient});
     }
     return Polynomial::from_terms(std::move(terms));
 }
 
-// The number of which all coefficients are coprime whole multiples, with the sign of the last one.
-Rational content(const Polynomial& p) {
-    Integer numerators = 0;
-    for (const Term& t : p.terms()) numerators = cln::gcd(numerators, cln::numerator(t.coefficient));
-    const Rational size = Rational(numerators) / Translation::denominator(p);
-    return p.terms().back().coefficient < 0 ? -size : size;
+// With the sign of the last coefficient.
+Rational signed_content(const Polynomial& p) {
+    return p.terms().back().coefficient < 0 ? -content(p) : content(p);
 }
 
 // With what roots are roots of in place of their whole powers, as numerators have it: s^2 - 4 k, where the
@@ -145,7 +92,7 @@ bool cancel_once(const Ring& ring, GeneratorId root, Fraction& f) {
     if (rest.size() > 1 && below < g.index) return false;
     f.factor = f.factor + ring.monomial(root, g.index);
     f.numerator = quotient(ring, f.numerator, *common);
-    const Rational number = content(rest);
+    const Rational number = signed_content(rest);
     f.numerator = 1 / number * f.numerator;
     if (rest.size() > 1)
         f.divisors.push_back(1 / number * rest);
@@ -247,7 +194,7 @@ private:
             std::optional<Packed> rest = translation_.packed(group);
             for (auto next = rest; rest && (next = rest->quotient_by(*divisor_)); ++power) rest = next;
             if (power > 0) {
-                const Rational scale = cln::expt(number_, -power) / Translation::denominator(group);
+                const Rational scale = cln::expt(number_, -power) * content(group);
                 beside = outer + ring_.monomial(root_, ring_.generator(root_).index * power);
                 inner = (scale * translation_.unpacked(*rest)).terms();
             }
@@ -262,7 +209,7 @@ private:
     Polynomial radicand_ = written_out(ring_, ring_.generator(root_).radicand);
     Rational number_ = content(radicand_);
     Translation translation_{ring_, inside_};
-    std::optional<Packed> divisor_ = translation_.packed(1 / number_ * radicand_);
+    std::optional<Packed> divisor_ = translation_.packed(radicand_);
     std::vector<Term> result_;
 };
 

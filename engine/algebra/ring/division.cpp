@@ -1,75 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/ring/division.hpp"
 
+#include "algebra/ring/translation.hpp"
+
 #include <algorithm>
-#include <cstddef>
-#include <map>
+#include <utility>
 #include <vector>
 
 namespace resonform {
 namespace {
 
-using Exponents = std::vector<int>;
-using Ordered = std::map<Exponents, Rational>; // lexicographic: a monomial order for signed exponents
-
-Ordered ordered(const Ring& ring, const Polynomial& p) {
-    Ordered out;
-    for (const Term& t : p.terms()) out.emplace(ring.exponents(t.monomial), t.coefficient);
-    return out;
+// The lowest and the highest exponent of a generator.
+std::pair<int, int> range(const Ring& ring, const Polynomial& p, GeneratorId id) {
+    std::pair<int, int> result(ring.exponent(p.terms().front().monomial, id), 0);
+    result.second = result.first;
+    for (const Term& t : p.terms()) {
+        result.first = std::min(result.first, ring.exponent(t.monomial, id));
+        result.second = std::max(result.second, ring.exponent(t.monomial, id));
+    }
+    return result;
 }
 
-Exponents difference(const Exponents& a, const Exponents& b) {
-    Exponents out(a.size());
-    for (std::size_t v = 0; v < a.size(); ++v) out[v] = a[v] - b[v];
-    return out;
+Polynomial over(const Ring& ring, const Polynomial& p, const Monomial& monomial) {
+    return plain_product(ring.packing(), p, Polynomial(Monomial{} - monomial, 1));
 }
-
-// Degrees add under multiplication, so each exponent of p/q lies between these two.
-struct Box {
-    Exponents low, high;
-    explicit Box(const Ordered& p) : low(p.begin()->first), high(low) {
-        for (const auto& term : p) {
-            for (std::size_t v = 0; v < low.size(); ++v) {
-                low[v] = std::min(low[v], term.first[v]);
-                high[v] = std::max(high[v], term.first[v]);
-            }
-        }
-    }
-    [[nodiscard]] bool contains(const Exponents& e) const {
-        for (std::size_t v = 0; v < e.size(); ++v) {
-            if (e[v] < low[v] || e[v] > high[v]) return false;
-        }
-        return true;
-    }
-};
 
 } // namespace
 
 std::optional<Polynomial> divide_exactly(const Ring& ring, const Polynomial& p, const Polynomial& q) {
     if (p.empty()) return Polynomial();
-    Ordered rest = ordered(ring, p);
-    const Ordered divisor = ordered(ring, q);
-    Box box(rest);
-    const Box of_divisor(divisor);
-    box.low = difference(box.low, of_divisor.low);
-    box.high = difference(box.high, of_divisor.high);
-
-    const auto& lead = *divisor.rbegin();
-    std::vector<Term> quotient;
-    while (!rest.empty()) {
-        const Exponents e = difference(rest.rbegin()->first, lead.first);
-        if (!box.contains(e)) return std::nullopt; // the box is finite and e falls: this ends
-        const Rational c = rest.rbegin()->second / lead.second;
-        quotient.push_back({ring.monomial(e), c});
-        for (const auto& term : divisor) {
-            Exponents target = term.first;
-            for (std::size_t v = 0; v < e.size(); ++v) target[v] += e[v];
-            Rational& left = rest[target];
-            left = left - c * term.second;
-            if (cln::zerop(left)) rest.erase(target);
-        }
+    std::vector<GeneratorId> inside;
+    Monomial above, below; // in all terms of p, and of q
+    for (GeneratorId id = 0; id < ring.size(); ++id) {
+        const auto [p_low, p_high] = range(ring, p, id);
+        const auto [q_low, q_high] = range(ring, q, id);
+        if (p_high - p_low < q_high - q_low) return std::nullopt;
+        if (p_low < p_high) inside.push_back(id);
+        above = above + ring.monomial(id, p_low);
+        below = below + ring.monomial(id, q_low);
     }
-    return Polynomial::from_terms(std::move(quotient));
+    const Translation translation(ring, inside);
+    const auto quotient =
+        translation.packed(over(ring, p, above))->quotient_by(*translation.packed(over(ring, q, below)));
+    if (!quotient) return std::nullopt;
+    return content(p) / content(q) * over(ring, translation.unpacked(*quotient), below - above);
 }
 
 } // namespace resonform

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/ring/fractions.hpp"
 
-#include "algebra/number/limbs.hpp"
+#include "algebra/number/flint.hpp"
 
 #include <algorithm>
 #include <bit>

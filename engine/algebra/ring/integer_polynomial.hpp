@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polynomials with integer coefficients in many variables: those of FLINT, which frees nothing by itself.
+// Polynomials with integer coefficients in many variables: those of FLINT.
 #pragma once
 
-#include "algebra/number/limbs.hpp"
-#include "algebra/number/number.hpp"
-#include "algebra/ring/polynomial.hpp"
-
+#include "algebra/number/flint.hpp"
 #include <flint/fmpz_mpoly.h>
 
+#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace resonform {
 
@@ -30,36 +29,14 @@ private:
     fmpz_mpoly_ctx_t context_;
 };
 
-class Whole { // an integer
-public:
-    Whole() { fmpz_init(value_); }
-    explicit Whole(const Integer& n) : Whole() {
-        if (cln::integer_length(n) < 63)
-            fmpz_set_si(value_, cln::cl_I_to_long(n));
-        else
-            fmpz_set_mpz(value_, to_mpz(n).get_mpz_t());
-    }
-    ~Whole() { fmpz_clear(value_); }
-    Whole(const Whole&) = delete;
-    Whole& operator=(const Whole&) = delete;
-    [[nodiscard]] fmpz* get() { return value_; }
-    [[nodiscard]] Integer value() const {
-        if (fmpz_fits_si(value_) != 0) return Integer(static_cast<long>(fmpz_get_si(value_)));
-        char* digits = fmpz_get_str(nullptr, 10, value_);
-        const Integer result(digits);
-        flint_free(digits);
-        return result;
-    }
-
-private:
-    fmpz_t value_;
-};
-
 class Packed { // a polynomial
 public:
     explicit Packed(const PolynomialContext& context, slong value = 0) : context_(&context) {
         fmpz_mpoly_init(value_, context.get());
         fmpz_mpoly_set_si(value_, value, context.get());
+    }
+    Packed(const PolynomialContext& context, const Whole& value) : Packed(context) {
+        fmpz_mpoly_set_fmpz(value_, value.get(), context.get());
     }
     Packed(const Packed& other) : context_(other.context_) {
         fmpz_mpoly_init(value_, context_->get());
@@ -80,14 +57,28 @@ public:
     [[nodiscard]] bool is_one() const { return fmpz_mpoly_is_one(value_, context_->get()) != 0; }
     [[nodiscard]] bool is_constant() const { return fmpz_mpoly_is_fmpz(value_, context_->get()) != 0; }
     [[nodiscard]] bool is_zero() const { return fmpz_mpoly_is_zero(value_, context_->get()) != 0; }
-    [[nodiscard]] slong terms() const { return fmpz_mpoly_length(value_, context_->get()); }
 
-    [[nodiscard]] bool begins_negative() const {
-        Whole number;
-        if (is_zero()) return false;
-        fmpz_mpoly_get_term_coeff_fmpz(number.get(), value_, 0, context_->get());
-        return fmpz_sgn(number.get()) < 0;
+    using Exponents = std::vector<ulong>; // one a variable
+    // visit(exponents, coefficient)
+    template <class Visit> void visit_terms(const Visit& visit) const {
+        Exponents exponents(static_cast<std::size_t>(fmpz_mpoly_ctx_nvars(context_->get())));
+        Whole coefficient;
+        for (slong n = 0; n < fmpz_mpoly_length(value_, context_->get()); ++n) {
+            fmpz_mpoly_get_term_exp_ui(exponents.data(), value_, n, context_->get());
+            fmpz_mpoly_get_term_coeff_fmpz(coefficient.get(), value_, n, context_->get());
+            visit(exponents, coefficient);
+        }
     }
+    // Terms are given in any order, put in order at the end.
+    void give(const Exponents& exponents, const Whole& coefficient) {
+        fmpz_mpoly_push_term_fmpz_ui(value_, coefficient.get(), exponents.data(), context_->get());
+    }
+    void put_in_order() {
+        fmpz_mpoly_sort_terms(value_, context_->get());
+        fmpz_mpoly_combine_like_terms(value_, context_->get());
+    }
+
+    [[nodiscard]] bool begins_negative() const { return !is_zero() && fmpz_sgn(value_->coeffs) < 0; }
     [[nodiscard]] Packed negative() const {
         Packed result(*context_);
         fmpz_mpoly_neg(result.value_, value_, context_->get());

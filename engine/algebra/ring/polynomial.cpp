@@ -132,4 +132,10 @@ Polynomial sum(const std::vector<Polynomial>& summands) {
     return combination(addends);
 }
 
+Rational content(const Polynomial& p) {
+    Rational result = 0;
+    for (const Term& t : p.terms()) result = common_measure(result, t.coefficient);
+    return result;
+}
+
 } // namespace resonform

@@ -56,4 +56,7 @@ Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>
 // left * right, checked; no relation is applied.
 Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right);
 
+// The largest number of which all coefficients are whole multiples.
+Rational content(const Polynomial& p);
+
 } // namespace resonform

@@ -20,16 +20,10 @@ Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
         if (!ring.generator(id).invertible || id == Ring::imaginary_unit) continue;
         common = common + ring.monomial(id, ring.lowest_exponent(p, id));
     }
-    Integer numerators = 0, denominators = 1;
-    for (const Term& t : p.terms()) {
-        numerators = cln::gcd(numerators, cln::numerator(t.coefficient));
-        denominators = cln::lcm(denominators, cln::denominator(t.coefficient));
-    }
-    const Rational factor = Rational(denominators) / numerators;
     const bool minus = cln::minusp(p.terms().front().coefficient);
+    const Rational number = minus ? -content(p) : content(p);
     std::vector<Term> terms;
-    for (const Term& t : p.terms())
-        terms.push_back({t.monomial - common, (minus ? -factor : factor) * t.coefficient});
+    for (const Term& t : p.terms()) terms.push_back({t.monomial - common, t.coefficient / number});
     return Polynomial::from_terms(std::move(terms));
 }
 

@@ -2,6 +2,7 @@
 #include "expand/ring/function_atoms.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
@@ -59,12 +60,6 @@ std::vector<Multiple> multiples(const ex& argument) {
         add(argument);
     }
     return result;
-}
-
-// The largest rational number of which both are multiples.
-Rational common_unit(const Rational& a, const Rational& b) {
-    const Integer p = cln::denominator(a), q = cln::denominator(b);
-    return Rational(cln::gcd(cln::numerator(a) * q, cln::numerator(b) * p)) / Rational(p * q);
 }
 
 struct Angle {
@@ -217,7 +212,7 @@ private:
             m.part.is_equal(1) ? Rational(1) / cln::denominator(m.factor) : cln::abs(m.factor);
         Rational unit = known == known_.units_.end() ? first : known->second;
         if (learner_ != nullptr) {
-            const Rational common = common_unit(unit, m.factor);
+            const Rational common = common_measure(unit, m.factor);
             learner_->settled_ = learner_->settled_ && common == unit;
             learner_->units_[key] = unit = common;
         }

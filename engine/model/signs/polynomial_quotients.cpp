@@ -83,12 +83,9 @@ private:
 
     Quotient of_number(const numeric& n) {
         if (!n.is_rational()) throw NoQuotient{};
-        Quotient result{Packed(context_), Packed(context_)};
-        Whole above(cln::the<cln::cl_I>(n.numer().to_cl_N())),
-            below(cln::the<cln::cl_I>(n.denom().to_cl_N()));
-        fmpz_mpoly_set_fmpz(result.above.get(), above.get(), context_.get());
-        fmpz_mpoly_set_fmpz(result.below.get(), below.get(), context_.get());
-        return result;
+        const Whole above(cln::the<cln::cl_I>(n.numer().to_cl_N()));
+        const Whole below(cln::the<cln::cl_I>(n.denom().to_cl_N()));
+        return {Packed(context_, above), Packed(context_, below)};
     }
 
     Quotient of_variable(const ex& e) {
@@ -131,20 +128,15 @@ private:
         const slong degree = fmpz_mpoly_degree_si(p.get(), r.variable, context_.get());
         if (degree < static_cast<slong>(r.index)) return;
         std::vector<Packed> parts(static_cast<std::size_t>(degree) / r.index + 1, Packed(context_));
-        std::vector<ulong> exponents(symbols_.size() + 1);
-        Whole number;
-        for (slong k = 0; k < p.terms(); ++k) {
-            fmpz_mpoly_get_term_exp_ui(exponents.data(), p.get(), k, context_.get());
-            fmpz_mpoly_get_term_coeff_fmpz(number.get(), p.get(), k, context_.get());
+        p.visit_terms([&](Packed::Exponents& exponents, const Whole& coefficient) {
             ulong& exponent = exponents[static_cast<std::size_t>(r.variable)];
             Packed& part = parts[exponent / r.index];
             exponent %= r.index;
-            fmpz_mpoly_push_term_fmpz_ui(part.get(), number.get(), exponents.data(), context_.get());
-        }
+            part.give(exponents, coefficient);
+        });
         Packed sum(context_), power(context_, 1);
         for (Packed& part : parts) {
-            fmpz_mpoly_sort_terms(part.get(), context_.get());
-            fmpz_mpoly_combine_like_terms(part.get(), context_.get());
+            part.put_in_order();
             sum = sum + part * power;
             power = power * r.value;
         }
@@ -153,18 +145,14 @@ private:
 
     ex written(const Packed& p) const {
         GiNaC::exvector terms;
-        std::vector<ulong> exponents(symbols_.size() + 1);
-        Whole number;
-        for (slong k = 0; k < p.terms(); ++k) {
-            fmpz_mpoly_get_term_exp_ui(exponents.data(), p.get(), k, context_.get());
-            fmpz_mpoly_get_term_coeff_fmpz(number.get(), p.get(), k, context_.get());
-            GiNaC::exvector factors{numeric(cln::cl_N(number.value()))};
+        p.visit_terms([&](const Packed::Exponents& exponents, const Whole& coefficient) {
+            GiNaC::exvector factors{numeric(cln::cl_N(coefficient.value()))};
             for (std::size_t v = 0; v < exponents.size(); ++v)
                 if (exponents[v] != 0)
                     factors.push_back(GiNaC::pow(v < symbols_.size() ? ex(symbols_[v]) : GiNaC::Pi,
                                                  static_cast<long>(exponents[v])));
             terms.push_back(GiNaC::mul(factors));
-        }
+        });
         return GiNaC::add(terms);
     }
 
