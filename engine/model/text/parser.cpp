@@ -8,10 +8,12 @@
 #include "model/text/named_function.hpp"
 #include "model/text/zero_test.hpp"
 
+#include <cln/exception.h>
+
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <optional>
+#include <stdexcept>
 
 namespace resonform {
 
@@ -269,14 +271,20 @@ Parser::Piece Parser::raise_by_symbols(const Piece& base, const Piece& exponent)
 }
 
 ex Parser::evaluate(std::size_t begin, std::size_t end, const std::function<ex()>& build) {
+    std::string failure;
     try {
         return build();
     } catch (const GiNaC::pole_error&) {
         complain(begin, end, "an expression has a value", "it is singular here: correct it");
-    } catch (const std::exception& failure) {
-        complain(begin, end, "an expression has a value",
-                 "it cannot be evaluated (" + excerpt(failure.what()) + "): correct it");
+    } catch (const std::domain_error& undefined) { // these three: model/text/regular.hpp
+        failure = undefined.what();
+    } catch (const std::overflow_error& division_by_zero) {
+        failure = division_by_zero.what();
+    } catch (const cln::runtime_exception& of_numbers) {
+        failure = of_numbers.what();
     }
+    complain(begin, end, "an expression has a value",
+             "it cannot be evaluated (" + excerpt(failure) + "): correct it");
 }
 
 bool Parser::accept(TokenKind kind) {
