@@ -4,6 +4,7 @@
 #include "model/exact/substitution.hpp"
 #include "model/text/canonical.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -34,12 +35,15 @@ public:
         ex content = 1;
         const auto factors = factors_of(denominator, content);
         if (!factors) return std::nullopt;
-        const auto [whole, rest] = divided(numerator, denominator);
+        // Times so many powers of the leading coefficient, quotient and rest have no fractions.
+        const int steps = std::max(0, numerator.degree(x_) - denominator.degree(x_) + 1);
+        const ex scale = GiNaC::pow(denominator.lcoeff(x_), steps), scaled = (scale * numerator).expand();
+        const ex whole = GiNaC::quo(scaled, denominator, x_), rest = GiNaC::rem(scaled, denominator, x_);
         ex sum = 0;
         for (int n = 0; n <= whole.degree(x_); ++n)
-            sum += whole.coeff(x_, n) * GiNaC::pow(x_, n + 1) / (n + 1);
+            sum += (whole.coeff(x_, n) / scale).normal() * GiNaC::pow(x_, n + 1) / (n + 1);
         if (rest.is_zero()) return sum;
-        for (const auto& [piece, c1, c0] : partial_fractions(rest / content, *factors)) {
+        for (const auto& [piece, c1, c0] : partial_fractions(rest / (scale * content), *factors)) {
             const auto part = piece.base.degree(x_) == 1 ? of_linear(piece.base, piece.exponent, c0)
                                                          : of_quadratic(piece.base, piece.exponent, c1, c0);
             if (!part) return std::nullopt;
@@ -53,21 +57,6 @@ private:
         Piece piece;
         ex c1, c0;
     };
-
-    // Quotient and rest; coefficients are fractions of what is free of x.
-    [[nodiscard]] std::pair<ex, ex> divided(const ex& numerator, const ex& denominator) const {
-        const int degree = denominator.degree(x_);
-        ex quotient = 0, rest = numerator;
-        for (int n = numerator.degree(x_); n >= degree; --n) {
-            const ex term = (rest.coeff(x_, n) / denominator.coeff(x_, degree)).normal();
-            quotient += term * GiNaC::pow(x_, n - degree);
-            ex lower = 0; // the highest power is gone, whatever form its coefficient has
-            const ex difference = (rest - term * GiNaC::pow(x_, n - degree) * denominator).expand();
-            for (int k = 0; k < n; ++k) lower += difference.coeff(x_, k).normal() * GiNaC::pow(x_, k);
-            rest = lower.expand();
-        }
-        return {quotient.expand(), rest};
-    }
 
     // Of degree 1 and 2; what is free of x goes into the content.
     std::optional<std::vector<Factor>> factors_of(const ex& polynomial, ex& content) const {
