@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/class.hpp"
 
+#include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/interface.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/cpp/plan.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 namespace resonform {
 
@@ -54,14 +56,7 @@ std::string CppFrame::widened() const {
     if (std::none_of(plan_.phase_uses_tables.begin(), plan_.phase_uses_tables.end(),
                      [](bool uses) { return uses; }))
         return "";
-    return fmt::format(R"(    static std::array<Wide, {0}> widened(const std::array<Real, {0}>& values) {{
-        std::array<Wide, {0}> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Wide(values[k]);
-        return wide;
-    }}
-
-)",
-                       plan_.columns_before(plan_.levels.size()));
+    return filled(frames::widened, {{"size", std::to_string(plan_.columns_before(plan_.levels.size()))}});
 }
 
 // The values of all tables below a level.
@@ -74,12 +69,7 @@ std::string CppFrame::look_up() const {
             text += "        return tables_0_(T);\n    }\n\n";
             continue;
         }
-        text += fmt::format("        const auto before = look_up_{0}(T);\n        const auto own = "
-                            "tables_{0}_(T);\n        {1} all;\n"
-                            "        std::copy(before.begin(), before.end(), all.begin());\n"
-                            "        std::copy(own.begin(), own.end(), all.begin() + before.size());\n       "
-                            " return all;\n    }}\n\n",
-                            level - 1, type);
+        text += filled(frames::look_up, {{"before", std::to_string(level - 1)}, {"array", type}});
     }
     return text;
 }
@@ -104,14 +94,7 @@ std::string CppFrame::prepare() const {
 }
 
 // Builds a table as far as it goes; what goes nowhere is the answer of the construction.
-std::string built_or_return(const std::string& call) {
-    return fmt::format(R"(        if (const Cause failed = interval_.shorten(
-                {}, reach);
-            failed.status != Status::ok)
-            return failed;
-)",
-                       call);
-}
+std::string built_or_return(const std::string& call) { return filled(frames::shorten, {{"call", call}}); }
 std::string built_or_return(const std::string& call, const std::string& what) {
     return built_or_return(fmt::format("{{{}, {}}}", call, cpp_literal(what)));
 }

@@ -3,9 +3,9 @@
 
 #include "emit/cpp/c_interface.hpp"
 #include "emit/cpp/class.hpp"
+#include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/cpp/plan.hpp"
-#include "emit/cpp/runtime_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The runtime's headers as text, for emitted headers that are to include nothing of ours. The build writes
-// the source (cmake/runtime_text.cmake).
+// Text that emitted code is made of, from files: the build writes the source (cmake/embedded_text.cmake).
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace resonform {
 
-// In the order of their includes, without SPDX lines, #pragma once and includes of each other.
+// The runtime's headers, for emitted headers that are to include nothing of ours: in the order of their
+// includes, without SPDX lines and includes of each other.
 const std::vector<std::string_view>& runtime_texts();
+
+// What classes and libraries have in common. A word between two @ is a hole, to be filled.
+namespace frames {
+extern const std::string_view batch, call, constructors, library, library_names, library_state, look_up,
+    shorten, why, widened;
+} // namespace frames
+
+std::string filled(std::string_view frame,
+                   const std::vector<std::pair<std::string_view, std::string>>& holes);
 
 } // namespace resonform

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/interface.hpp"
 
+#include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/function.hpp"
 #include "emit/cpp/names.hpp"
 
@@ -20,7 +21,8 @@ public:
     std::string print() {
         return parameters() + start() + results("Values", plan_.outputs, "The outputs at one time.") +
                results("State", plan_.state, "All states at one time, with the map at its full weight.") +
-               constructors() + why() + default_start() + default_slow_time_end() + calls();
+               std::string(frames::constructors) + why() + default_start() + default_slow_time_end() +
+               calls();
     }
 
 private:
@@ -28,7 +30,6 @@ private:
     std::string start() const;
     static std::string results(const std::string& name, const std::vector<CppResult>& list,
                                const std::string& comment);
-    std::string constructors() const;
     std::string why() const;
     std::string default_start();
     std::string default_slow_time_end();
@@ -75,37 +76,15 @@ std::string CppInterface::results(const std::string& name, const std::vector<Cpp
     return text + "    };\n\n";
 }
 
-std::string CppInterface::constructors() const {
-    return R"(    explicit Evaluator(const Real& eps) : Evaluator(eps, Parameters{}) {}
-    Evaluator(const Real& eps, const Parameters& parameters)
-        : Evaluator(eps, parameters, default_start(eps, parameters)) {}
-    Evaluator(const Real& eps, const Parameters& parameters, const Start& start)
-        : Evaluator(eps, parameters, start, default_slow_time_end(eps, parameters)) {}
-    // Answers for 0 <= t <= slow_time_end/eps.
-    Evaluator(const Real& eps, const Parameters& parameters, const Start& start, const Real& slow_time_end)
-        : cause_(construct(eps, parameters, start, slow_time_end)) {}
-
-    // If this is not ok, it is the answer to every call.
-    Status construction_status() const noexcept { return cause_.status; }
-
-)";
-}
-
 std::string CppInterface::why() const {
     std::string phases;
     for (const std::string& name : plan_.phase_names)
         phases += fmt::format("!{}_.precise() ? {} : ", name, cpp_literal(name));
     if (!phases.empty())
         phases = fmt::format("        if (status == Status::low_precision) return {}\"\";\n", phases);
-    return fmt::format(
-        R"(    // The quantity or divisor behind a status of the construction or of points, "" if none is known.
-    const char* why(Status status) const noexcept {{
-        if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
-{}        return interval_.why(status, {}, {});
-    }}
-
-)",
-        phases, cpp_literal(plan_.conditions_text()), cpp_literal(plan_.results_text()));
+    return filled(frames::why, {{"phases", phases},
+                                {"conditions", cpp_literal(plan_.conditions_text())},
+                                {"results", cpp_literal(plan_.results_text())}});
 }
 
 std::string CppInterface::default_type() const {
@@ -159,37 +138,22 @@ std::string CppInterface::default_slow_time_end() {
 
 std::string CppInterface::call(const std::string& head, const std::string& type, const std::string& function,
                                const std::vector<CppResult>& list) {
-    return fmt::format(R"(    Status {0}(const Real& t, {1}& values) const noexcept {{
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? {2}(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {{{3}}};
-        return status;
-    }}
-
-)",
-                       head, type, function, fmt::join(std::vector<std::string>(list.size(), "none"), ", "));
+    const std::vector<std::string> none(list.size(), "none");
+    return filled(frames::call, {{"call", head},
+                                 {"Values", type},
+                                 {"compute", function},
+                                 {"none", fmt::format("{}", fmt::join(none, ", "))}});
 }
 
 std::string CppInterface::batch() const {
-    std::vector<std::string> pointers, stores;
+    std::vector<std::string> arrays;
+    std::string stores;
     for (const CppResult& output : plan_.outputs) {
-        pointers.push_back("Real* " + output.name);
-        stores.push_back(fmt::format("            {0}[i] = values.{0};\n", output.name));
+        arrays.push_back("Real* " + output.name);
+        stores += fmt::format("            {0}[i] = values.{0};\n", output.name);
     }
-    return fmt::format(R"(    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, {}, Status* status) const noexcept {{
-        for (std::size_t i = 0; i < count; ++i) {{
-            Values values;
-            status[i] = (*this)(t[i], values);
-{}        }}
-    }}
-
-)",
-                       fmt::join(pointers, ", "), fmt::join(stores, ""));
+    return filled(frames::batch,
+                  {{"arrays", fmt::format("{}", fmt::join(arrays, ", "))}, {"stores", stores}});
 }
 
 std::string CppInterface::calls() const {
