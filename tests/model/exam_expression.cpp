@@ -86,7 +86,7 @@ TEST_F(Expression, FunctionsAndPi) {
     EXPECT_EQ(read("asinh(x) + acosh(x) + atanh(x)"), asinh(x) + acosh(x) + atanh(x));
     EXPECT_EQ(read("erf(0) + erf(x) + erf(-1) + erf(1)"), call(Function::error_function, x));
     EXPECT_EQ(complaint("acosh(1/2)"),
-              "1: acosh of this number is not real | acosh(1/2) | write the real value meant");
+              "6: acosh of this number is not real | (1/2) | write the real value meant");
     EXPECT_NE(complaint("atanh(2)"), "");
     EXPECT_NE(complaint("atanh(1)"), "");
     EXPECT_EQ(read("sin(pi/6)"), numeric(1, 2));

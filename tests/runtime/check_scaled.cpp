@@ -4,6 +4,7 @@
 #include "runtime/scaled.hpp"
 #include "runtime/twice.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
@@ -123,7 +124,9 @@ TYPED_TEST(EveryReal, PowersLeaveTheRangeAndComeBack) {
         EXPECT_LT(this->distance(exact(asinh(-above)), -asinh(exact(above))), 8);
         const Exact slope = 2 / sqrt(boost::math::constants::pi<Exact>());
         EXPECT_LT(this->distance(exact(erf(-above)), K > 1 ? Exact(-1) : Exact(-slope * exact(above))), 8);
-        EXPECT_TRUE(K > 1 || sinh(above).value() == above.value());
+        if (K < 1) {
+            EXPECT_LT(this->distance(exact(sinh(above)), exact(above)), 2) << K;
+        }
     }
 }
 
