@@ -15,13 +15,37 @@ namespace resonform::test {
 namespace {
 
 // Bottom up. A folder of a room that is not listed counts as the room that holds it.
-const std::vector<std::string> rooms = {
-    "algebra/number",   "algebra/ring",    "algebra/graph",  "algebra/series",   "model/text",
-    "model/system",     "model/signs",     "model/exact",    "model/integrals",  "model/mechanics",
-    "model/files",      "expand/ring",     "expand/modes",   "expand/expansion", "normalize/recursion",
-    "normalize/styles", "certify",         "solve",          "emit/display",     "emit/derive",
-    "emit/program",     "emit/cpp",        "runtime",        "verify/run",       "verify/integrate",
-    "verify/evaluate",  "verify/symbolic", "verify/judging", "verify/report",    "cli"};
+const std::vector<std::string> rooms = {"algebra/number",
+                                        "algebra/ring",
+                                        "algebra/signs",
+                                        "algebra/graph",
+                                        "algebra/series",
+                                        "model/text",
+                                        "model/system",
+                                        "model/signs",
+                                        "model/exact",
+                                        "model/integrals",
+                                        "model/mechanics",
+                                        "model/files",
+                                        "expand/ring",
+                                        "expand/modes",
+                                        "expand/expansion",
+                                        "normalize/recursion",
+                                        "normalize/styles",
+                                        "certify",
+                                        "solve",
+                                        "emit/display",
+                                        "emit/derive",
+                                        "emit/program",
+                                        "emit/cpp",
+                                        "runtime",
+                                        "verify/run",
+                                        "verify/integrate",
+                                        "verify/evaluate",
+                                        "verify/symbolic",
+                                        "verify/judging",
+                                        "verify/report",
+                                        "cli"};
 
 bool lies_in(const std::string& path, const std::string& room) {
     return path.compare(0, room.size() + 1, room + "/") == 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever the prover of signs says of random expressions holds at points of the domain, and it says enough.
-#include "model/exact/positivity.hpp"
 #include "model/files/read_system.hpp"
+#include "model/signs/sign_prover.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,9 +44,29 @@ public:
                (below(2) == 0 ? "+ " : "- ") + std::to_string(1 + below(3)) + "*(" + part + ")";
     }
 
+    // (p + q + r)^2 + ..., with waves and exponentials of multiples of one name: of one sign, or nearly so.
+    std::string squares() {
+        static const char* const parts[] = {"sin(tau)", "cos(tau)", "cos(2*tau)", "exp(k/2)", "exp(k)",
+                                            "q",        "r",        "c",          "s",        "tau"};
+        const auto square = [&] {
+            const std::string last = std::to_string(1 + below(3)) + "*" + parts[below(10)];
+            return "(" + std::string(parts[below(10)]) + (below(2) == 0 ? " + " : " - ") + last + ")^2";
+        };
+        static const char* const rests[] = {" + 1/10",        " + r", " + q*r", " - 1/10",
+                                            " + (k - tau)*q", " - q", ""};
+        return square() + " + " + square() + rests[below(7)];
+    }
+
+    // One in four is close to where the domain ends.
     GiNaC::exmap point() {
-        const GiNaC::numeric tau = below(8) == 0 ? GiNaC::numeric(0) : GiNaC::numeric(below(40) - 7, 8);
-        const GiNaC::numeric q(1 + below(11), 4), size(3 + below(6), 2);
+        const GiNaC::numeric little(1, 1000);
+        const bool near = below(4) == 0;
+        const GiNaC::numeric tau = near            ? -1 + little
+                                   : below(8) == 0 ? GiNaC::numeric(0)
+                                                   : GiNaC::numeric(below(40) - 7, 8);
+        const GiNaC::numeric q =
+            near ? (below(2) == 0 ? little : 3 - little) : GiNaC::numeric(1 + below(11), 4);
+        const GiNaC::numeric size = near ? GiNaC::numeric(1415, 1000) : GiNaC::numeric(3 + below(6), 2);
         return {{*scope_.find("r", 0), GiNaC::numeric(1 + below(16), 4)},
                 {*scope_.find("c", 0), GiNaC::numeric(1 + below(12), below(2) == 0 ? 4 : -4)},
                 {*scope_.find("k", 0), tau + GiNaC::numeric(1 + below(12), 4)},
@@ -84,8 +104,10 @@ private:
 TEST(ProvedSigns, HoldAtRandomPoints) {
     RandomExpressions random;
     int proved = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        const std::string text = trial % 2 == 0 ? random.difference() : random.sum(trial % 3);
+    for (int trial = 0; trial < 120; ++trial) {
+        const std::string text = trial % 3 == 0   ? random.squares()
+                                 : trial % 3 == 1 ? random.difference()
+                                                  : random.sum(trial % 2);
         const GiNaC::ex e = random.read(text);
         const bool positive = provably_positive(e, random.system());
         const bool negative = provably_positive((-e).expand(), random.system());
@@ -97,14 +119,14 @@ TEST(ProvedSigns, HoldAtRandomPoints) {
             const GiNaC::ex value = e.subs(random.point(), GiNaC::subs_options::no_pattern).evalf();
             ASSERT_TRUE(GiNaC::is_a<GiNaC::numeric>(value)) << text;
             const GiNaC::numeric number = GiNaC::ex_to<GiNaC::numeric>(value);
-            EXPECT_GT(GiNaC::abs(number), 1e-11) << text;
+            EXPECT_GT(GiNaC::abs(number), 1e-14) << text;
             if (positive || negative) {
                 EXPECT_LT(GiNaC::abs(number.imag()), 1e-11) << text;
                 EXPECT_EQ(number.real().is_positive(), positive) << text << " = " << number;
             }
         }
     }
-    EXPECT_GT(proved, 10);
+    EXPECT_GT(proved, 30);
 }
 
 } // namespace

@@ -3,8 +3,8 @@
 #include "model/integrals/antiderivative.hpp"
 
 #include "mechanisms.hpp"
-#include "model/exact/positivity.hpp"
 #include "model/files/read_system.hpp"
+#include "model/signs/sign_prover.hpp"
 
 namespace resonform {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is zero or positive only by the relations of roots and functions, and in the declared domain.
-#include "model/exact/positivity.hpp"
 #include "model/exact/question.hpp"
 #include "model/files/read_system.hpp"
+#include "model/signs/sign_prover.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table [functions], and expressions with functions that are known by their names only.
-#include "model/exact/positivity.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "model/system/system_file.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/named_function.hpp"

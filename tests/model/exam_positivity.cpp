@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The prover of signs: what it must see, and what it must not claim.
-#include "model/exact/positivity.hpp"
 #include "model/files/read_system.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "model/text/enclosure.hpp"
 #include "model/text/zero_test.hpp"
 

@@ -52,6 +52,7 @@ public:
     }
     ~Packed() { fmpz_mpoly_clear(value_, context_->get()); }
 
+    [[nodiscard]] const PolynomialContext& context() const { return *context_; }
     [[nodiscard]] fmpz_mpoly_struct* get() { return value_; }
     [[nodiscard]] const fmpz_mpoly_struct* get() const { return value_; }
     [[nodiscard]] bool is_one() const { return fmpz_mpoly_is_one(value_, context_->get()) != 0; }

@@ -2,7 +2,7 @@
 #include "emit/display/vanishing.hpp"
 
 #include "emit/display/spelling.hpp"
-#include "model/exact/positivity.hpp"
+#include "model/signs/sign_prover.hpp"
 
 #include <algorithm>
 

@@ -12,26 +12,6 @@ namespace resonform {
 
 namespace {
 
-Sign sign_of_sum(const Graph& graph, const Graph::Entry& e, const std::set<Graph::Node>& positive) {
-    Sign result = Sign::not_negative;
-    for (const Graph::Node operand : e.operands) {
-        const Sign sign = sign_of(graph, operand, positive);
-        if (sign == Sign::unknown) return Sign::unknown;
-        if (sign == Sign::positive) result = Sign::positive;
-    }
-    return result;
-}
-
-Sign sign_of_product(const Graph& graph, const Graph::Entry& e, const std::set<Graph::Node>& positive) {
-    Sign result = Sign::positive;
-    for (const Graph::Node operand : e.operands) {
-        const Sign sign = sign_of(graph, operand, positive);
-        if (sign == Sign::unknown) return Sign::unknown;
-        if (sign == Sign::not_negative) result = Sign::not_negative;
-    }
-    return result;
-}
-
 bool varies(const Lowering& lowering, const Ring& ring, const Monomial& m) {
     for (GeneratorId id = 0; id < ring.size(); ++id)
         if (ring.exponent(m, id) != 0 && lowering.varying(id)) return true;
@@ -76,22 +56,27 @@ std::optional<AreaForm> area_form(const Ring& ring, const Lowering& lowering, co
 
 } // namespace
 
-Sign sign_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& positive) {
-    if (positive.count(n) > 0) return Sign::positive;
+SignSet signs_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& positive) {
+    if (positive.count(n) > 0) return SignSet::of(1);
     const Graph::Entry& e = graph.at(n);
+    const auto operand = [&](std::size_t k) { return signs_of(graph, e.operands[k], positive); };
     switch (e.op) {
-    case Graph::Op::rational:
-        return e.value > 0 ? Sign::positive : e.value == 0 ? Sign::not_negative : Sign::unknown;
-    case Graph::Op::add: return sign_of_sum(graph, e, positive);
-    case Graph::Op::multiply: return sign_of_product(graph, e, positive);
-    case Graph::Op::root: return sign_of(graph, e.operands.front(), positive);
-    case Graph::Op::exp: return Sign::positive;
-    case Graph::Op::power: {
-        const Sign base = sign_of(graph, e.operands.front(), positive);
-        if (base != Sign::unknown || e.exponent % 2 != 0) return base;
-        return e.exponent > 0 ? Sign::not_negative : Sign::positive;
+    case Graph::Op::rational: return SignSet::of(e.value > 0 ? 1 : e.value == 0 ? 0 : -1);
+    case Graph::Op::add:
+    case Graph::Op::multiply: {
+        SignSet signs = operand(0);
+        for (std::size_t k = 1; k < e.operands.size() && signs != SignSet::all(); ++k)
+            signs = e.op == Graph::Op::add ? signs + operand(k) : signs * operand(k);
+        return signs;
     }
-    default: return Sign::unknown;
+    case Graph::Op::root: return operand(0);
+    case Graph::Op::exp: return SignSet::of(1);
+    case Graph::Op::power: {
+        SignSet signs = e.exponent % 2 == 0 ? operand(0).square() : operand(0);
+        signs.zero = signs.zero && e.exponent > 0;
+        return signs;
+    }
+    default: return SignSet::all();
     }
 }
 
@@ -99,7 +84,7 @@ Graph::Node lower_logarithm(Graph& graph, const Ring& ring, Lowering& lowering, 
                             const std::set<Graph::Node>& positive) {
     if (const std::optional<AreaForm> area = area_form(ring, lowering, argument)) {
         const Graph::Node d = lowering.polynomial(area->d);
-        if (sign_of(graph, d, positive) == Sign::positive) {
+        if (signs_of(graph, d, positive).is_positive()) {
             const Graph::Node scale = graph.root(d, 2);
             const Graph::Node x = graph.multiply({lowering.polynomial(area->a), graph.power(scale, -1)});
             return graph.add(
@@ -162,7 +147,7 @@ Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
 
 Graph::Node Lowering::divisor(const Polynomial& p) {
     const auto known = [&](const Polynomial& part) {
-        return sign_of(*graph_, radicand(part), positive_) != Sign::unknown;
+        return !signs_of(*graph_, radicand(part), positive_).negative;
     };
     for (const RootSplit& split : root_splits(*ring_, p, [](GeneratorId) { return true; })) {
         const Polynomial &a = split.a, &r = split.r;

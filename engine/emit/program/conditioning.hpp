@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algebra/ring/ring.hpp"
+#include "algebra/signs/sign_set.hpp"
 #include "emit/program/graph.hpp"
 #include "emit/program/lower.hpp"
 
@@ -10,10 +11,8 @@
 
 namespace resonform {
 
-enum class Sign { unknown, not_negative, positive };
-
-// The sign of a node for all values of its symbols, given nodes known to be positive.
-Sign sign_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& positive);
+// The signs of a node for all values of its symbols, given nodes known to be positive.
+SignSet signs_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& positive);
 
 // log(argument), argument in the ring of `lowering`. For argument = A + R, R a square root and
 // D = R^2 - A^2 > 0 constant, it is asinh(A/sqrt(D)) + log(sqrt(D)): A + R loses all digits where A -> -R,

@@ -141,7 +141,7 @@ void FlowProgram::keep_signs() {
         const Graph::Node begin = at_start.lowering.node(id);
         const std::string name = quantity(*real_.ring(), g.radicand);
         // None to begin with: known before the start is put into the map.
-        if (sign_of(program_.graph, begin, surroundings_.positive) != Sign::positive)
+        if (!signs_of(program_.graph, begin, surroundings_.positive).is_positive())
             program_.positive.push_back({program_.graph.power(begin, 2), name});
         program_.positive.push_back({program_.graph.multiply({begin, frame_->lowering.node(id)}), name});
     }

@@ -92,8 +92,7 @@ private:
             for (const Graph::Node factor : entry.operands) factors.push_back(magnitude(factor));
             return graph_.multiply(factors);
         }
-        if (entry.op == Graph::Op::sqrt_sum_squares || sign_of(graph_, x, positive_) != Sign::unknown)
-            return x;
+        if (entry.op == Graph::Op::sqrt_sum_squares || !signs_of(graph_, x, positive_).negative) return x;
         return graph_.function(Graph::Op::sqrt_sum_squares, {x, graph_.rational(0)});
     }
 
@@ -138,7 +137,7 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
         for (const Graph::Node component : {re_rate, im_rate})
             for (const Graph::Node change : {component, graph.negate(component)}) {
                 const Graph::Node margin = graph.add({square, change});
-                const bool holds = sign_of(graph, margin, surroundings.positive) == Sign::positive;
+                const bool holds = signs_of(graph, margin, surroundings.positive).is_positive();
                 if (varies(program, margin) && !holds && margin != square)
                     program.layers.push_back({margin, name});
             }
@@ -148,7 +147,7 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
     for (const StandingDivisor& standing : standing_divisors(normalization)) {
         const Graph::Node square = lower(ring.multiply(standing.divisor, ring.conjugate(standing.divisor)));
         const Graph::Node rest = graph.add({square, graph.negate(largest)});
-        if (sign_of(graph, rest, surroundings.positive) != Sign::positive)
+        if (!signs_of(graph, rest, surroundings.positive).is_positive())
             program.positive.push_back({lower(standing.margin), quantity(ring, standing.divisor)});
     }
 }
@@ -170,7 +169,7 @@ void add_corrections(Program& program, const Solution& solution, const Surroundi
         const bool moves = varies(program, margin);
         // Of modes that keep their amplitudes the start has been asked.
         if ((!moves && !correction.quantity) ||
-            sign_of(program.graph, margin, surroundings.positive) == Sign::positive)
+            signs_of(program.graph, margin, surroundings.positive).is_positive())
             continue;
         const std::string name =
             correction.name.empty() ? quantity(ring, *correction.quantity) : correction.name;

@@ -46,7 +46,7 @@ void define_roots(Lowering& lowering, Program& program, const Surroundings& surr
         if (g.kind != GeneratorKind::root) continue;
         const bool divisor = g.index == 1 && !g.positive;
         const Graph::Node radicand = divisor ? lowering.divisor(g.radicand) : lowering.radicand(g.radicand);
-        if (!divisor && sign_of(program.graph, radicand, surroundings.positive) != Sign::positive)
+        if (!divisor && !signs_of(program.graph, radicand, surroundings.positive).is_positive())
             program.positive.push_back({radicand, quantity(ring, g.radicand)});
         const Graph::Node root = g.index == 1 ? radicand : program.graph.root(radicand, g.index);
         const bool varies =
@@ -97,7 +97,7 @@ void Moment::define_primitives(Program& program, const Solution& solution, const
                                    surroundings.positive);
             if (const Graph::Entry& e = program.graph.at(node);
                 e.op == Graph::Op::log &&
-                sign_of(program.graph, e.operands.front(), surroundings.positive) != Sign::positive)
+                !signs_of(program.graph, e.operands.front(), surroundings.positive).is_positive())
                 program.positive.push_back({e.operands.front(), quantity(*ring_, map(primitive.argument))});
             break;
         }

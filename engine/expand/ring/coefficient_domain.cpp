@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/ring/coefficient_domain.hpp"
 
-#include "model/exact/positivity.hpp"
+#include "model/signs/sign_prover.hpp"
 
 namespace resonform {
 

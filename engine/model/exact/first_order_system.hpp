@@ -5,7 +5,7 @@
 //   psi'' (xi^2 + r^2) + ... = 0, xi' = eps v   ->   (psi)' = psi', (psi')' = -(...)/(xi^2 + r^2), ...
 #pragma once
 
-#include "model/exact/positivity.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "model/system/system_file.hpp"
 
 #include <memory>

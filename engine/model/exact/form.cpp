@@ -58,9 +58,7 @@ ex ExactForm::meaning(const ex& e) const {
     return e.subs(meanings, GiNaC::subs_options::no_pattern);
 }
 
-bool ExactForm::positive(const ex& e) const {
-    return SignProver(*domain_).sign(meaning(e)) == ProvedSign::positive;
-}
+bool ExactForm::positive(const ex& e) const { return SignProver(*domain_).signs(meaning(e)).is_positive(); }
 
 // Later generators first: their relations hold earlier ones.
 ex ExactForm::reduced(ex polynomial) const {

@@ -2,8 +2,8 @@
 #include "model/files/mechanism_reader.hpp"
 
 #include "algebra/number/error.hpp"
-#include "model/exact/positivity.hpp"
 #include "model/files/dimension.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/expression.hpp"

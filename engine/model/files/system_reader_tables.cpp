@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of a system.toml that say more about what is declared: domain, relations, normal form, notation.
 #include "algebra/number/error.hpp"
-#include "model/exact/positivity.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/files/unit_check.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "model/system/names.hpp"
 #include "model/system/style.hpp"
 #include "model/system/system_file.hpp"

@@ -2,8 +2,8 @@
 #include "model/mechanics/motion.hpp"
 
 #include "algebra/number/error.hpp"
-#include "model/exact/positivity.hpp"
 #include "model/exact/substitution.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/regular.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/signs/polynomial_quotients.hpp"
 
-#include "algebra/ring/integer_polynomial.hpp"
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -15,16 +13,15 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-struct Quotient {
-    Packed above, below; // coprime
-};
+using Quotient = PackedQuotient; // coprime
 
 class Quotients {
 public:
     // Without `cancelling` numerators and denominators keep common factors.
+    // The variables are the symbols, and pi.
     Quotients(const std::vector<GiNaC::symbol>& symbols, const std::vector<PowerRelation>& relations,
-              bool cancelling)
-        : symbols_(symbols), cancelling_(cancelling), context_(symbols.size() + 1) { // and pi
+              const PolynomialContext& context, bool cancelling)
+        : symbols_(symbols), cancelling_(cancelling), context_(context) {
         for (std::size_t k = 0; k < symbols.size(); ++k) variables_[symbols[k]] = static_cast<slong>(k);
         variables_[GiNaC::Pi] = static_cast<slong>(symbols.size());
         for (const PowerRelation& r : relations) {
@@ -35,11 +32,15 @@ public:
         }
     }
 
-    PolynomialQuotient lowered(const ex& e) {
+    Quotient packed(const ex& e) {
         Quotient q = of(e);
         lower(q.above);
         lower(q.below);
-        if (!q.above.is_zero() && !q.below.is_zero()) q = coprime(q.above, q.below);
+        return q.above.is_zero() || q.below.is_zero() ? q : coprime(q.above, q.below);
+    }
+
+    PolynomialQuotient lowered(const ex& e) {
+        const Quotient q = packed(e);
         if (q.below.begins_negative()) return {written(q.above.negative()), written(q.below.negative())};
         return {written(q.above), written(q.below)};
     }
@@ -158,17 +159,24 @@ private:
 
     const std::vector<GiNaC::symbol>& symbols_;
     bool cancelling_;
-    PolynomialContext context_;
+    const PolynomialContext& context_;
     std::map<ex, slong, GiNaC::ex_is_less> variables_;
     std::vector<Lowering> relations_;
 };
 
 } // namespace
 
+PackedQuotient packed_quotient(const ex& e, const std::vector<GiNaC::symbol>& symbols,
+                               const std::vector<PowerRelation>& relations,
+                               const PolynomialContext& context) {
+    return Quotients(symbols, relations, context, true).packed(e);
+}
+
 std::optional<PolynomialQuotient> polynomial_quotient(const ex& e, const std::vector<GiNaC::symbol>& symbols,
                                                       const std::vector<PowerRelation>& relations) {
     try {
-        return Quotients(symbols, relations, true).lowered(e);
+        const PolynomialContext context(symbols.size() + 1);
+        return Quotients(symbols, relations, context, true).lowered(e);
     } catch (const NoQuotient&) {
         return std::nullopt;
     }
@@ -177,7 +185,8 @@ std::optional<PolynomialQuotient> polynomial_quotient(const ex& e, const std::ve
 std::optional<bool> quotient_is_zero(const ex& e, const std::vector<GiNaC::symbol>& symbols,
                                      const std::vector<PowerRelation>& relations) {
     try {
-        return Quotients(symbols, relations, false).is_zero(e);
+        const PolynomialContext context(symbols.size() + 1);
+        return Quotients(symbols, relations, context, false).is_zero(e);
     } catch (const NoQuotient&) {
         return std::nullopt;
     }

@@ -3,6 +3,8 @@
 // takes common factors out of sums of fractions in a time that is no time to wait.
 #pragma once
 
+#include "algebra/ring/integer_polynomial.hpp"
+
 #include <ginac/ginac.h>
 
 #include <optional>
@@ -27,6 +29,13 @@ struct PolynomialQuotient {
 std::optional<PolynomialQuotient> polynomial_quotient(const GiNaC::ex& e,
                                                       const std::vector<GiNaC::symbol>& symbols,
                                                       const std::vector<PowerRelation>& relations);
+
+// The same in FLINT's form, of a context whose variables are the symbols and pi. Throws NoQuotient.
+struct PackedQuotient {
+    Packed above, below;
+};
+PackedQuotient packed_quotient(const GiNaC::ex& e, const std::vector<GiNaC::symbol>& symbols,
+                               const std::vector<PowerRelation>& relations, const PolynomialContext& context);
 
 // Is its numerator zero by the relations? Common factors are left, so that this is cheaper. nullopt: as
 // above, or the denominator is zero.

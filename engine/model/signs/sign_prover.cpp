@@ -5,6 +5,7 @@
 #include "model/text/named_function.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace resonform {
 
@@ -13,26 +14,41 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-constexpr int deepest_comparison = 4;
-// Each comparison may lead to one with every declaration again: many are compared less deeply.
-constexpr std::size_t few_declarations = 6;
-constexpr int deepest_among_many = 2;
+SignSet of_constant(const ex& e) {
+    if (e.is_zero()) return SignSet::of(0);
+    const ConstantSign sign = sign_of_constant(e);
+    return sign == ConstantSign::unknown ? SignSet::all()
+                                         : SignSet::of(sign == ConstantSign::positive ? 1 : -1);
+}
+
+SignSet flagged(bool positive, bool nonzero) {
+    return positive ? SignSet::of(1) : SignSet{true, !nonzero, true};
+}
 
 } // namespace
 
-ProvedSign SignProver::sign(const ex& e) const {
-    return sign(e, system_.positive.size() <= few_declarations ? deepest_comparison : deepest_among_many);
+SignSet SignProver::signs(const ex& e) const {
+    const auto asked = signs_.find(e);
+    return asked != signs_.end() ? asked->second : signs_.emplace(e, find_signs(e)).first->second;
 }
 
-ProvedSign SignProver::of_symbol(const ex& e) const {
-    if (e.is_equal(system_.eps)) return ProvedSign::positive;
-    for (const Parameter& p : system_.parameters) {
-        if (p.positive && e.is_equal(p.symbol)) return ProvedSign::positive;
-    }
-    for (const Variable& v : system_.variables) {
-        if (v.positive && e.is_equal(v.jet.front())) return ProvedSign::positive;
-    }
-    return ProvedSign::unknown;
+SignSet SignProver::find_signs(const ex& e) const {
+    SignSet signs = is_constant(e) ? of_constant(e) : declared(e);
+    const auto narrow = [&](const auto& method) {
+        if (signs.is_known()) return;
+        const SignSet both = signs & method();
+        if (!both.empty()) signs = both; // else the domain is
+    };
+    narrow([&] { return by_structure(e); });
+    if (!is_constant(e)) narrow([&] { return real(e) ? in_atoms(e) : SignSet::all(); });
+    return signs;
+}
+
+bool SignProver::nonzero(const ex& e) const {
+    if (GiNaC::is_a<GiNaC::mul>(e))
+        return std::all_of(e.begin(), e.end(), [this](const ex& part) { return nonzero(part); });
+    if (GiNaC::is_a<GiNaC::power>(e)) return GiNaC::is_a<numeric>(e.op(1)) && nonzero(e.op(0));
+    return !signs(e).zero;
 }
 
 bool SignProver::real(const ex& e) const {
@@ -43,115 +59,83 @@ bool SignProver::real(const ex& e) const {
         if (!GiNaC::is_a<numeric>(e.op(1))) return false;
         const numeric n = GiNaC::ex_to<numeric>(e.op(1));
         if (n.is_negative() && !nonzero(e.op(0))) return false;
-        return n.is_integer() ? real(e.op(0)) : sign(e.op(0)) != ProvedSign::unknown;
+        return n.is_integer() ? real(e.op(0)) : !signs(e.op(0)).negative;
     }
     if (is_named(e)) return real(e.op(0));
     if (GiNaC::is_a<GiNaC::function>(e)) {
         const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-        if (name == "log") return sign(e.op(0)) == ProvedSign::positive;
-        if (name == "asin")
-            return sign((1 - e.op(0) * e.op(0)).expand()) == ProvedSign::positive && real(e.op(0));
-        if (name == "acos" || name == "tan") return false;
+        if (name == "log") return signs(e.op(0)).is_positive();
+        if (name == "asin") return signs((1 - e.op(0) * e.op(0)).expand()).is_positive() && real(e.op(0));
+        if (name == "acos" || (name == "tan" && !nonzero(GiNaC::cos(e.op(0))))) return false;
     }
     return std::all_of(e.begin(), e.end(), [this](const ex& part) { return real(part); });
 }
 
-ProvedSign SignProver::of_power(const ex& e, int comparisons) const {
-    if (!GiNaC::is_a<numeric>(e.op(1))) return ProvedSign::unknown;
-    const numeric n = GiNaC::ex_to<numeric>(e.op(1));
-    if (!n.is_rational()) return ProvedSign::unknown;
-    if (n.is_even()) {
-        if (!real(e.op(0))) return ProvedSign::unknown;
-        if (nonzero(e.op(0))) return ProvedSign::positive;
-        return n.is_positive() ? ProvedSign::nonnegative : ProvedSign::unknown;
-    }
-    const ProvedSign base = sign(e.op(0), comparisons);
-    return base == ProvedSign::nonnegative && !n.is_positive() ? ProvedSign::unknown : base;
-}
-
-ProvedSign SignProver::of_function(const ex& e) const {
+// What is written in the system file.
+SignSet SignProver::declared(const ex& e) const {
+    const auto is_declared = [&](const ex& other) {
+        return std::any_of(system_.positive.begin(), system_.positive.end(),
+                           [&](const Declaration& d) { return other.is_equal(d.value); });
+    };
+    if (is_declared(e)) return SignSet::of(1);
+    if (is_declared(-e)) return SignSet::of(-1);
     if (is_named(e)) {
-        const NamedCall call = named_call(e);
-        const NamedFunction* f = system_.function(call.name);
-        return call.derivative == 0 && f != nullptr && f->positive ? ProvedSign::positive
-                                                                   : ProvedSign::unknown;
+        const NamedFunction* f = system_.function(named_call(e).name);
+        return flagged(f != nullptr && f->positive && named_call(e).derivative == 0,
+                       f != nullptr && f->nonzero && named_call(e).derivative == 0);
     }
+    if (e.is_equal(system_.eps)) return SignSet::of(1);
+    for (const Parameter& p : system_.parameters)
+        if (e.is_equal(p.symbol)) return flagged(p.positive, p.nonzero);
+    for (const Variable& v : system_.variables)
+        if (e.is_equal(v.jet.front())) return flagged(v.positive, v.nonzero);
+    return SignSet::all();
+}
+
+SignSet SignProver::by_structure(const ex& e) const {
+    if (GiNaC::is_a<GiNaC::power>(e)) return of_power(e);
+    if (GiNaC::is_a<GiNaC::function>(e) && !is_named(e)) return of_function(e);
+    if (GiNaC::is_a<GiNaC::add>(e)) return of_sum(e);
+    if (!GiNaC::is_a<GiNaC::mul>(e)) return SignSet::all();
+    SignSet product = SignSet::of(1);
+    for (const ex& part : e) product = product * signs(part);
+    return product;
+}
+
+SignSet SignProver::of_power(const ex& e) const {
+    if (!e.op(1).info(GiNaC::info_flags::rational)) return SignSet::all();
+    const numeric n = GiNaC::ex_to<numeric>(e.op(1));
+    const SignSet base = signs(e.op(0));
+    if (base.zero && n.is_negative()) return SignSet::all();
+    if (n.is_even()) return real(e.op(0)) ? base.square() : SignSet::all();
+    return n.is_integer() || !base.negative ? base : SignSet::all();
+}
+
+SignSet SignProver::of_function(const ex& e) const {
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if ((name == "exp" || name == "cosh") && real(e.op(0))) return ProvedSign::positive;
+    if ((name == "exp" || name == "cosh") && real(e.op(0))) return SignSet::of(1);
     // These have the sign of their argument.
-    if (name == "sinh" || name == "tanh" || name == "atan") return sign(e.op(0));
-    return ProvedSign::unknown;
+    return name == "sinh" || name == "tanh" || name == "atan" ? signs(e.op(0)) : SignSet::all();
 }
 
-// (2 - tau)*tau may be held as -(-2 + tau)*tau, and (2 - tau)^(-1) as -(-2 + tau)^(-1): a number, a sum and
-// an odd power of a sum may be the negative of something positive.
-ProvedSign SignProver::of_product(const ex& e, int comparisons) const {
-    ProvedSign weakest = ProvedSign::positive;
-    bool negative = false;
+// What is constant in it counts as one addend: sqrt(a) - 1 + pi.
+SignSet SignProver::of_sum(const ex& e) const {
+    ex constants = 0;
+    SignSet sum = SignSet::of(0);
     for (const ex& part : e) {
-        ProvedSign s = sign(part, comparisons);
-        if (s == ProvedSign::unknown) {
-            s = of_negative(part, comparisons);
-            negative = !negative;
-        }
-        if (s == ProvedSign::unknown) return ProvedSign::unknown;
-        weakest = std::min(weakest, s);
+        if (is_constant(part))
+            constants += part;
+        else
+            sum = sum + signs(part);
+        if (sum == SignSet::all()) return sum;
     }
-    return negative ? ProvedSign::unknown : weakest;
+    return sum + of_constant(constants);
 }
 
-// The sign of -part.
-ProvedSign SignProver::of_negative(const ex& part, int comparisons) const {
-    if (is_constant(part)) // of log(1 - pi) neither sign is known: a product with -1 asks here again
-        return sign_of_constant(part) == ConstantSign::negative ? ProvedSign::positive : ProvedSign::unknown;
-    if (GiNaC::is_a<GiNaC::add>(part)) return sign((-part).expand(), comparisons);
-    if (!GiNaC::is_a<GiNaC::power>(part) || !GiNaC::is_a<GiNaC::add>(part.op(0)) ||
-        !part.op(1).info(GiNaC::info_flags::odd))
-        return ProvedSign::unknown;
-    const ProvedSign base = sign((-part.op(0)).expand(), comparisons);
-    const bool inverted = part.op(1).info(GiNaC::info_flags::negative);
-    return base == ProvedSign::nonnegative && inverted ? ProvedSign::unknown : base;
+bool provably_positive(const ex& e, const System& system) {
+    return SignProver(system).signs(e).is_positive();
 }
 
-ProvedSign SignProver::by_structure(const ex& e, int comparisons) const {
-    if (GiNaC::is_a<numeric>(e)) {
-        const numeric n = GiNaC::ex_to<numeric>(e);
-        if (!n.is_real() || n.is_negative()) return ProvedSign::unknown;
-        return n.is_zero() ? ProvedSign::nonnegative : ProvedSign::positive;
-    }
-    if (e.is_equal(GiNaC::Pi)) return ProvedSign::positive;
-    if (GiNaC::is_a<GiNaC::symbol>(e)) return of_symbol(e);
-    if (GiNaC::is_a<GiNaC::power>(e)) return of_power(e, comparisons);
-    if (GiNaC::is_a<GiNaC::function>(e)) return of_function(e);
-    if (GiNaC::is_a<GiNaC::mul>(e)) return of_product(e, comparisons);
-    if (!GiNaC::is_a<GiNaC::add>(e)) return ProvedSign::unknown;
-    return of_sum(e, comparisons);
-}
-
-bool SignProver::declared_positive(const ex& e) const {
-    return std::any_of(system_.positive.begin(), system_.positive.end(),
-                       [&](const Declaration& declared) { return e.is_equal(declared.value); });
-}
-
-ProvedSign SignProver::sign(const ex& e, int comparisons) const {
-    Known<ProvedSign>& known = signs_[comparisons];
-    const auto asked = known.find(e);
-    if (asked != known.end()) return asked->second;
-    return known.emplace(e, find_sign(e, comparisons)).first->second;
-}
-
-ProvedSign SignProver::find_sign(const ex& e, int comparisons) const {
-    if (declared_positive(e)) return ProvedSign::positive;
-    if (is_constant(e)) {
-        const ConstantSign decided = sign_of_constant(e);
-        if (decided != ConstantSign::unknown)
-            return decided == ConstantSign::positive ? ProvedSign::positive : ProvedSign::unknown;
-    }
-    ProvedSign s = by_structure(e, comparisons);
-    if (s != ProvedSign::positive) s = std::max(s, by_one_atom(e));
-    if (s == ProvedSign::unknown) s = by_declaration(e, comparisons);
-    if (s == ProvedSign::unknown) s = by_pairs(e, comparisons);
-    return s == ProvedSign::positive ? s : std::max(s, by_discriminant(e, comparisons));
-}
+bool provably_nonzero(const ex& e, const System& system) { return SignProver(system).nonzero(e); }
 
 } // namespace resonform

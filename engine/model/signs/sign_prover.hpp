@@ -1,68 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rules by which signs are proved (model/exact/positivity.hpp): by the structure of an expression
-// (sign_prover.cpp), of sums by comparing (sign_of_sums.cpp), and what vanishes nowhere (nowhere_zero.cpp).
+// What signs a real expression may have where parameters and slow variables lie in their domain: by its
+// structure (sign_prover.cpp), and by its polynomial in atoms (polynomial_in_atoms.cpp);
+// docs/design/20_signs.md.
 #pragma once
 
+#include "algebra/signs/sign_set.hpp"
 #include "model/system/system_file.hpp"
 
 #include <map>
 
 namespace resonform {
 
-// Ordered, so that the weakest of several is their minimum.
-enum class ProvedSign { unknown, nonnegative, positive };
-
-// Comparing divides and multiplies polynomials; no honest one has more operands than this.
-constexpr std::size_t largest_compared = 60;
-// And none grows to more terms, by an upper bound of their number, before they are collected.
-bool is_comparable(const GiNaC::ex& e);
-
-// What is proved holds wherever parameters and slow variables lie in their domain.
 class SignProver {
 public:
     explicit SignProver(const System& system) : system_(system) {}
 
-    [[nodiscard]] ProvedSign sign(const GiNaC::ex& e) const;
+    // The value is real and has one of these signs everywhere in the domain; all signs: nothing is known.
+    [[nodiscard]] SignSet signs(const GiNaC::ex& e) const;
+    // Even where it may be complex: (a - b)^(1/2) where a - b is not zero.
     [[nodiscard]] bool nonzero(const GiNaC::ex& e) const;
     // No root of what may be negative, no logarithm of what may not be positive, no inverse of what may
     // vanish.
     [[nodiscard]] bool real(const GiNaC::ex& e) const;
 
 private:
-    // comparisons: how many of them may follow one from another.
-    ProvedSign sign(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign find_sign(const GiNaC::ex& e, int comparisons) const;
-    bool declared_positive(const GiNaC::ex& e) const;
-    ProvedSign by_structure(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign of_symbol(const GiNaC::ex& e) const;
-    ProvedSign of_power(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign of_function(const GiNaC::ex& e) const;
-    ProvedSign of_product(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign of_negative(const GiNaC::ex& part, int comparisons) const;
-
-    ProvedSign of_sum(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign by_independent_part(const GiNaC::ex& e, int comparisons) const;
-    GiNaC::ex without_squares(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign by_root(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign by_one_atom(const GiNaC::ex& e) const;
-    ProvedSign by_bounds(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign by_pairs(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign by_discriminant(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign by_declaration(const GiNaC::ex& e, int comparisons) const;
-    ProvedSign by_division(const GiNaC::ex& e, const GiNaC::ex& declared, int comparisons) const;
-
-    bool find_nonzero(const GiNaC::ex& e) const;
-    bool declared_nonzero(const GiNaC::ex& symbol) const;
-    bool has_no_zero(const GiNaC::ex& e) const;
-    bool is_excluded(const GiNaC::ex& e) const;
-    bool is_excluded_by(const GiNaC::ex& declared, const GiNaC::ex& e) const;
-
-    template <class Answer> using Known = std::map<GiNaC::ex, Answer, GiNaC::ex_is_less>;
+    [[nodiscard]] SignSet find_signs(const GiNaC::ex& e) const;
+    [[nodiscard]] SignSet declared(const GiNaC::ex& e) const;
+    [[nodiscard]] SignSet by_structure(const GiNaC::ex& e) const;
+    [[nodiscard]] SignSet of_power(const GiNaC::ex& e) const;
+    [[nodiscard]] SignSet of_sum(const GiNaC::ex& e) const;
+    [[nodiscard]] SignSet of_function(const GiNaC::ex& e) const;
+    [[nodiscard]] SignSet in_atoms(const GiNaC::ex& e) const;
 
     const System& system_;
-    // What was asked before: a proof asks for the same parts on many ways.
-    mutable std::map<int, Known<ProvedSign>> signs_; // by comparisons
-    mutable Known<bool> nonzero_;
+    mutable std::map<GiNaC::ex, SignSet, GiNaC::ex_is_less> signs_; // of what was asked before
 };
+
+// true: e > 0 wherever parameters and slow variables lie in their declared domain; false: not proved.
+//   xi^2 + r^2, g/sqrt(xi^2 + r^2), exp(tau), sqrt(g^2 + r) - g, with r, g > 0;   2 + 2*tau where 1 + tau is
+//   declared;   sin(tau) - 4*cos(tau) + 6
+bool provably_positive(const GiNaC::ex& e, const System& system);
+// true: e != 0 there.   tau where tau^2 - 2 is declared
+bool provably_nonzero(const GiNaC::ex& e, const System& system);
 
 } // namespace resonform
