@@ -3,14 +3,15 @@
 #include "algebra/number/error.hpp"
 #include "expand/expansion/translate.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace resonform {
 
 using GiNaC::ex;
 using GiNaC::ex_to;
-using GiNaC::is_a;
 using Node = SeriesProgram::Node;
 
 namespace {
@@ -48,8 +49,8 @@ bool Translator::holds_angle(const ex& e) const {
 
 // With P = e^{i sum k phi} = C + i S:  cos(sum k phi + u) = C cos u - S sin u, and likewise the sine.
 Node Translator::of_angles(const ex& e, const Place& place) {
-    const std::string name = is_a<GiNaC::function>(e) ? ex_to<GiNaC::function>(e).get_name() : "";
-    if (name != "sin" && name != "cos") refuse_angle(e, place);
+    const std::optional<Function> f = function_of(e);
+    if (f != Function::sine && f != Function::cosine) refuse_angle(e, place);
     ex rest = e.op(0);
     const Node one = program_.constant(coefficients_.ring()->one());
     Node forward = one, backward = one;
@@ -68,9 +69,9 @@ Node Translator::of_angles(const ex& e, const Place& place) {
     const Node minus_i = program_.constant(-coefficients_.ring()->imaginary());
     const Node cosine = program_.sum({{half, forward}, {half, backward}});
     const Node sine = program_.product(minus_i, program_.sum({{half, forward}, {-half, backward}}));
-    if (rest.is_zero()) return name == "cos" ? cosine : sine;
+    if (rest.is_zero()) return f == Function::cosine ? cosine : sine;
     const Node c = (*this)(GiNaC::cos(rest), place), s = (*this)(GiNaC::sin(rest), place);
-    if (name == "cos")
+    if (f == Function::cosine)
         return program_.sum({{1, program_.product(cosine, c)}, {-1, program_.product(sine, s)}});
     return program_.sum({{1, program_.product(sine, c)}, {1, program_.product(cosine, s)}});
 }

@@ -5,6 +5,7 @@
 #include "algebra/number/error.hpp"
 #include "model/exact/question.hpp"
 #include "model/text/canonical.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/regular.hpp"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ using GiNaC::is_a;
 
 bool has_log_of_zero(const ex& e, const GiNaC::exmap& zero) {
     return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
-        if (!is_a<GiNaC::function>(part) || GiNaC::ex_to<GiNaC::function>(part).get_name() != "log")
-            return false;
+        if (function_of(part) != Function::logarithm) return false;
         const auto argument =
             where_regular([&] { return part.op(0).subs(zero, GiNaC::subs_options::no_pattern).normal(); });
         return argument && argument->is_zero();

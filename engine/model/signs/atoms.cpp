@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/signs/atoms.hpp"
 
+#include "algebra/number/number.hpp"
 #include "algebra/number/real_ball.hpp"
 #include "algebra/ring/integer_polynomial.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/enclosure.hpp"
-#include "model/text/named_function.hpp"
+#include "model/text/function_call.hpp"
 
 #include <algorithm>
 #include <cstdlib>
-#include <string>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace resonform {
@@ -23,14 +25,13 @@ using GiNaC::numeric;
 
 constexpr int most_multiples = 16; // of an angle, or in an exponential: degrees of what is factored
 
-std::string function_name(const ex& e) {
-    return is_a<GiNaC::function>(e) && !is_named(e) ? ex_to<GiNaC::function>(e).get_name() : "";
+bool is_exponential(std::optional<Function> f) {
+    return f == Function::exponential || f == Function::hyperbolic_sine || f == Function::hyperbolic_cosine ||
+           f == Function::hyperbolic_tangent;
 }
-
-bool is_exponential(const std::string& name) {
-    return name == "exp" || name == "sinh" || name == "cosh" || name == "tanh";
+bool is_circular(std::optional<Function> f) {
+    return f == Function::sine || f == Function::cosine || f == Function::tangent;
 }
-bool is_circular(const std::string& name) { return name == "sin" || name == "cos" || name == "tan"; }
 
 bool is_arithmetic(const ex& e) {
     return is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e) ||
@@ -50,9 +51,11 @@ std::vector<ex> addends(const ex& e) {
 
 // What is known of e alone: low < e < high.
 std::optional<std::pair<numeric, numeric>> range_of(const ex& e) {
-    const std::string name = function_name(e);
-    const numeric half_pi(11, 7); // a little more
-    if (name == "atan" || name == "asin") return std::pair(-half_pi, half_pi);
+    const std::optional<Function> f = is_constant(e) ? std::nullopt : function_of(e);
+    if (f && !row_of(*f).low.empty() && !row_of(*f).high.empty()) {
+        const auto bound = [](std::string_view text) { return numeric(cln::cl_N(parse_rational(text))); };
+        return std::pair(bound(row_of(*f).low), bound(row_of(*f).high));
+    }
     constexpr int digits = 6, bits = 24;
     const auto ball = is_constant(e) ? enclose(e) : std::nullopt;
     if (!ball || ball->sign() == 0 || accurate_bits(*ball) < bits) return std::nullopt;
@@ -68,9 +71,9 @@ bool Atoms::collect(const ex& e, const SignsOf& signs) {
         const std::vector<ex> parts = is_a<GiNaC::power>(e) ? std::vector{e.op(0)} : operands(e);
         return std::all_of(parts.begin(), parts.end(), [&](const ex& part) { return collect(part, signs); });
     }
-    const std::string name = function_name(e);
-    if (!is_constant(e) && (is_exponential(name) || is_circular(name))) {
-        collect_terms(is_circular(name) ? Kind::angle : Kind::exponential, e.op(0));
+    const std::optional<Function> f = function_of(e);
+    if (!is_constant(e) && (is_exponential(f) || is_circular(f))) {
+        collect_terms(is_circular(f) ? Kind::angle : Kind::exponential, e.op(0));
         return true;
     }
     if (!is_a<GiNaC::power>(e)) {
@@ -141,15 +144,17 @@ ex Atoms::rational(const ex& e) const {
         return is_a<GiNaC::add>(e) ? ex(GiNaC::add(parts)) : ex(GiNaC::mul(parts));
     }
     if (const auto known = known_roots_.find(e); known != known_roots_.end()) return rational(known->second);
-    const std::string name = function_name(e);
-    if (!is_constant(e) && is_circular(name)) {
+    const std::optional<Function> f = function_of(e);
+    if (!is_constant(e) && is_circular(f)) {
         const Unit unit = angle(e.op(0));
-        return name == "sin" ? unit.sine : name == "cos" ? unit.cosine : unit.sine / unit.cosine;
+        return f == Function::sine     ? unit.sine
+               : f == Function::cosine ? unit.cosine
+                                       : unit.sine / unit.cosine;
     }
-    if (!is_constant(e) && is_exponential(name)) {
+    if (!is_constant(e) && is_exponential(f)) {
         const ex up = exponential(e.op(0)), down = 1 / up;
-        if (name == "tanh") return (up - down) / (up + down);
-        return name == "exp" ? up : (name == "sinh" ? up - down : up + down) / 2;
+        if (f == Function::hyperbolic_tangent) return (up - down) / (up + down);
+        return f == Function::exponential ? up : (f == Function::hyperbolic_sine ? up - down : up + down) / 2;
     }
     const bool root = is_a<GiNaC::power>(e);
     const Atom& atom = atoms_[multiple(Kind::value, root ? e.op(0) : e)->atom];

@@ -2,10 +2,11 @@
 #include "model/signs/sign_prover.hpp"
 
 #include "model/text/enclosure.hpp"
+#include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
 
 #include <algorithm>
-#include <string>
+#include <optional>
 
 namespace resonform {
 
@@ -62,11 +63,10 @@ bool SignProver::real(const ex& e) const {
         return n.is_integer() ? real(e.op(0)) : !signs(e.op(0)).negative;
     }
     if (is_named(e)) return real(e.op(0));
-    if (GiNaC::is_a<GiNaC::function>(e)) {
-        const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-        if (name == "log") return signs(e.op(0)).is_positive();
-        if (name == "asin") return signs((1 - e.op(0) * e.op(0)).expand()).is_positive() && real(e.op(0));
-        if (name == "acos" || (name == "tan" && !nonzero(GiNaC::cos(e.op(0))))) return false;
+    if (const std::optional<Function> f = function_of(e)) {
+        const ex asked = asked_of(e.op(0), *f);
+        if (!asked.is_equal(1) && !signs(asked).is_positive()) return false;
+        return asked.is_equal(e.op(0)) || real(e.op(0));
     }
     return std::all_of(e.begin(), e.end(), [this](const ex& part) { return real(part); });
 }
@@ -112,10 +112,10 @@ SignSet SignProver::of_power(const ex& e) const {
 }
 
 SignSet SignProver::of_function(const ex& e) const {
-    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if ((name == "exp" || name == "cosh") && real(e.op(0))) return SignSet::of(1);
-    // These have the sign of their argument.
-    return name == "sinh" || name == "tanh" || name == "atan" ? signs(e.op(0)) : SignSet::all();
+    const std::optional<Function> f = function_of(e);
+    if (f && row_of(*f).keeps_sign) return signs(e.op(0));
+    if (f != Function::exponential && f != Function::hyperbolic_cosine) return SignSet::all();
+    return real(e.op(0)) ? SignSet::of(1) : SignSet::all();
 }
 
 // What is constant in it counts as one addend: sqrt(a) - 1 + pi.
