@@ -55,6 +55,8 @@ TEST_F(PolynomialSignsTest, OfKnownPolynomialsInOneVariable) {
     EXPECT_EQ(signs({-1, 1}, {{0, 1}, {-2, 0, 1}}), "+");
     EXPECT_EQ(signs({0, 1}, {{-2, 0, 1}}), "-+");
     EXPECT_EQ(signs({0, 1}, {{0, 0, 1}}), "-+");
+    EXPECT_EQ(signs({-1, 0, 1}, {{-2, 0, 1}}), "+");
+    EXPECT_EQ(signs({2, -3, 1}, {{-2, 0, 1}, {9, 0, -1}}), "-0+");
     EXPECT_EQ(signs({1}, {{-1}}), "");
     EXPECT_EQ(signs({-1, 1000}, {{0, 1}, {1, -1000}}), "-");
 }

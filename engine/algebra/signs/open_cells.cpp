@@ -38,7 +38,7 @@ class OpenCells {
 public:
     OpenCells(const Packed& asked, const std::vector<Packed>& conditions, const std::vector<Packed>& factors)
         : asked_(asked) {
-        std::vector<Packed> all{asked};
+        std::vector<Packed> all;
         for (const Packed& f : factors)
             if (!holds(all, f)) all.push_back(f);
         project(all);

@@ -74,12 +74,24 @@ SignSet PolynomialSigns::of(const Packed& p) {
         if (const auto rest = p.quotient_by(c.polynomial)) return of(*rest);
     }
     const FactoredPolynomial f = factored(p);
-    SignSet product = SignSet::of(f.sign);
+    SignSet known = SignSet::of(f.sign), open = SignSet::of(1);
+    std::vector<Packed> factors;
+    Packed together(p.context(), 1);
     for (const auto& factor : f.factors) {
-        const SignSet signs = of_factor(factor.base);
-        product = product * (factor.odd ? signs : signs.square());
+        const SignSet signs = factor.odd ? of_factor(factor.base) : of_factor(factor.base).square();
+        if (signs.is_known() || !factor.odd) {
+            known = known * signs;
+            continue;
+        }
+        open = open * signs;
+        factors.push_back(factor.base);
+        together = together * factor.base;
     }
-    return product;
+    if (factors.size() > 1) { // (x - 1)*(x + 1) where x^2 - 2 > 0
+        const SignSet joint = decide(together, factors, {open.negative, false, open.positive});
+        if (!joint.empty()) open = {joint.negative, open.zero, joint.positive};
+    }
+    return known * open;
 }
 
 SignSet PolynomialSigns::of_factor(const Packed& q) {
@@ -87,7 +99,7 @@ SignSet PolynomialSigns::of_factor(const Packed& q) {
         std::find_if(decided_.begin(), decided_.end(), [&](const auto& known) { return known.first == q; });
     if (found != decided_.end()) return found->second;
     SignSet signs = learned(q);
-    if (!signs.is_known()) signs = decide(q, signs);
+    if (!signs.is_known()) signs = decide(q, {q}, signs);
     const auto root = std::find_if(roots_.rbegin(), roots_.rend(),
                                    [&](const SquareRoot& r) { return degree(q, r.variable) > 0; });
     const auto narrow = [&](const SignSet& by_other_means) {
@@ -144,12 +156,12 @@ SignSet PolynomialSigns::by_root(const Packed& q, const SquareRoot& root) {
     return signs_of_sum(of(a), of(b), of(root.above), of(norm));
 }
 
-// By the conditions on its own variables, then by all that are linked with them.
-SignSet PolynomialSigns::decide(const Packed& q, SignSet signs) {
+// By the conditions on its own variables, then by all that are linked with them. q is a product of `own`.
+SignSet PolynomialSigns::decide(const Packed& q, const std::vector<Packed>& own, SignSet signs) {
     if (q.terms() > most_terms_of_factor) return signs;
     std::size_t before = conditions_.size() + 1;
     for (const bool through_others : {false, true}) {
-        std::vector<Packed> conditions, factors;
+        std::vector<Packed> conditions, factors = own;
         for (const Condition* condition : linked_with(q, through_others)) {
             conditions.push_back(condition->polynomial);
             factors.insert(factors.end(), condition->factors.begin(), condition->factors.end());

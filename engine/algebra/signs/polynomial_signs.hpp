@@ -33,7 +33,7 @@ private:
     };
 
     SignSet of_factor(const Packed& q);
-    SignSet decide(const Packed& q, SignSet signs);
+    SignSet decide(const Packed& q, const std::vector<Packed>& own, SignSet signs);
     SignSet by_fewer_variables(const Packed& q);
     SignSet by_root(const Packed& q, const SquareRoot& root);
     [[nodiscard]] std::vector<const Condition*> linked_with(const Packed& q, bool through_others) const;
