@@ -59,6 +59,8 @@ public:
     [[nodiscard]] bool is_constant() const { return fmpz_mpoly_is_fmpz(value_, context_->get()) != 0; }
     [[nodiscard]] bool is_zero() const { return fmpz_mpoly_is_zero(value_, context_->get()) != 0; }
 
+    [[nodiscard]] slong terms() const { return fmpz_mpoly_length(value_, context_->get()); }
+
     using Exponents = std::vector<ulong>; // one a variable
     // visit(exponents, coefficient)
     template <class Visit> void visit_terms(const Visit& visit) const {
