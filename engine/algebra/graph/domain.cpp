@@ -2,6 +2,7 @@
 #include "algebra/graph/domain.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/ring/polynomial.hpp"
 
 #include <algorithm>
 
@@ -75,10 +76,7 @@ Coefficient GraphDomain::reciprocal(const Polynomial& p) const {
         common = common + ring.monomial(id, least);
         inverse = graph().product(inverse, power(id, -least));
     }
-    std::vector<Term> terms;
-    for (const Term& t : p.terms()) terms.push_back({t.monomial - common, t.coefficient});
-    const LeafPolynomial value = leaf_polynomial(Polynomial::from_terms(std::move(terms)));
-    return graph().product(inverse, graph().inverse(value));
+    return graph().product(inverse, graph().inverse(leaf_polynomial(divided(p, common))));
 }
 
 LeafId GraphDomain::leaf(GeneratorId id) const {

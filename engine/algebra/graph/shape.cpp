@@ -4,6 +4,8 @@
 #include "algebra/graph/numerator.hpp"
 #include "algebra/number/modular.hpp"
 
+#include <flint/nmod_poly.h>
+
 #include <algorithm>
 #include <set>
 
@@ -18,17 +20,12 @@ void trim(Coefficients& p) {
 }
 
 // p/q if q divides p. q is not empty.
-std::optional<Coefficients> quotient(const PrimeField& field, Coefficients p, const Coefficients& q) {
+std::optional<Coefficients> quotient(const PrimeField& field, const Coefficients& p, const Coefficients& q) {
     if (p.size() < q.size()) return std::nullopt;
     Coefficients result(p.size() - q.size() + 1);
-    const Residue inverse = field.inverse(q.back());
-    for (std::size_t k = result.size(); k-- > 0;) {
-        result[k] = field.multiply(p[k + q.size() - 1], inverse);
-        for (std::size_t j = 0; j < q.size(); ++j)
-            p[k + j] = field.subtract(p[k + j], field.multiply(result[k], q[j]));
-    }
-    trim(p);
-    if (!p.empty()) return std::nullopt;
+    if (_nmod_poly_divides(result.data(), p.data(), static_cast<slong>(p.size()), q.data(),
+                           static_cast<slong>(q.size()), field.modulus()) == 0)
+        return std::nullopt;
     return result;
 }
 

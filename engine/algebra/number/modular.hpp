@@ -28,6 +28,7 @@ public:
     explicit PrimeField(std::uint64_t prime) { nmod_init(&modulus_, prime); }
 
     [[nodiscard]] std::uint64_t prime() const { return modulus_.n; }
+    [[nodiscard]] const nmod_t& modulus() const { return modulus_; } // for FLINT
     [[nodiscard]] Residue add(Residue a, Residue b) const { return _nmod_add(a, b, modulus_); }
     [[nodiscard]] Residue subtract(Residue a, Residue b) const { return _nmod_sub(a, b, modulus_); }
     [[nodiscard]] Residue negate(Residue a) const { return nmod_neg(a, modulus_); }

@@ -63,20 +63,8 @@ Rational signed_content(const Polynomial& p) {
 // With what roots are roots of in place of their whole powers, as numerators have it: s^2 - 4 k, where the
 // ring has s^2 - 4 sqrt(k)^2.
 Polynomial written_out(const Ring& ring, Polynomial p) {
-    for (GeneratorId id = ring.size() - 1; id > 0; --id) {
-        const Generator& g = ring.generator(id);
-        const auto whole = [&](const Term& t) { return ring.exponent(t.monomial, id) >= g.index; };
-        if (g.kind != GeneratorKind::root || std::none_of(p.terms().begin(), p.terms().end(), whole))
-            continue;
-        std::vector<Polynomial> parts;
-        for (auto& [power, part] : ring.collect(p, {id})) {
-            int exponent = ring.exponent(power, id);
-            for (; exponent >= g.index; exponent -= g.index)
-                part = plain_product(ring.packing(), part, g.radicand);
-            parts.push_back(plain_product(ring.packing(), part, Polynomial(ring.monomial(id, exponent), 1)));
-        }
-        p = sum(parts);
-    }
+    for (GeneratorId id = ring.size() - 1; id > 0; --id)
+        if (ring.generator(id).kind == GeneratorKind::root) p = written_out(ring, p, id);
     return p;
 }
 

@@ -12,6 +12,9 @@
 
 namespace resonform {
 
+// With what the root is a root of in place of its whole powers:  z s^5, s^2 = k + 1  ->  z s (k + 1)^2
+Polynomial written_out(const Ring& ring, const Polynomial& p, GeneratorId root);
+
 // factor * numerator / (product of divisors)
 struct Fraction {
     Monomial factor;                  // powers of generators, negative ones too

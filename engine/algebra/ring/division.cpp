@@ -21,10 +21,6 @@ std::pair<int, int> range(const Ring& ring, const Polynomial& p, GeneratorId id)
     return result;
 }
 
-Polynomial over(const Ring& ring, const Polynomial& p, const Monomial& monomial) {
-    return plain_product(ring.packing(), p, Polynomial(Monomial{} - monomial, 1));
-}
-
 } // namespace
 
 std::optional<Polynomial> divide_exactly(const Ring& ring, const Polynomial& p, const Polynomial& q) {
@@ -41,9 +37,9 @@ std::optional<Polynomial> divide_exactly(const Ring& ring, const Polynomial& p, 
     }
     const Translation translation(ring, inside);
     const auto quotient =
-        translation.packed(over(ring, p, above))->quotient_by(*translation.packed(over(ring, q, below)));
+        translation.packed(divided(p, above))->quotient_by(*translation.packed(divided(q, below)));
     if (!quotient) return std::nullopt;
-    return content(p) / content(q) * over(ring, translation.unpacked(*quotient), below - above);
+    return content(p) / content(q) * divided(translation.unpacked(*quotient), below - above);
 }
 
 } // namespace resonform

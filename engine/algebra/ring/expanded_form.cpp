@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ring::expanded_form: roots factored out, radicands written out again, for the printers.
+#include "algebra/ring/cancellation.hpp"
 #include "algebra/ring/polynomial.hpp"
-#include "algebra/ring/products.hpp"
 #include "algebra/ring/ring.hpp"
 
 #include <algorithm>
@@ -17,34 +17,6 @@ struct Factored {
     Monomial factor;
     Polynomial numerator;
 };
-
-Polynomial product(const Ring& ring, const Polynomial& a, const Polynomial& b) {
-    return plain_product(ring.packing(), a, b);
-}
-
-Polynomial divided(const Polynomial& p, const Monomial& m) {
-    std::vector<Term> terms = p.terms();
-    for (Term& t : terms) t.monomial = t.monomial - m;
-    return Polynomial::from_terms(std::move(terms));
-}
-
-// sigma^(k n) -> radicand^n; every exponent of sigma in p is a multiple of k and not negative.
-Polynomial written_out(const Ring& ring, const Polynomial& p, GeneratorId root) {
-    const Generator& g = ring.generator(root);
-    std::map<int, std::vector<Term>> by_power;
-    for (const Term& t : p.terms()) {
-        const int e = ring.exponent(t.monomial, root);
-        by_power[e / g.index].push_back({t.monomial - ring.monomial(root, e), t.coefficient});
-    }
-    Polynomial total, power = ring.one();
-    int n = 0;
-    for (auto& group : by_power) {
-        for (; n < group.first; ++n) power = product(ring, power, g.radicand);
-        const Polynomial part = Polynomial::from_terms(std::move(group.second));
-        total = total + (n == 0 ? part : product(ring, power, part));
-    }
-    return total;
-}
 
 // Splits by the exponent of a root modulo its index; in each part the root is factored out.
 std::vector<Factored> split(const Ring& ring, const std::vector<Factored>& parts, GeneratorId root) {
@@ -72,6 +44,23 @@ std::vector<Factored> split(const Ring& ring, const std::vector<Factored>& parts
 }
 
 } // namespace
+
+Polynomial written_out(const Ring& ring, const Polynomial& p, GeneratorId root) {
+    const Generator& g = ring.generator(root);
+    std::map<int, std::vector<Term>> by_power;
+    for (const Term& t : p.terms()) {
+        const int n = std::max(0, ring.exponent(t.monomial, root) / g.index);
+        by_power[n].push_back({t.monomial - ring.monomial(root, n * g.index), t.coefficient});
+    }
+    Polynomial total, power = ring.one();
+    int n = 0;
+    for (auto& group : by_power) {
+        for (; n < group.first; ++n) power = plain_product(ring.packing(), power, g.radicand);
+        const Polynomial part = Polynomial::from_terms(std::move(group.second));
+        total = total + (n == 0 ? part : plain_product(ring.packing(), power, part));
+    }
+    return total;
+}
 
 std::vector<std::pair<Monomial, Polynomial>> Ring::expanded_form(const Polynomial& p) const {
     std::vector<Factored> parts{{Monomial{}, reduce(p)}};

@@ -3,6 +3,7 @@
 
 #include "algebra/number/elimination.hpp"
 #include "algebra/number/rational_matrix.hpp"
+#include "algebra/ring/polynomial.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -111,9 +112,7 @@ std::optional<Polynomial> inverse_in_number_field(const Ring& ring, const Polyno
         const int least = ring.lowest_exponent(p, id);
         if (least < 0 || !is_numeric_root(ring, id)) common = common + ring.monomial(id, least);
     }
-    std::vector<Term> terms;
-    for (const Term& t : p.terms()) terms.push_back({t.monomial - common, t.coefficient});
-    const Polynomial rest = Polynomial::from_terms(std::move(terms));
+    const Polynomial rest = divided(p, common);
     const NumberField field(ring, rest);
     if (!field.holds_numbers()) return std::nullopt;
     const std::optional<Polynomial> inverse = field.inverse(rest);

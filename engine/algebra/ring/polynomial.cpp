@@ -132,6 +132,12 @@ Polynomial sum(const std::vector<Polynomial>& summands) {
     return combination(addends);
 }
 
+Polynomial divided(const Polynomial& p, const Monomial& m) {
+    std::vector<Term> terms = p.terms();
+    for (Term& t : terms) t.monomial = t.monomial - m;
+    return Polynomial::from_terms(std::move(terms));
+}
+
 Rational content(const Polynomial& p) {
     Rational result = 0;
     for (const Term& t : p.terms()) result = common_measure(result, t.coefficient);

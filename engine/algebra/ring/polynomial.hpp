@@ -56,6 +56,9 @@ Polynomial combination(const std::vector<std::pair<Rational, const Polynomial*>>
 // left * right, checked; no relation is applied.
 Polynomial plain_product(const Packing& packing, const Polynomial& left, const Polynomial& right);
 
+// p/m; exponents are not checked.
+Polynomial divided(const Polynomial& p, const Monomial& m);
+
 // The largest number of which all coefficients are whole multiples.
 Rational content(const Polynomial& p);
 

@@ -4,6 +4,7 @@
 #include "algebra/ring/division.hpp"
 #include "algebra/ring/fractions.hpp"
 #include "algebra/ring/number_field.hpp"
+#include "algebra/ring/polynomial.hpp"
 #include "expand/expansion/graph_fit.hpp"
 #include "expand/modes/number_fit.hpp"
 
@@ -22,9 +23,7 @@ Polynomial primitive_part(const Ring& ring, const Polynomial& p) {
     }
     const bool minus = cln::minusp(p.terms().front().coefficient);
     const Rational number = minus ? -content(p) : content(p);
-    std::vector<Term> terms;
-    for (const Term& t : p.terms()) terms.push_back({t.monomial - common, t.coefficient / number});
-    return Polynomial::from_terms(std::move(terms));
+    return 1 / number * divided(p, common);
 }
 
 std::vector<Polynomial> small_divisors(const GradedField& field) {
@@ -61,10 +60,7 @@ std::vector<Polynomial> factors_to_invert(const Ring& ring, const Polynomial& p)
         const int exponent = ring.lowest_exponent(rest, id);
         if (exponent <= 0) continue;
         factors.push_back(ring.gen(id));
-        std::vector<Term> terms;
-        for (const Term& t : rest.terms())
-            terms.push_back({t.monomial - ring.monomial(id, exponent), t.coefficient});
-        rest = Polynomial::from_terms(std::move(terms));
+        rest = divided(rest, ring.monomial(id, exponent));
     }
     rest = without_radicands(ring, std::move(rest));
     if (rest.size() > 1) factors.push_back(std::move(rest));
