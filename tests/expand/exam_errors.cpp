@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Systems that cannot be expanded: each with one message that names the rule, the value and the mend.
 #include "expand/refusal.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,19 +30,16 @@ TEST(ExpandErrors, LinearPartsThatAreNotSemisimple) {
 }
 
 TEST(ExpandErrors, ADoubleEigenvalueIsNamedByItsVariables) {
-    const std::string m = test::refusal("[system]\nname = \"s\"\n[variables]\ny = { role = \"fast\" }\n"
-                                        "h = { role = \"fast\" }\n[equations]\ny = \"y' = -y - h\"\n"
-                                        "h = \"h' = 4*y - 5*h + y^2\"\n",
-                                        Kind::refused);
+    const std::string m = test::refusal(
+        test::system_text("s", {{"y", "fast", "y' = -y - h"}, {"h", "fast", "h' = 4*y - 5*h + y^2"}}),
+        Kind::refused);
     EXPECT_TRUE(test::has(m, "found: two equal eigenvalues with one eigenvector: y, h\n"));
 }
 
 TEST(ExpandErrors, BlocksThatAreTooLarge) {
-    const std::string m =
-        test::refusal("[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\" }\ny = { role = "
-                      "\"fast\" }\n[equations]\nx = \"x'' + x' - y' + x = 0\"\n"
-                      "y = \"y'' + x' + y = 0\"\n",
-                      Kind::refused);
+    const std::string m = test::refusal(
+        test::system_text("s", {{"x", "fast", "x'' + x' - y' + x = 0"}, {"y", "fast", "y'' + x' + y = 0"}}),
+        Kind::refused);
     EXPECT_TRUE(test::has(m, "of the characteristic polynomial of x, y"));
 }
 
@@ -90,9 +88,8 @@ TEST(ExpandErrors, AnglesOccurInHarmonicsOnly) {
             test::has(test::refusal(toml, Kind::refused), "sin and cos of integer combinations of angles"))
             << rate;
     }
-    const std::string uneven = "[system]\nname = \"s\"\n[variables]\ntau = { role = \"slow\" }\n"
-                               "phi = { role = \"angle\" }\n[equations]\ntau = \"tau' = eps\"\n"
-                               "phi = \"phi' = 2 + cos(phi)\"\n";
+    const std::string uneven =
+        test::system_text("s", {{"tau", "slow", "tau' = eps"}, {"phi", "angle", "phi' = 2 + cos(phi)"}});
     EXPECT_TRUE(test::has(test::refusal(uneven, Kind::refused), "the rate of an angle at eps = 0"));
 }
 
@@ -241,20 +238,17 @@ TEST(ExpandErrors, WhatTheRingCannotHoldHasAPlace) {
 
 TEST(ExpandErrors, ModesKeepTheirNames) {
     const std::string toml =
-        "[system]\nname = \"s\"\n[parameters]\nz1 = {}\n[variables]\nx = { role = \"fast\" }\n"
-        "[equations]\nx = \"x'' + x + eps*z1*x^2 = 0\"\n";
+        test::system_text("s", {{"x", "fast", "x'' + x + eps*z1*x^2 = 0"}}, "[parameters]\nz1 = {}\n");
     EXPECT_TRUE(test::has(test::refusal(toml, Kind::bad_input),
                           "reserved are I, pi, E, eps, lambda, t, z1, z2, ..."));
 }
 
 TEST(ExpandErrors, SlowAndDriftRatesVanishWithEps) {
     const std::string slow =
-        "[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
-        "[equations]\nx = \"x'' + x = 0\"\ntau = \"tau' = 1\"\n";
+        test::system_text("s", {{"x", "fast", "x'' + x = 0"}, {"tau", "slow", "tau' = 1"}});
     EXPECT_TRUE(test::has(test::refusal(slow, Kind::bad_input), "tau' = 1"));
     const std::string drift =
-        "[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\" }\ny = { role = \"drift\" }\n"
-        "[equations]\nx = \"x'' + x + eps*y*x = 0\"\ny = \"y' = eps\"\n";
+        test::system_text("s", {{"x", "fast", "x'' + x + eps*y*x = 0"}, {"y", "drift", "y' = eps"}});
     EXPECT_TRUE(test::has(test::refusal(drift, Kind::bad_input), "the equation of x contains y"));
 }
 

@@ -4,6 +4,7 @@
 #include "model/signs/sign_prover.hpp"
 #include "model/text/enclosure.hpp"
 #include "model/text/zero_test.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -199,11 +200,9 @@ TEST_F(Positivity, OfOneSymbolOrFunction) {
 // What would contradict a declaration is not: tau = 0 where tau^2 - 2 > 0.
 TEST(Domain, ExcludesZeros) {
     const System system =
-        read_system_text("[system]\nname = \"s\"\n"
-                         "[parameters]\na = {}\nb = {}\nr = { positive = true }\n"
-                         "[variables]\nx = { role = \"fast\" }\ntau = { role = \"slow\" }\n"
-                         "[equations]\nx = \"x'' = -x\"\ntau = \"tau' = eps\"\n"
-                         "[domain]\npositive = [\"tau^2 - 2\", \"a*b - r\", \"3 - tau^2\"]\n",
+        read_system_text(test::system_text("s", {{"x", "fast", "x'' = -x"}, {"tau", "slow", "tau' = eps"}},
+                                           "[parameters]\na = {}\nb = {}\nr = { positive = true }\n[domain]\n"
+                                           "positive = [\"tau^2 - 2\", \"a*b - r\", \"3 - tau^2\"]\n"),
                          "system.toml");
     Scope scope = system.constants();
     scope.define("tau", system.variables[1].jet.front());

@@ -3,6 +3,7 @@
 #include "normalize/certified.hpp"
 #include "normalize/recursion/centre_manifold.hpp"
 #include "normalize/recursion/inverse_map.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,19 +16,10 @@ constexpr int through = 7;
 // Guckenheimer and Holmes, Nonlinear Oscillations, section 3.2: x' = x y, y' = -y + a x^2 has the centre
 // manifold y = a x^2 - 2 a^2 x^4 + ...
 Normalization guckenheimer_holmes() {
-    return normalize_poincare(field_from(R"(
-[system]
-name = "test"
-[parameters]
-a = {}
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-[equations]
-x = "x' = x*y"
-y = "y' = -y + a*x^2"
-)"),
-                              through);
+    return normalize_poincare(
+        field_from(system_text("test", {{"x", "fast", "x' = x*y"}, {"y", "fast", "y' = -y + a*x^2"}},
+                               "[parameters]\na = {}\n")),
+        through);
 }
 
 Polynomial through_weight(const Ring& ring, const Polynomial& p, int weight) {
@@ -83,19 +75,10 @@ TEST(CentreManifold, NeedsModesThatDecayOrGrow) {
 
 // x' = eps x - ... with y kept near zero: the threshold keeps what would have to be removed.
 TEST(CentreManifold, IsNotTherePastAThreshold) {
-    const Normalization n = normalize_poincare(field_from(R"(
-[system]
-name = "test"
-[normal_form]
-near = "1/10"
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-[equations]
-x = "x' = x*y"
-y = "y' = -y/100 + x^2"
-)"),
-                                               3);
+    const Normalization n = normalize_poincare(
+        field_from(system_text("test", {{"x", "fast", "x' = x*y"}, {"y", "fast", "y' = -y/100 + x^2"}},
+                               "[normal_form]\nnear = \"1/10\"\n")),
+        3);
     EXPECT_THROW(centre_manifold(n), Error);
 }
 

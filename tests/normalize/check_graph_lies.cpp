@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lies about a normal form with coefficients in a graph: its certificate finds each.
 #include "normalize/certified.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,11 +17,9 @@ protected:
     [[nodiscard]] List& shifts() { return n_.result.map.mode; }
     [[nodiscard]] Certificate certificate() const { return certify(n_); }
 
-    std::shared_ptr<const GradedField> field_ = test::field_from(
-        "[system]\nname = \"two\"\n[parameters]\nw1 = { positive = true }\nw2 = { positive = true "
-        "}\n[variables]\n"
-        "x = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\nx = \"x'' + w1^2*x + 2*x*y = 0\"\n"
-        "y = \"y'' + w2^2*y + x^2 = 0\"\n");
+    std::shared_ptr<const GradedField> field_ = test::field_from(test::system_text(
+        "two", {{"x", "fast", "x'' + w1^2*x + 2*x*y = 0"}, {"y", "fast", "y'' + w2^2*y + x^2 = 0"}},
+        "[parameters]\nw1 = { positive = true }\nw2 = { positive = true }\n"));
     GraphNormalization n_ = normalize_in_graph(field_, order);
 };
 

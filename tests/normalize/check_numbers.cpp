@@ -5,6 +5,7 @@
 #include "normalize/lies.hpp"
 #include "normalize/recursion/numbers.hpp"
 #include "normalize/recursion/poincare.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -295,12 +296,11 @@ TEST(Numbers, SmallLiesAndMisplacedTermsAreFound) {
 
 // Two real modes of one variable have names of their own.
 TEST(Numbers, ModesOfOneVariableAreToldApartInMessages) {
-    const std::string block = "[system]\nname = \"n\"\n[variables]\n"
-                              "x0 = { role = \"fast\" }\nx1 = { role = \"fast\" }\nx2 = { role = \"fast\" }\n"
-                              "x3 = { role = \"fast\" }\n[equations]\nx0 = \"x0' = 3*x1 - 2*x3 + x3*x2/3\"\n"
-                              "x1 = \"x1' = 3*x0 - 2*x1 - 3*x3 + 5/3*x1*x2*eps\"\n"
-                              "x2 = \"x2' = -2*x1 - 2*x2 + 2*x3 + 4/3*x3*x0\"\n"
-                              "x3 = \"x3' = 3*x0 - 3*x1 + 5/3*x3^2\"\n";
+    const std::string block =
+        test::system_text("n", {{"x0", "fast", "x0' = 3*x1 - 2*x3 + x3*x2/3"},
+                                {"x1", "fast", "x1' = 3*x0 - 2*x1 - 3*x3 + 5/3*x1*x2*eps"},
+                                {"x2", "fast", "x2' = -2*x1 - 2*x2 + 2*x3 + 4/3*x3*x0"},
+                                {"x3", "fast", "x3' = 3*x0 - 3*x1 + 5/3*x3^2"}});
     try {
         normalized(block, 3, 60);
         FAIL() << "a divisor that is zero was divided by";
@@ -330,8 +330,7 @@ TEST(Numbers, WantNumbers) {
         ADD_FAILURE() << "not an error: " << toml;
         return Kind::bad_input;
     };
-    EXPECT_EQ(kind_of("[system]\nname = \"p\"\n[parameters]\nk = {}\n[variables]\nx = { role = \"fast\" "
-                      "}\n[equations]\nx = \"x'' = -x + k*x^3\"\n"),
+    EXPECT_EQ(kind_of(test::system_text("p", {{"x", "fast", "x'' = -x + k*x^3"}}, "[parameters]\nk = {}\n")),
               Kind::bad_input);
     EXPECT_EQ(
         kind_of(fast({{"x", "x'' = -x + tau*x^3"}}, "tau = { role = \"slow\" }\n", "tau = \"tau' = eps\"\n")),

@@ -4,6 +4,7 @@
 // (from the elliptic integral; Nayfeh and Mook, Nonlinear Oscillations, section 2.3, to A^4).
 #include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,14 +38,7 @@ Expansion on_the_axis(const Ring& ring, const Series& series, int divide_by_i) {
 } // namespace
 
 TEST(Duffing, FrequencyAsAFunctionOfTheAmplitude) {
-    const auto field = test::field_from(R"(
-[system]
-name = "duffing"
-[variables]
-x = { role = "fast" }
-[equations]
-x = "x'' + x + x^3 = 0"
-)");
+    const auto field = test::field_from(test::system_text("duffing", {{"x", "fast", "x'' + x + x^3 = 0"}}));
     const Normalization n = normalize_poincare(field, through);
     Expansion rate = on_the_axis(*field->ring, n.normal_form.mode[0], 1); // rho omega(rho)
     Expansion amplitude = on_the_axis(*field->ring, n.map.mode[0], 0);    // x at theta = 0

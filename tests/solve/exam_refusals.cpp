@@ -4,6 +4,7 @@
 #include "solve/line.hpp"
 #include "solve/solve.hpp"
 #include "solve/systems.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,63 +29,30 @@ void expect_error(const std::string& toml, int order, int truncation, Kind kind,
 }
 
 TEST(Refusal, ASlowVariableThatRests) {
-    const std::string resting = R"(
-[system]
-name = "resting"
-[variables]
-x = { role = "fast" }
-tau = { role = "slow" }
-[equations]
-x = "x'' + (2 + tau^2)*x = 0"
-tau = "tau' = 0"
-)";
+    const std::string resting =
+        test::system_text("resting", {{"x", "fast", "x'' + (2 + tau^2)*x = 0"}, {"tau", "slow", "tau' = 0"}});
     expect_error(resting, 2, 2, Kind::refused, "tau' = 0", "declare tau as a parameter");
 }
 
 TEST(Refusal, AModeThatDecaysAtOnce) {
-    const std::string slaved = R"(
-[system]
-name = "slaved"
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-[equations]
-x = "x'' + x + x*y = 0"
-y = "y' = -y + x^2"
-)";
+    const std::string slaved =
+        test::system_text("slaved", {{"x", "fast", "x'' + x + x*y = 0"}, {"y", "fast", "y' = -y + x^2"}});
     expect_error(slaved, 1, 1, Kind::refused, "z3, a mode of y, does not oscillate",
                  "multiply the damping by eps, or derive the normal form and its centre manifold");
 }
 
 TEST(Refusal, AnOscillatorThatIsDampedAtOnce) {
-    const std::string strong = R"(
-[system]
-name = "strong"
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-[equations]
-x = "x'' + x = 0"
-y = "y'' + y' + 2*y + x^2 = 0"
-)";
+    const std::string strong = test::system_text(
+        "strong", {{"x", "fast", "x'' + x = 0"}, {"y", "fast", "y'' + y' + 2*y + x^2 = 0"}});
     expect_error(strong, 1, 1, Kind::refused, "z3, a mode of y, is damped or grows",
                  "multiply the damping by eps, or derive the normal form and its centre manifold");
 }
 
 // Within the threshold the monomial stays, but it turns: nothing would be slow.
 TEST(Refusal, AResonanceThatIsOnlyNear) {
-    const std::string near = R"(
-[system]
-name = "near"
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-[equations]
-x = "x'' + x + x*y = 0"
-y = "y'' + 4.01*y + x^2 = 0"
-[normal_form]
-near = 0.01
-)";
+    const std::string near = test::system_text(
+        "near", {{"x", "fast", "x'' + x + x*y = 0"}, {"y", "fast", "y'' + 4.01*y + x^2 = 0"}},
+        "[normal_form]\nnear = 0.01\n");
     expect_error(near, 2, 2, Kind::refused, "the rate of z1 has a term whose divisor is only near zero",
                  "declare the resonance by [relations], with its detuning, instead of [normal_form] near");
 }

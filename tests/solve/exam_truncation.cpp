@@ -5,6 +5,7 @@
 #include "solve/line.hpp"
 #include "solve/systems.hpp"
 #include "solve/time_scale.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -99,9 +100,7 @@ TEST(Truncation, TakesADriftThatIsSlowEnough) {
 
 // What quadratures in T = eps t cannot do is a slow flow: there the rate of the amplitude decides.
 TEST(Truncation, AnAmplitudeThatChangesOnLongerTimesIsASlowFlow) {
-    const std::string slowly =
-        "[system]\nname = \"slowly\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n"
-        "x = \"x'' + eps^2*x' + x + x^3 = 0\"\n";
+    const std::string slowly = test::system_text("slowly", {{"x", "fast", "x'' + eps^2*x' + x + x^3 = 0"}});
     EXPECT_FALSE(solution_of_text(conservative, 2, 4, 2).flow);
     EXPECT_FALSE(solution_of_text(slowly, 2, 3).flow);
     const Solution long_time = solution_of_text(slowly, 2, 4, 2);
@@ -118,8 +117,7 @@ TEST(Truncation, AnAmplitudeThatChangesOnLongerTimesIsASlowFlow) {
 // The phase turns by eps^2 |z|^2 besides, which is no way to go: the amplitude moves as eps^3.
 TEST(Truncation, WhatOnlyTurnsMayTurnFaster) {
     const std::string very_slowly =
-        "[system]\nname = \"very_slowly\"\n[variables]\nx = { role = \"fast\" }\n[equations]\n"
-        "x = \"x'' + eps^3*x' + x + x^3 = 0\"\n";
+        test::system_text("very_slowly", {{"x", "fast", "x'' + eps^3*x' + x + x^3 = 0"}});
     EXPECT_NO_THROW(check_time_scale(solution_of_text(very_slowly, 2, 6, 3), scene(2, 3)));
 }
 

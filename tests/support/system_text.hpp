@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A system.toml in one line of a test:
+//
+//   system_text("duffing", {{"x", "fast", "x'' + x + x^3 = 0"}})
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace resonform::test {
+
+struct Unknown {
+    std::string name, role, equation;
+};
+
+// `tables`: those beside [system], [variables] and [equations], as they stand in the file.
+inline std::string system_text(const std::string& name, const std::vector<Unknown>& unknowns,
+                               const std::string& tables = "") {
+    std::string variables, equations;
+    for (const Unknown& u : unknowns) {
+        variables += u.name + " = { role = \"" + u.role + "\" }\n";
+        equations += u.name + " = \"" + u.equation + "\"\n";
+    }
+    return "[system]\nname = \"" + name + "\"\n" + tables + "[variables]\n" + variables + "[equations]\n" +
+           equations;
+}
+
+} // namespace resonform::test
