@@ -3,6 +3,7 @@
 #include "emit/derive/document.hpp"
 #include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,20 +12,9 @@ namespace resonform::test {
 
 namespace {
 
-const std::string two_oscillators = R"(
-[system]
-name = "test"
-[parameters]
-w1 = { positive = true }
-w2 = { positive = true }
-a = {}
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-[equations]
-x = "x'' + w1^2*x + a*x*y = 0"
-y = "y'' + w2^2*y + a*x^2 = 0"
-)";
+const std::string two_oscillators = system_text(
+    "test", {{"x", "fast", "x'' + w1^2*x + a*x*y = 0"}, {"y", "fast", "y'' + w2^2*y + a*x^2 = 0"}},
+    "[parameters]\nw1 = { positive = true }\nw2 = { positive = true }\na = {}\n");
 
 std::string printed(const std::string& file, int order, Format format) {
     const Normalization n = normalize_poincare(field_from(file), order);
@@ -36,25 +26,14 @@ std::string normal_form(const std::string& file, int order) {
 }
 
 // Roots of x^2 + 2*g*x - k: their differences and multiples keep their signs, 2*w1 - w2 does not.
-const std::string roots_and_frequencies = R"(
-[system]
-name = "test"
-[parameters]
-g = { positive = true }
-k = { positive = true }
-w1 = { positive = true }
-w2 = { positive = true }
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-z = { role = "fast" }
-tau = { role = "slow" }
-[equations]
-x = "x'' + 2*g*x' - k*x = x^2"
-y = "y'' + w1^2*y = y*z"
-z = "z'' + (w2*(tau^2 + 1))^2*z = y^2"
-tau = "tau' = eps"
-)";
+const std::string roots_and_frequencies =
+    system_text("test",
+                {{"x", "fast", "x'' + 2*g*x' - k*x = x^2"},
+                 {"y", "fast", "y'' + w1^2*y = y*z"},
+                 {"z", "fast", "z'' + (w2*(tau^2 + 1))^2*z = y^2"},
+                 {"tau", "slow", "tau' = eps"}},
+                "[parameters]\ng = { positive = true }\nk = { positive = true }\n"
+                "w1 = { positive = true }\nw2 = { positive = true }\n");
 
 // tau = 0 and tau = 1 lie outside of the domain, tau = 2 does not.
 const std::string frequency_in_a_domain = R"toml(
@@ -112,21 +91,11 @@ TEST(Divisors, OneSurfaceForAllMultiplesOfADivisor) {
 
 // a + i b vanishes where both do: here nowhere, as b = w does not.
 TEST(Divisors, OfDampedModesVanishWhereBothPartsDo) {
-    const std::string text = printed(R"(
-[system]
-name = "test"
-[parameters]
-k = {}
-w = { positive = true }
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-s = { role = "fast" }
-[equations]
-x = "x' = -w*y + x*s"
-y = "y' = w*x + y*s"
-s = "s' = k*s + x^2"
-)",
+    const std::string text = printed(system_text("test",
+                                                 {{"x", "fast", "x' = -w*y + x*s"},
+                                                  {"y", "fast", "y' = w*x + y*s"},
+                                                  {"s", "fast", "s' = k*s + x^2"}},
+                                                 "[parameters]\nk = {}\nw = { positive = true }\n"),
                                      2, Format::text);
     EXPECT_NE(text.find("D(z1*z2) = -k\n"), std::string::npos) << text;
     EXPECT_NE(text.find("resonance surfaces:\n  k = 0\n"), std::string::npos) << text;
@@ -134,33 +103,17 @@ s = "s' = k*s + x^2"
 
 // 1 + tau^2 and 4 + 3 tau^2 vanish nowhere.
 TEST(Divisors, OfOneSignHaveNoSurface) {
-    const std::string text = printed(R"(
-[system]
-name = "test"
-[variables]
-x = { role = "fast" }
-y = { role = "fast" }
-tau = { role = "slow" }
-[equations]
-x = "x' = -(1 + tau^2)*x + y^2"
-y = "y' = -(2 + tau^2)*y + x*y"
-tau = "tau' = eps"
-)",
+    const std::string text = printed(system_text("test", {{"x", "fast", "x' = -(1 + tau^2)*x + y^2"},
+                                                          {"y", "fast", "y' = -(2 + tau^2)*y + x*y"},
+                                                          {"tau", "slow", "tau' = eps"}}),
                                      2, Format::text);
     EXPECT_EQ(text.find("tau^2 + 1) = 0"), std::string::npos) << text;
     EXPECT_NE(text.find("no divisor that was divided by can vanish\n"), std::string::npos) << text;
 }
 
 TEST(Divisors, OfNumbersHaveNoSurface) {
-    const std::string text = printed(R"(
-[system]
-name = "test"
-[variables]
-x = { role = "fast" }
-[equations]
-x = "x'' + x + x^3 = 0"
-)",
-                                     3, Format::text);
+    const std::string text =
+        printed(system_text("test", {{"x", "fast", "x'' + x + x^3 = 0"}}), 3, Format::text);
     EXPECT_NE(text.find("D(z1^2*z2) = 0\n"), std::string::npos) << text;
     EXPECT_NE(text.find("no divisor that was divided by can vanish\n"), std::string::npos) << text;
 }

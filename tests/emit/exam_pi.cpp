@@ -2,6 +2,7 @@
 // The number pi in every format.
 #include "printed.hpp"
 #include "support/shell.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +10,7 @@ namespace resonform::test {
 namespace {
 
 TEST(Pi, IsTheConstantOfEachLanguage) {
-    const auto n = certified(field_from("[system]\nname = \"pi\"\n[variables]\nx = { role = \"fast\" }\n"
-                                        "[equations]\nx = \"x'' + x + pi/2*x^3 = 0\"\n"),
-                             3);
+    const auto n = certified(field_from(system_text("pi", {{"x", "fast", "x'' + x + pi/2*x^3 = 0"}})), 3);
     const auto expect_part = [&](Format format, const std::string& part) {
         const std::string document = print_normal_form(*n, 3, format);
         EXPECT_NE(document.find(part), std::string::npos) << part << "\nis not in\n" << document;

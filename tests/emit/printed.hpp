@@ -6,6 +6,7 @@
 #include "emit/derive/document.hpp"
 #include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
+#include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,22 +75,13 @@ inline std::shared_ptr<const Normalization> pendulum(int through) {
 
 // Names that the script uses, Greek ones, and those with digits and underscores; `word` is one more.
 inline std::shared_ptr<const GradedField> field_with_odd_names(const std::string& word) {
-    std::string file = R"([system]
-name = "odd_names"
-[parameters]
-lambda1 = { positive = true }
-alpha = {}
-WORD = { positive = true }
-x_2 = { nonzero = true }
-[variables]
-q = { role = "fast" }
-sum = { role = "drift" }
-tau = { role = "slow" }
-[equations]
-q = "q'' + (lambda1 + tau^2)*q + alpha*x_2*q^3 - WORD*eps^2 = 0"
-sum = "sum' = WORD*eps*q + x_2*eps*q^2"
-tau = "tau' = eps/3"
-)";
+    std::string file =
+        system_text("odd_names",
+                    {{"q", "fast", "q'' + (lambda1 + tau^2)*q + alpha*x_2*q^3 - WORD*eps^2 = 0"},
+                     {"sum", "drift", "sum' = WORD*eps*q + x_2*eps*q^2"},
+                     {"tau", "slow", "tau' = eps/3"}},
+                    "[parameters]\nlambda1 = { positive = true }\nalpha = {}\n"
+                    "WORD = { positive = true }\nx_2 = { nonzero = true }\n");
     for (std::size_t at; (at = file.find("WORD")) != std::string::npos;) file.replace(at, 4, word);
     return field_from(file);
 }
