@@ -87,12 +87,10 @@ void add_certify(CLI::App& app, Action& action) {
     const Text digits = add_digits(*command);
     const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, format, style, digits, settings, limits] {
-        action = [system, order, format, style, digits, settings, limits] {
-            return run_certify(*system, *order,
-                               {read_settings(*settings), read_style(*style), read_digits(*digits)},
-                               limits.value(), format.value());
-        };
+    on_choice(*command, action, [=] {
+        return run_certify(*system, *order,
+                           {read_settings(*settings), read_style(*style), read_digits(*digits)},
+                           limits.value(), format.value());
     });
 }
 

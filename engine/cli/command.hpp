@@ -57,6 +57,11 @@ constexpr const char* system_help = "a folder with system.toml, that file, or a 
 constexpr const char* scene_help = "the path of a scene file";
 constexpr const char* order_values = "1..99";
 
+// What `run` does is the action if the command is chosen.
+template <class Run> void on_choice(CLI::App& command, Action& action, const Run& run) {
+    command.callback([&action, run] { action = run; });
+}
+
 void add_derive(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);

@@ -36,11 +36,7 @@ void add_compare(CLI::App& app, Action& action) {
         add_text(*command, "--eps", "E1,E2,...", "values of eps, such as 0.01,1/1000; default: 0.001");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, scene, eps, format, limits] {
-        action = [scene, eps, format, limits] {
-            return run_compare(*scene, *eps, limits.value(), format.value());
-        };
-    });
+    on_choice(*command, action, [=] { return run_compare(*scene, *eps, limits.value(), format.value()); });
 }
 
 } // namespace resonform

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 #include <string_view>
@@ -43,6 +44,17 @@ void tell_error(const Error& error, bool as_json) noexcept {
     const std::string text = document(error);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
+}
+
+bool Complaints::attempt(const std::function<void()>& work) {
+    try {
+        work();
+        return true;
+    } catch (const Error& error) {
+        say_error(error);
+        code = std::max(code, static_cast<int>(error.kind()));
+    }
+    return false;
 }
 
 Error error_of(const std::exception_ptr& failure) {

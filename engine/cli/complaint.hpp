@@ -6,6 +6,7 @@
 #include "algebra/number/error.hpp"
 
 #include <exception>
+#include <functional>
 #include <string>
 
 namespace resonform {
@@ -16,6 +17,13 @@ void say_error(const Error& error) noexcept;
 // The same, and with `as_json` the document: for what ends a command that has printed nothing. What cannot
 // be written is lost: the exit code says that something was wrong.
 void tell_error(const Error& error, bool as_json) noexcept;
+
+// Of a command that goes on: one broken file hides none of the others.
+struct Complaints {
+    int code = 0; // the worst
+    // Runs `work`; says what it complains about. False if it did.
+    bool attempt(const std::function<void()>& work);
+};
 
 // Any exception as an Error: std::bad_alloc as a lack of memory, all others as a fault of the engine.
 Error error_of(const std::exception_ptr& failure);

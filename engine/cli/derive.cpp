@@ -228,12 +228,9 @@ void add_derive(CLI::App& app, Action& action) {
     const Text digits = add_digits(*command);
     const Texts settings = add_settings(*command);
     const LimitOptions limits(*command);
-    command->callback([&action, system, order, stage, truncation, format, coefficients, style, digits,
-                       settings, limits] {
-        action = [system, order, stage, truncation, format, coefficients, style, digits, settings, limits] {
-            return run_derive({*system, *order, *stage, *truncation, *format, *coefficients, *style, *digits,
-                               *settings, limits.value()});
-        };
+    on_choice(*command, action, [=] {
+        return run_derive({*system, *order, *stage, *truncation, *format, *coefficients, *style, *digits,
+                           *settings, limits.value()});
     });
 }
 

@@ -126,11 +126,8 @@ void add_evaluate(CLI::App& app, Action& action) {
     const Text times = add_required(*command, "--t", "T1,T2,...", "times, separated by commas");
     const FormatOption format(*command, {"csv", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, scene, eps, times, format, limits] {
-        action = [scene, eps, times, format, limits] {
-            return run_evaluate(*scene, *eps, *times, limits.value(), format.value());
-        };
-    });
+    on_choice(*command, action,
+              [=] { return run_evaluate(*scene, *eps, *times, limits.value(), format.value()); });
 }
 
 } // namespace resonform

@@ -89,11 +89,9 @@ void add_generate(CLI::App& app, Action& action) {
                       "copy the runtime into the header: it includes nothing of ours");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, scene, output, inline_runtime, format, limits] {
-        action = [scene, output, inline_runtime, format, limits] {
-            const std::string file = *output == "-" ? "" : *output; // the usual name of standard output
-            return run_generate({*scene, file, format.value(), *inline_runtime, limits.value()});
-        };
+    on_choice(*command, action, [=] {
+        const std::string file = *output == "-" ? "" : *output; // the usual name of standard output
+        return run_generate({*scene, file, format.value(), *inline_runtime, limits.value()});
     });
 }
 

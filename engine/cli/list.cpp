@@ -10,54 +10,34 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace resonform {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What there is, and what could not be read.
-struct Listing {
-    Json systems = Json::array();
-    int code = done; // the worst
-
-    // One broken file hides none of the others.
-    void complain(const Error& error) {
-        say_error(error);
-        code = std::max(code, static_cast<int>(error.kind()));
-    }
-};
-
-Json list_scenes(const SystemFiles& files, Listing& listing) {
+Json list_scenes(const SystemFiles& files, Complaints& complaints) {
     Json scenes = Json::array();
-    for (const auto& file : files.scenes) {
-        try {
+    for (const auto& file : files.scenes)
+        complaints.attempt([&] {
             const Heading scene = read_heading_of_scene(file);
             scenes.push_back({{"name", scene.name}, {"title", scene.title}, {"file", file.string()}});
-        } catch (const Error& error) {
-            listing.complain(error);
-        }
-    }
+        });
     return scenes;
 }
 
-Listing list_all(const Home& home) {
-    Listing listing;
-    for (const SystemFiles& files : list_systems(home)) {
-        try {
+Json list_all(const Home& home, Complaints& complaints) {
+    Json systems = Json::array();
+    for (const SystemFiles& files : list_systems(home))
+        complaints.attempt([&] {
             const Heading system = read_heading_of_system(files.system);
             require_name_of_folder(system.name, system.name_place);
-            listing.systems.push_back({{"name", system.name},
-                                       {"title", system.title},
-                                       {"file", files.system.string()},
-                                       {"scenes", list_scenes(files, listing)}});
-        } catch (const Error& error) {
-            listing.complain(error);
-        }
-    }
-    return listing;
+            systems.push_back({{"name", system.name},
+                               {"title", system.title},
+                               {"file", files.system.string()},
+                               {"scenes", list_scenes(files, complaints)}});
+        });
+    return systems;
 }
 
 void print_text(const Json& systems) {
@@ -69,12 +49,13 @@ void print_text(const Json& systems) {
 }
 
 int list(const std::string& format) {
-    const Listing listing = list_all(find_home());
+    Complaints complaints;
+    const Json systems = list_all(find_home(), complaints);
     if (format == "json")
-        put("{}", document_text(Json{{"schema", "resonform.list/1"}, {"systems", listing.systems}}));
+        put("{}", document_text(Json{{"schema", "resonform.list/1"}, {"systems", systems}}));
     else
-        print_text(listing.systems);
-    return listing.code;
+        print_text(systems);
+    return complaints.code;
 }
 
 } // namespace
@@ -82,7 +63,7 @@ int list(const std::string& format) {
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "the systems at hand and their scenes");
     const FormatOption format(*command, {"text", "json"});
-    command->callback([&action, format] { action = [format] { return list(format.value()); }; });
+    on_choice(*command, action, [=] { return list(format.value()); });
 }
 
 } // namespace resonform

@@ -25,24 +25,13 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void cannot_write(const fs::path& file, const std::string& reason) {
-    Place place;
-    place.file = file.string();
     bad_input(Reason::file, {"the output must be a file in a folder that exists and can be written", reason,
-                             "make the folder, free space, or give another path", place});
+                             "make the folder, free space, or give another path", whole_file(file)});
 }
 
 [[noreturn]] void cannot_write_into(const fs::path& folder, const std::string& reason) {
-    Place place;
-    place.file = folder.string();
-    bad_input(Reason::file,
-              {"the folder must be one that can be made and written", reason, "give another path", place});
-}
-
-[[noreturn]] void cannot_read(const fs::path& folder, const std::string& reason) {
-    Place place;
-    place.file = folder.string();
-    bad_input(Reason::file,
-              {"the folder must be readable", reason, "check the folder and its permissions", place});
+    bad_input(Reason::file, {"the folder must be one that can be made and written", reason,
+                             "give another path", whole_file(folder)});
 }
 
 // A folder that is not there has no entries.
@@ -51,7 +40,9 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     std::vector<fs::path> entries;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         entries.push_back(entry->path());
-    if (error && error != std::errc::no_such_file_or_directory) cannot_read(folder, error.message());
+    if (error && error != std::errc::no_such_file_or_directory)
+        bad_input(Reason::file, {"the folder must be readable", error.message(),
+                                 "check the folder and its permissions", whole_file(folder)});
     std::sort(entries.begin(), entries.end());
     return entries;
 }
@@ -161,12 +152,10 @@ fs::path find_system(const std::string& argument, const Home& home) {
 
 std::vector<SystemFiles> list_systems(const Home& home) {
     std::vector<SystemFiles> systems = systems_of(home);
-    if (systems.empty()) {
-        Place place;
-        place.file = home.systems().string();
-        bad_input(Reason::file, {"there must be a system: a folder with system.toml", "none",
-                                 "add one, or go to a folder whose systems/ has one", place});
-    }
+    if (systems.empty())
+        bad_input(Reason::file,
+                  {"there must be a system: a folder with system.toml", "none",
+                   "add one, or go to a folder whose systems/ has one", whole_file(home.systems())});
     say_if_of_source_tree(home, systems.front().system);
     return systems;
 }
@@ -228,12 +217,9 @@ void write_files(const std::vector<TextFile>& files) {
 void require_other_file(const fs::path& output, const std::vector<fs::path>& were_read) {
     std::error_code ignored; // no such file yet: not the same
     for (const fs::path& file : were_read)
-        if (fs::equivalent(output, file, ignored)) {
-            Place place;
-            place.file = output.string();
+        if (fs::equivalent(output, file, ignored))
             bad_input(Reason::file, {"the output must not be a file that was read", file.string(),
-                                     "give another path", place});
-        }
+                                     "give another path", whole_file(output)});
 }
 
 void make_folder(const fs::path& folder) {
@@ -252,21 +238,17 @@ void require_writable_folder(const fs::path& folder) {
 
 CacheFolder::CacheFolder(const Home& home) : path_(home.cache()) {
     const char* chosen = std::getenv("RESONFORM_CACHE"); // NOLINT(concurrency-mt-unsafe): nobody sets it here
-    if (chosen != nullptr && *chosen != '\0') {
-        path_ = chosen;
-        try {
-            require_writable_folder(path_);
-        } catch (const Error& error) {
+    const bool is_chosen = chosen != nullptr && *chosen != '\0';
+    if (is_chosen) path_ = chosen;
+    try {
+        require_writable_folder(path_);
+    } catch (const Error& error) {
+        if (is_chosen) {
             Diagnostic d = error.diagnostic();
             d.rule = "the cache must be a folder that can be written";
             d.mend = "set RESONFORM_CACHE to another folder, or unset it";
             bad_input(std::move(d));
         }
-        return;
-    }
-    try {
-        require_writable_folder(path_);
-    } catch (const Error& error) {
         std::string folder = (fs::temp_directory_path() / "resonform-XXXXXX").string();
         if (mkdtemp(folder.data()) == nullptr) throw;
         say(fmt::format("resonform: nothing is kept for the next run, {} cannot be written ({}); "

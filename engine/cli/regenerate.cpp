@@ -36,21 +36,8 @@ struct Entry {
     std::string state;
 };
 
-struct Regeneration {
+struct Regeneration : Complaints {
     std::vector<Entry> entries;
-    int code = done; // the worst
-
-    // Runs `work`; says what it complains about and goes on. False if it did.
-    template <class Work> bool attempt(const Work& work) {
-        try {
-            work();
-            return true;
-        } catch (const Error& error) {
-            say_error(error);
-            code = std::max(code, static_cast<int>(error.kind()));
-        }
-        return false;
-    }
 };
 
 std::string compare(const fs::path& file, const std::string& header) {
@@ -148,10 +135,8 @@ void add_regenerate(CLI::App& app, Action& action) {
                       "write nothing; exit 1 if a file differs, is missing or has no scene");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, check, format, limits] {
-        action = [check, format, limits] {
-            return run_regenerate({find_home(), *check, limits.value()}, format.value());
-        };
+    on_choice(*command, action, [=] {
+        return run_regenerate({find_home(), *check, limits.value()}, format.value());
     });
 }
 

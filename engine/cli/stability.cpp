@@ -44,13 +44,10 @@ void add_stability(CLI::App& app, Action& action) {
         add_text(*command, "--seed", "NUMBER", "of the points: the same seed, the same points", "2");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, scene, points, seed, format, limits] {
-        action = [scene, points, seed, format, limits] {
-            return run_stability(
-                *scene, read_integer("--points", *points, 1, most_points, 3000),
-                read_integer("--seed", *seed, 0, std::numeric_limits<std::uint64_t>::max(), 3),
-                limits.value(), format.value());
-        };
+    on_choice(*command, action, [=] {
+        return run_stability(*scene, read_integer("--points", *points, 1, most_points, 3000),
+                             read_integer("--seed", *seed, 0, std::numeric_limits<std::uint64_t>::max(), 3),
+                             limits.value(), format.value());
     });
 }
 

@@ -166,10 +166,8 @@ void add_verify(CLI::App& app, Action& action) {
                    "write report.html and report.md here; adds run times and the stability sweep");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
-    command->callback([&action, scene, folder, format, limits] {
-        action = [scene, folder, format, limits] {
-            return run_verify({*scene, *folder, limits.value(), format.value()});
-        };
+    on_choice(*command, action, [=] {
+        return run_verify({*scene, *folder, limits.value(), format.value()});
     });
 }
 
