@@ -10,6 +10,7 @@
 #include "normalize/recursion/centre_manifold.hpp"
 #include "solve/transgression.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -17,19 +18,17 @@ namespace resonform {
 
 namespace {
 
-constexpr std::array formats = {Format::text, Format::latex, Format::json, Format::sympy, Format::maxima};
-constexpr std::array stages = {Stage::constraints, Stage::accelerations, Stage::equations,
-                               Stage::expand,      Stage::normal_form,   Stage::divisors,
-                               Stage::manifold,    Stage::solution,      Stage::transgression};
+// In the order of the enumerations.
+constexpr std::array format_names = {"text", "latex", "json", "sympy", "maxima"};
+constexpr std::array stage_names = {"constraints", "accelerations", "equations",
+                                    "expand",      "normal_form",   "divisors",
+                                    "manifold",    "solution",      "transgression"};
 
 template <class Choice, std::size_t N>
-Choice parse(const char* what, std::string_view name, const std::array<Choice, N>& choices) {
-    std::vector<std::string> names;
-    for (Choice choice : choices) {
-        if (name == to_string(choice)) return choice;
-        names.emplace_back(to_string(choice));
-    }
-    const std::string near = nearest(std::string(name), names);
+Choice parse(const char* what, std::string_view name, const std::array<const char*, N>& names) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<Choice>(found - names.begin());
+    const std::string near = nearest(std::string(name), {names.begin(), names.end()});
     bad_input({fmt::format("{} is one of {}", what, fmt::join(names, ", ")),
                std::string(name),
                near.empty() ? "name one of these" : "write " + near,
@@ -56,35 +55,13 @@ Page defined(Page page, const Solution* solution) {
 
 } // namespace
 
-const char* to_string(Format format) {
-    switch (format) {
-    case Format::text: return "text";
-    case Format::latex: return "latex";
-    case Format::json: return "json";
-    case Format::sympy: return "sympy";
-    case Format::maxima: return "maxima";
-    }
-    return "";
-}
+const char* to_string(Format format) { return format_names[static_cast<std::size_t>(format)]; }
 
-const char* to_string(Stage stage) {
-    switch (stage) {
-    case Stage::constraints: return "constraints";
-    case Stage::accelerations: return "accelerations";
-    case Stage::equations: return "equations";
-    case Stage::expand: return "expand";
-    case Stage::normal_form: return "normal_form";
-    case Stage::divisors: return "divisors";
-    case Stage::manifold: return "manifold";
-    case Stage::solution: return "solution";
-    case Stage::transgression: return "transgression";
-    }
-    return "";
-}
+const char* to_string(Stage stage) { return stage_names[static_cast<std::size_t>(stage)]; }
 
-Format parse_format(std::string_view name) { return parse("a format", name, formats); }
+Format parse_format(std::string_view name) { return parse<Format>("a format", name, format_names); }
 
-Stage parse_stage(std::string_view name) { return parse("a stage", name, stages); }
+Stage parse_stage(std::string_view name) { return parse<Stage>("a stage", name, stage_names); }
 
 void require_printable(Stage stage, Format format) {
     const bool script = format == Format::sympy || format == Format::maxima;

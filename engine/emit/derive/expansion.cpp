@@ -55,10 +55,7 @@ public:
     [[nodiscard]] Section section(std::string heading, const std::vector<DriftFrame>& frames) const {
         Section result{std::move(heading), {}};
         for (const EquationLine& line : equations_.lines) result.formulas.push_back(formula(line, frames));
-        for (const DriftFrame& frame : frames)
-            if (frame.removed)
-                result.formulas.push_back(
-                    {side(symbol_sum(frame.name)), side(symbol_sum(frame.variable) + -frame.primitive)});
+        for (const DriftFrame& frame : frames) define_frame(result, frame);
         return result;
     }
 

@@ -36,20 +36,16 @@ public:
             const Mode& mode = field_.modes[k];
             DisplaySum value = symbol_sum(amplitude(2 * k + 1));
             value.terms.front().tail.push_back(exponential(symbol_sum(phase(flow_.modes[k]))));
-            section.formulas.push_back({side(symbol_sum(mode.name)), side(std::move(value))});
-            section.formulas.push_back({side(symbol_sum(mode.conjugate_name)),
-                                        side(factor_sum(function_factor("conj", symbol_sum(mode.name))))});
-            section.formulas.push_back({side(symbol_sum(amplitude(2 * k + 1))), side(cartesian(k))});
-            section.formulas.push_back(
-                {side(symbol_sum(amplitude(2 * k + 2))),
-                 side(factor_sum(function_factor("conj", symbol_sum(amplitude(2 * k + 1)))))});
+            define(section, mode.name, std::move(value));
+            define(section, mode.conjugate_name, function_of("conj", mode.name));
+            define(section, amplitude(2 * k + 1), cartesian(k));
+            define(section, amplitude(2 * k + 2), function_of("conj", amplitude(2 * k + 1)));
         }
         for (std::size_t k = 0; k < field_.angles.size(); ++k)
-            section.formulas.push_back({side(symbol_sum(field_.angles[k].name)),
-                                        side(symbol_sum(phase(flow_.angles[k])) + symbol_sum(offset(k)))});
+            define(section, field_.angles[k].name,
+                   symbol_sum(phase(flow_.angles[k])) + symbol_sum(offset(k)));
         for (std::size_t p = 0; p < flow_.phases.size(); ++p)
-            section.formulas.push_back(
-                {side(symbol_sum(phase_names()[p] + "'")), by_weight(flow_.phases[p], frame_)});
+            define(section, phase_names()[p] + "'", by_weight(flow_.phases[p], frame_));
         return section;
     }
 
@@ -58,7 +54,7 @@ public:
         const auto add = [&](const std::string& name, const Series& rate) {
             Side value = by_weight(rate.total(rate.through()), frame_);
             if (remainders_ && rate.through() >= 0) value.remainder = rate.through() + 1;
-            section.formulas.push_back({side(symbol_sum(name + "'")), std::move(value)});
+            define(section, name + "'", std::move(value));
         };
         for (std::size_t k = 0; k < field_.modes.size(); ++k) add(amplitude(2 * k + 1), flow_.modes[k].rate);
         for (std::size_t k = 0; k < field_.angles.size(); ++k) add(offset(k), flow_.angles[k].rate);
@@ -75,7 +71,7 @@ public:
         for (const FlowOutput& output : outputs) {
             Side value = written(output.value, output.value.through(), write_, phases(ring_));
             if (output.drift) value.groups.insert(value.groups.begin(), symbol_sum("z_" + output.name));
-            section.formulas.push_back({side(symbol_sum(output.name)), std::move(value)});
+            define(section, output.name, std::move(value));
         }
         return section;
     }
@@ -110,10 +106,7 @@ private:
         const int weight = ring_.generator(field_.modes[k].z).weight;
         if (weight == 0) return unit;
         DisplaySum value = factor_sum(symbol_factor("eps", weight));
-        DisplayFactor factor;
-        factor.kind = DisplayFactor::Kind::sum;
-        factor.arguments = {unit};
-        value.terms.front().tail.push_back(std::move(factor));
+        value.terms.front().tail.push_back(sum_factor(std::move(unit)));
         return value;
     }
 

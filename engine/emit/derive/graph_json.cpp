@@ -5,6 +5,7 @@
 #include "emit/display/display.hpp"
 #include "emit/display/json.hpp"
 #include "emit/display/normal_form_json.hpp"
+#include "emit/display/normal_form_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -81,14 +82,9 @@ Json normal_form_json(const GraphNormalization& normalization, int order) {
     const GraphPrinter printer(normalization, order);
     const auto list = [&](const auto& from, bool is_map) {
         Json terms = Json::array();
-        for (std::size_t k = 0; k < field.modes.size(); ++k)
-            printer.append(terms, field.modes[k].name, from.mode[k]);
-        for (std::size_t k = 0; k < field.angles.size(); ++k)
-            printer.append(terms, field.angles[k].name, from.angle[k]);
-        for (std::size_t k = 0; k < field.slow.size(); ++k)
-            if (!is_map || field.slow[k].driven) printer.append(terms, field.slow[k].name, from.slow[k]);
-        for (std::size_t k = 0; k < field.drift.size(); ++k)
-            printer.append(terms, field.drift[k].name, from.drift[k]);
+        visit_variables(field, from, is_map, [&](const std::string& name, const auto& series) {
+            printer.append(terms, name, series);
+        });
         return terms;
     };
     return normal_form_document(field, order, result.normal_form.through, result.normal_form.style,

@@ -28,9 +28,8 @@ DisplayTerm written(const GradedField& field, const RealInvariants& invariants, 
     if (t.part == Part::whole) {
         term.tail.insert(term.tail.end(), resonant.factors.begin(), resonant.factors.end());
     } else {
-        DisplaySum argument;
-        argument.terms.push_back(std::move(resonant));
-        term.tail.push_back(function_factor(t.part == Part::real ? "Re" : "Im", std::move(argument)));
+        term.tail.push_back(
+            function_factor(t.part == Part::real ? "Re" : "Im", term_sum(std::move(resonant))));
     }
     return term;
 }
@@ -50,14 +49,11 @@ std::vector<Section> hamiltonian_sections(const NormalForm& normal_form, int ord
     Section section{"energy in real invariants", {{side(symbol_sum("H")), std::move(energy)}}};
     Section where{"where", {}};
     for (const Action& action : invariants.actions) {
-        DisplaySum product;
-        product.terms.push_back(
-            product_of(*field.ring, field.ring->monomial(action.left) + field.ring->monomial(action.right),
-                       field.outer()));
-        DisplaySum value;
-        value.terms.push_back(factored(display(*field.ring, action.product)));
-        value.terms.front().tail.push_back(symbol_factor(action.name));
-        where.formulas.push_back({side(std::move(product)), side(std::move(value))});
+        const Monomial both = field.ring->monomial(action.left) + field.ring->monomial(action.right);
+        DisplayTerm value = factored(display(*field.ring, action.product));
+        value.tail.push_back(symbol_factor(action.name));
+        where.formulas.push_back(
+            {side(term_sum(product_of(*field.ring, both, field.outer()))), side(term_sum(std::move(value)))});
     }
     if (where.formulas.empty()) return {std::move(section)};
     return {std::move(section), std::move(where)};

@@ -5,6 +5,7 @@
 #include "emit/display/json.hpp"
 #include "emit/display/normal_form_json.hpp"
 #include "emit/display/normal_form_parts.hpp"
+#include "emit/display/page.hpp"
 #include "emit/display/slow_rate.hpp"
 #include "emit/display/spelling.hpp"
 #include "emit/display/vanishing.hpp"
@@ -14,10 +15,6 @@
 namespace resonform {
 
 namespace {
-
-DisplaySum called(const std::string& function, const std::string& name) {
-    return factor_sum(function_factor(function, symbol_sum(name)));
-}
 
 class ManifoldPage {
 public:
@@ -29,12 +26,9 @@ public:
         Section section;
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
             if (!result_.slaved[k]) add(section, rate_of(field_.modes[k].name), {}, result_.flow.mode[k]);
-        for (std::size_t k = 0; k < field_.angles.size(); ++k)
-            add(section, rate_of(field_.angles[k].name), {}, result_.flow.angle[k]);
-        for (std::size_t k = 0; k < field_.slow.size(); ++k)
-            add(section, rate_of(field_.slow[k].name), {}, result_.flow.slow[k]);
-        for (std::size_t k = 0; k < field_.drift.size(); ++k)
-            add(section, rate_of(field_.drift[k].name), {}, result_.flow.drift[k]);
+        visit_others(field_, result_.flow, false, [&](const std::string& name, const Series& rate) {
+            add(section, rate_of(name), {}, rate);
+        });
         return section;
     }
 
@@ -51,7 +45,7 @@ public:
         Section section{"base point of a state (z1, ... are the old modes here)", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
             if (!result_.slaved[k])
-                add(section, called("base", field_.modes[k].name), field_.modes[k].name,
+                add(section, function_of("base", field_.modes[k].name), field_.modes[k].name,
                     result_.fibres.mode[k]);
         add_others(section, "base", result_.fibres);
         return section;
@@ -78,13 +72,9 @@ private:
     }
 
     void add_others(Section& section, const std::string& function, const NearIdentityMap& map) const {
-        const auto line = [&](const std::string& name, const Series& series) {
-            add(section, called(function, name), name, series);
-        };
-        for (std::size_t k = 0; k < field_.angles.size(); ++k) line(field_.angles[k].name, map.angle[k]);
-        for (std::size_t k = 0; k < field_.slow.size(); ++k)
-            if (field_.slow[k].driven) line(field_.slow[k].name, map.slow[k]);
-        for (std::size_t k = 0; k < field_.drift.size(); ++k) line(field_.drift[k].name, map.drift[k]);
+        visit_others(field_, map, true, [&](const std::string& name, const Series& series) {
+            add(section, function_of(function, name), name, series);
+        });
     }
 
     const CentreManifold& result_;
@@ -115,8 +105,7 @@ Page manifold_page(const CentreManifold& manifold, const Certificate& certificat
     const System& system = manifold.flow.field->system();
     page.title = fmt::format("centre manifold of {} through weight {}", system.name_with_settings(),
                              to_string(system.weight(order)));
-    for (Section section : {parts.flow(), parts.manifold(), parts.fibres()})
-        if (!section.formulas.empty()) page.sections.push_back(std::move(section));
+    append_sections(page, {parts.flow(), parts.manifold(), parts.fibres()});
     page.remarks = growth_remarks(manifold);
     page.remarks.push_back(certificate_remark(certificate));
     return page;
@@ -140,11 +129,8 @@ Json manifold_json(const CentreManifold& manifold, const Certificate& certificat
         append(fibres, name, manifold.fibres.mode[k]);
     }
     const auto append_others = [&](Json& list, const auto& from, bool is_map) {
-        for (std::size_t k = 0; k < field.angles.size(); ++k)
-            append(list, field.angles[k].name, from.angle[k]);
-        for (std::size_t k = 0; k < field.slow.size(); ++k)
-            if (!is_map || field.slow[k].driven) append(list, field.slow[k].name, from.slow[k]);
-        for (std::size_t k = 0; k < field.drift.size(); ++k) append(list, field.drift[k].name, from.drift[k]);
+        visit_others(field, from, is_map,
+                     [&](const std::string& name, const Series& series) { append(list, name, series); });
     };
     append_others(flow, manifold.flow, false);
     append_others(map, manifold.manifold, true);

@@ -5,6 +5,7 @@
 #include "emit/display/display.hpp"
 #include "emit/display/drift_frame.hpp"
 #include "emit/display/normal_form_parts.hpp"
+#include "emit/display/page.hpp"
 #include "emit/display/slow_rate.hpp"
 #include "emit/display/spelling.hpp"
 #include "emit/display/vanishing.hpp"
@@ -16,13 +17,6 @@
 namespace resonform {
 
 namespace {
-
-// The first weight in which a map differs from the identity, as far as it is known.
-Rational first_weight(const System& system, const Series& series, int through) {
-    int n = 1;
-    while (n <= through && series.part(n).empty()) ++n;
-    return system.weight(n);
-}
 
 class NormalFormPage {
 public:
@@ -50,8 +44,7 @@ public:
             if (slow.driven) {
                 add_rate(section, slow.name, normal_form_.slow[k]);
             } else {
-                section.formulas.push_back(
-                    {side(symbol_sum(slow.name + "'")), side(display(*field_.ring, slow.rate))});
+                define(section, slow.name + "'", display(*field_.ring, slow.rate));
             }
         }
         return section;
@@ -61,25 +54,15 @@ public:
         Section section{"where", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
-            section.formulas.push_back(
-                {side(symbol_sum(mode.name)),
-                 side(old_mode(field_, k), first_weight(field_.system(), map_.mode[k], map_.through))});
-            if (!mode.is_real())
-                section.formulas.push_back(
-                    {side(symbol_sum(mode.conjugate_name)),
-                     side(factor_sum(function_factor("conj", symbol_sum(mode.name))))});
+            define(section, mode.name, side(old_mode(field_, k), first_weight(map_.mode[k])));
+            if (!mode.is_real()) define(section, mode.conjugate_name, function_of("conj", mode.name));
             if (mode.oscillator)
-                section.formulas.push_back(
-                    {side(symbol_sum(frequency_name(field_, k))), side(display(*field_.ring, mode.omega))});
+                define(section, frequency_name(field_, k), display(*field_.ring, mode.omega));
         }
         for (std::size_t k = 0; k < frames_.size(); ++k) {
-            const DriftFrame& frame = frames_[k];
-            section.formulas.push_back(
-                {side(symbol_sum(frame.normal)),
-                 side(symbol_sum(frame.name), first_weight(field_.system(), map_.drift[k], map_.through))});
-            if (frame.removed)
-                section.formulas.push_back(
-                    {side(symbol_sum(frame.name)), side(symbol_sum(frame.variable) + -frame.primitive)});
+            define(section, frames_[k].normal,
+                   side(symbol_sum(frames_[k].name), first_weight(map_.drift[k])));
+            define_frame(section, frames_[k]);
         }
         return section;
     }
@@ -89,16 +72,23 @@ public:
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
             add_map(section, old_mode(field_, k), field_.modes[k].name, map_.mode[k]);
         for (std::size_t k = 0; k < field_.angles.size(); ++k)
-            add_map(section, old_variable(field_.angles[k].name), field_.angles[k].name, map_.angle[k]);
+            add_map(section, function_of("old", field_.angles[k].name), field_.angles[k].name, map_.angle[k]);
         for (std::size_t k = 0; k < field_.slow.size(); ++k)
             if (field_.slow[k].driven)
-                add_map(section, old_variable(field_.slow[k].name), field_.slow[k].name, map_.slow[k]);
+                add_map(section, function_of("old", field_.slow[k].name), field_.slow[k].name, map_.slow[k]);
         for (std::size_t k = 0; k < frames_.size(); ++k)
             add_map(section, symbol_sum(frames_[k].name), frames_[k].normal, map_.drift[k]);
         return section;
     }
 
 private:
+    // The first weight in which a map differs from the identity, as far as it is known.
+    [[nodiscard]] Rational first_weight(const Series& series) const {
+        int n = 1;
+        while (n <= map_.through && series.part(n).empty()) ++n;
+        return field_.system().weight(n);
+    }
+
     [[nodiscard]] SeriesWriter writer() const {
         std::vector<Polynomial> all;
         for (const auto* list : {&normal_form_.mode, &normal_form_.angle, &normal_form_.slow,
@@ -113,12 +103,8 @@ private:
         return result;
     }
 
-    static DisplaySum old_variable(const std::string& name) {
-        return factor_sum(function_factor("old", symbol_sum(name)));
-    }
-
     void add_rate(Section& section, const std::string& name, const Series& rate) const {
-        section.formulas.push_back({side(symbol_sum(name + "'")), written(rate, order_, write_, phases_)});
+        define(section, name + "'", written(rate, order_, write_, phases_));
     }
 
     void add_map(Section& section, DisplaySum old, const std::string& name, const Series& difference) const {
@@ -157,8 +143,7 @@ Page normal_form_page(const Normalization& normalization, int order, const Solut
     if (normalization.normal_form.hamiltonian)
         for (Section& section : hamiltonian_sections(normalization.normal_form, order))
             sections.push_back(std::move(section));
-    for (Section& section : sections)
-        if (!section.formulas.empty()) page.sections.push_back(std::move(section));
+    append_sections(page, std::move(sections));
     const std::string divisors = divisor_remark(*normalization.normal_form.field);
     if (!divisors.empty()) page.remarks.push_back(divisors);
     page.remarks.push_back(certificate_remark(normalization.certificate));

@@ -6,6 +6,7 @@
 #include "emit/display/drift_frame.hpp"
 #include "emit/display/free_name.hpp"
 #include "emit/display/normal_form_parts.hpp"
+#include "emit/display/page.hpp"
 #include "emit/display/slow_rate.hpp"
 #include "emit/display/solution_display.hpp"
 
@@ -34,13 +35,6 @@ Polynomial polar_rate(const GradedField& field, const Polynomial& rate, bool pha
     return Polynomial::from_terms(std::move(terms));
 }
 
-// T = eps*t
-Formula slow_time_formula(const std::string& name) {
-    DisplaySum value = factor_sum(symbol_factor("eps"));
-    value.terms.front().factors.push_back(symbol_factor("t"));
-    return {side(symbol_sum(name)), side(std::move(value))};
-}
-
 class SolutionPage {
 public:
     explicit SolutionPage(const Solution& solution)
@@ -56,11 +50,11 @@ public:
         const Polynomial growth = polar_rate(field_, rate, false), speed = polar_rate(field_, rate, true);
         const SeriesWriter write(field_.ring, field_.eps, {field_.modes.front().z, field_.eps},
                                  only_rate_with_eps(field_), {growth, speed});
-        section.formulas.push_back({side(symbol_sum(field_.modes.front().name)), side(polar_form())});
-        section.formulas.push_back({side(symbol_sum(amplitude_ + "'")), polar_side(growth, write)});
-        section.formulas.push_back({side(symbol_sum(phase_ + "'")), polar_side(speed, write)});
-        section.formulas.push_back({side(symbol_sum(amplitude_)), envelope(mode)});
-        section.formulas.push_back({side(symbol_sum(phase_)), phase_integral(mode)});
+        define(section, field_.modes.front().name, polar_form());
+        define(section, amplitude_ + "'", polar_side(growth, write));
+        define(section, phase_ + "'", polar_side(speed, write));
+        define(section, amplitude_, envelope(mode));
+        define(section, phase_, phase_integral(mode));
         return section;
     }
 
@@ -71,11 +65,8 @@ public:
             const std::string& name = solution_.system().variables[drift.variable].name;
             for (const DriftFrame& frame : frames) {
                 if (frame.variable != name) continue;
-                section.formulas.push_back(
-                    {side(symbol_sum(frame.normal)), drift_side(drift, frame.removed)});
-                if (frame.removed)
-                    section.formulas.push_back(
-                        {side(symbol_sum(frame.name)), side(symbol_sum(frame.variable) + -frame.primitive)});
+                define(section, frame.normal, drift_side(drift, frame.removed));
+                define_frame(section, frame);
             }
         }
         return section;
@@ -129,15 +120,12 @@ private:
     }
 
     [[nodiscard]] Side phase_integral(const ModeSolution& mode) const {
-        DisplayFactor integral;
-        integral.kind = DisplayFactor::Kind::integral;
         DisplaySum integrand;
         for (int n = 0; n <= mode.phase_rate.through(); ++n)
             integrand = integrand + display(ring_, mode.phase_rate.part(n), substitutes_);
-        integral.arguments = {std::move(integrand), symbol_sum("t"), DisplaySum{}, symbol_sum("t")};
-        Side result;
-        result.groups = {symbol_sum(mode.phase_name), factor_sum(std::move(integral))};
-        return result;
+        DisplayFactor integral =
+            integral_factor({std::move(integrand), symbol_sum("t"), DisplaySum{}, symbol_sum("t")});
+        return {{symbol_sum(mode.phase_name), factor_sum(std::move(integral))}};
     }
 
     // By powers of eps; without the primitive of the known rate, only the constant is left of part 0.
@@ -154,8 +142,8 @@ private:
         for (const DisplaySum& group : oscillation.groups) oscillates = oscillates || !group.terms.empty();
         const std::string part = free_name(solution_.system(), "f_" + name);
         if (oscillates) mean.groups.push_back(symbol_sum(part));
-        section.formulas.push_back({side(symbol_sum(name)), std::move(mean)});
-        if (oscillates) section.formulas.push_back({side(symbol_sum(part)), std::move(oscillation)});
+        define(section, name, std::move(mean));
+        if (oscillates) define(section, part, std::move(oscillation));
     }
 
     const Solution& solution_;
@@ -176,7 +164,7 @@ Section slow_laws(const Solution& solution) {
         motion.tail.push_back(symbol_factor("t"));
         DisplaySum value = symbol_sum(name + "_0");
         value.terms.push_back(std::move(motion));
-        section.formulas.push_back({side(symbol_sum(name)), side(std::move(value))});
+        define(section, name, std::move(value));
     }
     return section;
 }
@@ -190,8 +178,7 @@ Page solution_page(const Solution& solution) {
         return page;
     }
     const SolutionPage parts(solution);
-    for (Section section : {slow_laws(solution), parts.amplitude_and_phase(), parts.drift(), parts.outputs()})
-        if (!section.formulas.empty()) page.sections.push_back(std::move(section));
+    append_sections(page, {slow_laws(solution), parts.amplitude_and_phase(), parts.drift(), parts.outputs()});
     return page;
 }
 
@@ -203,10 +190,8 @@ void define_slow_time(Page& page, const Solution& solution) {
         for (const Formula& formula : section.formulas)
             for (const DisplaySum& group : formula.right.groups) used = used || mentions(group, name);
     if (!used) return;
-    if (page.sections.front().heading.empty())
-        page.sections.front().formulas.push_back(slow_time_formula(name));
-    else
-        page.sections.insert(page.sections.begin(), Section{"", {slow_time_formula(name)}});
+    if (!page.sections.front().heading.empty()) page.sections.insert(page.sections.begin(), Section{});
+    define(page.sections.front(), name, slow_time_sum()); // T = eps*t
 }
 
 } // namespace resonform

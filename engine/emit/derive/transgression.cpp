@@ -33,19 +33,15 @@ Formula drift_law(const Solution& law, const DriftSolution& drift, std::optional
 
 // x - C_X, as a factor
 DisplayFactor moved(const Solution& law, const DriftSolution& drift) {
-    DisplayFactor factor;
-    factor.kind = DisplayFactor::Kind::sum;
-    factor.arguments = {symbol_sum(law.system().variables[drift.variable].name) +
-                        -symbol_sum(drift.constant_name)};
-    return factor;
+    return sum_factor(symbol_sum(law.system().variables[drift.variable].name) +
+                      -symbol_sum(drift.constant_name));
 }
 
 DisplaySum times(const Ring& ring, const Polynomial& coefficient, DisplayFactor factor) {
-    DisplaySum sum;
-    if (coefficient.empty()) return sum;
-    sum.terms.push_back(factored(display(ring, coefficient)));
-    sum.terms.back().tail.push_back(std::move(factor));
-    return sum;
+    if (coefficient.empty()) return {};
+    DisplayTerm term = factored(display(ring, coefficient));
+    term.tail.push_back(std::move(factor));
+    return term_sum(std::move(term));
 }
 
 // y - C_Y = r*cosh((x - C_X)/r)
@@ -53,10 +49,9 @@ Formula path_formula(const Solution& law, const DriftPath& path) {
     const Ring& ring = *law.ring;
     const DriftSolution &over = law.drift[path.over], &of = law.drift[path.of];
     const auto exponent = [&](const Polynomial& inverse_scale) {
-        DisplaySum sum;
-        sum.terms.push_back(factored(display(ring, inverse_scale)));
-        sum.terms.back().factors.insert(sum.terms.back().factors.begin(), moved(law, over));
-        return sum;
+        DisplayTerm term = factored(display(ring, inverse_scale));
+        term.factors.insert(term.factors.begin(), moved(law, over));
+        return term_sum(std::move(term));
     };
     const Polynomial inverse = *ring.inverse(path.scale);
     const auto term = [&](const char* function, const Polynomial& coefficient, const Polynomial& of_inverse) {

@@ -106,11 +106,8 @@ private:
     // A parenthesis around one term is none.
     static DisplayTerm as_term(DisplaySum sum) {
         if (sum.terms.size() == 1) return std::move(sum.terms.front());
-        DisplayFactor factor;
-        factor.kind = DisplayFactor::Kind::sum;
-        factor.arguments.push_back(std::move(sum));
         DisplayTerm term;
-        term.factors.push_back(std::move(factor));
+        term.factors.push_back(sum_factor(std::move(sum)));
         return term;
     }
 
@@ -123,12 +120,7 @@ private:
             term.factors.front().exponent = base.factors.front().exponent * exponent;
             return term;
         }
-        DisplayFactor factor;
-        factor.kind = DisplayFactor::Kind::sum;
-        factor.arguments.emplace_back();
-        factor.arguments.front().terms.push_back(base);
-        factor.exponent = exponent;
-        term.factors.push_back(std::move(factor));
+        term.factors.push_back(sum_factor(term_sum(base), exponent));
         return term;
     }
 

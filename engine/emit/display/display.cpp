@@ -2,11 +2,11 @@
 #include "emit/display/display.hpp"
 
 #include "algebra/ring/cancellation.hpp"
-#include "emit/display/order.hpp"
 
 #include <algorithm>
 #include <cln/integer.h>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace resonform {
@@ -68,11 +68,7 @@ private:
     void multiply_root(GeneratorId id, const Rational& exponent) {
         const Polynomial& radicand = ring_.generator(id).radicand;
         if (!splits_under_root(ring_, ring_.generator(id))) {
-            DisplayFactor factor;
-            factor.kind = DisplayFactor::Kind::sum;
-            factor.arguments = {display_radicand(ring_, radicand)};
-            factor.exponent = exponent;
-            sums_.push_back(std::move(factor));
+            sums_.push_back(sum_factor(display_radicand(ring_, radicand), exponent));
             return;
         }
         const Term& term = radicand.terms().front();
@@ -121,6 +117,13 @@ struct PlainTerm {
     Rational coefficient;
 };
 
+// Falling total degree, then falling powers of the first symbols: r^2 + r*xi + xi^2 + r + 1.
+bool before_in_polynomial(const Exponents& a, const Exponents& b) {
+    const int degree_a = std::accumulate(a.begin(), a.end(), 0);
+    const int degree_b = std::accumulate(b.begin(), b.end(), 0);
+    return degree_a != degree_b ? degree_a > degree_b : a > b;
+}
+
 std::vector<PlainTerm> ordered_terms(const Ring& ring, const Polynomial& p) {
     std::vector<PlainTerm> terms;
     for (const Term& term : p.terms()) terms.push_back({ring.exponents(term.monomial), term.coefficient});
@@ -162,14 +165,6 @@ struct Element {
     DisplayTerm term;
 };
 
-DisplayFactor sum_factor(DisplaySum sum, const Rational& exponent) {
-    DisplayFactor factor;
-    factor.kind = DisplayFactor::Kind::sum;
-    factor.arguments = {std::move(sum)};
-    factor.exponent = exponent;
-    return factor;
-}
-
 // Below the fraction bar: the same one again as a power.
 void divide_by(DisplayTerm& term, DisplaySum divisor) {
     if (cln::minusp(divisor.terms.front().coefficient)) {
@@ -198,11 +193,7 @@ Element element(const Ring& ring, const Exponents& outer, std::vector<PlainTerm>
     DisplaySum sum;
     for (const PlainTerm& term : numerator)
         sum.terms.push_back(monomial_term(ring, term.exponents, term.coefficient, substitutes));
-    auto& factors = result.term.factors;
-    const auto place = std::find_if(factors.begin(), factors.end(), [](const DisplayFactor& factor) {
-        return factor.kind != DisplayFactor::Kind::symbol && factor.kind != DisplayFactor::Kind::number;
-    });
-    factors.insert(place, sum_factor(std::move(sum), 1));
+    insert_sum(result.term.factors, std::move(sum));
     return result;
 }
 

@@ -56,8 +56,12 @@ struct DisplaySum {
 DisplayFactor symbol_factor(const std::string& name, const Rational& exponent = 1); // "psi''": two primes
 DisplayFactor function_factor(const std::string& name, DisplaySum argument);
 bool is_elementary(const DisplayFactor& function); // sin, log, ...: else it is known by its name only
-DisplaySum factor_sum(DisplayFactor factor);       // a sum of this one factor
+DisplayFactor sum_factor(DisplaySum sum, const Rational& exponent = 1); // in parentheses
+DisplayFactor integral_factor(std::vector<DisplaySum> of);              // integrand, variable, from, to
+DisplaySum factor_sum(DisplayFactor factor);                            // a sum of this one factor
+DisplaySum term_sum(DisplayTerm term);                                  // of this one term
 DisplaySum symbol_sum(const std::string& name);
+DisplaySum function_of(const std::string& function, const std::string& name); // old(z1)
 DisplaySum number_sum(const Rational& value);
 bool same_base(const DisplayFactor& a, const DisplayFactor& b); // equal but for the exponent
 bool same_but_coefficient(const DisplayTerm& a, const DisplayTerm& b);
@@ -77,6 +81,9 @@ std::vector<std::pair<Monomial, Polynomial>> collect_in_order(const Ring& ring, 
 // The same as a sum: each coefficient one term with the monomial as its tail.
 DisplaySum display_collected(const Ring& ring, const Polynomial& p, const std::vector<GeneratorId>& outer,
                              const Substitutes& substitutes = {});
+
+// factors *= sum, which stands before what stands for more than a name.
+void insert_sum(std::vector<DisplayFactor>& factors, DisplaySum sum);
 
 // +(a + b): a term that needs no parentheses inside a sum.
 bool is_bare_sum(const DisplayTerm& term);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/drift_frame.hpp"
 
+#include "emit/display/display.hpp"
 #include "emit/display/free_name.hpp"
 #include "emit/display/solution_display.hpp"
 
@@ -60,6 +61,10 @@ std::vector<DriftFrame> drift_frames(const GradedField& field, const Solution* s
         frames.push_back(std::move(frame));
     }
     return frames;
+}
+
+void define_frame(Section& section, const DriftFrame& frame) {
+    if (frame.removed) define(section, frame.name, symbol_sum(frame.variable) + -frame.primitive);
 }
 
 Polynomial without_known_drift(const Ring& ring, GeneratorId eps, const Polynomial& rate) {

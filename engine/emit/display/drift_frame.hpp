@@ -2,7 +2,7 @@
 // The drift variables without what is known of their motion: X = x - r*log(...), as in (19).
 #pragma once
 
-#include "emit/display/display.hpp"
+#include "emit/display/page.hpp"
 #include "expand/expansion/graded_field.hpp"
 #include "solve/solution.hpp"
 
@@ -23,6 +23,9 @@ struct DriftFrame {
 // In the order of field.drift. Removed is the weight-1 rate of the normal form, where it is not zero
 // and a solution (may be null) gives its primitive.
 std::vector<DriftFrame> drift_frames(const GradedField& field, const Solution* solution);
+
+// X = x - primitive, where it is removed.
+void define_frame(Section& section, const DriftFrame& frame);
 
 // The terms of a rate but those of weight 1 in eps alone.
 Polynomial without_known_drift(const Ring& ring, GeneratorId eps, const Polynomial& rate);

@@ -181,20 +181,7 @@ std::string unsigned_term(const DisplayTerm& term) {
 
 } // namespace
 
-std::string latex(const DisplaySum& sum) {
-    if (sum.terms.empty()) return "0";
-    std::string text;
-    for (const DisplayTerm& given : sum.terms) {
-        const DisplayTerm term = with_powers(given);
-        const bool negative = cln::minusp(term.coefficient);
-        if (text.empty())
-            text = negative ? "-" : "";
-        else
-            text += negative ? " - " : " + ";
-        text += unsigned_term(term);
-    }
-    return text;
-}
+std::string latex(const DisplaySum& sum) { return signed_sum(sum, unsigned_term); }
 
 std::string latex(const DisplayFactor& factor) { return power(factor, factor.exponent); }
 

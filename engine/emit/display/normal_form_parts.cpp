@@ -81,33 +81,25 @@ std::string normal_form_title(const NormalForm& normal_form, int order) {
                        to_string(system.weight(order)), to_string(normal_form.style));
 }
 
-std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order) {
-    const GradedField& field = *normal_form.field;
+namespace {
+
+template <class Of>
+std::vector<NamedSeries> through(const GradedField& field, const Of& of, bool is_map, int order) {
     std::vector<NamedSeries> list;
-    for (std::size_t k = 0; k < field.modes.size(); ++k)
-        list.push_back({field.modes[k].name, normal_form.mode[k].total(order)});
-    for (std::size_t k = 0; k < field.angles.size(); ++k)
-        list.push_back({field.angles[k].name, normal_form.angle[k].total(order)});
-    for (std::size_t k = 0; k < field.slow.size(); ++k)
-        list.push_back({field.slow[k].name, normal_form.slow[k].total(order)});
-    for (std::size_t k = 0; k < field.drift.size(); ++k)
-        list.push_back({field.drift[k].name, normal_form.drift[k].total(order)});
+    visit_variables(field, of, is_map, [&](const std::string& name, const Series& series) {
+        list.push_back({name, series.total(order)});
+    });
     return list;
 }
 
+} // namespace
+
+std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order) {
+    return through(*normal_form.field, normal_form, false, order);
+}
+
 std::vector<NamedSeries> map_through(const Normalization& normalization, int order) {
-    const GradedField& field = *normalization.normal_form.field;
-    const NearIdentityMap& map = normalization.map;
-    std::vector<NamedSeries> list;
-    for (std::size_t k = 0; k < field.modes.size(); ++k)
-        list.push_back({field.modes[k].name, map.mode[k].total(order)});
-    for (std::size_t k = 0; k < field.angles.size(); ++k)
-        list.push_back({field.angles[k].name, map.angle[k].total(order)});
-    for (std::size_t k = 0; k < field.slow.size(); ++k)
-        if (field.slow[k].driven) list.push_back({field.slow[k].name, map.slow[k].total(order)});
-    for (std::size_t k = 0; k < field.drift.size(); ++k)
-        list.push_back({field.drift[k].name, map.drift[k].total(order)});
-    return list;
+    return through(*normalization.normal_form.field, normalization.map, true, order);
 }
 
 } // namespace resonform

@@ -33,15 +33,29 @@ Substitutes phases(const Ring& ring);
 // "normal form of ... through weight 3 (style poincare)"
 std::string normal_form_title(const NormalForm& normal_form, int order);
 
+// visit(name, series) of each angle, slow and drift variable, in this order; of a map: of slow variables only
+// those that are driven. `of`: rates or a map, in whatever coefficients.
+template <class Of, class Visit>
+void visit_others(const GradedField& field, const Of& of, bool is_map, const Visit& visit) {
+    for (std::size_t k = 0; k < field.angles.size(); ++k) visit(field.angles[k].name, of.angle[k]);
+    for (std::size_t k = 0; k < field.slow.size(); ++k)
+        if (!is_map || field.slow[k].driven) visit(field.slow[k].name, of.slow[k]);
+    for (std::size_t k = 0; k < field.drift.size(); ++k) visit(field.drift[k].name, of.drift[k]);
+}
+// The same, of the modes first.
+template <class Of, class Visit>
+void visit_variables(const GradedField& field, const Of& of, bool is_map, const Visit& visit) {
+    for (std::size_t k = 0; k < field.modes.size(); ++k) visit(field.modes[k].name, of.mode[k]);
+    visit_others(field, of, is_map, visit);
+}
+
 // A variable of the normal form with its rate, or of the map with old minus new: the sum of all weights
 // through `order`.
 struct NamedSeries {
     std::string variable;
     Polynomial total;
 };
-std::vector<NamedSeries> rates_through(const NormalForm& normal_form,
-                                       int order); // modes, angles, slow, drift
-std::vector<NamedSeries> map_through(const Normalization& normalization,
-                                     int order); // the same; slow: those that are driven
+std::vector<NamedSeries> rates_through(const NormalForm& normal_form, int order);
+std::vector<NamedSeries> map_through(const Normalization& normalization, int order);
 
 } // namespace resonform

@@ -121,6 +121,19 @@ Side side(DisplaySum sum, const Rational& remainder) {
 
 Side zero_side() { return {}; }
 
+void define(Section& section, const std::string& name, Side right) {
+    section.formulas.push_back({side(symbol_sum(name)), std::move(right)});
+}
+
+void define(Section& section, const std::string& name, DisplaySum right) {
+    define(section, name, side(std::move(right)));
+}
+
+void append_sections(Page& page, std::vector<Section> sections) {
+    for (Section& section : sections)
+        if (!section.formulas.empty()) page.sections.push_back(std::move(section));
+}
+
 std::string page_text(const Page& page) {
     std::string text = page.title + "\n";
     for (const Section& section : page.sections) {

@@ -35,6 +35,12 @@ struct Page {
 Side side(DisplaySum sum, const Rational& remainder = 0); // one group
 Side zero_side();
 
+// name = right
+void define(Section& section, const std::string& name, Side right);
+void define(Section& section, const std::string& name, DisplaySum right);
+// The sections that have formulas.
+void append_sections(Page& page, std::vector<Section> sections);
+
 std::string page_text(const Page& page);  // lines of about 100 columns, broken between groups
 std::string page_latex(const Page& page); // a fragment for amsmath: align* per section
 

@@ -53,10 +53,7 @@ DisplayFactor base_of(const DisplaySum& u) {
             term.factors.front().exponent == 1)
             return term.factors.front();
     }
-    DisplayFactor base;
-    base.kind = DisplayFactor::Kind::sum;
-    base.arguments = {u};
-    return base;
+    return sum_factor(u);
 }
 
 // exp(c log(u)) = u^c

@@ -11,30 +11,13 @@ namespace resonform {
 
 namespace {
 
-DisplaySum time_in_slow_units() {
-    DisplaySum sum = factor_sum(symbol_factor("eps"));
-    sum.terms.front().factors.push_back(symbol_factor("t"));
-    return sum;
-}
-
-DisplayFactor integral_factor(const Solution& solution, const Primitive& primitive, DisplaySum integrand) {
-    DisplayFactor factor;
-    factor.kind = DisplayFactor::Kind::integral;
-    if (primitive.over_slow_time || solution.slow.empty()) {
-        const DisplaySum time = symbol_sum(slow_time_name(solution));
-        factor.arguments = {std::move(integrand), time, DisplaySum{}, time_in_slow_units()};
-    } else {
-        const std::string& slow = solution.system().variables[solution.slow.front().variable].name;
-        factor.arguments = {std::move(integrand), symbol_sum(slow), symbol_sum(slow + "_0"),
-                            symbol_sum(slow)};
-    }
-    return factor;
-}
-
-DisplaySum single(DisplayTerm term) {
-    DisplaySum sum;
-    sum.terms.push_back(std::move(term));
-    return sum;
+DisplayFactor primitive_factor(const Solution& solution, const Primitive& primitive, DisplaySum integrand) {
+    if (primitive.over_slow_time || solution.slow.empty())
+        return integral_factor(
+            {std::move(integrand), symbol_sum(slow_time_name(solution)), DisplaySum{}, slow_time_sum()});
+    const std::string& slow = solution.system().variables[solution.slow.front().variable].name;
+    return integral_factor(
+        {std::move(integrand), symbol_sum(slow), symbol_sum(slow + "_0"), symbol_sum(slow)});
 }
 
 // The real or the imaginary part of p, both real. Phases are absent.
@@ -66,15 +49,21 @@ Substitutes solution_substitutes(const Solution& solution) {
         DisplaySum argument = display(*solution.ring, primitive.argument, substitutes);
         DisplayFactor factor;
         switch (primitive.kind) {
-        case PrimitiveKind::logarithm: factor = function_factor("log", single(factored(argument))); break;
+        case PrimitiveKind::logarithm: factor = function_factor("log", term_sum(factored(argument))); break;
         case PrimitiveKind::exponential: factor = function_factor("exp", std::move(argument)); break;
         case PrimitiveKind::quadrature:
-            factor = integral_factor(solution, primitive, std::move(argument));
+            factor = primitive_factor(solution, primitive, std::move(argument));
             break;
         }
         substitutes.emplace(primitive.id, std::move(factor));
     }
     return substitutes;
+}
+
+DisplaySum slow_time_sum() {
+    DisplaySum sum = factor_sum(symbol_factor("eps"));
+    sum.terms.front().factors.push_back(symbol_factor("t"));
+    return sum;
 }
 
 std::string slow_time_name(const Solution& solution) {

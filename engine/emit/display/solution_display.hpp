@@ -14,8 +14,9 @@ namespace resonform {
 // log(...), exp(...), integral(..., xi = xi_0..xi) or integral(..., T = 0..eps*t) for every primitive.
 Substitutes solution_substitutes(const Solution& solution);
 
-// The name of T = eps*t.
+// The name of T = eps*t, and what it is.
 std::string slow_time_name(const Solution& solution);
+DisplaySum slow_time_sum();
 
 // Does a name occur anywhere in it?
 bool mentions(const DisplaySum& sum, const std::string& name);

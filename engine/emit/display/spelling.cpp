@@ -217,18 +217,9 @@ const Spelling& maxima_spelling() {
 }
 
 std::string spell(const DisplaySum& sum, const Spelling& spelling) {
-    if (sum.terms.empty()) return "0";
-    std::string text;
-    for (const DisplayTerm& given : sum.terms) {
-        const DisplayTerm term = with_powers(given);
-        const bool negative = cln::minusp(term.coefficient);
-        if (text.empty())
-            text = negative ? "-" : "";
-        else
-            text += negative ? " - " : " + ";
-        text += is_bare_sum(term) ? inner(term.factors.front(), spelling) : spell_unsigned(term, spelling);
-    }
-    return text;
+    return signed_sum(sum, [&](const DisplayTerm& term) {
+        return is_bare_sum(term) ? inner(term.factors.front(), spelling) : spell_unsigned(term, spelling);
+    });
 }
 
 std::string spell(const DisplayFactor& factor, const Spelling& spelling) {

@@ -105,6 +105,21 @@ DisplayFactor symbol_factor(const std::string& name, const Rational& exponent) {
     return factor;
 }
 
+DisplayFactor sum_factor(DisplaySum sum, const Rational& exponent) {
+    DisplayFactor factor;
+    factor.kind = DisplayFactor::Kind::sum;
+    factor.arguments = {std::move(sum)};
+    factor.exponent = exponent;
+    return factor;
+}
+
+DisplayFactor integral_factor(std::vector<DisplaySum> of) {
+    DisplayFactor factor;
+    factor.kind = DisplayFactor::Kind::integral;
+    factor.arguments = std::move(of);
+    return factor;
+}
+
 DisplayFactor function_factor(const std::string& name, DisplaySum argument) {
     DisplayFactor factor;
     factor.kind = DisplayFactor::Kind::function;
@@ -121,12 +136,20 @@ bool is_elementary(const DisplayFactor& function) {
 DisplaySum factor_sum(DisplayFactor factor) {
     DisplayTerm term;
     term.factors.push_back(std::move(factor));
+    return term_sum(std::move(term));
+}
+
+DisplaySum term_sum(DisplayTerm term) {
     DisplaySum sum;
     sum.terms.push_back(std::move(term));
     return sum;
 }
 
 DisplaySum symbol_sum(const std::string& name) { return factor_sum(symbol_factor(name)); }
+
+DisplaySum function_of(const std::string& function, const std::string& name) {
+    return factor_sum(function_factor(function, symbol_sum(name)));
+}
 
 DisplaySum number_sum(const Rational& value) {
     DisplaySum sum;
@@ -144,6 +167,13 @@ DisplaySum operator+(DisplaySum a, const DisplaySum& b) {
 DisplaySum operator-(DisplaySum a) {
     for (DisplayTerm& term : a.terms) term.coefficient = -term.coefficient;
     return a;
+}
+
+void insert_sum(std::vector<DisplayFactor>& factors, DisplaySum sum) {
+    const auto place = std::find_if(factors.begin(), factors.end(), [](const DisplayFactor& factor) {
+        return factor.kind != DisplayFactor::Kind::symbol && factor.kind != DisplayFactor::Kind::number;
+    });
+    factors.insert(place, sum_factor(std::move(sum)));
 }
 
 bool is_bare_sum(const DisplayTerm& term) {
@@ -166,14 +196,7 @@ DisplayTerm factored(const DisplaySum& sum) {
         for (DisplayTerm& term : rest.terms) divide(term, common);
         content.factors.push_back(std::move(common));
     }
-    DisplayFactor remaining;
-    remaining.kind = DisplayFactor::Kind::sum;
-    remaining.arguments.push_back(std::move(rest));
-    const auto place =
-        std::find_if(content.factors.begin(), content.factors.end(), [](const DisplayFactor& factor) {
-            return factor.kind != DisplayFactor::Kind::symbol && factor.kind != DisplayFactor::Kind::number;
-        });
-    content.factors.insert(place, std::move(remaining));
+    insert_sum(content.factors, std::move(rest));
     return content;
 }
 
