@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "certify/flow.hpp"
 
+#include "certify/as_written.hpp"
+
 #include <utility>
 
 namespace resonform {

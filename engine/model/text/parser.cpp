@@ -2,6 +2,7 @@
 #include "model/text/parser.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/functions.hpp"
 #include "algebra/number/number.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/function_call.hpp"

@@ -2,7 +2,6 @@
 #include "model/text/toml_values.hpp"
 
 #include "algebra/number/error.hpp"
-#include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/nearest.hpp"
 
@@ -98,7 +97,7 @@ Rational number_of(const TomlNode& node) {
         bad_value(node, "'" + node.source.key + "' is a rational number",
                   "write a number such as 0.25 or \"1/3\"");
     }
-    return to_rational(value);
+    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
 }
 
 GiNaC::ex expression_of(const TomlNode& node, const Scope& scope) {
