@@ -146,9 +146,8 @@ const Radical& CertificateRoots::resolve(const ex& base, const Rational& exponen
 void CertificateRoots::split(const ex& e, const Rational& exponent, const Equation& equation,
                              Product& product) {
     if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
-    if (is_a<GiNaC::mul>(e) || is_a<GiNaC::power>(e)) {
-        for (const auto& [base, power] : positive_factors(e, equation))
-            split(base, exponent * power, equation, product);
+    if (const auto factors = positive_factors(e, equation); !factors.front().first.is_equal(e)) {
+        for (const auto& [base, power] : factors) split(base, exponent * power, equation, product);
         return;
     }
     const auto [above, below] = rationalised(lowered(with_symbols(e, equation).normal()).normal());
@@ -173,9 +172,11 @@ std::pair<ex, ex> CertificateRoots::rationalised(const ex& e) const {
 }
 
 // The factors of a product or a power with their exponents, what is negative turned: the library holds
-// (b - tau)^3*b as -(tau - b)^3*b or so, as it happens, and (1 - a)^2 as (-1 + a)^2.
+// (b - tau)^3*b as -(tau - b)^3*b or so, as it happens, and (1 - a)^2 as (-1 + a)^2. Anything else, and
+// -tau where tau is negative, is its own only factor.
 std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex& product,
                                                                         const Equation& equation) const {
+    if (!is_a<GiNaC::mul>(product) && !is_a<GiNaC::power>(product)) return {{product, 1}};
     std::vector<std::pair<ex, Rational>> factors;
     Rational number = 1;
     for (const ex& factor : factors_of(product)) {
@@ -191,7 +192,7 @@ std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex
         if (turn && cln::oddp(cln::numerator(exponent))) number = -number;
         factors.emplace_back(turn ? turned : base, exponent);
     }
-    if (number != 1) factors.emplace_back(GiNaC::numeric(number), 1);
+    if (number != 1 || factors.empty()) factors.emplace_back(GiNaC::numeric(number), 1);
     return factors;
 }
 
@@ -231,12 +232,11 @@ void CertificateRoots::split_polynomial(ex e, const Rational& exponent, const Eq
 
 void CertificateRoots::split_rest(const ex& e, const Rational& exponent, const Equation& equation,
                                   Product& product) const {
-    if (is_a<GiNaC::mul>(e) || is_a<GiNaC::power>(e)) {
-        for (const auto& [base, power] : positive_factors(e, equation))
-            split_rest(base, exponent * power, equation, product);
+    if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
+    if (const auto factors = positive_factors(e, equation); !factors.front().first.is_equal(e)) {
+        for (const auto& [base, power] : factors) split_rest(base, exponent * power, equation, product);
         return;
     }
-    if (is_a<GiNaC::numeric>(e)) return split_number(rational_of(e, equation), exponent, equation, product);
     for (std::size_t k = 0; k < roots_.size(); ++k)
         if (roots_[k].positive && e.is_equal(roots_[k].symbol)) {
             product.roots[k] = product.roots[k] + exponent / roots_[k].index;

@@ -63,4 +63,20 @@ INSTANTIATE_TEST_SUITE_P(DerivativesOfNamedFunctions, EveryEquation,
                          ::testing::Values("x'' + f(tau)^2*x = eps*x*f'''(tau)",
                                            "x'' + (3 + f'(tau)^2)*x = 0"));
 
+// What is declared negative has roots, and a logarithm, of its negative.
+TEST(NegativeNames, AreCertified) {
+    for (const char* equation :
+         {"x'' - tau*x + x^3 = 0", "x'' + x + log(-tau)*x^2 = 0", "x'' + sqrt(tau^2)*x + x^3 = 0",
+          "x'' + (-tau)^(1/3)*x + x^2/tau = 0", "x'' - tau^3*x = 0", "x'' + a*tau*x + x^3 = 0"}) {
+        const auto field = test::field_from(
+            std::string("[system]\nname = \"s\"\n[parameters]\na = {}\n[variables]\nx = { role = \"fast\" }\n"
+                        "tau = { role = \"slow\" }\n[domain]\npositive = [\"-tau\", \"-a\"]\n"
+                        "[equations]\nx = \"") +
+            equation + "\"\ntau = \"tau' = eps\"\n");
+        const Normalization n = normalize_poincare(field, 3);
+        const Certificate c = certify(n.normal_form, n.map);
+        EXPECT_TRUE(c.holds) << equation << ": " << c.complaint;
+    }
+}
+
 } // namespace resonform

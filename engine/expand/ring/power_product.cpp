@@ -114,7 +114,11 @@ private:
     void split_product(const ex& base, const Rational& exponent) {
         if (!is_integer(exponent)) {
             if (const auto factors = positive_factors(base)) {
-                for (const PowerFactor& factor : *factors) split(factor.base, factor.exponent * exponent);
+                for (const PowerFactor& factor : *factors)
+                    if (factor.base.is_equal(base)) // -tau, which is positive as a whole
+                        append(base, factor.exponent * exponent);
+                    else
+                        split(factor.base, factor.exponent * exponent);
                 return;
             }
             not_positive_product(base);
