@@ -21,7 +21,7 @@ void tell_error(const Error& error, bool as_json) noexcept;
 // Of a command that goes on: one broken file hides none of the others.
 struct Complaints {
     int code = 0; // the worst
-    // Runs `work`; says what it complains about. False if it did.
+    // Runs `work` and prints the Error that it may throw. False: it threw one.
     bool attempt(const std::function<void()>& work);
 };
 

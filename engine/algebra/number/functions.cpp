@@ -7,17 +7,12 @@
 
 namespace resonform {
 
-namespace {
-
-constexpr std::string_view right_angle = "11/7"; // a little more than pi/2
-
-} // namespace
-
 const std::vector<FunctionRow>& function_rows() {
     using F = Function;
     using P = Parity;
     using A = Argument;
     static const std::vector<FunctionRow> rows = {
+        // 11/7 is a little more than pi/2
         {F::sine, "sin", "\\sin", P::odd, A::any, "-1", "1", false, "", arb_sin},
         {F::cosine, "cos", "\\cos", P::even, A::any, "-1", "1", false, "", arb_cos},
         {F::tangent, "tan", "\\tan", P::odd, A::not_a_pole, "", "", false, "", arb_tan},
@@ -26,12 +21,11 @@ const std::vector<FunctionRow>& function_rows() {
         {F::hyperbolic_sine, "sinh", "\\sinh", P::odd, A::any, "", "", true, "", arb_sinh},
         {F::hyperbolic_cosine, "cosh", "\\cosh", P::even, A::any, "1", "", false, "", arb_cosh},
         {F::hyperbolic_tangent, "tanh", "\\tanh", P::odd, A::any, "-1", "1", true, "", arb_tanh},
-        {F::arc_sine, "asin", "\\arcsin", P::odd, A::within_one, "-11/7", right_angle, true,
-         "(1 - u^2)^(-1/2)", arb_asin},
+        {F::arc_sine, "asin", "\\arcsin", P::odd, A::within_one, "-11/7", "11/7", true, "(1 - u^2)^(-1/2)",
+         arb_asin},
         {F::arc_cosine, "acos", "\\arccos", P::none, A::within_one, "0", "22/7", false, "-(1 - u^2)^(-1/2)",
          arb_acos},
-        {F::arc_tangent, "atan", "\\arctan", P::odd, A::any, "-11/7", right_angle, true, "1/(1 + u^2)",
-         arb_atan},
+        {F::arc_tangent, "atan", "\\arctan", P::odd, A::any, "-11/7", "11/7", true, "1/(1 + u^2)", arb_atan},
         {F::inverse_hyperbolic_sine, "asinh", "\\operatorname{arsinh}", P::odd, A::any, "", "", true,
          "(1 + u^2)^(-1/2)", arb_asinh},
         {F::inverse_hyperbolic_cosine, "acosh", "\\operatorname{arcosh}", P::none, A::at_least_one, "0", "",

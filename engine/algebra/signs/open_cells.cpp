@@ -75,8 +75,8 @@ private:
         }
     }
 
-    // Of the lowest degree, in few polynomials. The first one is a variable of what is asked, so that its
-    // roots are seen.
+    // The variable to eliminate next: the one of lowest degree, among equals the one in fewest polynomials.
+    // The variable eliminated first must occur in the asked polynomial, or its sign changes are missed.
     [[nodiscard]] slong best_of(const std::vector<slong>& left, const std::vector<Packed>& all) const {
         std::optional<std::tuple<slong, slong, slong>> best; // degree, polynomials, variable
         for (const slong v : left) {

@@ -16,8 +16,8 @@ namespace resonform {
 
 // Zero is in the set where the sign of an irreducible polynomial changes within the domain; where it does
 // not, it may still vanish at a point at which its slopes do. The domain is empty if the set is. `factors`
-// are the irreducible ones of all conditions, and of what is asked, which has no multiple ones. nullopt: it
-// takes more than the budgets below.
+// are the irreducible factors of all conditions and of `asked`, which is square-free. nullopt: the
+// elimination takes more than the budgets below.
 std::optional<SignSet> signs_on_open_cells(const Packed& asked, const std::vector<Packed>& conditions,
                                            const std::vector<Packed>& factors);
 

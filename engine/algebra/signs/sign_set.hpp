@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The signs that a quantity may have: what is not in the set does not occur. Sums and products of quantities
-// have the signs below, and no others.
+// The set of signs that a quantity may take; a sign outside the set is proved not to occur. + and * give
+// the set for a sum or a product of two quantities.
 #pragma once
 
 #include <initializer_list>
