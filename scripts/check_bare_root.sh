@@ -29,7 +29,7 @@ marker=.resonform_bare_root
 refuse() {
     echo "check_bare_root.sh: RESONFORM_BARE_ROOT: $1" >&2
     echo "  found: $roots" >&2
-    echo "  mend:  $2" >&2
+    echo "  hint:  $2" >&2
     exit 2
 }
 above=${roots%/} # "" of /

@@ -64,11 +64,11 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 } // namespace
 
 void bad_argument(const std::string& option, const std::string& rule, const std::optional<std::string>& value,
-                  const std::string& mend) {
+                  const std::string& hint) {
     Place place;
     place.key = option;
     const std::string found = !value ? "" : value->empty() ? "''" : printable(*value);
-    bad_input(Reason::command_line, {rule, found, mend, place});
+    bad_input(Reason::command_line, {rule, found, hint, place});
 }
 
 std::uint64_t read_integer(const std::string& option, const std::string& text, std::uint64_t lowest,
@@ -91,9 +91,9 @@ int read_digits(const std::string& text) {
 }
 
 Rational read_eps(const std::string& text) {
-    const std::string mend = "give for example --eps 0.01 or --eps 1/100";
+    const std::string hint = "give for example --eps 0.01 or --eps 1/100";
     const auto no_number = [&] {
-        bad_argument("--eps", "must be a decimal number or a fraction > 0", text, mend);
+        bad_argument("--eps", "must be a decimal number or a fraction > 0", text, hint);
     };
     Rational eps;
     try {
@@ -104,7 +104,7 @@ Rational read_eps(const std::string& text) {
     if (eps <= 0) no_number();
     if (to_double(eps) < smallest_eps || to_double(eps) > largest_eps)
         bad_argument("--eps", std::string(eps_rule) + ", where the expansion in eps has a meaning", text,
-                     mend);
+                     hint);
     return eps;
 }
 

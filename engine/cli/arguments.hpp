@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values of the command line: read as text, checked here, one message with its mend when wrong.
+// The values of the command line: read as text, checked here, one message with its hint when wrong.
 #pragma once
 
 #include "algebra/number/error.hpp"
@@ -17,7 +17,7 @@ namespace resonform {
 // The complaint about an argument: its option is the place. No value: none was given, which is not an empty
 // one.
 [[noreturn]] void bad_argument(const std::string& option, const std::string& rule,
-                               const std::optional<std::string>& value, const std::string& mend);
+                               const std::optional<std::string>& value, const std::string& hint);
 
 // What `read` gives; the option is the place of its complaint, if that names none.
 template <class Read> auto of_argument(const std::string& option, const Read& read) {
@@ -26,7 +26,7 @@ template <class Read> auto of_argument(const std::string& option, const Read& re
     } catch (const Error& error) {
         const Diagnostic& d = error.diagnostic();
         if (error.kind() != Kind::bad_input || !d.place.key.empty()) throw;
-        bad_argument(option, d.rule, d.value, d.mend);
+        bad_argument(option, d.rule, d.value, d.hint);
     }
 }
 

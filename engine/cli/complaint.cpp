@@ -26,7 +26,7 @@ std::string document(const Error& error) {
                     {"reason", to_string(d.reason, error.kind())},
                     {"rule", shown(d.rule)},
                     {"found", text_or_null(d.value)},
-                    {"hint", text_or_null(d.mend)},
+                    {"hint", text_or_null(d.hint)},
                     {"file", text_or_null(d.place.file)},
                     {"line", count_or_null(d.place.line)},
                     {"column", count_or_null(d.place.column)},

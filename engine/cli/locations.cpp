@@ -246,7 +246,7 @@ CacheFolder::CacheFolder(const Home& home) : path_(home.cache()) {
         if (is_chosen) {
             Diagnostic d = error.diagnostic();
             d.rule = "the cache must be a folder that can be written";
-            d.mend = "set RESONFORM_CACHE to another folder, or unset it";
+            d.hint = "set RESONFORM_CACHE to another folder, or unset it";
             bad_input(std::move(d));
         }
         std::string folder = (fs::temp_directory_path() / "resonform-XXXXXX").string();

@@ -16,7 +16,7 @@ TEST(ErrorMessage, ShowsPlaceRuleValueAndMend) {
                             "    psi = \"phi'' = 0\"\n"
                             "            ^\n"
                             "  found: phi\n"
-                            "  mend:  did you mean psi?");
+                            "  hint:  did you mean psi?");
 }
 
 TEST(ErrorMessage, LeavesOutWhatIsUnknown) {

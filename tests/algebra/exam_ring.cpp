@@ -122,7 +122,7 @@ TEST(Ring, RefusesToDivideByWhatMayVanish) {
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
         EXPECT_STREQ(e.what(), "only what is known to be non-zero is divided by\n  found: division by xi\n"
-                               "  mend:  declare xi positive, if it is");
+                               "  hint:  declare xi positive, if it is");
     }
     EXPECT_THROW((void)ring->power(gen(*ring, "r") + ring->one(), -2), Error);
 }
@@ -206,7 +206,7 @@ TEST(RingBuilder, Refuses) {
             e.what(),
             "a system has at most 32 of these together: i, eps, parameters, slow variables, two modes "
             "for each oscillator, roots that occur; constants and integrals of a solution\n"
-            "  found: p32 would be one more\n  mend:  write numbers in the place of some parameters");
+            "  found: p32 would be one more\n  hint:  write numbers in the place of some parameters");
     }
     EXPECT_EQ(many.freeze()->size(), 32);
 }

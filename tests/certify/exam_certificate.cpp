@@ -146,7 +146,7 @@ TEST(Certificate, OfFunctionsInsideOfFunctionsNamesTheNesting) {
         FAIL() << "few points tell little of a polynomial of so high a degree";
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
-        EXPECT_NE(e.diagnostic().mend.find("inside of one another"), std::string::npos);
+        EXPECT_NE(e.diagnostic().hint.find("inside of one another"), std::string::npos);
         EXPECT_FALSE(e.diagnostic().place.file.empty());
     }
 }

@@ -39,23 +39,23 @@ TEST(BadInput, CommandLine) {
     EXPECT_EQ(
         complaint("resonform derive"),
         "resonform: SYSTEM: derive needs it, a folder with system.toml, that file, or a name in systems/\n"
-        "  mend:  see resonform derive --help\n");
+        "  hint:  see resonform derive --help\n");
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --ordr 3"),
                 {"--ordr", "did you mean --order?"});
     EXPECT_EQ(complaint("resonform derive a b"), "resonform: derive takes no such argument\n"
                                                  "  found: b\n"
-                                                 "  mend:  see resonform derive --help\n");
+                                                 "  hint:  see resonform derive --help\n");
     EXPECT_EQ(complaint("resonform derive almost_holonomic_pendulum --order 3 --order 4"),
               "resonform: --order: must be given at most once\n"
               "  found: 3, 4\n"
-              "  mend:  leave out all but one\n");
+              "  hint:  leave out all but one\n");
     EXPECT_EQ(complaint("resonform derive almost_holonomic_pendulum --order"),
               "resonform: --order: must be followed by its value\n"
-              "  mend:  see resonform derive --help\n");
+              "  hint:  see resonform derive --help\n");
     // The next word is not its value, if it names an option; wherever the words stand.
     const std::string order_of_nothing = "resonform: --order: must be followed by its value\n"
                                          "  found: --stage, another option\n"
-                                         "  mend:  see resonform derive --help\n";
+                                         "  hint:  see resonform derive --help\n";
     for (const char* words : {"henon_heiles --order --stage equations", "--order --stage equations",
                               "--order --stage=equations henon_heiles", "--order --stage"})
         EXPECT_SAYS(complaint(std::string("resonform derive ") + words),
@@ -80,7 +80,7 @@ TEST(BadInput, OptionsAndTheirPlaces) {
     EXPECT_EQ(complaint("resonform --order 3 derive henon_heiles"),
               "resonform: an option follows its command, derive\n"
               "  found: --order\n"
-              "  mend:  write resonform derive ... --order\n");
+              "  hint:  write resonform derive ... --order\n");
     EXPECT_SAYS(complaint("resonform derive --hlp"), {"--hlp", "did you mean --help?"});
 }
 
@@ -104,7 +104,7 @@ TEST(BadInput, EpsAndTimes) {
             complaint("resonform evaluate " + scene + " --t 1 --eps " + eps),
             "resonform: --eps: eps lies in 1e-12 <= eps <= 0.5, where the expansion in eps has a meaning\n"
             "  found: " +
-                std::string(eps) + "\n  mend:  give for example --eps 0.01 or --eps 1/100\n");
+                std::string(eps) + "\n  hint:  give for example --eps 0.01 or --eps 1/100\n");
     for (const char* times : {"''", "1,,2", "1,two", "'1;2'", ","})
         EXPECT_SAYS(complaint("resonform evaluate " + scene + " --eps 0.1 --t " + times),
                     {"--t", "separated by commas"});
@@ -113,7 +113,7 @@ TEST(BadInput, EpsAndTimes) {
     EXPECT_EQ(complaint("resonform evaluate " + scene + " --eps 0.1 --t 1,1e400"),
               "resonform: --t: a number is 0, or of size 1e-307 ... 1e308, as a double can be\n"
               "  found: 1e400\n"
-              "  mend:  give a number of moderate size\n");
+              "  hint:  give a number of moderate size\n");
     EXPECT_SAYS(complaint("resonform derive henon_heiles --time-limit 1e400"),
                 {"--time-limit: a number is 0, or of size", "1e400"});
 }
@@ -231,12 +231,12 @@ TEST(BadInput, EvaluationNeedsEveryParameter) {
     EXPECT_EQ(outcome.err,
               "resonform: " + scene +
                   ":7:1: fix: evaluation needs a value for every parameter that the outputs depend "
-                  "on\n    [fix]\n    ^\n  found: no value of g\n  mend:  add g = ... under [fix]\n");
+                  "on\n    [fix]\n    ^\n  found: no value of g\n  hint:  add g = ... under [fix]\n");
     ASSERT_EQ(run("sed -i '/^[rv] *=/d' " + scene, scratch.path()).code, 0);
     for (const char* command : {"evaluate --eps 0.1 --t 1 ", "verify ", "compare "}) {
         const std::string said = run(std::string("resonform ") + command + scene, scratch.path()).err;
         EXPECT_SAYS(said, {scene + ":7:1: fix: ", "  found: no value of g, r, v\n",
-                           "  mend:  add g = ... and r = ... and v = ... under [fix]\n"});
+                           "  hint:  add g = ... and r = ... and v = ... under [fix]\n"});
     }
     ASSERT_EQ(run("sed -i '/^.fix/d' " + scene, scratch.path()).code, 0);
     EXPECT_SAYS(run("resonform verify " + scene, scratch.path()).err, {scene + ": fix: ", "g, r, v"});

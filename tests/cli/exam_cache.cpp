@@ -52,7 +52,7 @@ TEST_F(CacheOfTheCommand, APlaceThatTheUserNamesMustBeWritable) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "resonform: file: the cache must be a folder that can be written\n"
                            "  found: Not a directory\n"
-                           "  mend:  set RESONFORM_CACHE to another folder, or unset it\n");
+                           "  hint:  set RESONFORM_CACHE to another folder, or unset it\n");
 }
 
 } // namespace resonform::test

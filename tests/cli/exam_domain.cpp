@@ -86,7 +86,7 @@ TEST_F(DomainOfASystem, VerifySaysWhereTheMotionLeaves) {
             "                ^\n"
             "  found: interval = 3/eps, but at t = 7.5 (eps = 1/5) tau = 2 leaves 2 - tau > 0, declared in "
             "systems/bounded/system.toml:9\n"
-            "  mend:  end the interval before eps*t = 1.5, or start elsewhere\n")
+            "  hint:  end the interval before eps*t = 1.5, or start elsewhere\n")
             << command;
     }
 }
@@ -105,7 +105,7 @@ TEST_F(DomainOfASystem, AMotionStartsWithin) {
         EXPECT_NE(outcome.err.find("the declared domain, where " + condition + " > 0\n"), std::string::npos)
             << outcome.err;
         EXPECT_NE(outcome.err.find("\n  found: " + found +
-                                   "\n  mend:  give a value inside, or correct [domain] in "
+                                   "\n  hint:  give a value inside, or correct [domain] in "
                                    "systems/bounded/system.toml:9\n"),
                   std::string::npos)
             << outcome.err;

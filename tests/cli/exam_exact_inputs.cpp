@@ -160,7 +160,7 @@ TEST_F(ExactInputs, TimeIsAnAngle) {
         const Outcome outcome = said("derive s");
         EXPECT_EQ(outcome.code, 2);
         EXPECT_NE(
-            outcome.err.find("  found: t\n  mend:  declare an angle phi with phi' = 1 and write phi for t"),
+            outcome.err.find("  found: t\n  hint:  declare an angle phi with phi' = 1 and write phi for t"),
             std::string::npos)
             << outcome.err;
     }

@@ -98,7 +98,7 @@ TEST_F(IntervalCommand, CompareHasNoLadderToLeaveAnEpsOutOf) {
     EXPECT_NE(outcome.err.find("it takes more than 5000000 steps: the first 10000 lead to t = "),
               std::string::npos)
         << outcome.err;
-    EXPECT_NE(outcome.err.find("\n  mend:  shorten verify.interval or take a larger --eps\n"),
+    EXPECT_NE(outcome.err.find("\n  hint:  shorten verify.interval or take a larger --eps\n"),
               std::string::npos)
         << outcome.err;
 }
@@ -106,12 +106,12 @@ TEST_F(IntervalCommand, CompareHasNoLadderToLeaveAnEpsOutOf) {
 // The map leads back from no start; tau leaves the domain where the engine does not follow it beforehand.
 TEST_F(IntervalCommand, AnEvaluatorThatRefusesSaysWhy) {
     scene("interval = 1\neps = [0.2, 0.1, 0.05]\n", "amplitude.x = 1\nphase.x = 0\n", "10^18*x^2");
-    for (const auto& [command, mend] :
+    for (const auto& [command, hint] :
          {std::pair("verify", "change the start values or leave eps = 1/5 out of the ladder"),
           std::pair("compare --eps 1/5", "change the start values or take a larger --eps")}) {
         const Outcome refused = of(command);
         EXPECT_EQ(refused.code, 3);
-        EXPECT_NE(refused.err.find(std::string("found: outside_domain: x at eps = 1/5\n  mend:  ") + mend),
+        EXPECT_NE(refused.err.find(std::string("found: outside_domain: x at eps = 1/5\n  hint:  ") + hint),
                   std::string::npos)
             << refused.err;
     }

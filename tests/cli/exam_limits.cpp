@@ -44,7 +44,7 @@ void expect_an_end(const std::string& name, const std::string& system, const std
     EXPECT_EQ(is_error, outcome.code != 0) << name << "\n" << outcome.out.substr(0, 200);
     EXPECT_EQ(outcome.err.find("fault of the engine"), std::string::npos) << name << "\n" << outcome.err;
     if (outcome.code != 0) {
-        EXPECT_NE(outcome.err.find("  mend:  "), std::string::npos) << name << "\n" << outcome.err;
+        EXPECT_NE(outcome.err.find("  hint:  "), std::string::npos) << name << "\n" << outcome.err;
     }
 }
 
@@ -123,7 +123,7 @@ TEST(Limits, TheMessageNamesTheStepOrTheWeight) {
     const Outcome early = derive(stubborn, "--time-limit 0.3");
     EXPECT_EQ(early.code, 3);
     EXPECT_EQ(early.err, "resonform: --time-limit: a derivation takes at most 0.3 s\n  found: the expansion\n"
-                         "  mend:  simplify the system, ask for a lower order, or give --time-limit 3\n");
+                         "  hint:  simplify the system, ask for a lower order, or give --time-limit 3\n");
     // A limit that is over before the program looks at the clock: ten times that would be, too.
     const Outcome at_once = derive(with_equation("x'' + x = 0"), "--time-limit 1e-9");
     EXPECT_EQ(at_once.code, 3);
@@ -134,7 +134,7 @@ TEST(Limits, TheMessageNamesTheStepOrTheWeight) {
     const std::string pendulum = "x'' + a^2*sin(x) + eps*b*x^2 = 0";
     const Outcome late = derive(with_equation(pendulum), "--order 99 --time-limit 1");
     EXPECT_EQ(late.code, 3);
-    EXPECT_NE(late.err.find(" under way\n  mend:  "), std::string::npos) << late.err;
+    EXPECT_NE(late.err.find(" under way\n  hint:  "), std::string::npos) << late.err;
     const Outcome terms = derive(with_equation(pendulum), "--order 30 --term-limit 20");
     EXPECT_EQ(terms.code, 3);
     EXPECT_NE(terms.err.find("resonform: --term-limit: normal form and map have at most 20 terms\n"

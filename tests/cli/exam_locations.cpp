@@ -32,7 +32,7 @@ TEST(Locations, ASystemHasTheNameOfItsFolder) {
     const std::string message =
         "resonform: systems/swing_copy/system.toml:2:9: system.name: a system in systems/ must have the name "
         "of its folder, 'swing_copy'\n    name = \"swing\"\n            ^\n  found: swing\n"
-        "  mend:  write name = \"swing_copy\", or rename the folder to swing\n";
+        "  hint:  write name = \"swing_copy\", or rename the folder to swing\n";
     const Outcome list = run("resonform list", scratch.path());
     EXPECT_EQ(list.code, 2);
     EXPECT_EQ(list.err, message);
@@ -48,7 +48,7 @@ TEST(Locations, AFolderWhoseNameNoSystemCanHaveIsRenamed) {
     const Scratch scratch;
     write_system(scratch.path(), "my swing");
     const Outcome list = run("resonform list", scratch.path());
-    EXPECT_NE(list.err.find("\n  mend:  rename the folder to swing\n"), std::string::npos) << list.err;
+    EXPECT_NE(list.err.find("\n  hint:  rename the folder to swing\n"), std::string::npos) << list.err;
 }
 
 TEST(Locations, RegenerateGoesOnPastWhatIsBrokenAndEndsWithTheWorst) {
@@ -111,7 +111,7 @@ TEST(Locations, AnEmptyOrUnreadableFolderIsSaid) {
         EXPECT_EQ(empty.code, 2);
         EXPECT_EQ(in(empty), "resonform: systems: there must be a system: a folder with system.toml\n"
                              "  found: none\n"
-                             "  mend:  add one, or go to a folder whose systems/ has one\n");
+                             "  hint:  add one, or go to a folder whose systems/ has one\n");
     }
     write(scratch.path() / "systems/swing/system.toml", system_text);
     write(scratch.path() / "systems/swing/scenes", "a file in the place of a folder");

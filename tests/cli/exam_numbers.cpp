@@ -81,7 +81,7 @@ TEST_F(Numbers, ThatCannotBeAreSaid) {
     const auto code = [&](const std::string& options) {
         const Outcome outcome = said("derive two " + options);
         EXPECT_EQ(outcome.out, "") << options;
-        EXPECT_NE(outcome.err.find("mend:"), std::string::npos) << options << outcome.err;
+        EXPECT_NE(outcome.err.find("hint:"), std::string::npos) << options << outcome.err;
         return outcome.code;
     };
     EXPECT_EQ(code("--digits 20"), 2); // k

@@ -40,7 +40,7 @@ TEST_F(SlowReport, OfAnotherSceneIsNotOverwritten) {
     EXPECT_EQ(other.out, "");
     EXPECT_NE(other.err.find("resonform: --report: the folder must not hold the report of another scene\n"
                              "  found: here/report.md of spring/one\n"
-                             "  mend:  give another folder, or delete that report\n"),
+                             "  hint:  give another folder, or delete that report\n"),
               std::string::npos)
         << other.err;
     EXPECT_EQ(read(scratch_.path() / "here/report.html"), html);

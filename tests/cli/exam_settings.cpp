@@ -108,7 +108,7 @@ TEST_F(Settings, OfAParameterThatARelationGives) {
         said("derive given --set a=2").err,
         "resonform: --set: a parameter that [relations] gives has no value of its own\n"
         "  found: a = 2*b\n"
-        "  mend:  set the parameters on the right side, or take the relation from line 7 of the file\n");
+        "  hint:  set the parameters on the right side, or take the relation from line 7 of the file\n");
 }
 
 TEST_F(Settings, ThatDivideByZeroInAModeNameItsEntry) {
@@ -129,7 +129,7 @@ TEST_F(Settings, TakeAllWordsBehindThem) {
               std::string::npos)
         << outcome.err;
     EXPECT_NE(
-        outcome.err.find("  found: --set p=1 q=2 two\n  mend:  write resonform derive SYSTEM --set ...\n"),
+        outcome.err.find("  found: --set p=1 q=2 two\n  hint:  write resonform derive SYSTEM --set ...\n"),
         std::string::npos)
         << outcome.err;
     EXPECT_NE(printed("derive --help").find("Usage: resonform derive SYSTEM [OPTIONS]\n"), std::string::npos);

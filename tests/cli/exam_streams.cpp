@@ -27,7 +27,7 @@ TEST(Streams, ResultsThatCannotBePrinted) {
             EXPECT_EQ(outcome.code, 2) << command << redirection;
             const std::string message =
                 std::string("resonform: standard output: the results must be writable\n") +
-                "  found: " + reason + "\n" + "  mend:  free space, or redirect them elsewhere\n";
+                "  found: " + reason + "\n" + "  hint:  free space, or redirect them elsewhere\n";
             EXPECT_NE(outcome.err.find(message), std::string::npos) << command << "\n" << outcome.err;
         }
 }

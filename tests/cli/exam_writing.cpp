@@ -32,7 +32,7 @@ TEST_F(Writing, AFileThatGrowsTooLargeIsSaid) {
         EXPECT_EQ(outcome.err, std::string("resonform: ") + file +
                                    ": the output must be a file in a folder that exists and can be written\n"
                                    "  found: File too large\n"
-                                   "  mend:  make the folder, free space, or give another path\n");
+                                   "  hint:  make the folder, free space, or give another path\n");
     }
     EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "new.hpp"));
     EXPECT_EQ(read(scratch_.path() / "old.hpp"), "of before");

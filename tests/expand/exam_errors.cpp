@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Systems that cannot be expanded: each with one message that names the rule, the value and the mend.
+// Systems that cannot be expanded: each with one message that names the rule, the value and the hint.
 #include "expand/refusal.hpp"
 #include "support/system_text.hpp"
 

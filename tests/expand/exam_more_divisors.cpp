@@ -20,7 +20,7 @@ std::string refusal_of_divisors(const std::string& toml, const std::string& symb
         with_divisors(*field, divisors);
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
-        return e.diagnostic().mend;
+        return e.diagnostic().hint;
     }
     ADD_FAILURE() << "accepted:\n" << toml;
     return "";

@@ -10,14 +10,14 @@
 
 namespace resonform::test {
 
-// The message: of this kind, of at most 2 kB, with its place and its mend.
+// The message: of this kind, of at most 2 kB, with its place and its hint.
 inline std::string refusal(const std::string& toml, Kind kind) {
     try {
         field_from(toml);
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), kind) << e.what();
         EXPECT_LE(std::string(e.what()).size(), 2048U);
-        EXPECT_FALSE(e.diagnostic().mend.empty());
+        EXPECT_FALSE(e.diagnostic().hint.empty());
         EXPECT_NE(std::string(e.what()).find("test/system.toml"), std::string::npos) << e.what();
         return e.what();
     }

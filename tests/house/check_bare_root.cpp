@@ -63,7 +63,7 @@ TEST_F(BareRoot, RefusesWhatIsNotItsOwn) {
         EXPECT_NE(outcome_.err.find("must not hold /"), std::string::npos) << outcome_.err;
     }
     EXPECT_EQ(removed_for(in_scratch("file")), "");
-    EXPECT_NE(outcome_.err.find("\n  found: " + in_scratch("file") + "\n  mend:  give another folder"),
+    EXPECT_NE(outcome_.err.find("\n  found: " + in_scratch("file") + "\n  hint:  give another folder"),
               std::string::npos)
         << outcome_.err;
 }

@@ -29,7 +29,7 @@ std::string damaged(std::string text, std::mt19937& random) {
 void expect_message(const std::string& message, const std::string& text) {
     if (message.empty()) return;
     EXPECT_LE(message.size(), 2050U) << text;
-    EXPECT_NE(message.find("mend:"), std::string::npos) << message << "\nof\n" << text;
+    EXPECT_NE(message.find("hint:"), std::string::npos) << message << "\nof\n" << text;
 }
 
 TEST(CheckMutations, DamagedSystemsAreAnswered) {

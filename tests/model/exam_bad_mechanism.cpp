@@ -57,7 +57,7 @@ TEST(NonholonomicAtEpsZero, TheSleighOfChaplygin) {
         "    edge = \"x'*sin(theta) = y'*cos(theta)\"\n"
         "            ^\n"
         "  found: the Frobenius term of x' for (y, theta) is -1/(cos(theta)^2 - 1)\n"
-        "  mend:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
+        "  hint:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
 }
 
 TEST(NonholonomicAtEpsZero, TheRollingDisc) {
@@ -70,7 +70,7 @@ TEST(NonholonomicAtEpsZero, TheRollingDisc) {
         "    along = \"x' = r*phi'*cos(theta)\"\n"
         "             ^\n"
         "  found: the Frobenius term of x' for (theta, phi) is -r*sin(theta)\n"
-        "  mend:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
+        "  hint:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
 }
 
 // Angular velocity by Euler's angles.
@@ -86,7 +86,7 @@ TEST(NonholonomicAtEpsZero, TheRollingBall) {
         "    along = \"x' = r*(theta'*sin(psi) - phi'*sin(theta)*cos(psi))\"\n"
         "             ^\n"
         "  found: the Frobenius term of x' for (psi, theta) is r*cos(psi)\n"
-        "  mend:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
+        "  hint:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
 }
 
 class BadMechanisms : public testing::TestWithParam<BadInput> {};
@@ -107,13 +107,13 @@ const BadInput bad_mechanisms[] = {
      "    a = \"y' = eps*x*x'\"\n"
      "         ^\n"
      "  found: 'a' follows from those before it\n"
-     "  mend:  leave it out, or correct it"},
+     "  hint:  leave it out, or correct it"},
     {"Positional", "y' = eps*x*x'", "y = eps*x^2/2",
      "2 system.toml:20:6: constraints.a: a constraint holds a velocity\n"
      "    a = \"y = eps*x^2/2\"\n"
      "         ^\n"
      "  found: 'a' holds none\n"
-     "  mend:  differentiate it: x = f(y) is x' = f'(y)*y', with the integral x - f(y)"},
+     "  hint:  differentiate it: x = f(y) is x' = f'(y)*y', with the integral x - f(y)"},
     {"Contradictory",
      "y = {}\n[prescribed]\nxi = \"xi' = eps\"\n[particles]\np = { mass = \"m\", position = [\"x\", \"y\"] "
      "}\n[energy]\npotential = \"m*(x - xi)^2\"\n[constraints]\n",
@@ -125,51 +125,51 @@ const BadInput bad_mechanisms[] = {
      "    a = \"y' = eps*x*x'\"\n"
      "         ^\n"
      "  found: 'a' contradicts those before it\n"
-     "  mend:  correct it"},
+     "  hint:  correct it"},
     {"Quadratic", "eps*x*x'\"", "eps*x*x'^2\"",
      "3 system.toml:20:6: constraints.a: a constraint is linear or affine in the velocities\n"
      "    a = \"y' = eps*x*x'^2\"\n"
      "         ^\n"
      "  found: -eps*x*x'^2\n"
-     "  mend:  write constraints a*x' + b*y' + c = 0, with a, b, c free of velocities"},
+     "  hint:  write constraints a*x' + b*y' + c = 0, with a, b, c free of velocities"},
     {"AsManyAsCoordinates", "a = \"y' = eps*x*x'\"", "a = \"y' = eps*x*x'\"\nb = \"x' = eps\"",
      "2 system.toml:21:6: constraints.b: a mechanism has fewer constraints than coordinates\n"
      "    b = \"x' = eps\"\n"
      "         ^\n"
      "  found: 2 constraints, 2 coordinates\n"
-     "  mend:  leave out constraints, or prescribe coordinates"},
+     "  hint:  leave out constraints, or prescribe coordinates"},
     {"RankFalls", "y' = eps*x*x'", "eps*y' = eps^2*x*x'",
      "3 system.toml:20:6: constraints.a: constraints are independent at eps = 0\n"
      "    a = \"eps*y' = eps^2*x*x'\"\n"
      "         ^\n"
      "  found: 'a' holds no velocity there\n"
-     "  mend:  divide it by a power of eps"},
+     "  hint:  divide it by a power of eps"},
     {"NoMass", "[\"x\", \"y\"]", "[\"0\", \"0\"]",
      "2 system.toml:10:1: coordinates: the matrix of the accelerations is regular\n"
      "    [coordinates]\n"
      "    ^\n"
      "  found: its determinant is zero\n"
-     "  mend:  give every coordinate a mass, or leave it out"},
+     "  hint:  give every coordinate a mass, or leave it out"},
     {"NoMassAtTheOrigin", "[\"x\", \"y\"]", "[\"(x - xi)^2\", \"0\"]",
      "2 system.toml:10:1: coordinates: the matrix of the accelerations is regular where the equations are "
      "expanded\n"
      "    [coordinates]\n"
      "    ^\n"
      "  found: its determinant is zero there\n"
-     "  mend:  choose other coordinates, or another point by [change]"},
+     "  hint:  choose other coordinates, or another point by [change]"},
     {"PoleAtTheOrigin", "position = [\"x\", \"y\"] }\n[energy]\npotential = \"m*(x - xi)^2\"",
      "position = [\"log(x - xi)\", \"y\"] }\n[energy]\npotential = \"m*x^2\"",
      "2 system.toml:10:1: coordinates: nothing is divided by an expression that is zero at the origin\n"
      "    [coordinates]\n"
      "    ^\n"
      "  found: (eps^2*m*psi^4 + 2*eps^2*m*xi*psi^3 + eps^2*m*xi^2*psi^2 + m...\n"
-     "  mend:  choose other coordinates, or another origin by [change]"},
+     "  hint:  choose other coordinates, or another origin by [change]"},
     {"NotInvertible", "psi + xi", "psi^2 + xi",
      "2 system.toml:22:6: change.x: a change of variables is invertible where the equations are expanded\n"
      "    x = \"psi^2 + xi\"\n"
      "         ^\n"
      "  found: the determinant of its derivatives is zero at the origin of the new variables\n"
-     "  mend:  correct it, or choose another origin"},
+     "  hint:  correct it, or choose another origin"},
     {"NoChange", "[change]\nx = \"psi + xi\"\n", "",
      "2 system.toml:7:1: variables.psi: each variable of a mechanism is a coordinate, prescribed, an "
      "integral, a quasi-velocity, or new in [change], which has one new variable for each coordinate that it "
@@ -177,64 +177,64 @@ const BadInput bad_mechanisms[] = {
      "    psi = { role = \"fast\" }\n"
      "    ^\n"
      "  found: new: psi; coordinates replaced: 0\n"
-     "  mend:  correct the names, or write [change]"},
+     "  hint:  correct the names, or write [change]"},
     {"UnknownCoordinate", "(x - xi)^2", "(z - xi)^2",
      "2 system.toml:18:17: energy.potential: a symbol is declared before it is used\n"
      "    potential = \"m*(z - xi)^2\"\n"
      "                    ^\n"
      "  found: z\n"
-     "  mend:  did you mean 'm'? Known are: eps, m, r, x, xi, y"},
+     "  hint:  did you mean 'm'? Known are: eps, m, r, x, xi, y"},
     {"WrongRole", "y = {}\n[coordinates]", "y = { role = \"fast\" }\n[coordinates]",
      "2 system.toml:9:1: variables.y: what is constant at eps = 0 is slow where something depends on it, "
      "else a drift\n"
      "    y = { role = \"fast\" }\n"
      "    ^\n"
      "  found: 'y' is fast\n"
-     "  mend:  write role = \"drift\", or leave the role out"},
+     "  hint:  write role = \"drift\", or leave the role out"},
     {"MissingRole", "psi = { role = \"fast\" }", "psi = {}",
      "2 system.toml:7:1: variables.psi: a variable that is not constant at eps = 0 has a role\n"
      "    psi = {}\n"
      "    ^\n"
      "  found: 'psi'\n"
-     "  mend:  write role = \"fast\", \"angle\" or \"slow\""},
+     "  hint:  write role = \"fast\", \"angle\" or \"slow\""},
     {"PrescribedByItsSquare", "xi' = eps", "xi'^2 = eps",
      "2 system.toml:14:7: prescribed.xi: what is prescribed is given by its velocity\n"
      "    xi = \"xi'^2 = eps\"\n"
      "          ^\n"
      "  found: 'xi'^2 = eps'\n"
-     "  mend:  write xi' = ... in prescribed coordinates, parameters and eps"},
+     "  hint:  write xi' = ... in prescribed coordinates, parameters and eps"},
     {"EquationsAsWell", "[change]", "[equations]\ny = \"y' = 0\"\n[change]",
      "2 system.toml:21:1: equations: the equations of a mechanism are derived\n"
      "    [equations]\n"
      "    ^\n"
      "  found: [equations]\n"
-     "  mend:  remove this table, or [coordinates]"},
+     "  hint:  remove this table, or [coordinates]"},
     {"ForceOnNothing", "[constraints]", "[forces]\nq = \"1\"\n[constraints]",
      "2 system.toml:20:1: forces.q: a generalised force belongs to a coordinate\n"
      "    q = \"1\"\n"
      "    ^\n"
      "  found: 'q'\n"
-     "  mend:  did you mean 'x'? Known are: x, y"},
+     "  hint:  did you mean 'x'? Known are: x, y"},
     {"LagrangianAsWell", "[constraints]", "lagrangian = \"x'^2\"\n[constraints]",
      "2 system.toml:19:15: energy.lagrangian: a mechanism has a Lagrangian, or particles, bodies and a "
      "potential\n"
      "    lagrangian = \"x'^2\"\n"
      "                  ^\n"
      "  found: \"x'^2\"\n"
-     "  mend:  leave out one of the two"},
+     "  hint:  leave out one of the two"},
     {"NoPosition", ", position = [\"x\", \"y\"]", "",
      "2 system.toml:16:1: particles.p: a position is an array of 2 or 3 expressions, in an inertial frame\n"
      "    p = { mass = \"m\" }\n"
      "    ^\n"
      "  found: 'p'\n"
-     "  mend:  write position = [\"x\", \"y\", \"z\"]"},
+     "  hint:  write position = [\"x\", \"y\", \"z\"]"},
     {"OnePosition", "[\"x\", \"y\"]", "[\"x\"]",
      "2 system.toml:16:30: particles.p.position: a position is an array of 2 or 3 expressions, in an "
      "inertial frame\n"
      "    p = { mass = \"m\", position = [\"x\"] }\n"
      "                                 ^\n"
      "  found: 'p'\n"
-     "  mend:  write position = [\"x\", \"y\", \"z\"]"},
+     "  hint:  write position = [\"x\", \"y\", \"z\"]"},
     {"TwoMoments", "[energy]",
      "[bodies]\nb = { mass = \"m\", position = [\"x\", \"y\", \"0\"], inertia = [\"m\", \"m\"], attitude = "
      "[\"x\", \"y\", \"0\"] }\n[energy]",
@@ -244,38 +244,38 @@ const BadInput bad_mechanisms[] = {
      "\"y\", \"0\"] }\n"
      "                                                            ^\n"
      "  found: 'b'\n"
-     "  mend:  write inertia = [\"A\", \"B\", \"C\"], attitude = [\"psi\", \"theta\", \"phi\"]"},
+     "  hint:  write inertia = [\"A\", \"B\", \"C\"], attitude = [\"psi\", \"theta\", \"phi\"]"},
     {"NoCoordinates", "[coordinates]\nx = {}\ny = {}\n", "",
      "2 system.toml:10:1: prescribed: a mechanism has the table [coordinates]\n"
      "    [prescribed]\n"
      "    ^\n"
      "  found: [prescribed] without it\n"
-     "  mend:  declare coordinates, as x = { unit = \"m\" }"},
+     "  hint:  declare coordinates, as x = { unit = \"m\" }"},
     {"NegativeMass", "mass = \"m\"", "mass = \"-m*r\"",
      "2 system.toml:16:15: particles.p.mass: a mass is not negative\n"
      "    p = { mass = \"-m*r\", position = [\"x\", \"y\"] }\n"
      "                  ^\n"
      "  found: \"-m*r\"\n"
-     "  mend:  correct its sign"},
+     "  hint:  correct its sign"},
     {"NegativeMoment", "[energy]",
      "[bodies]\nb = { mass = \"m\", position = [\"x\", \"y\"], inertia = \"-1\", angle = \"x\" }\n[energy]",
      "2 system.toml:18:53: bodies.b.inertia: a moment of inertia is not negative\n"
      "    b = { mass = \"m\", position = [\"x\", \"y\"], inertia = \"-1\", angle = \"x\" }\n"
      "                                                        ^\n"
      "  found: \"-1\"\n"
-     "  mend:  correct its sign"},
+     "  hint:  correct its sign"},
     {"RootOfAQuotient", "m*(x - xi)^2", "m*sqrt(r + x^2/(r - xi))",
      "3 system.toml:18:14: energy.potential: the denominator under a root is proved positive\n"
      "    potential = \"m*sqrt(r + x^2/(r - xi))\"\n"
      "                 ^\n"
      "  found: -xi + r\n"
-     "  mend:  declare what it is made of positive"},
+     "  hint:  declare what it is made of positive"},
     {"NoIntegral", "[change]", "[integrals]\nR = \"y + x\"\n[change]",
      "2 system.toml:22:6: integrals.R: an integral is constant at eps = 0\n"
      "    R = \"y + x\"\n"
      "         ^\n"
      "  found: its derivative holds (1)*x'\n"
-     "  mend:  correct it"},
+     "  hint:  correct it"},
 };
 
 TEST(BadMechanism, WithConstraintsWhoseRankFallsAtTheOrigin) {
@@ -288,7 +288,7 @@ TEST(BadMechanism, WithConstraintsWhoseRankFallsAtTheOrigin) {
               "    c = \"x*z' = eps*y*y'\"\n"
               "         ^\n"
               "  found: z' = eps*y*y'/x\n"
-              "  mend:  choose another origin by [change], or another constraint");
+              "  hint:  choose another origin by [change], or another constraint");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadMechanisms, testing::ValuesIn(bad_mechanisms), name_of);

@@ -19,318 +19,318 @@ const BadInput bad_scenes[] = {
      "    order = 0\n"
      "            ^\n"
      "  found: 0\n"
-     "  mend:  write an integer in 1 ... 99"},
+     "  hint:  write an integer in 1 ... 99"},
     {"OrderNegative", "order = 3", "order = -1",
      "2 scene.toml:3:9: order: 'order' is an integer in 1 ... 99\n"
      "    order = -1\n"
      "            ^\n"
      "  found: -1\n"
-     "  mend:  write an integer in 1 ... 99"},
+     "  hint:  write an integer in 1 ... 99"},
     {"OrderAbsurd", "order = 3", "order = 1000000",
      "2 scene.toml:3:9: order: 'order' is an integer in 1 ... 99\n"
      "    order = 1000000\n"
      "            ^\n"
      "  found: 1000000\n"
-     "  mend:  write an integer in 1 ... 99"},
+     "  hint:  write an integer in 1 ... 99"},
     {"OrderNoInteger", "order = 3", "order = 2.5",
      "2 scene.toml:3:9: order: 'order' is an integer in 1 ... 99\n"
      "    order = 2.5\n"
      "            ^\n"
      "  found: 2.5\n"
-     "  mend:  write an integer in 1 ... 99"},
+     "  hint:  write an integer in 1 ... 99"},
     {"OrderString", "order = 3", "order = \"3\"",
      "2 scene.toml:3:10: order: 'order' is an integer in 1 ... 99\n"
      "    order = \"3\"\n"
      "             ^\n"
      "  found: \"3\"\n"
-     "  mend:  write an integer in 1 ... 99"},
+     "  hint:  write an integer in 1 ... 99"},
     {"UnknownKey", "order = 3", "oder = 3",
      "2 scene.toml:3:1: oder: a key is one of the known ones\n"
      "    oder = 3\n"
      "    ^\n"
      "  found: oder\n"
-     "  mend:  did you mean 'order'? Known are: system, title, order, time_scale, truncation, outputs, "
+     "  hint:  did you mean 'order'? Known are: system, title, order, time_scale, truncation, outputs, "
      "oscillating, fix, start, verify"},
     {"BothTimeScaleAndTruncation", "time_scale = 1", "time_scale = 1\ntruncation = 4",
      "2 scene.toml:5:14: truncation: a scene gives time_scale or truncation, not both\n"
      "    truncation = 4\n"
      "                 ^\n"
      "  found: 4\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
     {"TruncationBelowOrder", "time_scale = 1", "truncation = 2",
      "2 scene.toml:4:14: truncation: 'truncation' is an integer in 3 ... 99\n"
      "    truncation = 2\n"
      "                 ^\n"
      "  found: 2\n"
-     "  mend:  write an integer in 3 ... 99"},
+     "  hint:  write an integer in 3 ... 99"},
     {"TimeScaleNegative", "time_scale = 1", "time_scale = -1",
      "2 scene.toml:4:14: time_scale: 'time_scale' is an integer in 0 ... 9\n"
      "    time_scale = -1\n"
      "                 ^\n"
      "  found: -1\n"
-     "  mend:  write an integer in 0 ... 9"},
+     "  hint:  write an integer in 0 ... 9"},
     {"NoSuchOutput", "\"x\", \"y\"]", "\"x\", \"z\"]",
      "2 scene.toml:5:25: outputs[2]: an output is a variable of the system\n"
      "    outputs = [\"psi\", \"x\", \"z\"]\n"
      "                            ^\n"
      "  found: \"z\"\n"
-     "  mend:  did you mean 'x'? Known are: psi, xi, x, y"},
+     "  hint:  did you mean 'x'? Known are: psi, xi, x, y"},
     {"OutputTwice", "\"x\", \"y\"]", "\"x\", \"x\"]",
      "2 scene.toml:5:25: outputs[2]: an output is listed once\n"
      "    outputs = [\"psi\", \"x\", \"x\"]\n"
      "                            ^\n"
      "  found: \"x\"\n"
-     "  mend:  remove the second"},
+     "  hint:  remove the second"},
     {"NoOutputs", "[\"psi\", \"x\", \"y\"]", "[]",
      "2 scene.toml:5:11: outputs: 'outputs' is an array of variables, not empty\n"
      "    outputs = []\n"
      "              ^\n"
      "  found: an array\n"
-     "  mend:  write outputs = [\"psi\"]"},
+     "  hint:  write outputs = [\"psi\"]"},
     {"OutputsNoArray", "[\"psi\", \"x\", \"y\"]", "\"psi\"",
      "2 scene.toml:5:12: outputs: 'outputs' is an array of variables, not empty\n"
      "    outputs = \"psi\"\n"
      "               ^\n"
      "  found: \"psi\"\n"
-     "  mend:  write outputs = [\"psi\"]"},
+     "  hint:  write outputs = [\"psi\"]"},
     {"OscillatingNoBoolean", "outputs = ", "oscillating = \"no\"\noutputs = ",
      "2 scene.toml:5:16: oscillating: 'oscillating' is true or false\n"
      "    oscillating = \"no\"\n"
      "                   ^\n"
      "  found: \"no\"\n"
-     "  mend:  write true or false, without quotes"},
+     "  hint:  write true or false, without quotes"},
     {"OtherSystem", "system = \"almost_holonomic_pendulum\"", "system = \"another\"",
      "2 scene.toml:1:11: system: a scene names the system of its folder, 'almost_holonomic_pendulum'\n"
      "    system = \"another\"\n"
      "              ^\n"
      "  found: \"another\"\n"
-     "  mend:  write system = \"almost_holonomic_pendulum\""},
+     "  hint:  write system = \"almost_holonomic_pendulum\""},
     {"FixOfNoParameter", "g = 1", "gg = 1",
      "2 scene.toml:8:1: fix.gg: [fix] gives values of parameters\n"
      "    gg = 1\n"
      "    ^\n"
      "  found: 'gg'\n"
-     "  mend:  did you mean 'g'? Known are: g, r, v"},
+     "  hint:  did you mean 'g'? Known are: g, r, v"},
     {"FixOutsideDomain", "g = 1", "g = 0",
      "2 scene.toml:8:5: fix.g: the parameter 'g' is declared positive\n"
      "    g = 0\n"
      "        ^\n"
      "  found: 0\n"
-     "  mend:  give a positive value"},
+     "  hint:  give a positive value"},
     {"FixNotFinite", "r = 1", "r = nan",
      "2 scene.toml:9:5: fix.r: 'fix.r' is a finite decimal number\n"
      "    r = nan\n"
      "        ^\n"
      "  found: nan\n"
-     "  mend:  write a number such as 0.25"},
+     "  hint:  write a number such as 0.25"},
     {"FixHuge", "r = 1", "r = \"1e999999999\"",
      "2 scene.toml:9:6: fix.r: a number has at most 1000 digits, its decimal exponent included\n"
      "    r = \"1e999999999\"\n"
      "         ^\n"
      "  found: 1e999999999\n"
-     "  mend:  write a shorter number, or a parameter in its place"},
+     "  hint:  write a shorter number, or a parameter in its place"},
     {"FixTooLarge", "r = 1", "r = \"1e900\"",
      "2 scene.toml:9:6: fix.r: a fixed value is zero or lies between 1e-100 and 1e100 in size\n"
      "    r = \"1e900\"\n"
      "         ^\n"
      "  found: \"1e900\"\n"
-     "  mend:  choose other units"},
+     "  hint:  choose other units"},
     {"FixSymbol", "r = 1", "r = \"g\"",
      "2 scene.toml:9:6: fix.r: a symbol is declared before it is used\n"
      "    r = \"g\"\n"
      "         ^\n"
      "  found: g\n"
-     "  mend:  no name is known here"},
+     "  hint:  no name is known here"},
     {"UnknownStart", "C_X = 1", "C_Z = 1",
      "2 scene.toml:16:1: start.C_Z: [start] gives variables or constants of the solution\n"
      "    C_Z = 1\n"
      "    ^\n"
      "  found: 'C_Z'\n"
-     "  mend:  did you mean 'C_X'? Known are: C_delta, theta_0, psi, psi', xi, C_X, x, C_Y, y"},
+     "  hint:  did you mean 'C_X'? Known are: C_delta, theta_0, psi, psi', xi, C_X, x, C_Y, y"},
     {"BothKindsOfDrift", "C_X = 1", "C_X = 1\nx = 1",
      "2 scene.toml:17:5: start.x: a variable starts from its physical values or from constants, not both\n"
      "    x = 1\n"
      "        ^\n"
      "  found: 'x' and 'C_X'\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
     {"BothKindsOfFast", "theta_0 = 0", "psi = \"0.3*eps\"",
      "2 scene.toml:15:8: start.psi: a variable starts from its physical values or from constants, not both\n"
      "    psi = \"0.3*eps\"\n"
      "           ^\n"
      "  found: 'psi' and 'C_delta'\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
     {"StartTwice", "C_X = 1", "C_X = 1\n\"constant.x\" = 1",
      "2 scene.toml:17:1: start.constant.x: a start value is given once\n"
      "    \"constant.x\" = 1\n"
      "    ^\n"
      "  found: 'constant.x' and 'C_X'\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
     {"NoStartOfDrift", "C_X = 1\n", "",
      "2 scene.toml:12:1: start: an output starts from its value or its constant\n"
      "    [start]\n"
      "    ^\n"
      "  found: no value of 'C_X'\n"
-     "  mend:  write C_X = ... under [start]"},
+     "  hint:  write C_X = ... under [start]"},
     {"NoStartOfFast", "C_delta = 1\n", "",
      "2 scene.toml:12:1: start: a fast variable starts from its amplitude and phase, or from its value and "
      "derivatives\n"
      "    [start]\n"
      "    ^\n"
      "  found: no value of 'C_delta'\n"
-     "  mend:  write C_delta = ... under [start]"},
+     "  hint:  write C_delta = ... under [start]"},
     {"NoStartOfVelocity", "C_delta = 1\ntheta_0 = 0", "psi = \"0.3*eps\"",
      "2 scene.toml:12:1: start: a fast variable starts from its amplitude and phase, or from its value and "
      "derivatives\n"
      "    [start]\n"
      "    ^\n"
      "  found: no value of 'psi''\n"
-     "  mend:  write \"psi'\" = ... under [start]"},
+     "  hint:  write \"psi'\" = ... under [start]"},
     {"NoStartOfSlow", "xi = 0\n", "",
      "2 scene.toml:12:1: start: a slow variable has a start value\n"
      "    [start]\n"
      "    ^\n"
      "  found: no value of 'xi'\n"
-     "  mend:  write xi = ... under [start]"},
+     "  hint:  write xi = ... under [start]"},
     {"StartInAVariable", "xi = 0", "xi = \"x\"",
      "2 scene.toml:13:7: start.xi: a symbol is declared before it is used\n"
      "    xi = \"x\"\n"
      "          ^\n"
      "  found: x\n"
-     "  mend:  did you mean 'g'? Known are: eps, g, r, v"},
+     "  hint:  did you mean 'g'? Known are: eps, g, r, v"},
     {"StartInfinite", "xi = 0", "xi = inf",
      "2 scene.toml:13:6: start.xi: 'start.xi' is a finite decimal number\n"
      "    xi = inf\n"
      "         ^\n"
      "  found: inf\n"
-     "  mend:  write a number such as 0.25"},
+     "  hint:  write a number such as 0.25"},
     {"StartSingular", "xi = 0", "xi = \"1/(g-r)\"",
      "2 scene.toml:13:7: start.xi: a start value is finite in double precision\n"
      "    xi = \"1/(g-r)\"\n"
      "          ^\n"
      "  found: 1/(g-r)\n"
-     "  mend:  give a value of moderate size"},
+     "  hint:  give a value of moderate size"},
     {"StartUnreal", "xi = 0", "xi = \"2 + r*log(-eps)\"",
      "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
      "    xi = \"2 + r*log(-eps)\"\n"
      "          ^\n"
      "  found: 2 + r*log(-eps), where -eps is negative at eps = 0.1\n"
-     "  mend:  write the real value meant"},
+     "  hint:  write the real value meant"},
     {"StartUnrealByAFixedValue", "xi = 0", "xi = \"sqrt(g - 2*r)\"",
      "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
      "    xi = \"sqrt(g - 2*r)\"\n"
      "          ^\n"
      "  found: sqrt(g - 2*r), where -2*r + g is negative at eps = 0.1\n"
-     "  mend:  write the real value meant"},
+     "  hint:  write the real value meant"},
     {"StartBeyondAnArcSine", "xi = 0", "xi = \"asin(1 + eps)\"",
      "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
      "    xi = \"asin(1 + eps)\"\n"
      "          ^\n"
      "  found: asin(1 + eps), where 1 + eps is not within -1 ... 1 at eps = 0.1\n"
-     "  mend:  write the real value meant"},
+     "  hint:  write the real value meant"},
     {"StartOverflows", "xi = 0", "xi = \"exp(exp(exp(9)))\"",
      "2 scene.toml:13:7: start.xi: a start value is finite in double precision\n"
      "    xi = \"exp(exp(exp(9)))\"\n"
      "          ^\n"
      "  found: exp(exp(exp(9)))\n"
-     "  mend:  give a value of moderate size"},
+     "  hint:  give a value of moderate size"},
     {"IntervalZero", "\"1/eps\"", "0",
      "2 scene.toml:20:12: verify.interval: the interval of verification is positive, and finite in double "
      "precision\n"
      "    interval = 0\n"
      "               ^\n"
      "  found: 0\n"
-     "  mend:  write one such as \"1/eps\""},
+     "  hint:  write one such as \"1/eps\""},
     {"IntervalUnreal", "\"1/eps\"", "\"log(-eps)\"",
      "2 scene.toml:20:13: verify.interval: the interval of verification is a real number for eps > 0\n"
      "    interval = \"log(-eps)\"\n"
      "                ^\n"
      "  found: log(-eps), where -eps is negative at eps = 0.1\n"
-     "  mend:  write one such as \"1/eps\""},
+     "  hint:  write one such as \"1/eps\""},
     {"IntervalNegative", "\"1/eps\"", "\"(g-2*r)/eps\"",
      "2 scene.toml:20:13: verify.interval: the interval of verification is positive, and finite in double "
      "precision\n"
      "    interval = \"(g-2*r)/eps\"\n"
      "                ^\n"
      "  found: \"(g-2*r)/eps\"\n"
-     "  mend:  write one such as \"1/eps\""},
+     "  hint:  write one such as \"1/eps\""},
     {"IntervalInAVariable", "\"1/eps\"", "\"1/xi\"",
      "2 scene.toml:20:15: verify.interval: a symbol is declared before it is used\n"
      "    interval = \"1/xi\"\n"
      "                  ^\n"
      "  found: xi\n"
-     "  mend:  known are: eps, g, r, v"},
+     "  hint:  known are: eps, g, r, v"},
     {"EpsZero", "interval = \"1/eps\"", "eps = [0.1, 0]",
      "2 scene.toml:20:13: verify.eps[1]: eps lies in 1e-12 <= eps <= 0.5\n"
      "    eps = [0.1, 0]\n"
      "                ^\n"
      "  found: 0\n"
-     "  mend:  give a small positive number"},
+     "  hint:  give a small positive number"},
     {"EpsNegative", "interval = \"1/eps\"", "eps = [-0.1]",
      "2 scene.toml:20:8: verify.eps[0]: eps lies in 1e-12 <= eps <= 0.5\n"
      "    eps = [-0.1]\n"
      "           ^\n"
      "  found: -0.1\n"
-     "  mend:  give a small positive number"},
+     "  hint:  give a small positive number"},
     {"EpsNan", "interval = \"1/eps\"", "eps = [nan]",
      "2 scene.toml:20:8: verify.eps[0]: 'verify.eps[0]' is a finite decimal number\n"
      "    eps = [nan]\n"
      "           ^\n"
      "  found: nan\n"
-     "  mend:  write a number such as 0.25"},
+     "  hint:  write a number such as 0.25"},
     {"EpsLarge", "interval = \"1/eps\"", "eps = [0.6]",
      "2 scene.toml:20:8: verify.eps[0]: eps lies in 1e-12 <= eps <= 0.5\n"
      "    eps = [0.6]\n"
      "           ^\n"
      "  found: 0.6\n"
-     "  mend:  give a small positive number"},
+     "  hint:  give a small positive number"},
     {"EpsTwice", "interval = \"1/eps\"", "eps = [0.1, \"1/10\"]",
      "2 scene.toml:20:14: verify.eps[1]: eps of a ladder is listed once\n"
      "    eps = [0.1, \"1/10\"]\n"
      "                 ^\n"
      "  found: \"1/10\"\n"
-     "  mend:  remove the second"},
+     "  hint:  remove the second"},
     {"EpsNoArray", "interval = \"1/eps\"", "eps = 0.1",
      "2 scene.toml:20:7: verify.eps: 'verify.eps' is an array of 1 ... 100 numbers\n"
      "    eps = 0.1\n"
      "          ^\n"
      "  found: 0.1\n"
-     "  mend:  write eps = [0.1, 0.05, 0.02]"},
+     "  hint:  write eps = [0.1, 0.05, 0.02]"},
     {"ClaimOfNoOutput", "interval = \"1/eps\"", "claim = { z = 4 }",
      "2 scene.toml:20:11: verify.claim.z: claims and expectations are about outputs of the scene\n"
      "    claim = { z = 4 }\n"
      "              ^\n"
      "  found: 'z'\n"
-     "  mend:  did you mean 'x'? Known are: psi, x, y"},
+     "  hint:  did you mean 'x'? Known are: psi, x, y"},
     {"ClaimString", "interval = \"1/eps\"", "claim = { x = \"4\" }",
      "2 scene.toml:20:16: verify.claim.x: 'verify.claim.x' is an integer in 1 ... 100\n"
      "    claim = { x = \"4\" }\n"
      "                   ^\n"
      "  found: \"4\"\n"
-     "  mend:  write an integer in 1 ... 100"},
+     "  hint:  write an integer in 1 ... 100"},
     {"UnknownVerdict", "interval = \"1/eps\"", "expect = { x = \"fial\" }",
      "2 scene.toml:20:17: verify.expect.x: an expected verdict is pass, fail or undecided\n"
      "    expect = { x = \"fial\" }\n"
      "                    ^\n"
      "  found: \"fial\"\n"
-     "  mend:  did you mean 'fail'? Known are: pass, fail, undecided"},
+     "  hint:  did you mean 'fail'? Known are: pass, fail, undecided"},
     {"UlpBelowOne", "interval = \"1/eps\"", "ulp = 0.5",
      "2 scene.toml:20:7: verify.ulp: 'verify.ulp' is a number in 1 ... 1000000\n"
      "    ulp = 0.5\n"
      "          ^\n"
      "  found: 0.5\n"
-     "  mend:  write ulp = 16, the default"},
+     "  hint:  write ulp = 16, the default"},
     {"UlpAboveAMillion", "interval = \"1/eps\"", "ulp = 1000001",
      "2 scene.toml:20:7: verify.ulp: 'verify.ulp' is a number in 1 ... 1000000\n"
      "    ulp = 1000001\n"
      "          ^\n"
      "  found: 1000001\n"
-     "  mend:  write ulp = 16, the default"},
+     "  hint:  write ulp = 16, the default"},
     {"ReasonForTheDefault", "interval = \"1/eps\"", "ulp_reason = \"why not\"",
      "2 scene.toml:20:15: verify.ulp_reason: 'verify.ulp_reason' says why 'verify.ulp' is above 16\n"
      "    ulp_reason = \"why not\"\n"
      "                  ^\n"
      "  found: \"why not\"\n"
-     "  mend:  remove it"},
+     "  hint:  remove it"},
 };
 
 TEST(SceneUlp, HasADefaultAndIsWidenedWithAReason) {

@@ -18,13 +18,13 @@ const BadInput bad_systems[] = {
      "    v = { unti = \"m/s\" }\n"
      "          ^\n"
      "  found: unti\n"
-     "  mend:  did you mean 'unit'? Known are: positive, nonzero, unit, weight"},
+     "  hint:  did you mean 'unit'? Known are: positive, nonzero, unit, weight"},
     {"UnknownTable", "[notation]", "[notations]",
      "2 system.toml:23:2: notations: a key is one of the known ones\n"
      "    [notations] # the paper's names for the constants of the solution\n"
      "     ^\n"
      "  found: notations\n"
-     "  mend:  did you mean 'notation'? Known are: system, parameters, variables, functions, hamiltonian, "
+     "  hint:  did you mean 'notation'? Known are: system, parameters, variables, functions, hamiltonian, "
      "equations, domain, relations, modes, normal_form, notation, coordinates, prescribed, "
      "quasi_velocities, particles, bodies, energy, forces, constraints, integrals, ..."},
     {"NotToml", "[parameters]", "[parameters",
@@ -32,21 +32,21 @@ const BadInput bad_systems[] = {
      "    [parameters\n"
      "               ^\n"
      "  found: [parameters\n"
-     "  mend:  the TOML parser says: Error while parsing table header: expected ']', saw '\\n"
+     "  hint:  the TOML parser says: Error while parsing table header: expected ']', saw '\\n"
      "'"},
     {"NumberBeyondToml", "[parameters]", "[parameters]\nk = 1e400",
      "2 system.toml:7:10: a number without quotes has the length and the range that TOML gives to numbers\n"
      "    k = 1e400\n"
      "             ^\n"
      "  found: k = 1e400\n"
-     "  mend:  write it in quotes: it is taken exactly as spelled"},
+     "  hint:  write it in quotes: it is taken exactly as spelled"},
     {"UnknownSymbol", "+ g*sqrt", "+ gg*sqrt",
      "2 system.toml:18:43: equations.psi: a symbol is declared before it is used\n"
      "    psi = \"(xi^2 + r^2)*psi'' + xi*xi'*psi' + gg*sqrt(xi^2 + r^2)*sin(psi) - r*xi*xi'^2/(xi^2 + r^2) "
      "= 0 ...\n"
      "                                              ^\n"
      "  found: gg\n"
-     "  mend:  did you mean 'g'? Known are: eps, g, psi, r, v, x, xi, y"},
+     "  hint:  did you mean 'g'? Known are: eps, g, psi, r, v, x, xi, y"},
     {"NotLinear", "(xi^2 + r^2)*psi''", "(xi^2 + r^2)*psi''^2",
      "2 system.toml:18:21: equations.psi: an equation is linear in the highest derivatives, once the known "
      "rates are put in\n"
@@ -54,128 +54,128 @@ const BadInput bad_systems[] = {
      "=  ...\n"
      "                        ^\n"
      "  found: psi''\n"
-     "  mend:  solve it for psi'' by hand, or introduce a variable for its lower derivative"},
+     "  hint:  solve it for psi'' by hand, or introduce a variable for its lower derivative"},
     {"VariableWithoutEquation", "xi = \"xi' = eps*v\"\n", "",
      "2 system.toml:13:1: variables.xi: a variable has an equation\n"
      "    xi = { role = \"slow\", unit = \"m\" }\n"
      "    ^\n"
      "  found: 'xi'\n"
-     "  mend:  write xi = \"xi' = ...\" under [equations]"},
+     "  hint:  write xi = \"xi' = ...\" under [equations]"},
     {"EquationWithoutVariable", "y = { role = \"drift\", unit = \"m\" }\n", "",
      "2 system.toml:19:1: equations.y: an equation belongs to a variable\n"
      "    y = \"y' = (r*sin(psi) + xi*cos(psi))/sqrt(xi^2 + r^2)*xi'\"\n"
      "    ^\n"
      "  found: 'y'\n"
-     "  mend:  did you mean 'x'? Known are: psi, xi, x"},
+     "  hint:  did you mean 'x'? Known are: psi, xi, x"},
     {"UnknownRole", "role = \"slow\"", "role = \"slwo\"",
      "2 system.toml:13:16: variables.xi.role: a role is fast, angle, slow or drift\n"
      "    xi = { role = \"slwo\", unit = \"m\" }\n"
      "                   ^\n"
      "  found: \"slwo\"\n"
-     "  mend:  did you mean 'slow'? Known are: fast, angle, slow, drift"},
+     "  hint:  did you mean 'slow'? Known are: fast, angle, slow, drift"},
     {"NoRole", "role = \"slow\", ", "",
      "2 system.toml:13:1: variables.xi: a variable has a role\n"
      "    xi = { unit = \"m\" }\n"
      "    ^\n"
      "  found: 'xi'\n"
-     "  mend:  write role = \"fast\", \"angle\", \"slow\" or \"drift\""},
+     "  hint:  write role = \"fast\", \"angle\", \"slow\" or \"drift\""},
     {"NegativeWeight", "role = \"fast\"", "role = \"fast\", weight = -1",
      "2 system.toml:12:33: variables.psi.weight: 'variables.psi.weight' is a rational number in 0 ... 9, its "
      "denominator at most 12\n"
      "    psi = { role = \"fast\", weight = -1 }\n"
      "                                    ^\n"
      "  found: -1\n"
-     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
+     "  hint:  write a number such as 2, 0.5 or \"1/3\""},
     {"LargeWeight", "role = \"fast\"", "role = \"fast\", weight = 1e30",
      "2 system.toml:12:33: variables.psi.weight: 'variables.psi.weight' is a rational number in 0 ... 9, its "
      "denominator at most 12\n"
      "    psi = { role = \"fast\", weight = 1e30 }\n"
      "                                    ^\n"
      "  found: 1e30\n"
-     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
+     "  hint:  write a number such as 2, 0.5 or \"1/3\""},
     {"WeightOfALargeDenominator", "role = \"fast\"", "role = \"fast\", weight = \"1/1000\"",
      "2 system.toml:12:34: variables.psi.weight: 'variables.psi.weight' is a rational number in 0 ... 9, its "
      "denominator at most 12\n"
      "    psi = { role = \"fast\", weight = \"1/1000\" }\n"
      "                                     ^\n"
      "  found: \"1/1000\"\n"
-     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
+     "  hint:  write a number such as 2, 0.5 or \"1/3\""},
     {"WeightWithAName", "role = \"fast\"", "role = \"fast\", weight = \"a\"",
      "2 system.toml:12:34: variables.psi.weight: a symbol is declared before it is used\n"
      "    psi = { role = \"fast\", weight = \"a\" }\n"
      "                                     ^\n"
      "  found: a\n"
-     "  mend:  no name is known here"},
+     "  hint:  no name is known here"},
     {"WeightDividedByZero", "role = \"fast\"", "role = \"fast\", weight = \"1/0\"",
      "2 system.toml:12:36: variables.psi.weight: a denominator is not zero\n"
      "    psi = { role = \"fast\", weight = \"1/0\" }\n"
      "                                       ^\n"
      "  found: 0\n"
-     "  mend:  this expression is zero for all values: correct it"},
+     "  hint:  this expression is zero for all values: correct it"},
     {"WeightOfASlowVariable", "role = \"slow\"", "role = \"slow\", weight = 1",
      "3 system.toml:13:32: variables.xi.weight: the weight of a variable that is not fast is 0\n"
      "    xi = { role = \"slow\", weight = 1, unit = \"m\" }\n"
      "                                   ^\n"
      "  found: 1\n"
-     "  mend:  remove the key, or scale the variable"},
+     "  hint:  remove the key, or scale the variable"},
     {"WeightOfAParameter", "v = { unit = \"m/s\" }", "v = { unit = \"m/s\", weight = -1 }",
      "2 system.toml:9:30: parameters.v.weight: 'parameters.v.weight' is a rational number in 0 ... 9, its "
      "denominator at most 12\n"
      "    v = { unit = \"m/s\", weight = -1 }\n"
      "                                 ^\n"
      "  found: -1\n"
-     "  mend:  write a number such as 2, 0.5 or \"1/3\""},
+     "  hint:  write a number such as 2, 0.5 or \"1/3\""},
     {"RelationOfNoParameter", "[notation]", "[relations]\nq = \"2*g\"\n[notation]",
      "2 system.toml:24:1: relations.q: a relation gives a parameter by others\n"
      "    q = \"2*g\"\n"
      "    ^\n"
      "  found: 'q'\n"
-     "  mend:  did you mean 'g'? Known are: g, r, v"},
+     "  hint:  did you mean 'g'? Known are: g, r, v"},
     {"RelationAgainstADeclaration", "[notation]", "[relations]\nr = \"eps*g\"\n[notation]",
      "2 system.toml:24:6: relations.r: a relation keeps at eps = 0 what is declared of 'r'\n"
      "    r = \"eps*g\"\n"
      "         ^\n"
      "  found: \"eps*g\"\n"
-     "  mend:  declare what its value is made of positive"},
+     "  hint:  declare what its value is made of positive"},
     {"UnknownStyle", "[notation]", "[normal_form]\nstyle = \"innerproduct\"\n[notation]",
      "2 system.toml:24:10: normal_form.style: a style is poincare, inner_product or hamiltonian\n"
      "    style = \"innerproduct\"\n"
      "             ^\n"
      "  found: \"innerproduct\"\n"
-     "  mend:  did you mean 'inner_product'? Known are: poincare, inner_product, hamiltonian"},
+     "  hint:  did you mean 'inner_product'? Known are: poincare, inner_product, hamiltonian"},
     {"NearTooLarge", "[notation]", "[normal_form]\nnear = 2\n[notation]",
      "2 system.toml:24:8: normal_form.near: 0 <= near < 1: divisors up to this size are kept\n"
      "    near = 2\n"
      "           ^\n"
      "  found: 2\n"
-     "  mend:  write for example near = 0.01"},
+     "  hint:  write for example near = 0.01"},
     {"ReservedName", "g = {", "eps = {",
      "2 system.toml:7:1: parameters.eps: the name of a parameter is not a reserved one\n"
      "    eps = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: eps\n"
-     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "  hint:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
      "words of Python and SymPy"},
     {"ReservedFunction", "g = {", "sin = {",
      "2 system.toml:7:1: parameters.sin: the name of a parameter is not a reserved one\n"
      "    sin = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: sin\n"
-     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "  hint:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
      "words of Python and SymPy"},
     {"PythonKeyword", "g = {", "is = {",
      "2 system.toml:7:1: parameters.is: the name of a parameter is not a reserved one\n"
      "    is = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: is\n"
-     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "  hint:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
      "words of Python and SymPy"},
     {"ReservedMode", "g = {", "z1 = {",
      "2 system.toml:7:1: parameters.z1: the name of a parameter is not a reserved one\n"
      "    z1 = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: z1\n"
-     "  mend:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
+     "  hint:  choose another; reserved are I, pi, E, eps, lambda, t, z1, z2, ..., the functions, and the "
      "words of Python and SymPy"},
     {"NotAnIdentifier", "g = {", "\"g-1\" = {",
      "2 system.toml:7:1: parameters.g-1: a parameter's name is a letter followed by letters, digits and _, "
@@ -183,140 +183,140 @@ const BadInput bad_systems[] = {
      "    \"g-1\" = { positive = true, unit = \"m/s^2\" }\n"
      "    ^\n"
      "  found: g-1\n"
-     "  mend:  choose such a name, in ASCII"},
+     "  hint:  choose such a name, in ASCII"},
     {"ParameterNamedAsVariable", "v = { unit", "psi = { unit",
      "2 system.toml:12:1: variables.psi: a name is used once\n"
      "    psi = { role = \"fast\" }\n"
      "    ^\n"
      "  found: 'psi' is a parameter already\n"
-     "  mend:  rename one of the two"},
+     "  hint:  rename one of the two"},
     {"NotationOfTheWrongKind", "\"constant.y\"", "\"constant.psi\"",
      "2 system.toml:27:8: notation.C_Y: a notation names amplitude or phase of a fast variable or the "
      "constant of a drift variable\n"
      "    C_Y = \"constant.psi\"\n"
      "           ^\n"
      "  found: \"constant.psi\"\n"
-     "  mend:  did you mean 'constant.x'? Known are: amplitude.psi, phase.psi, constant.x, constant.y"},
+     "  hint:  did you mean 'constant.x'? Known are: amplitude.psi, phase.psi, constant.x, constant.y"},
     {"NotationOfNoVariable", "\"constant.y\"", "\"constant.z\"",
      "2 system.toml:27:8: notation.C_Y: a notation names amplitude or phase of a fast variable or the "
      "constant of a drift variable\n"
      "    C_Y = \"constant.z\"\n"
      "           ^\n"
      "  found: \"constant.z\"\n"
-     "  mend:  did you mean 'constant.x'? Known are: amplitude.psi, phase.psi, constant.x, constant.y"},
+     "  hint:  did you mean 'constant.x'? Known are: amplitude.psi, phase.psi, constant.x, constant.y"},
     {"NotationNamedAsVariable", "C_Y = \"constant.y\"", "psi = \"constant.y\"",
      "2 system.toml:27:1: notation.psi: a name is used once\n"
      "    psi = \"constant.y\"\n"
      "    ^\n"
      "  found: 'psi' is a variable already\n"
-     "  mend:  rename one of the two"},
+     "  hint:  rename one of the two"},
     {"TwoNamesForOneConstant", "C_Y = \"constant.y\"", "C_Y = \"constant.x\"",
      "2 system.toml:27:8: notation.C_Y: a constant has one name: 'C_X' stands for it already\n"
      "    C_Y = \"constant.x\"\n"
      "           ^\n"
      "  found: \"constant.x\"\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
     {"ParameterIsNoTable", "[parameters]", "[parameters]\nq = 3",
      "2 system.toml:7:5: parameters.q: 'parameters.q' is a table\n"
      "    q = 3\n"
      "        ^\n"
      "  found: 3\n"
-     "  mend:  write it as { key = value, ... }"},
+     "  hint:  write it as { key = value, ... }"},
     {"FlagIsAString", "positive = true", "positive = \"yes\"",
      "2 system.toml:7:19: parameters.g.positive: 'parameters.g.positive' is true or false\n"
      "    g = { positive = \"yes\", unit = \"m/s^2\" }\n"
      "                      ^\n"
      "  found: \"yes\"\n"
-     "  mend:  write true or false, without quotes"},
+     "  hint:  write true or false, without quotes"},
     {"PositiveFastVariable", "role = \"fast\"", "role = \"fast\", positive = true",
      "2 system.toml:12:35: variables.psi.positive: only slow variables are declared positive or nonzero\n"
      "    psi = { role = \"fast\", positive = true }\n"
      "                                      ^\n"
      "  found: 'psi' is fast\n"
-     "  mend:  remove the key"},
+     "  hint:  remove the key"},
     {"EquationIsANumber", "xi = \"xi' = eps*v\"", "xi = 3",
      "2 system.toml:21:6: equations.xi: 'equations.xi' is a string\n"
      "    xi = 3\n"
      "         ^\n"
      "  found: 3\n"
-     "  mend:  write it in quotes"},
+     "  hint:  write it in quotes"},
     {"EmptyEquation", "xi = \"xi' = eps*v\"", "xi = \" \"",
      "2 system.toml:21:7: equations.xi: an equation is not empty\n"
      "    xi = \" \"\n"
      "          ^\n"
      "  found: \" \"\n"
-     "  mend:  write it as xi' = ..."},
+     "  hint:  write it as xi' = ..."},
     {"NoEqualsSign", "xi = \"xi' = eps*v\"", "xi = \"xi'\"",
      "2 system.toml:21:7: equations.xi: an equation has exactly one '='\n"
      "    xi = \"xi'\"\n"
      "          ^\n"
      "  found: xi'\n"
-     "  mend:  write it as left = right"},
+     "  hint:  write it as left = right"},
     {"TwoEqualsSigns", "xi = \"xi' = eps*v\"", "xi = \"xi' = eps = v\"",
      "2 system.toml:21:17: equations.xi: an equation has exactly one '='\n"
      "    xi = \"xi' = eps = v\"\n"
      "                    ^\n"
      "  found: =\n"
-     "  mend:  remove the second"},
+     "  hint:  remove the second"},
     {"NoDerivative", "y = \"y' =", "y = \"x' =",
      "2 system.toml:15:1: variables.y: the derivative of a variable occurs in the equations\n"
      "    y = { role = \"drift\", unit = \"m\" }\n"
      "    ^\n"
      "  found: no y' in any equation\n"
-     "  mend:  write its equation with y', or make it a parameter"},
+     "  hint:  write its equation with y', or make it a parameter"},
     {"NoDerivativeLeft", "xi = \"xi' = eps*v\"", "xi = \"xi = eps*v\"",
      "2 system.toml:21:7: equations.xi: the equations determine every highest derivative\n"
      "    xi = \"xi = eps*v\"\n"
      "          ^\n"
      "  found: none is left in the equation of 'xi'\n"
-     "  mend:  write xi' in this equation"},
+     "  hint:  write xi' in this equation"},
     {"SlowOfSecondOrder", "xi = \"xi' = eps*v\"", "xi = \"xi'' = eps*v\"",
      "2 system.toml:13:1: variables.xi: a slow variable has an equation of first order\n"
      "    xi = { role = \"slow\", unit = \"m\" }\n"
      "    ^\n"
      "  found: 'xi' with 2 primes\n"
-     "  mend:  make it fast, or declare its derivative as a variable"},
+     "  hint:  make it fast, or declare its derivative as a variable"},
     {"TenPrimes", "psi'' + xi", "psi'''''''''' + xi",
      "2 system.toml:12:1: variables.psi: a variable has at most 9 primes\n"
      "    psi = { role = \"fast\" }\n"
      "    ^\n"
      "  found: 'psi' with 10 primes\n"
-     "  mend:  write a system of lower order"},
+     "  hint:  write a system of lower order"},
     {"DivisionByZero", "/(xi^2 + r^2) = 0", "/(xi - xi) = 0",
      "2 system.toml:18:84: equations.psi: a denominator is not zero\n"
      "    psi = \"(xi^2 + r^2)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - r*xi*xi'^2/(xi - xi) = "
      "0\"\n"
      "                                                                                       ^\n"
      "  found: (xi - xi)\n"
-     "  mend:  this expression is zero for all values: correct it"},
+     "  hint:  this expression is zero for all values: correct it"},
     {"DivisionByZeroOnceSubstituted", "/(xi^2 + r^2) = 0", "/(xi' - eps*v) = 0",
      "2 system.toml:18:8: equations.psi: an equation stays regular when the other rates are put in\n"
      "    psi = \"(xi^2 + r^2)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - r*xi*xi'^2/(xi' - eps*v) "
      "= 0 ...\n"
      "           ^\n"
      "  found: (xi^2 + r^2)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(ps...\n"
-     "  mend:  a denominator becomes zero: correct it"},
+     "  hint:  a denominator becomes zero: correct it"},
     {"CoefficientIsZero", "(xi^2 + r^2)*psi''", "((xi+r)^2-xi^2-r^2-2*xi*r)*psi''",
      "2 system.toml:18:8: equations.psi: the equations can be solved for the highest derivatives\n"
      "    psi = \"((xi+r)^2-xi^2-r^2-2*xi*r)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
      "r*xi*xi'^2/(xi ...\n"
      "           ^\n"
      "  found: the coefficient of psi'' is zero\n"
-     "  mend:  correct the equations"},
+     "  hint:  correct the equations"},
     {"CoefficientUndecided", "(xi^2 + r^2)*psi''", "(sqrt(3+2*sqrt(2))-1-sqrt(2))*psi''",
      "3 system.toml:18:8: equations.psi: the coefficients of the highest derivatives are not zero\n"
      "    psi = \"(sqrt(3+2*sqrt(2))-1-sqrt(2))*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
      "r*xi*xi'^2/ ...\n"
      "           ^\n"
      "  found: the one of psi'' can be told neither zero nor nonzero\n"
-     "  mend:  simplify the equation"},
+     "  hint:  simplify the equation"},
     {"CoefficientZeroByAnIdentity", "(xi^2 + r^2)*psi''", "(sin(xi)^2+cos(xi)^2-1)*psi''",
      "2 system.toml:18:8: equations.psi: the equations can be solved for the highest derivatives\n"
      "    psi = \"(sin(xi)^2+cos(xi)^2-1)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
      "r*xi*xi'^2/(xi^2  ...\n"
      "           ^\n"
      "  found: the coefficient of psi'' is zero\n"
-     "  mend:  correct the equations"},
+     "  hint:  correct the equations"},
     {"Greek", "xi*xi'*psi'", "ξ*xi'*psi'",
      "2 system.toml:18:29: equations.psi: an expression is written with ASCII letters, digits, + - * / ^ ' ( "
      ") = and spaces\n"
@@ -324,38 +324,38 @@ const BadInput bad_systems[] = {
      "0\"\n"
      "                                ^\n"
      "  found: ξ\n"
-     "  mend:  write xi"},
+     "  hint:  write xi"},
     {"NameWithASlash", "name = \"almost", "name = \"../almost",
      "2 system.toml:2:9: system.name: a system's name is a letter followed by letters, digits and _, at most "
      "60\n"
      "    name = \"../almost_holonomic_pendulum\"\n"
      "            ^\n"
      "  found: \"../almost_holonomic_pendulum\"\n"
-     "  mend:  choose such a name, in ASCII"},
+     "  hint:  choose such a name, in ASCII"},
     {"HugeNumber", "eps*v", "eps*1e999999999",
      "2 system.toml:21:17: equations.xi: a number has at most 1000 digits, its decimal exponent included\n"
      "    xi = \"xi' = eps*1e999999999\"\n"
      "                    ^\n"
      "  found: 1e999999999\n"
-     "  mend:  write a shorter number, or a parameter in its place"},
+     "  hint:  write a shorter number, or a parameter in its place"},
     {"NotUtf8", "eps*v", "eps*\xff",
      "2 system.toml:21:16: the file is TOML\n"
      "    xi = \"xi' = eps*?\"\n"
      "                   ^\n"
      "  found: xi = \"xi' = eps*?\"\n"
-     "  mend:  the TOML parser says: Encountered invalid utf-8 sequence"},
+     "  hint:  the TOML parser says: Encountered invalid utf-8 sequence"},
     {"DeclaredPositiveIsZero", "[notation]", "[domain]\npositive = [\"xi - xi\"]\n[notation]",
      "2 system.toml:24:14: domain.positive[0]: an expression declared positive can be positive\n"
      "    positive = [\"xi - xi\"]\n"
      "                 ^\n"
      "  found: \"xi - xi\"\n"
-     "  mend:  correct or remove it"},
+     "  hint:  correct or remove it"},
     {"DeclaredPositiveHasAFastVariable", "[notation]", "[domain]\npositive = [\"psi\"]\n[notation]",
      "2 system.toml:24:14: domain.positive[0]: a symbol is declared before it is used\n"
      "    positive = [\"psi\"]\n"
      "                 ^\n"
      "  found: psi\n"
-     "  mend:  known are: g, r, v, xi"},
+     "  hint:  known are: g, r, v, xi"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, BadSystem, testing::ValuesIn(bad_systems), name_of);

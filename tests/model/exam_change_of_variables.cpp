@@ -51,7 +51,7 @@ TEST(ChangesWithConstants, AreNoCircles) {
               "    x = \"psi + y\"\n"
               "         ^\n"
               "  found: x = psi + y, y = x^2 + R\n"
-              "  mend:  write it in new variables, constants of the constraints and coordinates that stay");
+              "  hint:  write it in new variables, constants of the constraints and coordinates that stay");
 }
 
 TEST(ChangesWithConstants, InvertAnIntegral) {
@@ -62,7 +62,7 @@ TEST(ChangesWithConstants, InvertAnIntegral) {
         "    y = \"psi + x\"\n"
         "         ^\n"
         "  found: 'y' is dependent, and has no integral\n"
-        "  mend:  give it under [integrals], or leave the change out");
+        "  hint:  give it under [integrals], or leave the change out");
 }
 
 } // namespace

@@ -18,19 +18,19 @@ const BadInput equal_keys[] = {
      "    g = { unit = \"m/s\" }\n"
      "    ^\n"
      "  found: g = { unit = \"m/s\" }\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
     {"DefinedTwiceInside", "v = { unit = \"m/s\" }", "v = { unit = \"m/s\", unit = \"m\" }",
      "2 system.toml:9:21: parameters.v.unit: a key is given once, a table too\n"
      "    v = { unit = \"m/s\", unit = \"m\" }\n"
      "                        ^\n"
      "  found: v = { unit = \"m/s\", unit = \"m\" }\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
     {"TableTwice", "[notation]", "[variables]",
      "2 system.toml:23:2: variables: a key is given once, a table too\n"
      "    [variables] # the paper's names for the constants of the solution\n"
      "     ^\n"
      "  found: [variables] # the paper's names for the constants of the sol...\n"
-     "  mend:  remove one of the two"},
+     "  hint:  remove one of the two"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, EqualKeys, testing::ValuesIn(equal_keys), name_of);

@@ -33,7 +33,7 @@ protected:
         return source;
     }
 
-    // rule | found | mend, and the column.
+    // rule | found | hint, and the column.
     std::string complaint(const std::string& text) const {
         try {
             read(text);
@@ -41,7 +41,7 @@ protected:
             EXPECT_EQ(error.kind(), Kind::bad_input);
             EXPECT_LE(std::string(error.what()).size(), 2048U);
             const Diagnostic& d = error.diagnostic();
-            return std::to_string(d.place.column) + ": " + d.rule + " | " + d.value + " | " + d.mend;
+            return std::to_string(d.place.column) + ": " + d.rule + " | " + d.value + " | " + d.hint;
         }
         return "";
     }
@@ -108,7 +108,7 @@ TEST_F(Expression, MessagesHaveTheWholeStory) {
                                    "    r*xj + 2\n"
                                    "      ^\n"
                                    "  found: xj\n"
-                                   "  mend:  did you mean 'x'? Known are: r, x, xi");
+                                   "  hint:  did you mean 'x'? Known are: r, x, xi");
     }
 }
 
@@ -157,10 +157,10 @@ TEST_F(Expression, SignsOfThePaperAreNamedInAscii) {
 
 TEST_F(Expression, SingularAndComplexValues) {
     const std::string zero = ": a denominator is not zero | ";
-    const std::string mend = " | this expression is zero for all values: correct it";
-    EXPECT_EQ(complaint("1/(xi - xi)"), "3" + zero + "(xi - xi)" + mend);
-    EXPECT_EQ(complaint("1/((xi+1)^2-xi^2-2*xi-1)"), "3" + zero + "((xi+1)^2-xi^2-2*xi-1)" + mend);
-    EXPECT_EQ(complaint("x/0"), "3" + zero + "0" + mend);
+    const std::string hint = " | this expression is zero for all values: correct it";
+    EXPECT_EQ(complaint("1/(xi - xi)"), "3" + zero + "(xi - xi)" + hint);
+    EXPECT_EQ(complaint("1/((xi+1)^2-xi^2-2*xi-1)"), "3" + zero + "((xi+1)^2-xi^2-2*xi-1)" + hint);
+    EXPECT_EQ(complaint("x/0"), "3" + zero + "0" + hint);
     EXPECT_EQ(complaint("0^0"), "1: zero is raised to positive powers only | 0^0 | "
                                 "the base is zero for all values: correct it");
     EXPECT_EQ(complaint("log(x-x)"), "4: log has no value at zero | (x-x) | correct the argument");

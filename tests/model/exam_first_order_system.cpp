@@ -71,7 +71,7 @@ TEST(FirstOrderSystem, RefusesWhatIsNotLinear) {
         "    a = \"a'' + a'*b''^2 = 0\"\n"
         "                  ^\n"
         "  found: b''\n"
-        "  mend:  solve it for b'' by hand, or introduce a variable for its lower derivative");
+        "  hint:  solve it for b'' by hand, or introduce a variable for its lower derivative");
 }
 
 TEST(FirstOrderSystem, RefusesASingularMatrix) {
@@ -80,7 +80,7 @@ TEST(FirstOrderSystem, RefusesASingularMatrix) {
               "    a = \"a'' + b'' = a\"\n"
               "         ^\n"
               "  found: the determinant of their coefficients is not known to differ from zero\n"
-              "  mend:  correct or simplify the equations");
+              "  hint:  correct or simplify the equations");
 }
 
 // Each equation is harmless; put into one another they make 2^(1000^6).

@@ -52,69 +52,69 @@ const BadInput bad_hamiltonians[] = {
      "    [hamiltonian]\n"
      "    ^\n"
      "  found: [hamiltonian]\n"
-     "  mend:  write energy = \"p^2/2 + ...\" under [hamiltonian]"},
+     "  hint:  write energy = \"p^2/2 + ...\" under [hamiltonian]"},
     {"NoPairs", "momenta = { x = \"p\" }\n", "",
      "2 system.toml:8:1: hamiltonian: each coordinate of a Hamiltonian system has its momentum\n"
      "    [hamiltonian]\n"
      "    ^\n"
      "  found: no pairs\n"
-     "  mend:  write momenta = { x = \"p\" } under [hamiltonian]"},
+     "  hint:  write momenta = { x = \"p\" } under [hamiltonian]"},
     {"UnknownMomentum", "x = \"p\"", "x = \"q\"",
      "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate and its momentum are declared variables\n"
      "    momenta = { x = \"q\" }\n"
      "                     ^\n"
      "  found: 'q'\n"
-     "  mend:  did you mean 'x'? Known are: x, p"},
+     "  hint:  did you mean 'x'? Known are: x, p"},
     {"OwnMomentum", "x = \"p\"", "x = \"x\"",
      "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate is not its own momentum\n"
      "    momenta = { x = \"x\" }\n"
      "                     ^\n"
      "  found: \"x\"\n"
-     "  mend:  name another variable, or declare one"},
+     "  hint:  name another variable, or declare one"},
     {"PairedTwice", "x = \"p\"", "x = \"p\", p = \"x\"",
      "2 system.toml:10:22: hamiltonian.momenta.p: a variable belongs to one canonical pair\n"
      "    momenta = { x = \"p\", p = \"x\" }\n"
      "                         ^\n"
      "  found: 'p'\n"
-     "  mend:  correct one of the pairs"},
+     "  hint:  correct one of the pairs"},
     {"SlowMomentum", "p = { role = \"fast\"", "p = { role = \"slow\"",
      "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate and its momentum are fast variables\n"
      "    momenta = { x = \"p\" }\n"
      "                     ^\n"
      "  found: 'p' is slow\n"
-     "  mend:  give it role = \"fast\", or leave it out of hamiltonian.momenta and write its equation under "
+     "  hint:  give it role = \"fast\", or leave it out of hamiltonian.momenta and write its equation under "
      "[equations]"},
     {"CyclicCoordinate", "g*(1 - cos(x)) + eps*x^2*p", "g",
      "2 system.toml:9:11: hamiltonian.energy: the energy depends on every coordinate and every momentum\n"
      "    energy = \"p^2/2 + g\"\n"
      "              ^\n"
      "  found: it does not depend on x\n"
-     "  mend:  a constant momentum is a parameter: leave the pair out, and write the equation of the "
+     "  hint:  a constant momentum is a parameter: leave the pair out, and write the equation of the "
      "coordinate under [equations]"},
     {"VelocityInTheEnergy", "p^2/2", "x'^2/2",
      "2 system.toml:9:11: hamiltonian.energy: 'x' has no derivative here\n"
      "    energy = \"x'^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n"
      "              ^\n"
      "  found: x'\n"
-     "  mend:  remove the primes"},
+     "  hint:  remove the primes"},
     {"OtherEquation", "[hamiltonian]", "[equations]\np = \"p' = -g*x\"\n[hamiltonian]",
      "2 system.toml:9:6: equations.p: the equation of a canonical variable is the one that the energy gives\n"
      "    p = \"p' = -g*x\"\n"
      "         ^\n"
      "  found: lhs - rhs becomes -2*eps*p*x -g*sin(x) + g*x\n"
-     "  mend:  leave the equation out, or correct it or the energy"},
+     "  hint:  leave the equation out, or correct it or the energy"},
     {"SecondOrder", "[hamiltonian]", "[equations]\nx = \"x'' = -g*x\"\n[hamiltonian]",
      "2 system.toml:6:1: variables.x: the equation of a canonical variable is of first order\n"
      "    x = { role = \"fast\" }\n"
      "    ^\n"
      "  found: 'x' with 2 primes\n"
-     "  mend:  leave it out: it follows from the energy"},
+     "  hint:  leave it out: it follows from the energy"},
     {"UnknownKey", "momenta", "momentum",
      "2 system.toml:10:1: hamiltonian.momentum: a key is one of the known ones\n"
      "    momentum = { x = \"p\" }\n"
      "    ^\n"
      "  found: momentum\n"
-     "  mend:  did you mean 'momenta'? Known are: energy, momenta"},
+     "  hint:  did you mean 'momenta'? Known are: energy, momenta"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, BadHamiltonian, testing::ValuesIn(bad_hamiltonians), name_of);

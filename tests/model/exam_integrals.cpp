@@ -57,7 +57,7 @@ TEST(JointIntegrals, AreIndependent) {
               "    Q = \"2*y + 2*z - 6*x\"\n"
               "         ^\n"
               "  found: 'Q' is one more\n"
-              "  mend:  leave it out");
+              "  hint:  leave it out");
 }
 
 // y' = slope(y)*x' + eps*x*x' with the integral f(y) - x.
@@ -95,7 +95,7 @@ TEST(InverseFunctions, AreRefusedWhereItIsNot) {
               "    R = \"exp(y) - x\"\n"
               "         ^\n"
               "  found: for y where x + R > 0, which is not proved\n"
-              "  mend:  solve it: write the coordinate as \"...\" in R under [change]");
+              "  hint:  solve it: write the coordinate as \"...\" in R under [change]");
     EXPECT_EQ(found_in(curve("(1 + y^2)", "atan(y)", "")),
               "found: for y where x + R + pi/2 > 0, which is not proved");
     EXPECT_EQ(found_in(curve("1/cos(y)", "sin(y)", "")),

@@ -32,7 +32,7 @@ TEST(MovingConstraints, AreNotIntegrableWhereTheySlideWithTime) {
         "    c = \"x' = sin(s)*y'\"\n"
         "         ^\n"
         "  found: the Frobenius term of x' for (y, time) is -V*cos(s)\n"
-        "  mend:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
+        "  hint:  scale what cannot be integrated by eps: the method is for weakly nonholonomic systems");
     // At rest it is integrable.
     EXPECT_EQ(system_message(turning("x' = sin(tau)*y'")), "");
 }

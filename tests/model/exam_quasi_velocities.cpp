@@ -74,7 +74,7 @@ TEST(QuasiVelocities, AreVariablesIfTheyAreDeclared) {
               "    w = \"theta'\"\n"
               "    ^\n"
               "  found: 'w' is none\n"
-              "  mend:  declare it under [variables], too");
+              "  hint:  declare it under [variables], too");
 }
 
 // (14) after w = phi': psi' = w - (atan(xi/r))'
@@ -112,7 +112,7 @@ TEST(QuasiVelocities, ThatAreNone) {
         "    u = \"x'*theta'\"\n"
         "         ^\n"
         "  found: x'*theta'\n"
-        "  mend:  write it as a*x' + b*y' with a, b free of velocities");
+        "  hint:  write it as a*x' + b*y' with a, b free of velocities");
     EXPECT_EQ(
         message("u = \"x'\"\n"),
         "2 system.toml:26:6: quasi_velocities.u: a mechanism has as many quasi-velocities as degrees of "
@@ -120,7 +120,7 @@ TEST(QuasiVelocities, ThatAreNone) {
         "    u = \"x'\"\n"
         "         ^\n"
         "  found: 1 quasi-velocities, 2 degrees of freedom\n"
-        "  mend:  name velocities of coordinates, too, as in w = \"theta'\"");
+        "  hint:  name velocities of coordinates, too, as in w = \"theta'\"");
     // By the constraint both are multiples of x'.
     EXPECT_EQ(
         message("u = \"x'\"\nw = \"y'\"\n"),
@@ -129,19 +129,19 @@ TEST(QuasiVelocities, ThatAreNone) {
         "    u = \"x'\"\n"
         "         ^\n"
         "  found: the determinant of their coefficients is zero\n"
-        "  mend:  replace one of them");
+        "  hint:  replace one of them");
     EXPECT_EQ(message("m = \"x'\"\nw = \"theta'\"\n"),
               "2 system.toml:26:1: quasi_velocities.m: a name is used once\n"
               "    m = \"x'\"\n"
               "    ^\n"
               "  found: 'm' is a parameter already\n"
-              "  mend:  rename one of the two");
+              "  hint:  rename one of the two");
     EXPECT_EQ(message("x = \"x'\"\nw = \"theta'\"\n"),
               "2 system.toml:26:1: quasi_velocities.x: a quasi-velocity has a name of its own\n"
               "    x = \"x'\"\n"
               "    ^\n"
               "  found: 'x' is a coordinate or prescribed\n"
-              "  mend:  choose another name");
+              "  hint:  choose another name");
     EXPECT_NE(message("u = \"x\"\nw = \"theta'\"\n").find("determinant"), std::string::npos);
 }
 

@@ -85,7 +85,7 @@ TEST(SystemFile, SmallParametersStandForPowersOfEps) {
         read_system_text(file("3 - d"), "system.toml");
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
-        EXPECT_EQ(error.diagnostic().mend, "leave d out");
+        EXPECT_EQ(error.diagnostic().hint, "leave d out");
         EXPECT_EQ(error.diagnostic().place.line, 14);
     }
 }
@@ -119,7 +119,7 @@ TEST(SystemFile, IsFoundByFolderFileOrName) {
         find_system("almost_holonomic_pendulun", systems);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.diagnostic().mend.substr(0, 45), "did you mean 'almost_holonomic_pendulum'? Kno");
+        EXPECT_EQ(error.diagnostic().hint.substr(0, 45), "did you mean 'almost_holonomic_pendulum'? Kno");
     }
 }
 

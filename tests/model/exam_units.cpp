@@ -42,20 +42,20 @@ TEST(Units, OfAMechanismMayBeWrong) {
               "    potential = \"c*x/2\"\n"
               "                 ^\n"
               "  found: the potential is in kg*m/s^2, not in kg*m^2/s^2\n"
-              "  mend:  correct the expression or the units; a file without units is not checked");
+              "  hint:  correct the expression or the units; a file without units is not checked");
     EXPECT_EQ(system_message(edited(mechanism_with_units, "eps*x*x'\"", "eps*x*x' + eps*x'\"")),
               "2 system.toml:17:6: constraints.a: units fit together\n"
               "    a = \"y' = eps*x*x' + eps*x'\"\n"
               "         ^\n"
               "  found: beside the term -eps*x', the term -eps*x*x' is in [eps]*m^2/s, not in [eps]*m/s\n"
-              "  mend:  correct the expression or the units; a file without units is not checked");
+              "  hint:  correct the expression or the units; a file without units is not checked");
     EXPECT_EQ(
         system_message(edited(mechanism_with_units, "[constraints]", "[forces]\nx = \"m*x\"\n[constraints]")),
         "2 system.toml:17:6: forces.x: units fit together\n"
         "    x = \"m*x\"\n"
         "         ^\n"
         "  found: force times coordinate is in kg*m^2, not in kg*m^2/s^2\n"
-        "  mend:  correct the expression or the units; a file without units is not checked");
+        "  hint:  correct the expression or the units; a file without units is not checked");
 }
 
 TEST(Units, OfEnergiesNameTheirKey) {
@@ -65,7 +65,7 @@ TEST(Units, OfEnergiesNameTheirKey) {
               "    dissipation = \"c*x'^2/2\"\n"
               "                   ^\n"
               "  found: the dissipation times a second is in kg*m^2/s^3, not in kg*m^2/s^2\n"
-              "  mend:  correct the expression or the units; a file without units is not checked");
+              "  hint:  correct the expression or the units; a file without units is not checked");
 }
 
 TEST(Units, OfRelationsAndDomain) {
@@ -78,14 +78,14 @@ TEST(Units, OfRelationsAndDomain) {
               "    k = \"2*c*m\"\n"
               "         ^\n"
               "  found: the relation is in kg^2/s^2, not in kg/s^2\n"
-              "  mend:  correct the expression or the units; a file without units is not checked");
+              "  hint:  correct the expression or the units; a file without units is not checked");
     EXPECT_EQ(system_message(related + "[domain]\npositive = [\"c + 2*k\"]\n"), "");
     EXPECT_EQ(system_message(related + "[domain]\npositive = [\"c + 2*m\"]\n"),
               "2 system.toml:20:14: domain.positive[0]: units fit together\n"
               "    positive = [\"c + 2*m\"]\n"
               "                 ^\n"
               "  found: beside the term 2*m, the term c is in kg/s^2, not in kg\n"
-              "  mend:  correct the expression or the units; a file without units is not checked");
+              "  hint:  correct the expression or the units; a file without units is not checked");
 }
 
 TEST(Units, OfVariableAndCoordinateAgree) {
@@ -98,7 +98,7 @@ TEST(Units, OfVariableAndCoordinateAgree) {
               "    x = { unit = \"cm\" }\n"
               "                  ^\n"
               "  found: 'cm' here, 'm' under [variables]\n"
-              "  mend:  correct one of the two");
+              "  hint:  correct one of the two");
 }
 
 // In every file, with equations or with a mechanism.
@@ -108,7 +108,7 @@ TEST(Units, ThatAreMalformedAreNamed) {
               "    g = { positive = true, unit = \"2*m\" }\n"
               "                                   ^\n"
               "  found: '2*m'\n"
-              "  mend:  write it as in \"kg*m^2/s^2\"; \"1\" is none");
+              "  hint:  write it as in \"kg*m^2/s^2\"; \"1\" is none");
     EXPECT_EQ(system_message(edited(pendulum_system(), "xi = { role = \"slow\", unit = \"m\" }",
                                     "xi = { role = \"slow\", unit = \"m/\" }"))
                   .find("2 system.toml:13:32: variables.xi.unit: "),

@@ -39,7 +39,7 @@ TEST(HamiltonianHopf, IsRefusedInStylePoincare) {
         EXPECT_EQ(error.diagnostic().value,
                   "lambda^2 + w^2 is a 2-fold factor of the characteristic polynomial "
                   "of x, y, and has fewer eigenvectors");
-        EXPECT_EQ(error.diagnostic().mend.substr(0, 29), "write style = \"inner_product\"");
+        EXPECT_EQ(error.diagnostic().hint.substr(0, 29), "write style = \"inner_product\"");
     }
 }
 

@@ -296,7 +296,7 @@ std::string refusal(const std::string& toml) {
         static_cast<void>(normalize(test::field_from(toml), 2));
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
-        return e.diagnostic().rule + " | " + e.diagnostic().mend;
+        return e.diagnostic().rule + " | " + e.diagnostic().hint;
     }
     return "not refused";
 }

@@ -58,14 +58,14 @@ std::optional<std::string> asked_for(const std::string& text) {
     try {
         test::certified(test::field_from(text), 3);
     } catch (const Error& error) {
-        const std::string& mend = error.diagnostic().mend;
+        const std::string& hint = error.diagnostic().hint;
         const std::string before = "[domain] positive = [\"";
-        const std::size_t at = mend.find(before);
+        const std::size_t at = hint.find(before);
         EXPECT_NE(at, std::string::npos) << error.what();
         EXPECT_GT(error.diagnostic().place.column, 0) << error.what();
         if (at == std::string::npos) return std::nullopt;
         const std::size_t begin = at + before.size();
-        return mend.substr(begin, mend.find('"', begin) - begin);
+        return hint.substr(begin, hint.find('"', begin) - begin);
     }
     return std::nullopt;
 }

@@ -95,7 +95,7 @@ TEST(Pi, ArcSinesAreOfWhatLiesBetween) {
         const Diagnostic& d = error.diagnostic();
         EXPECT_EQ(d.rule, "an arcsine or arccosine is taken only of what is proved to lie between -1 and 1");
         EXPECT_EQ(d.value, "a");
-        EXPECT_EQ(d.mend,
+        EXPECT_EQ(d.hint,
                   "declare what is positive: positive = true for a name in it, or [domain] positive = "
                   "[\"-a^2 + 1\"]");
     }

@@ -188,7 +188,7 @@ TEST(HamiltonianRefusals, SystemWithoutEnergy) {
     EXPECT_EQ(message(test::oscillator_file("x'' + x = 0")),
               "2 test/system.toml: the style hamiltonian is for systems that are given by their energy\n"
               "  found: no [hamiltonian] in test\n"
-              "  mend:  write [hamiltonian] with energy and momenta, or take style = \"poincare\"");
+              "  hint:  write [hamiltonian] with energy and momenta, or take style = \"poincare\"");
 }
 
 TEST(HamiltonianRefusals, VariableOutsideOfPairs) {
@@ -201,7 +201,7 @@ TEST(HamiltonianRefusals, VariableOutsideOfPairs) {
         "    tau = { role = \"slow\" }\n"
         "    ^\n"
         "  found: 'tau' is slow and belongs to no pair\n"
-        "  mend:  take style = \"poincare\", which works with such equations");
+        "  hint:  take style = \"poincare\", which works with such equations");
 }
 
 TEST(HamiltonianRefusals, ForceOfTheWeightOfTheVariables) {
@@ -211,14 +211,14 @@ TEST(HamiltonianRefusals, ForceOfTheWeightOfTheVariables) {
               "    energy = \"px^2/2 + x^2/2 + eps*x\"\n"
               "              ^\n"
               "  found: a term eps*x\n"
-              "  mend:  shift to the equilibrium, or scale the force with a higher power of eps");
+              "  hint:  shift to the equilibrium, or scale the force with a higher power of eps");
 }
 
 // Equal frequencies, coordinates that are not orthogonal: u = x, v = x + y of two equal oscillators.
 TEST(HamiltonianRefusals, ModesThatAreNotIndependent) {
     const std::string text = message(test::two_degrees("(px + py)^2/2 + py^2/2 + x^2/2 + (y - x)^2/2"));
     EXPECT_EQ(text.substr(0, 2), "3 ") << text;
-    EXPECT_NE(text.find("mend:"), std::string::npos) << text;
+    EXPECT_NE(text.find("hint:"), std::string::npos) << text;
 }
 
 TEST(HamiltonianRefusals, ForceAtTheOrigin) {
@@ -228,7 +228,7 @@ TEST(HamiltonianRefusals, ForceAtTheOrigin) {
               "    energy = \"px^2/2 + exp(x)\"\n"
               "              ^\n"
               "  found: px' = -1 there\n"
-              "  mend:  shift px to the equilibrium by a change of variable");
+              "  hint:  shift px to the equilibrium by a change of variable");
 }
 
 TEST(HamiltonianRefusals, NotSemisimple) {

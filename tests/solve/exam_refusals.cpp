@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What cannot be solved is refused, with the mend.
+// What cannot be solved is refused, with the hint.
 #include "model/files/read_system.hpp"
 #include "solve/line.hpp"
 #include "solve/solve.hpp"
@@ -14,7 +14,7 @@ using namespace resonform::testing;
 namespace {
 
 void expect_error(const std::string& toml, int order, int truncation, Kind kind, const std::string& value,
-                  const std::string& mend) {
+                  const std::string& hint) {
     const auto normalization = std::make_shared<const Normalization>(
         normalize_poincare(field_of(read_system_text(toml, "test.toml")), truncation));
     try {
@@ -23,7 +23,7 @@ void expect_error(const std::string& toml, int order, int truncation, Kind kind,
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), kind);
         EXPECT_EQ(e.diagnostic().value, value);
-        EXPECT_EQ(e.diagnostic().mend, mend);
+        EXPECT_EQ(e.diagnostic().hint, hint);
         EXPECT_EQ(e.diagnostic().place.file, "test.toml");
     }
 }

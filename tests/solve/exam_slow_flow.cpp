@@ -170,7 +170,7 @@ TEST(ASlowFlow, LongTimesAreForFlowsThatAreSlowEnough) {
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
         EXPECT_EQ(e.diagnostic().value, "time_scale = 2, the flow has rates of order eps^1");
-        EXPECT_EQ(e.diagnostic().mend, "use time_scale = 1, or give the truncation yourself");
+        EXPECT_EQ(e.diagnostic().hint, "use time_scale = 1, or give the truncation yourself");
     }
 }
 

@@ -52,21 +52,21 @@ TEST(Truncation, RefusesLongerTimesForASlowVariableThatRunsAway) {
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
         EXPECT_EQ(e.diagnostic().value, "time_scale = 2, xi' = O(eps) of constant sign");
-        EXPECT_EQ(e.diagnostic().mend, "use time_scale = 1, or give the truncation yourself");
+        EXPECT_EQ(e.diagnostic().hint, "use time_scale = 1, or give the truncation yourself");
         EXPECT_EQ(e.diagnostic().place.file, "scene.toml");
         EXPECT_EQ(e.diagnostic().place.line, 2);
     }
 }
 
 void expect_refused(const Solution& solution, const Scene& scene, const std::string& value,
-                    const std::string& mend) {
+                    const std::string& hint) {
     try {
         check_time_scale(solution, scene);
         FAIL() << "not refused";
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
         EXPECT_EQ(e.diagnostic().value, value);
-        EXPECT_EQ(e.diagnostic().mend, mend);
+        EXPECT_EQ(e.diagnostic().hint, hint);
     }
 }
 

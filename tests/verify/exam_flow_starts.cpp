@@ -172,7 +172,7 @@ TEST_F(FlowFrom, LargeAngles) {
         started("1e15");
         FAIL() << "accepted";
     } catch (const Error& e) {
-        EXPECT_EQ(e.diagnostic().mend, "give its remainder by 2*pi");
+        EXPECT_EQ(e.diagnostic().hint, "give its remainder by 2*pi");
     }
 }
 

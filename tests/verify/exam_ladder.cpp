@@ -81,7 +81,7 @@ TEST(Ladder, RefusesAParameterWithoutValue) {
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Kind::bad_input);
         EXPECT_EQ(error.diagnostic().rule, "verification needs a value for every parameter");
-        EXPECT_EQ(error.diagnostic().mend, "add r = ... under [fix]");
+        EXPECT_EQ(error.diagnostic().hint, "add r = ... under [fix]");
     }
 }
 

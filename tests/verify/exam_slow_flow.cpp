@@ -96,7 +96,7 @@ TEST(FlowStart, KindsAreNotMixed) {
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), Kind::refused);
         EXPECT_EQ(e.diagnostic().value, "x from its value, y from its amplitude and phase");
-        EXPECT_EQ(e.diagnostic().mend, "give y and its derivatives under [start]");
+        EXPECT_EQ(e.diagnostic().hint, "give y and its derivatives under [start]");
     }
 }
 
@@ -110,7 +110,7 @@ TEST(FlowStart, AMomentumHasNoAmplitude) {
         FAIL() << "accepted";
     } catch (const Error& e) {
         EXPECT_EQ(e.diagnostic().value, "px");
-        EXPECT_EQ(e.diagnostic().mend, "give physical values of all fast variables");
+        EXPECT_EQ(e.diagnostic().hint, "give physical values of all fast variables");
     }
 }
 

@@ -97,7 +97,7 @@ std::string to_string(const Diagnostic& diagnostic) {
     out += shown(diagnostic.rule);
     if (!diagnostic.place.source_line.empty()) out += marked_line(diagnostic.place);
     if (!diagnostic.value.empty()) out += "\n  found: " + shown(diagnostic.value);
-    if (!diagnostic.mend.empty()) out += "\n  mend:  " + shown(diagnostic.mend);
+    if (!diagnostic.hint.empty()) out += "\n  hint:  " + shown(diagnostic.hint);
     if (out.size() > longest_message) out = out.substr(0, whole(out, longest_message - 4)) + " ...";
     return out;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The only error types of the engine. Every failure that a user can cause is an Error that says
-// the rule, the place, the value and the mend; the command turns it into one message and an exit code.
+// the rule, the place, the value and the hint; the command turns it into one message and an exit code.
 #pragma once
 
 #include <stdexcept>
@@ -45,11 +45,11 @@ struct Place {
     std::string source_line; // the line of the file, to be shown with a caret under the column
 };
 
-// One complaint: what must hold, where it does not, the offending value, and how to mend it.
+// One complaint: what must hold, where it does not, the offending value, and a hint.
 struct Diagnostic {
     std::string rule;
     std::string value;
-    std::string mend;
+    std::string hint;
     Place place;
     Reason reason = Reason::by_kind;
 };

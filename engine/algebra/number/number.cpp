@@ -20,14 +20,14 @@ constexpr int largest_exponent = 4000;
 [[noreturn]] void not_a_number(std::string_view text) {
     bad_input({.rule = "a number is an integer, a fraction or a decimal: 12, -3/4, 0.25, 1.5e-3",
                .value = std::string(text),
-               .mend = "write the number in one of these forms",
+               .hint = "write the number in one of these forms",
                .place = {}});
 }
 
 [[noreturn]] void too_large(std::string_view text) {
     bad_input({.rule = "a number has at most 4000 digits and a decimal exponent between -4000 and 4000",
                .value = std::string(text),
-               .mend = "scale the quantity by a unit of its own size",
+               .hint = "scale the quantity by a unit of its own size",
                .place = {}});
 }
 
@@ -101,7 +101,7 @@ private:
         if (cln::zerop(below)) {
             bad_input({.rule = "the denominator of a fraction is not zero",
                        .value = std::string(text_),
-                       .mend = "give another denominator",
+                       .hint = "give another denominator",
                        .place = {}});
         }
         return Rational(integer(numerator)) / below;

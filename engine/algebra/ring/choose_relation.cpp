@@ -74,7 +74,7 @@ std::optional<Relation> of_one_term(const Ring& ring, const std::vector<Relation
     if (radicand.monomial == Monomial{} && !cln::plusp(radicand.coefficient)) {
         refuse({.rule = "a root is taken of what is positive",
                 .value = "a root of " + to_string(radicand.coefficient),
-                .mend = "check the sign under the root",
+                .hint = "check the sign under the root",
                 .place = {}});
     }
     const Binomial b = simplest(ring, {ring.generator(root).index, radicand.coefficient, radicand.monomial});
@@ -171,7 +171,7 @@ std::optional<Relation> choose_relation(const Ring& ring, const std::vector<Rela
     if (radicand.empty()) {
         refuse({.rule = "a root is not taken of zero",
                 .value = ring.generator(id).name,
-                .mend = "check the expression under the root",
+                .hint = "check the expression under the root",
                 .place = {}});
     }
     if (radicand.size() == 1) return of_one_term(ring, before, id, radicand.terms().front());

@@ -58,7 +58,7 @@ void Packing::overflow() const {
         {.rule = "an exponent of a monomial is at most " + std::to_string(largest()) +
                  " in this ring of up to " + std::to_string(fields()) + " generators",
          .value = "a product exceeds it",
-         .mend = "ask for a lower order, or use fewer parameters and variables (up to 16 generators: 16383)",
+         .hint = "ask for a lower order, or use fewer parameters and variables (up to 16 generators: 16383)",
          .place = {}});
 }
 

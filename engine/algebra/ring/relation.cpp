@@ -106,7 +106,7 @@ Fractions rewrite(const Packing& packing, const std::vector<Relation>& relations
     }
     refuse({.rule = "the relations between the roots lead to a unique form",
             .value = "rewriting does not end",
-            .mend = "write nested roots as single roots of higher index",
+            .hint = "write nested roots as single roots of higher index",
             .place = {}});
 }
 

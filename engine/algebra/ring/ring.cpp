@@ -37,7 +37,7 @@ Polynomial Ring::gen(GeneratorId id, int exponent) const {
     if (exponent < 0 && !g.invertible) {
         refuse({.rule = "only what is known to be non-zero is divided by",
                 .value = "division by " + g.name,
-                .mend = "declare " + g.name + " positive, if it is",
+                .hint = "declare " + g.name + " positive, if it is",
                 .place = {}});
     }
     return reduce(Polynomial(monomial(id, exponent), Rational(1)));
@@ -77,7 +77,7 @@ Polynomial Ring::power(const Polynomial& p, int exponent) const {
         if (!reciprocal) {
             refuse({.rule = "only a product of non-zero parameters, roots and their radicands is divided by",
                     .value = "a negative power of a sum",
-                    .mend = "declare the parameters of the denominator positive, if they are",
+                    .hint = "declare the parameters of the denominator positive, if they are",
                     .place = {}});
         }
         return power(*reciprocal, -exponent);
@@ -107,11 +107,11 @@ const Polynomial* Ring::derivative_of(GeneratorId generator_id, GeneratorId id) 
     if (g.kind != GeneratorKind::primitive)
         refuse({.rule = "a derivative is taken where the ring holds it",
                 .value = "d " + g.name + " / d " + generator(id).name,
-                .mend = "ask for a lower order",
+                .hint = "ask for a lower order",
                 .place = {}});
     refuse({.rule = "a primitive is differentiated with respect to slow variables only",
             .value = "d " + g.name + " / d " + generator(id).name,
-            .mend = "list this derivative with the primitive",
+            .hint = "list this derivative with the primitive",
             .place = {}});
 }
 
@@ -121,7 +121,7 @@ Polynomial Ring::derivative(const Polynomial& p, GeneratorId id) const {
         kind == GeneratorKind::primitive) {
         refuse({.rule = "a derivative is taken with respect to an independent variable",
                 .value = "d/d " + generator(id).name,
-                .mend = "differentiate with respect to a variable or a parameter",
+                .hint = "differentiate with respect to a variable or a parameter",
                 .place = {}});
     }
     // sum over the generators v of p: (dp/dv) (dv/d id), dp/dv split by the exponents of v
@@ -187,7 +187,7 @@ std::vector<Polynomial> Ring::by_weight(const Polynomial& p, int through) const 
         if (w < 0) {
             refuse({.rule = "no term of a graded series has a negative weight",
                     .value = "a term of weight " + std::to_string(w),
-                    .mend = "scale the variables so that eps does not stand in a denominator",
+                    .hint = "scale the variables so that eps does not stand in a denominator",
                     .place = {}});
         }
         if (w <= through) parts[static_cast<std::size_t>(w)].append(f.monomials[k], f, k);

@@ -24,7 +24,7 @@ Polynomial repack(const Packing& from, const Packing& to, const Polynomial& p) {
 }
 
 [[noreturn]] void refuse_generator(const std::string& rule, const std::string& name) {
-    refuse({.rule = rule, .value = name, .mend = "choose another name or another form", .place = {}});
+    refuse({.rule = rule, .value = name, .hint = "choose another name or another form", .place = {}});
 }
 
 // The kinds of generators that stand in p, and whether one stands in a denominator.
@@ -90,7 +90,7 @@ GeneratorId RingBuilder::add(Generator g) {
                {.rule = "a system has at most 32 of these together: i, eps, parameters, slow variables, two "
                         "modes for each oscillator, roots that occur; constants and integrals of a solution",
                 .value = g.name + " would be one more",
-                .mend =
+                .hint =
                     std::any_of(generators_.begin(), generators_.end(),
                                 [](const Generator& known) { return known.kind == GeneratorKind::parameter; })
                         ? "write numbers in the place of some parameters"

@@ -12,7 +12,7 @@ namespace {
 [[noreturn]] void refuse_map(const std::string& rule, const Generator& generator) {
     refuse({.rule = rule,
             .value = "the image of " + generator.name,
-            .mend = "give an image that obeys the relations of " + generator.name,
+            .hint = "give an image that obeys the relations of " + generator.name,
             .place = {}});
 }
 

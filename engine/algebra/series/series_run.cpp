@@ -52,7 +52,7 @@ void require_start(bool holds, const std::string& rule) {
     if (holds) return;
     refuse({.rule = rule,
             .value = "another finite value",
-            .mend = "expand about the equilibrium, or declare the argument small",
+            .hint = "expand about the equilibrium, or declare the argument small",
             .place = {}});
 }
 
@@ -60,7 +60,7 @@ void require_start(bool holds, const std::string& rule) {
     refuse({.rule = "the ring of coefficients holds the leading part of a root or a denominator as a product "
                     "of parameters, roots and numbers",
             .value = "a power " + to_string(power.exponent) + " of another sum",
-            .mend = "write a parameter for the sum, or take numbers: --digits 30",
+            .hint = "write a parameter for the sum, or take numbers: --digits 30",
             .place = power.place});
 }
 

@@ -35,7 +35,7 @@ ex factored_over_roots(const ex& polynomial) {
 constexpr int largest_trial_divisor = 10000;
 
 // Declaring a number positive would not make it so.
-constexpr const char* mend_of_constant =
+constexpr const char* hint_for_constant =
     "this is a number: correct it, or put a parameter that is declared in its place";
 
 class Splitter {
@@ -240,7 +240,7 @@ private:
             refuse(Reason::undecided,
                    {"nothing is divided by an expression that is not proved to be non-zero", spell(base),
                     is_constant(domain_.meaning(base))
-                        ? mend_of_constant
+                        ? hint_for_constant
                         : "declare it: nonzero = true or positive = true for a name, or "
                           "[domain] positive = [\"" +
                               spell(base) + "\"]",
@@ -285,7 +285,7 @@ PowerProduct split_power(const ex& base, const Rational& exponent, const Coeffic
 }
 
 std::string how_to_make_positive(const ex& e) {
-    if (is_constant(e)) return mend_of_constant;
+    if (is_constant(e)) return hint_for_constant;
     const std::string declare = "declare what is positive: ";
     if (is_a<GiNaC::symbol>(e)) return declare + spell(e) + " = { positive = true, ... }";
     if (!is_a<GiNaC::add>(e)) return declare + "every factor by itself, with positive = true for a name";

@@ -60,8 +60,8 @@ private:
 };
 
 [[noreturn]] void complain(const Equation& equation, const std::string& rule, const std::string& value,
-                           const std::string& mend) {
-    bad_input({rule, value, mend, place_of(equation.source)});
+                           const std::string& hint) {
+    bad_input({rule, value, hint, place_of(equation.source)});
 }
 
 // a' = 2, b' = a'^1000, c' = b'^1000, ... must not be computed.
@@ -91,7 +91,7 @@ ex guarded(const Equation& equation, const std::function<ex()>& build) {
     Diagnostic d;
     d.rule = "an equation is linear in the highest derivatives, once the known rates are put in";
     d.value = variable.jet.back().get_name();
-    d.mend = "solve it for " + d.value + " by hand, or introduce a variable for its lower derivative";
+    d.hint = "solve it for " + d.value + " by hand, or introduce a variable for its lower derivative";
     d.place = place_of(equation.source);
     for (const Token& token : tokenize(equation.text, equation.source)) {
         if (token.kind == TokenKind::name && token.primes == primes &&

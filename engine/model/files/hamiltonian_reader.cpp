@@ -23,8 +23,8 @@ bool SystemReader::is_canonical(const Variable& variable) const {
 
 std::size_t SystemReader::canonical_variable(const std::string& name, const TomlNode& node,
                                              const Place& place) const {
-    const auto complain = [&](const std::string& rule, const std::string& value, const std::string& mend) {
-        bad_input({rule, value, mend, place});
+    const auto complain = [&](const std::string& rule, const std::string& value, const std::string& hint) {
+        bad_input({rule, value, hint, place});
     };
     const Variable* variable = system_.variable(name);
     if (variable == nullptr)

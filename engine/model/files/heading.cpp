@@ -51,7 +51,7 @@ Heading heading_of_system(const TomlNode& root, const std::filesystem::path& fil
                    place_of(header->source)});
     Heading heading;
     heading.name = string_of(*name);
-    if (!is_identifier(heading.name)) bad_value(*name, identifier_rule("a system's name"), identifier_mend());
+    if (!is_identifier(heading.name)) bad_value(*name, identifier_rule("a system's name"), identifier_hint());
     heading.name_place = place_of(name->source);
     heading.title = text_or(*header, "title", heading.name);
     heading.source = text_or(*header, "source", "");

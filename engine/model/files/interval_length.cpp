@@ -127,14 +127,14 @@ double log_length(const GiNaC::ex& fixed, const GiNaC::symbol& eps, double log_e
 }
 
 [[noreturn]] void complain(const Scene& scene, const Rational& eps, const std::string& rule,
-                           const std::string& found, const std::string& mend) {
+                           const std::string& found, const std::string& hint) {
     const Place place = scene.verify.interval_source
                             ? place_of(*scene.verify.interval_source)
                             : Place{scene.file.string(), 0, 0, "verify.interval", ""};
     bad_input({rule,
                fmt::format("interval = {} at eps = {}: {}", excerpt(scene.verify.interval_text),
                            to_string(eps), found),
-               mend, place});
+               hint, place});
 }
 
 std::string spelled(double length) {

@@ -87,7 +87,7 @@ void SceneReader::read_system_of_scene() {
         bad_input({"a scene outside the folder of its system names it", "no key 'system'",
                    "write system = \"...\"", whole_file(scene_.file)});
     }
-    if (!is_identifier(given)) bad_value(*name, identifier_rule("a system's name"), identifier_mend());
+    if (!is_identifier(given)) bad_value(*name, identifier_rule("a system's name"), identifier_hint());
     try {
         scene_.system = std::make_shared<System>(read_system(find_system(given, systems_)));
     } catch (const Error& error) {

@@ -21,11 +21,11 @@ namespace {
 
 using GiNaC::ex;
 
-[[noreturn]] void complain(const std::string& rule, const std::string& value, const std::string& mend,
+[[noreturn]] void complain(const std::string& rule, const std::string& value, const std::string& hint,
                            const std::string& option) {
     Place place;
     place.key = option;
-    bad_input(Reason::command_line, {rule, value, mend, place});
+    bad_input(Reason::command_line, {rule, value, hint, place});
 }
 
 // Errors show the word NAME=VALUE, and count columns in it.

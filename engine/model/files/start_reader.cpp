@@ -87,8 +87,8 @@ void StartReader::add(const TomlEntry& entry) {
 
 void StartReader::check_domain(const StartValue& value) const {
     const Estimate estimate = scene_.estimate(value.value);
-    const auto complain = [&](const std::string& rule, const std::string& mend) {
-        bad_input({rule, excerpt(value.text), mend, place_of(value.source)});
+    const auto complain = [&](const std::string& rule, const std::string& hint) {
+        bad_input({rule, excerpt(value.text), hint, place_of(value.source)});
     };
     if (estimate == Estimate::unbounded) {
         if (const std::string why = scene_.why_unreal(value.value); !why.empty())

@@ -166,10 +166,10 @@ void SystemReader::read_functions() {
 
 std::string SystemReader::argument_of(const TomlEntry& entry) const {
     const TomlNode* of = entry.value.find("of");
-    const std::string mend = "write " + entry.key + " = { of = [\"tau\"] }";
+    const std::string hint = "write " + entry.key + " = { of = [\"tau\"] }";
     if (of == nullptr || of->type != TomlNode::Type::array || of->items.size() != 1)
         bad_input({"a function is declared with the one name that it is a function of", in_quotes(entry.key),
-                   mend, of == nullptr ? entry.place : place_of(of->source)});
+                   hint, of == nullptr ? entry.place : place_of(of->source)});
     std::string name = string_of(of->items.front());
     const Variable* variable = system_.variable(name);
     if (system_.parameter(name) == nullptr && (variable == nullptr || variable->role != Role::slow)) {
@@ -297,10 +297,10 @@ void SystemReader::read_equations() {
     }
 }
 
-const TomlNode& SystemReader::table(const std::string& key, const std::string& mend) const {
+const TomlNode& SystemReader::table(const std::string& key, const std::string& hint) const {
     const TomlNode* node = root_.find(key);
     if (node == nullptr) {
-        bad_input({"a system file has the table [" + key + "]", "no [" + key + "]", mend,
+        bad_input({"a system file has the table [" + key + "]", "no [" + key + "]", hint,
                    whole_file(system_.file)});
     }
     check_table(*node);
@@ -309,7 +309,7 @@ const TomlNode& SystemReader::table(const std::string& key, const std::string& m
 
 void SystemReader::claim_name(const TomlEntry& entry, const std::string& what) {
     if (!is_identifier(entry.key)) {
-        bad_input({identifier_rule(what + "'s name"), excerpt(entry.key), identifier_mend(), entry.place});
+        bad_input({identifier_rule(what + "'s name"), excerpt(entry.key), identifier_hint(), entry.place});
     }
     if (is_reserved(entry.key)) {
         bad_input({"the name of " + what + " is not a reserved one", entry.key,

@@ -54,7 +54,7 @@ private:
     void check_canonical(const Equation& equation, const GiNaC::exmap& rates) const;
     [[nodiscard]] std::string argument_of(const TomlEntry& entry) const;
     void check_order(const Variable& variable, int highest) const;
-    [[nodiscard]] const TomlNode& table(const std::string& key, const std::string& mend) const;
+    [[nodiscard]] const TomlNode& table(const std::string& key, const std::string& hint) const;
     // Refuses reserved and ill-formed names and those that are taken.
     void claim_name(const TomlEntry& entry, const std::string& what);
     [[nodiscard]] std::vector<std::string> variable_names() const;

@@ -42,7 +42,7 @@ std::string identifier_rule(const std::string& what) {
     return what + " is a letter followed by letters, digits and _, at most " + std::to_string(longest_name);
 }
 
-std::string identifier_mend() { return "choose such a name, in ASCII"; }
+std::string identifier_hint() { return "choose such a name, in ASCII"; }
 
 bool is_reserved(const std::string& name) {
     static const std::vector<std::string> words = {"I", "pi", "E", "eps", "lambda", "t"};

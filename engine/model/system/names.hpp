@@ -11,7 +11,7 @@ namespace resonform {
 
 bool is_identifier(const std::string& name); // [A-Za-z][A-Za-z0-9_]*, at most 60 characters
 std::string identifier_rule(const std::string& what);
-std::string identifier_mend();
+std::string identifier_hint();
 
 // I, pi, E, eps, lambda, t, the modes z1, z2, ..., the functions, and the words of Python and SymPy.
 bool is_reserved(const std::string& name);

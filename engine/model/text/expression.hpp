@@ -23,7 +23,7 @@
 namespace resonform {
 
 // The value of the text over `scope`; `pi` is known everywhere. Numbers are exact: 0.1 is 1/10.
-// a^b is exp(b log a) unless b is a number. Errors: bad_input with place, the offending text and the mend:
+// a^b is exp(b log a) unless b is a number. Errors: bad_input with place, the offending text and the hint:
 // a limit exceeded, a syntax error, an unknown name (with the nearest known), a division by an
 // expression that is zero, a power or function of a number that is undefined or not real.
 GiNaC::ex read_expression(std::string_view text, const Scope& scope, const SourceText& source,

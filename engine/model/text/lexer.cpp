@@ -38,13 +38,13 @@ constexpr std::array<Spelling, 50> spellings = {{
     std::size_t end = at + 1;
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
     d.value = excerpt(text, at, end);
-    d.mend = "remove it or spell it in ASCII";
+    d.hint = "remove it or spell it in ASCII";
     for (const Spelling& s : spellings) {
-        if (text.substr(at, s.first.size()) == s.first) d.mend = "write " + std::string(s.second);
+        if (text.substr(at, s.first.size()) == s.first) d.hint = "write " + std::string(s.second);
     }
-    if (text[at] == '"') d.mend = "write '' (two apostrophes) for a second derivative";
-    if (text[at] == '[' || text[at] == '{') d.mend = "write (";
-    if (text[at] == ']' || text[at] == '}') d.mend = "write )";
+    if (text[at] == '"') d.hint = "write '' (two apostrophes) for a second derivative";
+    if (text[at] == '[' || text[at] == '{') d.hint = "write (";
+    if (text[at] == ']' || text[at] == '}') d.hint = "write )";
     bad_input(Reason::syntax, d);
 }
 

@@ -12,7 +12,7 @@ namespace resonform {
 //   nearest("oder", {"order", "outputs"}) = "order"
 std::string nearest(const std::string& name, const std::vector<std::string>& known);
 
-// The mend for an unknown name: "did you mean 'order'? Known are: order, outputs" (at most 20 listed).
+// The hint for an unknown name: "did you mean 'order'? Known are: order, outputs" (at most 20 listed).
 std::string suggest(const std::string& name, const std::vector<std::string>& known);
 
 } // namespace resonform

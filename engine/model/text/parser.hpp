@@ -51,7 +51,7 @@ private:
     const Token& take() { return tokens_[at_++]; }
     bool accept(TokenKind kind);
     [[nodiscard]] std::string spelling(const Token& token) const;
-    [[noreturn]] void complain(std::size_t begin, std::size_t end, std::string rule, std::string mend,
+    [[noreturn]] void complain(std::size_t begin, std::size_t end, std::string rule, std::string hint,
                                Reason reason = Reason::syntax) const;
     [[noreturn]] void missing_operand() const;
     [[noreturn]] void implicit_product() const;

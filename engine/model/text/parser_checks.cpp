@@ -78,9 +78,9 @@ void Parser::check_growth(const Growth& growth, std::size_t begin, std::size_t e
 
 std::string Parser::spelling(const Token& token) const { return excerpt(text_, token.begin, token.end); }
 
-void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std::string mend,
+void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std::string hint,
                       Reason reason) const {
-    bad_input(reason, {std::move(rule), excerpt(text_, begin, end), std::move(mend),
+    bad_input(reason, {std::move(rule), excerpt(text_, begin, end), std::move(hint),
                        place_at(source_, text_, begin)});
 }
 

@@ -39,8 +39,8 @@ bool is_number(const TomlNode& node) {
 
 } // namespace
 
-void bad_value(const TomlNode& node, const std::string& rule, const std::string& mend) {
-    bad_input({rule, describe(node), mend, place_of(node.source)});
+void bad_value(const TomlNode& node, const std::string& rule, const std::string& hint) {
+    bad_input({rule, describe(node), hint, place_of(node.source)});
 }
 
 void check_table(const TomlNode& node) {

@@ -26,6 +26,6 @@ Rational number_of(const TomlNode& node);
 GiNaC::ex expression_of(const TomlNode& node, const Scope& scope);
 
 // The message of one node: its text is the value, its place the place.
-[[noreturn]] void bad_value(const TomlNode& node, const std::string& rule, const std::string& mend);
+[[noreturn]] void bad_value(const TomlNode& node, const std::string& rule, const std::string& hint);
 
 } // namespace resonform
