@@ -86,11 +86,11 @@ BallPoint random_ball_point(const RingPtr& ring, std::mt19937_64& random, std::i
 BallRun::BallRun(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map,
                  const BallPoint& point)
     : ring_(*normal_form.field->ring), point_(point), through_(normal_form.through), bits_(point.bits) {
-    const std::vector<Step>& steps = plan.program.steps();
+    const std::vector<Instruction>& steps = plan.program.steps();
     slots_.resize(steps.size());
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!plan.needed[k]) continue;
-        const Step& step = steps[k];
+        const Instruction& step = steps[k];
         const auto series = [&]() -> const Series& {
             return series_of(step.series, plan.program, normal_form, map);
         };
@@ -103,7 +103,7 @@ BallRun::BallRun(const CertificatePlan& plan, const NormalForm& normal_form, con
     }
 }
 
-BallRun::Value BallRun::run(const Step& step) const {
+BallRun::Value BallRun::run(const Instruction& step) const {
     const auto operand = [&](Slot slot) -> const Value& { return (*this)(slot); };
     switch (step.operation) {
     case Operation::number: return number(step.number);

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const Value& operator()(Slot slot) const { return slots_[static_cast<std::size_t>(slot)]; }
 
 private:
-    [[nodiscard]] Value run(const Step& step) const; // one that reads no series
+    [[nodiscard]] Value run(const Instruction& step) const; // one that reads no series
     [[nodiscard]] Value constant(const ComplexBall& c) const;
     [[nodiscard]] Value number(const Rational& value) const;
     [[nodiscard]] Value generator(GeneratorId id, int power) const;

@@ -33,13 +33,13 @@ public:
     // By slot; nullopt: zero, or not needed.
     [[nodiscard]] std::vector<std::optional<Size>>
     run(const CertificatePlan& plan, const NormalForm& normal_form, const NearIdentityMap& map) const {
-        const std::vector<Step>& steps = plan.program.steps();
+        const std::vector<Instruction>& steps = plan.program.steps();
         std::vector<std::optional<Size>> sizes(steps.size());
         SeriesName name{};
         const Survey* survey = nullptr; // of that name, as neighbours often have
         for (std::size_t k = 0; k < steps.size(); ++k) {
             if (!plan.needed[k]) continue;
-            const Step& step = steps[k];
+            const Instruction& step = steps[k];
             if (step.operation != Operation::value && step.operation != Operation::slope) {
                 sizes[k] = size_of(step, sizes);
                 continue;
@@ -115,7 +115,7 @@ private:
         return a.degree == 0 && a.denominator == 0 && a.bits == 0;
     }
     // nullopt: zero.
-    [[nodiscard]] std::optional<Size> size_of(const Step& step,
+    [[nodiscard]] std::optional<Size> size_of(const Instruction& step,
                                               const std::vector<std::optional<Size>>& sizes) const {
         const auto operand = [&](Slot slot) -> const std::optional<Size>& {
             return sizes[static_cast<std::size_t>(slot)];

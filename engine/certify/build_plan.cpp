@@ -72,9 +72,9 @@ std::vector<bool> needed_slots(const CertificatePlan& plan) {
 
 std::vector<CertificatePlan::Reading> readings_of(const CertificatePlan& plan) {
     std::vector<CertificatePlan::Reading> readings;
-    const std::vector<Step>& steps = plan.program.steps();
+    const std::vector<Instruction>& steps = plan.program.steps();
     for (std::size_t k = 0; k < steps.size(); ++k) {
-        const Step& step = steps[k];
+        const Instruction& step = steps[k];
         const bool slope = step.operation == Operation::slope;
         if (!plan.needed[k] || (!slope && step.operation != Operation::value)) continue;
         auto reading = std::find_if(readings.begin(), readings.end(),

@@ -23,7 +23,7 @@ int canonical_bracket(const FirstOrderSystem& system, std::size_t left, std::siz
 
 class CanonicalChecks {
 public:
-    using Row = std::map<GeneratorId, Slot>; // dy/dw_b, or a row of T
+    using SlotRow = std::map<GeneratorId, Slot>; // dy/dw_b, or a row of T
 
     CanonicalChecks(CertificatePlan& plan, const GradedField& field, const HamiltonianForm& form)
         : plan_(plan), program_(plan.program), field_(field), form_(form), weight_(weight_of_modes(field)) {}
@@ -43,7 +43,7 @@ private:
     }
 
     // sum over the brackets of B (left_l right_r - left_r right_l)
-    [[nodiscard]] Slot bracket(const Row& left, const Row& right) const {
+    [[nodiscard]] Slot bracket(const SlotRow& left, const SlotRow& right) const {
         Slot sum = program_.number(0);
         for (const HamiltonianForm::Bracket& b : form_.brackets) {
             const Slot minor = program_.difference(program_.multiply(left.at(b.left), right.at(b.right)),
@@ -56,7 +56,7 @@ private:
     void add_structure(const Jets& jets, CertificateRoots& roots) {
         const Equation& equation = field_.system().equations.front();
         const Slot i = program_.generator(Ring::imaginary_unit, 1);
-        std::vector<Row> rows(field_.basis.states.size());
+        std::vector<SlotRow> rows(field_.basis.states.size());
         for (std::size_t s = 0; s < rows.size(); ++s)
             for (std::size_t m = 0; m < field_.modes.size(); ++m) {
                 const Complex& c = field_.basis.modes[m].column[s];
@@ -75,10 +75,10 @@ private:
             }
     }
 
-    [[nodiscard]] Row map_row(std::size_t m, Side side) const {
+    [[nodiscard]] SlotRow map_row(std::size_t m, Side side) const {
         const Mode& mode = field_.modes[m];
         const GeneratorId own = side == Side::itself ? mode.z : mode.zbar;
-        Row row;
+        SlotRow row;
         for (const HamiltonianForm::Bracket& b : form_.brackets)
             for (const GeneratorId by : {b.left, b.right}) {
                 const GeneratorId partner = field_.ring->generator(by).conjugate;
@@ -90,7 +90,7 @@ private:
     }
 
     void add_map() {
-        std::map<GeneratorId, Row> rows;
+        std::map<GeneratorId, SlotRow> rows;
         for (std::size_t m = 0; m < field_.modes.size(); ++m) {
             rows[field_.modes[m].z] = map_row(m, Side::itself);
             if (!field_.modes[m].is_real()) rows[field_.modes[m].zbar] = map_row(m, Side::conjugate);

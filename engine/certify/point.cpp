@@ -51,7 +51,7 @@ PointRun::PointRun(const CertificatePlan& plan, const Ring& ring, const PointRea
     arithmetic_.reserve(points.size());
     for (const Point& point : points) arithmetic_.emplace_back(point.field);
     one_ = by_point([](const Montgomery& m, std::size_t) { return m.enter(1); });
-    const std::vector<Step>& steps = plan.program.steps();
+    const std::vector<Instruction>& steps = plan.program.steps();
     const auto length = static_cast<std::size_t>(through_) + 1;
     offsets_.reserve(steps.size());
     slots_.reserve(steps.size());
@@ -72,7 +72,7 @@ auto PointRun::product(const Lanes& a, const Lanes& b) const -> Lanes {
     return by_point([&](const Montgomery& m, std::size_t n) { return m.multiply(a[n], b[n]); });
 }
 
-void PointRun::run(const Step& step, Value& to) {
+void PointRun::run(const Instruction& step, Value& to) {
     const auto operand = [&](Slot slot) -> const Value& { return slots_[static_cast<std::size_t>(slot)]; };
     switch (step.operation) {
     case Operation::number: return set(to, 0, residues(step.number));

@@ -46,7 +46,7 @@ private:
     }
     [[nodiscard]] Lanes product(const Lanes& a, const Lanes& b) const;
 
-    void run(const Step& step, Value& to);
+    void run(const Instruction& step, Value& to);
     void set(Value& to, int weight, const Lanes& coefficient) const;
     void add(Value& to, const Value& a, const Value& b) const;
     // Through weight `last`.

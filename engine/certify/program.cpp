@@ -6,7 +6,7 @@
 
 namespace resonform {
 
-Slot CertificateProgram::slot_of(Step step) {
+Slot CertificateProgram::slot_of(Instruction step) {
     const Key key{step.operation, step.left, step.right, step.index, step.power, step.series, step.side};
     const auto [found, is_new] =
         known_.emplace(std::pair{key, step.number}, static_cast<Slot>(steps_.size()));
@@ -15,18 +15,18 @@ Slot CertificateProgram::slot_of(Step step) {
 }
 
 bool CertificateProgram::is_number(Slot slot, int value) const {
-    const Step& step = steps_[static_cast<std::size_t>(slot)];
+    const Instruction& step = steps_[static_cast<std::size_t>(slot)];
     return step.operation == Operation::number && step.number == value;
 }
 
 Slot CertificateProgram::number(const Rational& value) {
-    Step step{Operation::number};
+    Instruction step{Operation::number};
     step.number = value;
     return slot_of(step);
 }
 
 Slot CertificateProgram::generator(GeneratorId id, int power) {
-    Step step{Operation::generator};
+    Instruction step{Operation::generator};
     step.index = id;
     step.power = power;
     return slot_of(step);
@@ -48,7 +48,7 @@ Slot CertificateProgram::function(Function function, Slot a) {
 }
 
 Slot CertificateProgram::power(Slot a, const Rational& exponent, Slot lead) {
-    Step step{Operation::power, a, lead};
+    Instruction step{Operation::power, a, lead};
     step.number = exponent;
     return slot_of(step);
 }

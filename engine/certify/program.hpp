@@ -61,7 +61,7 @@ enum class Operation {
     slope,     // of a series by a generator
 };
 
-struct Step {
+struct Instruction {
     Operation operation;
     Slot left = -1, right = -1;
     int index = 0; // generator | exponent of inverse_power | Function
@@ -90,7 +90,7 @@ public:
     SeriesName series(const Polynomial& p); // of weight 0
     Slot value(const Polynomial& p) { return value(series(p), Side::itself); }
 
-    [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+    [[nodiscard]] const std::vector<Instruction>& steps() const { return steps_; }
     [[nodiscard]] const Series& polynomial(std::size_t index) const { return polynomials_[index]; }
     // By slot: whether one of `results` needs it.
     [[nodiscard]] std::vector<bool> needed(const std::vector<Slot>& results) const;
@@ -103,10 +103,10 @@ private:
         }
     };
 
-    Slot slot_of(Step step);
+    Slot slot_of(Instruction step);
     [[nodiscard]] bool is_number(Slot slot, int value) const;
 
-    std::vector<Step> steps_;
+    std::vector<Instruction> steps_;
     std::map<std::pair<Key, Rational>, Slot, Less> known_;
     std::vector<Series> polynomials_;
 };

@@ -25,7 +25,7 @@ template <class Read> auto of_argument(const std::string& option, const Read& re
         return read();
     } catch (const Error& error) {
         const Diagnostic& d = error.diagnostic();
-        if (error.kind() != Kind::bad_input || !d.place.key.empty()) throw;
+        if (error.kind() != ErrorKind::bad_input || !d.place.key.empty()) throw;
         bad_argument(option, d.rule, d.value, d.hint);
     }
 }

@@ -63,9 +63,10 @@ Error error_of(const std::exception_ptr& failure) {
     } catch (const Error& error) {
         return error;
     } catch (const std::bad_alloc&) {
-        return {Kind::refused, {"the memory is exhausted", "", "ask for a lower order", {}, Reason::memory}};
+        return {ErrorKind::refused,
+                {"the memory is exhausted", "", "ask for a lower order", {}, Reason::memory}};
     } catch (const std::exception& unforeseen) {
-        return {Kind::refused,
+        return {ErrorKind::refused,
                 {"refused, by a fault of the engine that its authors would like to know",
                  unforeseen.what(),
                  "",

@@ -59,7 +59,7 @@ std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalizatio
     try {
         return solve_under(watch, normalization, {order, normalization->normal_form.through});
     } catch (const Error& error) {
-        if (error.kind() != Kind::refused) throw;
+        if (error.kind() != ErrorKind::refused) throw;
         return std::nullopt;
     }
 }
@@ -76,7 +76,7 @@ std::optional<Solution> known_drift(const Expanded& expanded, Format format, Wat
     try {
         return solution_if_any(normalize_certified(expanded, weight, watch), weight, watch);
     } catch (const Error& error) {
-        if (error.kind() != Kind::refused) throw;
+        if (error.kind() != ErrorKind::refused) throw;
         return std::nullopt;
     }
 }

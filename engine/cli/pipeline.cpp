@@ -87,7 +87,7 @@ auto derived_and_checked(const Expanded& expanded, int through, Watch& watch, De
 
 void require(const Certificate& certificate) {
     if (!certificate.holds)
-        throw Error(Kind::check_failed,
+        throw Error(ErrorKind::check_failed,
                     {"the certificate of the normal form does not hold", certificate.complaint, "", {}});
 }
 

@@ -68,7 +68,7 @@ Guarantees guarantees_apart(const Scene& scene, const Solution& solution, const 
             return watched(limits,
                            [&](Watch& watch) { return solve_system(system, order, truncation, watch); });
         } catch (const Error& error) {
-            if (error.kind() != Kind::check_failed) throw;
+            if (error.kind() != ErrorKind::check_failed) throw;
             refuse({error.diagnostic().rule, error.diagnostic().value, "", {}});
         }
     };

@@ -111,8 +111,8 @@ void Watch::run() {
     while (!changed_.wait_for(lock, tick, [this] { return over_; })) {
         const std::optional<Diagnostic> found = excess();
         if (!found) continue;
-        tell_error(Error(Kind::refused, *found), limits_.json);
-        std::_Exit(static_cast<int>(Kind::refused));
+        tell_error(Error(ErrorKind::refused, *found), limits_.json);
+        std::_Exit(static_cast<int>(ErrorKind::refused));
     }
 }
 

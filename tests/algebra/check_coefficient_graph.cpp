@@ -222,7 +222,7 @@ TEST_F(Coefficients, expansion_keeps_its_limit) {
         static_cast<void>(expand(graph, c, {10}));
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         EXPECT_NE(std::string(error.what()).find("up to 10 points"), std::string::npos) << error.what();
     }
 }

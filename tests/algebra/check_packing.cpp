@@ -80,7 +80,7 @@ TEST(Packing, OverflowIsRefused) {
         p = ring->multiply(p, ring->one()); // seen at the latest here
         FAIL() << "exponent 120 was accepted in an 8-bit field";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_EQ(e.diagnostic().rule,
                   "an exponent of a monomial is at most 63 in this ring of up to 32 generators");
     }

@@ -209,7 +209,7 @@ TEST_F(Functions, RefuseOtherStartingValues) {
         try {
             r.advance(0);
         } catch (const Error& e) {
-            EXPECT_EQ(e.kind(), Kind::refused);
+            EXPECT_EQ(e.kind(), ErrorKind::refused);
             return e.diagnostic().rule;
         }
         return std::string("accepted");

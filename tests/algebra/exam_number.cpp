@@ -17,7 +17,7 @@ std::string refusal(const std::string& text) {
     try {
         (void)parse_rational(text);
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::bad_input);
+        EXPECT_EQ(e.kind(), ErrorKind::bad_input);
         return e.diagnostic().rule;
     }
     return "accepted";

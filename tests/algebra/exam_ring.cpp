@@ -120,7 +120,7 @@ TEST(Ring, RefusesToDivideByWhatMayVanish) {
         (void)gen(*ring, "xi", -1);
         FAIL() << "1/xi was accepted";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_STREQ(e.what(), "only what is known to be non-zero is divided by\n  found: division by xi\n"
                                "  hint:  declare xi positive, if it is");
     }

@@ -130,7 +130,7 @@ TEST(Certificate, RefusesEquationsThatAreDegenerateAtTheOrigin) {
         test::certificate_of(n);
         FAIL() << "a degenerate equation was certified";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_EQ(e.diagnostic().rule, "at the origin no denominator of the equations vanishes and their "
                                        "highest derivatives are determined");
     }
@@ -145,7 +145,7 @@ TEST(Certificate, OfFunctionsInsideOfFunctionsNamesTheNesting) {
         test::certificate_of(n);
         FAIL() << "few points tell little of a polynomial of so high a degree";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_NE(e.diagnostic().hint.find("inside of one another"), std::string::npos);
         EXPECT_FALSE(e.diagnostic().place.file.empty());
     }

@@ -34,7 +34,7 @@ protected:
             resolve(base, numerator, denominator);
             FAIL() << base << " was resolved";
         } catch (const Error& e) {
-            EXPECT_EQ(e.kind(), Kind::refused);
+            EXPECT_EQ(e.kind(), ErrorKind::refused);
             EXPECT_EQ(e.diagnostic().rule,
                       "the certificate substitutes into the equation as written: " + rule);
             EXPECT_EQ(e.diagnostic().value, part + " in " + system.equations[0].text);

@@ -11,7 +11,7 @@ std::string message_of(const std::function<void()>& action) {
     try {
         action();
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::bad_input);
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
         return error.what();
     }
     return "no error";

@@ -69,14 +69,14 @@ TEST_F(GraphOfTwoSymbols, DivisionByZeroAndRootsOfNegativeNumbersAreRefused) {
         graph.power(number(0), -1);
         FAIL() << "1/0 was accepted";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         EXPECT_EQ(error.diagnostic().rule, "a division by zero cannot be emitted");
     }
     try {
         graph.root(number(-2), 2);
         FAIL() << "sqrt(-2) was accepted";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         EXPECT_EQ(error.diagnostic().value, "-2");
     }
 }

@@ -142,7 +142,7 @@ TEST(Transgression, IsOfWhatIsConstantAtEpsZero) {
         transgression_text("henon_heiles", 1);
         FAIL() << "printed";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::bad_input);
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
         expect_part(error.what(), "stage transgression is of what is constant at eps = 0");
     }
 }

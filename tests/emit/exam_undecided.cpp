@@ -16,7 +16,7 @@ std::string message_of(const std::string& cubic) {
     try {
         require_decided(normalize_poincare(field, 3).normal_form);
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         return e.what();
     }
     return "";

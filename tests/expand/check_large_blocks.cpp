@@ -90,7 +90,7 @@ std::string message(const std::string& toml) {
     try {
         test::field_from(toml);
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused) << e.what();
+        EXPECT_EQ(e.kind(), ErrorKind::refused) << e.what();
         return e.what();
     }
     ADD_FAILURE() << "accepted:\n" << toml;

@@ -22,7 +22,7 @@ std::string system_with(const std::string& equation, const std::string& extra = 
 
 TEST(ExpandErrors, LinearPartsThatAreNotSemisimple) {
     for (const std::string equation : {"x'' + x^3 = 0", "x'' + 2*x' + x + x^3 = 0", "x'' + g*x^2 = 0"}) {
-        const std::string m = test::refusal(system_with(equation), Kind::refused);
+        const std::string m = test::refusal(system_with(equation), ErrorKind::refused);
         EXPECT_TRUE(test::has(m, "semisimple"));
         EXPECT_TRUE(test::has(m, "inner_product"));
         EXPECT_TRUE(test::has(m, "test/system.toml"));
@@ -32,14 +32,14 @@ TEST(ExpandErrors, LinearPartsThatAreNotSemisimple) {
 TEST(ExpandErrors, ADoubleEigenvalueIsNamedByItsVariables) {
     const std::string m = test::refusal(
         test::system_text("s", {{"y", "fast", "y' = -y - h"}, {"h", "fast", "h' = 4*y - 5*h + y^2"}}),
-        Kind::refused);
+        ErrorKind::refused);
     EXPECT_TRUE(test::has(m, "found: two equal eigenvalues with one eigenvector: y, h\n"));
 }
 
 TEST(ExpandErrors, BlocksThatAreTooLarge) {
     const std::string m = test::refusal(
         test::system_text("s", {{"x", "fast", "x'' + x' - y' + x = 0"}, {"y", "fast", "y'' + x' + y = 0"}}),
-        Kind::refused);
+        ErrorKind::refused);
     EXPECT_TRUE(test::has(m, "of the characteristic polynomial of x, y"));
 }
 
@@ -49,18 +49,18 @@ TEST(ExpandErrors, LightTermsWithFunctionsAsFactors) {
         test::refusal("[system]\nname = \"s\"\n[parameters]\ns = { positive = true }\n[variables]\n"
                       "x = { role = \"fast\" }\ny = { role = \"fast\", weight = 2 }\n[equations]\n"
                       "x = \"x'' + x = x^2\"\ny = \"y'' + 3*y = log(s)*x\"\n",
-                      Kind::refused);
+                      ErrorKind::refused);
     EXPECT_TRUE(test::has(m, "a term in the rate of a fast variable has its weight at least"));
     EXPECT_TRUE(test::has(m, "log(s)*x"));
 }
 
 TEST(ExpandErrors, FiniteFastVariablesAreLinearAtRest) {
     const std::string m =
-        test::refusal(system_with("x'' + x + x^3 = 0", "y = { role = \"fast\" }\n"), Kind::bad_input);
+        test::refusal(system_with("x'' + x + x^3 = 0", "y = { role = \"fast\" }\n"), ErrorKind::bad_input);
     EXPECT_TRUE(test::has(m, "a variable has an equation"));
     const std::string finite = "[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\", weight = 0 }\n"
                                "[equations]\nx = \"x'' + x + x^3 + eps*x^2 = 0\"\n";
-    EXPECT_TRUE(test::has(test::refusal(finite, Kind::refused), "the rest for x' is -x^3"));
+    EXPECT_TRUE(test::has(test::refusal(finite, ErrorKind::refused), "the rest for x' is -x^3"));
 }
 
 TEST(ExpandErrors, FunctionsOfFiniteFastVariables) {
@@ -71,7 +71,7 @@ TEST(ExpandErrors, FunctionsOfFiniteFastVariables) {
     };
     for (const std::string f :
          {"exp(u)", "sin(1 + u)", "sqrt(2 + u)", "1/(2 + u)", "tanh(k + u)", "log(k + u)"}) {
-        const std::string m = test::refusal(rate(f), Kind::refused);
+        const std::string m = test::refusal(rate(f), ErrorKind::refused);
         EXPECT_TRUE(test::has(m, "are expanded in small variables, not in finite ones")) << m;
         EXPECT_TRUE(test::has(m, ":9:6: equations.u")) << m;
     }
@@ -84,33 +84,33 @@ TEST(ExpandErrors, AnglesOccurInHarmonicsOnly) {
         const std::string toml = "[system]\nname = \"s\"\n[variables]\ntau = { role = \"slow\" }\n"
                                  "phi = { role = \"angle\" }\n[equations]\ntau = \"tau' = " +
                                  rate + "\"\nphi = \"phi' = 1 + tau\"\n";
-        EXPECT_TRUE(
-            test::has(test::refusal(toml, Kind::refused), "sin and cos of integer combinations of angles"))
+        EXPECT_TRUE(test::has(test::refusal(toml, ErrorKind::refused),
+                              "sin and cos of integer combinations of angles"))
             << rate;
     }
     const std::string uneven =
         test::system_text("s", {{"tau", "slow", "tau' = eps"}, {"phi", "angle", "phi' = 2 + cos(phi)"}});
-    EXPECT_TRUE(test::has(test::refusal(uneven, Kind::refused), "the rate of an angle at eps = 0"));
+    EXPECT_TRUE(test::has(test::refusal(uneven, ErrorKind::refused), "the rate of an angle at eps = 0"));
 }
 
 TEST(ExpandErrors, ForceAtTheOrigin) {
-    const std::string m = test::refusal(system_with("x'' + x - g = 0"), Kind::bad_input);
+    const std::string m = test::refusal(system_with("x'' + x - g = 0"), ErrorKind::bad_input);
     EXPECT_TRUE(test::has(m, "x'' = g there"));
     EXPECT_TRUE(test::has(m, "shift x to the equilibrium"));
 }
 
 TEST(ExpandErrors, AForceThatMayBeZero) {
     const std::string m =
-        test::refusal(system_with("x'' + x = atan(3) + atan(1/3) - pi/2 + x^3"), Kind::refused);
+        test::refusal(system_with("x'' + x = atan(3) + atan(1/3) - pi/2 + x^3"), ErrorKind::refused);
     EXPECT_TRUE(test::has(m, "is proved to be an equilibrium"));
     EXPECT_TRUE(
-        test::has(test::refusal(system_with("x'' + x = log(2)"), Kind::bad_input), "is an equilibrium"));
+        test::has(test::refusal(system_with("x'' + x = log(2)"), ErrorKind::bad_input), "is an equilibrium"));
 }
 
 TEST(ExpandErrors, FrequencyNotProvedPositive) {
-    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + (1 + tau)*x = 0"), Kind::refused),
+    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + (1 + tau)*x = 0"), ErrorKind::refused),
                           "omega^2 = 1 + tau for x"));
-    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + tau*x = 0"), Kind::refused),
+    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + tau*x = 0"), ErrorKind::refused),
                           "tau = { positive = true, ... }"));
     EXPECT_NO_THROW(expand(test::first_order_from(system_with("x'' - g*x = 0")))); // a saddle
     EXPECT_NO_THROW(expand(test::first_order_from(
@@ -129,41 +129,41 @@ TEST(ExpandErrors, SignsOfConstantsAreDecided) {
     // Nobody is told to declare a number positive that is not.
     for (const char* wrong : {"x'' + x + x^3*log(1 - pi) = 0", "x'' + x + x^3*sqrt(cos(2)) = 0",
                               "x'' + (atan(3) + atan(1/3) - pi/2)*x = 0"}) {
-        const std::string m = test::refusal(system_with(wrong), Kind::refused);
+        const std::string m = test::refusal(system_with(wrong), ErrorKind::refused);
         EXPECT_TRUE(test::has(m, "this is a number: correct it"));
         EXPECT_EQ(m.find("declare what"), std::string::npos) << m;
     }
 }
 
 TEST(ExpandErrors, DivisionByZero) {
-    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + x + eps/x = 0"), Kind::bad_input),
+    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + x + eps/x = 0"), ErrorKind::bad_input),
                           "divided by an expression that is zero"));
-    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + x + eps*x/(x - eps) = 0"), Kind::bad_input),
+    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + x + eps*x/(x - eps) = 0"), ErrorKind::bad_input),
                           "divided by an expression that is zero"));
-    EXPECT_TRUE(test::has(test::refusal(system_with("x''/x + 1 = x^3"), Kind::bad_input), "found: x"));
+    EXPECT_TRUE(test::has(test::refusal(system_with("x''/x + 1 = x^3"), ErrorKind::bad_input), "found: x"));
     for (const std::string role : {"slow", "drift", "angle"})
         for (const std::string rate : {"eps/x", "1/eps", "x/eps"}) {
             const std::string m = test::refusal(
                 "[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\" }\nJ = { role = \"" + role +
                     "\" }\n[equations]\nx = \"x'' + x = x^3\"\nJ = \"J' = " + rate + "\"\n",
-                Kind::bad_input);
+                ErrorKind::bad_input);
             EXPECT_TRUE(test::has(m, "divided by an expression that is zero"));
             EXPECT_TRUE(test::has(m, "equations.J"));
         }
     EXPECT_TRUE(test::has(
-        test::refusal(system_with("x'' + a*x = x^3", "[relations]\na = \"2*g/eps\"\n"), Kind::bad_input),
+        test::refusal(system_with("x'' + a*x = x^3", "[relations]\na = \"2*g/eps\"\n"), ErrorKind::bad_input),
         "a relation has a value at eps = 0"));
 }
 
 TEST(ExpandErrors, DivisionByWhatIsNotProvedNonZero) {
-    const std::string m = test::refusal(system_with("x'' + x + eps*x/a = 0"), Kind::refused);
+    const std::string m = test::refusal(system_with("x'' + x + eps*x/a = 0"), ErrorKind::refused);
     EXPECT_TRUE(test::has(m, "nothing is divided by an expression that is not proved to be non-zero"));
     EXPECT_TRUE(test::has(m, "nonzero = true"));
 }
 
 TEST(ExpandErrors, FunctionsOfSlowVariables) {
     const auto refused = [](const std::string& equation) {
-        return test::refusal(system_with(equation), Kind::refused);
+        return test::refusal(system_with(equation), ErrorKind::refused);
     };
     EXPECT_TRUE(test::has(refused("x'' + x + eps*log(tau)*x = 0"),
                           "a logarithm is taken only of what is proved to be positive"));
@@ -171,12 +171,12 @@ TEST(ExpandErrors, FunctionsOfSlowVariables) {
     EXPECT_TRUE(test::has(refused("x'' + x + eps*x*tan(tau) = 0"), "found: cos(tau)"));
     EXPECT_TRUE(test::has(refused("x'' + x + eps*x/(1 + sin(tau)) = 0"), "found: 1 + sin(tau)"));
     EXPECT_TRUE(test::has(
-        test::refusal(system_with("x'' + x + eps*x/(sin(tau)^2 + cos(tau)^2 - 1) = 0"), Kind::bad_input),
+        test::refusal(system_with("x'' + x + eps*x/(sin(tau)^2 + cos(tau)^2 - 1) = 0"), ErrorKind::bad_input),
         "divided by an expression that is zero"));
     EXPECT_TRUE(test::has(refused("x'' + x + eps*asin(tau)*x = 0"), "is proved to lie between -1 and 1"));
     for (const char* of_zero : {"x'' + x + eps*log(x) = 0", "x'' + x + x^3*log(eps) = 0"})
         EXPECT_TRUE(
-            test::has(test::refusal(system_with(of_zero), Kind::bad_input), "log has no value at zero"));
+            test::has(test::refusal(system_with(of_zero), ErrorKind::bad_input), "log has no value at zero"));
     EXPECT_TRUE(test::has(refused("x'' + (1 + cos(tau))*x = 0"), "the square of a frequency is proved"));
 }
 
@@ -206,7 +206,7 @@ TEST(ExpandErrors, OfSeveralReasonsTheSameOneIsNamed) {
 TEST(ExpandErrors, AnArcCosineLeavesPi) {
     EXPECT_NO_THROW(expand(test::first_order_from(system_with("x'' + x + eps*x*(pi/2 - acos(x)) = 0"))));
     EXPECT_NO_THROW(expand(test::first_order_from(system_with("x'' + x + eps*x*acos(x) = 0"))));
-    const std::string m = test::refusal(system_with("x'' + x + acos(x) = 0"), Kind::bad_input);
+    const std::string m = test::refusal(system_with("x'' + x + acos(x) = 0"), ErrorKind::bad_input);
     EXPECT_TRUE(test::has(m, "x'' = -1/2*pi there"));
 }
 
@@ -228,7 +228,7 @@ TEST(ExpandErrors, WhatTheRingCannotHoldHasAPlace) {
           {"x'' + x + eps*x*sqrt(g^64 + 1) = 0", "exponents under a root are at most 63"}}) {
         const std::string m =
             test::refusal(system_with(equation.find('=') == std::string::npos ? equation + " = 0" : equation),
-                          Kind::refused);
+                          ErrorKind::refused);
         EXPECT_TRUE(test::has(m, rule));
         EXPECT_TRUE(test::has(m, "test/system.toml:"));
         EXPECT_TRUE(test::has(m, "equations.x"));
@@ -239,17 +239,17 @@ TEST(ExpandErrors, WhatTheRingCannotHoldHasAPlace) {
 TEST(ExpandErrors, ModesKeepTheirNames) {
     const std::string toml =
         test::system_text("s", {{"x", "fast", "x'' + x + eps*z1*x^2 = 0"}}, "[parameters]\nz1 = {}\n");
-    EXPECT_TRUE(test::has(test::refusal(toml, Kind::bad_input),
+    EXPECT_TRUE(test::has(test::refusal(toml, ErrorKind::bad_input),
                           "reserved are I, pi, E, eps, lambda, t, z1, z2, ..."));
 }
 
 TEST(ExpandErrors, SlowAndDriftRatesVanishWithEps) {
     const std::string slow =
         test::system_text("s", {{"x", "fast", "x'' + x = 0"}, {"tau", "slow", "tau' = 1"}});
-    EXPECT_TRUE(test::has(test::refusal(slow, Kind::bad_input), "tau' = 1"));
+    EXPECT_TRUE(test::has(test::refusal(slow, ErrorKind::bad_input), "tau' = 1"));
     const std::string drift =
         test::system_text("s", {{"x", "fast", "x'' + x + eps*y*x = 0"}, {"y", "drift", "y' = eps"}});
-    EXPECT_TRUE(test::has(test::refusal(drift, Kind::bad_input), "the equation of x contains y"));
+    EXPECT_TRUE(test::has(test::refusal(drift, ErrorKind::bad_input), "the equation of x contains y"));
 }
 
 } // namespace resonform

@@ -65,47 +65,50 @@ TEST(GivenModes, RealModesAndZeroEntries) {
 }
 
 TEST(GivenModes, AResidualIsRefusedWithItsValue) {
-    const std::string m = test::refusal(with_bad(first, "I*w1/2", "I*w1"), Kind::bad_input);
+    const std::string m = test::refusal(with_bad(first, "I*w1/2", "I*w1"), ErrorKind::bad_input);
     EXPECT_TRUE(test::has(m, "A u - eigenvalue u is zero"));
     EXPECT_TRUE(test::has(m, "for z1, in the rate of x"));
     EXPECT_TRUE(test::has(m, "modes.z1"));
     EXPECT_TRUE(test::has(m, "test/system.toml:13"));
     EXPECT_TRUE(
-        test::has(test::refusal(with_bad(second, "\"I*w2\"", "\"I*w1\""), Kind::bad_input), "for z3"));
+        test::has(test::refusal(with_bad(second, "\"I*w2\"", "\"I*w1\""), ErrorKind::bad_input), "for z3"));
 }
 
 TEST(GivenModes, DependentColumnsAreRefused) {
     const std::string again =
         R"(z3 = { eigenvalue = "I*w1", u = { x = 1, y = 1, "x'" = "I*w1", "y'" = "I*w1" } })";
-    EXPECT_TRUE(test::has(test::refusal(with_modes(first + again), Kind::bad_input), "linearly independent"));
+    EXPECT_TRUE(
+        test::has(test::refusal(with_modes(first + again), ErrorKind::bad_input), "linearly independent"));
 }
 
 TEST(GivenModes, OfAPairTheFirstIsGiven) {
     const std::string conjugate =
         R"(z1 = { eigenvalue = "-I*w1", u = { x = "1/2", y = "1/2", "x'" = "-I*w1/2", "y'" = "-I*w1/2" } })"
         "\n";
-    EXPECT_TRUE(
-        test::has(test::refusal(with_modes(conjugate + second), Kind::bad_input), "positive imaginary part"));
-    const std::string m = test::refusal(with_modes(first + second, "{}"), Kind::refused);
+    EXPECT_TRUE(test::has(test::refusal(with_modes(conjugate + second), ErrorKind::bad_input),
+                          "positive imaginary part"));
+    const std::string m = test::refusal(with_modes(first + second, "{}"), ErrorKind::refused);
     EXPECT_TRUE(test::has(m, "w2 for z3"));
     EXPECT_TRUE(test::has(m, "modes.z3.eigenvalue"));
 }
 
 TEST(GivenModes, TheTableIsChecked) {
-    EXPECT_TRUE(test::has(test::refusal(with_modes(first), Kind::bad_input), "modes for 2 of 4"));
-    EXPECT_TRUE(test::has(test::refusal(with_bad(second, "z3", "z2"), Kind::bad_input), "call it z3"));
+    EXPECT_TRUE(test::has(test::refusal(with_modes(first), ErrorKind::bad_input), "modes for 2 of 4"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(second, "z3", "z2"), ErrorKind::bad_input), "call it z3"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "\"x'\"", "\"x''\""), ErrorKind::bad_input),
+                          "below the highest"));
     EXPECT_TRUE(
-        test::has(test::refusal(with_bad(first, "\"x'\"", "\"x''\""), Kind::bad_input), "below the highest"));
-    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "eigenvalue", "value"), Kind::bad_input), "value"));
-    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "I*w3/2"), Kind::bad_input), "w3"));
-    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "sqrt(I)*w1"), Kind::bad_input),
+        test::has(test::refusal(with_bad(first, "eigenvalue", "value"), ErrorKind::bad_input), "value"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "I*w3/2"), ErrorKind::bad_input), "w3"));
+    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "sqrt(I)*w1"), ErrorKind::bad_input),
                           "outside of roots"));
-    EXPECT_TRUE(test::has(test::refusal(with_bad(first, "I*w1/2", "w1/(I - I)"), Kind::bad_input), "zero"));
-    EXPECT_TRUE(test::has(
-        test::refusal(with_modes("z1 = { eigenvalue = \"-1\", u = { x = \"I\" } }\n"), Kind::bad_input),
-        "a real mode has a real column"));
     EXPECT_TRUE(
-        test::has(test::refusal(with_modes("z1 = { eigenvalue = \"I*w1\" }\n"), Kind::bad_input), "no u"));
+        test::has(test::refusal(with_bad(first, "I*w1/2", "w1/(I - I)"), ErrorKind::bad_input), "zero"));
+    EXPECT_TRUE(test::has(
+        test::refusal(with_modes("z1 = { eigenvalue = \"-1\", u = { x = \"I\" } }\n"), ErrorKind::bad_input),
+        "a real mode has a real column"));
+    EXPECT_TRUE(test::has(test::refusal(with_modes("z1 = { eigenvalue = \"I*w1\" }\n"), ErrorKind::bad_input),
+                          "no u"));
 }
 
 } // namespace resonform

@@ -19,7 +19,7 @@ std::string refusal_of_divisors(const std::string& toml, const std::string& symb
     try {
         with_divisors(*field, divisors);
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         return e.diagnostic().hint;
     }
     ADD_FAILURE() << "accepted:\n" << toml;

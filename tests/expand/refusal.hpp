@@ -11,7 +11,7 @@
 namespace resonform::test {
 
 // The message: of this kind, of at most 2 kB, with its place and its hint.
-inline std::string refusal(const std::string& toml, Kind kind) {
+inline std::string refusal(const std::string& toml, ErrorKind kind) {
     try {
         field_from(toml);
     } catch (const Error& e) {

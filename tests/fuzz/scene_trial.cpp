@@ -126,7 +126,7 @@ std::optional<Derived> SceneTrial::attempted(int attempt) {
         result_.reason = "hardly a point of emitted = symbolic lies in the domain";
     } catch (const Error& error) {
         result_.reason = error.what();
-        if (error.kind() != Kind::refused) result_.wrong = error.what();
+        if (error.kind() != ErrorKind::refused) result_.wrong = error.what();
     }
     ++result_.refused;
     return std::nullopt;

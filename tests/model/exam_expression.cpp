@@ -38,7 +38,7 @@ protected:
         try {
             read(text);
         } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), Kind::bad_input);
+            EXPECT_EQ(error.kind(), ErrorKind::bad_input);
             EXPECT_LE(std::string(error.what()).size(), 2048U);
             const Diagnostic& d = error.diagnostic();
             return std::to_string(d.place.column) + ": " + d.rule + " | " + d.value + " | " + d.hint;

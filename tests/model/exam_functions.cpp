@@ -29,7 +29,7 @@ std::string message(const std::string& functions, const std::string& equation = 
     try {
         with_functions(functions, equation);
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::bad_input);
+        EXPECT_EQ(e.kind(), ErrorKind::bad_input);
         return e.what();
     }
     ADD_FAILURE() << "accepted: " << functions;

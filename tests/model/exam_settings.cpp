@@ -21,7 +21,7 @@ std::string complaint(const std::vector<std::string>& texts) {
     try {
         set(texts);
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::bad_input);
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
         return error.what();
     }
     return "";
@@ -58,7 +58,7 @@ TEST(Settings, MakeNoDenominatorZero) {
         set({"v=1"}, file);
         ADD_FAILURE();
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::bad_input);
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
         EXPECT_NE(
             std::string(error.what()).find("equations.psi: the values of --set make no denominator zero"),
             std::string::npos)
@@ -95,7 +95,7 @@ TEST(Settings, SignsOfConstantsAreDecidedByIntervals) {
         set({"g=sin(1)^2+cos(1)^2-1"});
         FAIL() << "accepted";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         EXPECT_NE(std::string(error.what()).find("may be zero"), std::string::npos) << error.what();
     }
 }

@@ -128,7 +128,7 @@ TEST(SystemFile, MissingFilesAndFolders) {
         try {
             read_system(file);
         } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), Kind::bad_input);
+            EXPECT_EQ(error.kind(), ErrorKind::bad_input);
             return error.diagnostic().rule;
         }
         return "";

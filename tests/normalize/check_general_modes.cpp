@@ -214,7 +214,7 @@ TEST(Angles, AResonantForcingAsLargeAsTheModeIsRefused) {
                            2);
         ADD_FAILURE() << "accepted";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_NE(std::string(e.what()).find("scale the forcing"), std::string::npos) << e.what();
     }
     // scaled, it is kept

@@ -150,7 +150,7 @@ TEST(GraphCoefficients, OfAlgebraicLeavesAreRefused) {
             static_cast<void>(normalize_in_graph(field, 3));
             FAIL() << first;
         } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), Kind::refused);
+            EXPECT_EQ(error.kind(), ErrorKind::refused);
             EXPECT_NE(std::string(error.what()).find("independent symbols"), std::string::npos);
             EXPECT_EQ(error.diagnostic().value, found);
         }

@@ -62,7 +62,7 @@ TEST(HiddenZeros, UndecidedOnesAreRefused) {
             test::field_from(text);
             ADD_FAILURE() << "accepted: " << text;
         } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), Kind::refused) << error.what();
+            EXPECT_EQ(error.kind(), ErrorKind::refused) << error.what();
             EXPECT_NE(error.diagnostic().value.find("which may be zero"), std::string::npos) << error.what();
             EXPECT_EQ(error.diagnostic().place.key, std::string("equations.") + variable);
         }

@@ -295,7 +295,7 @@ std::string refusal(const std::string& toml) {
     try {
         static_cast<void>(normalize(test::field_from(toml), 2));
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         return e.diagnostic().rule + " | " + e.diagnostic().hint;
     }
     return "not refused";

@@ -212,7 +212,7 @@ TEST(Numbers, WhatCannotBeToldFromZeroIsRefusedOrKeptNear) {
         normalize_in_numbers(field_of(fast(doubled()), 15), 2);
         FAIL() << "2 omega_1 = omega_2 was divided by";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         const std::string text = error.what();
         EXPECT_NE(text.find("told from zero"), std::string::npos) << text;
         EXPECT_NE(text.find("system.toml:"), std::string::npos) << text;
@@ -256,7 +256,7 @@ TEST(Numbers, OnTheThresholdTheMessageNamesMonomialDivisorAndValue) {
                 normalize_in_numbers(field_of(toml, digits), 2);
             FAIL() << digits;
         } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), Kind::refused);
+            EXPECT_EQ(error.kind(), ErrorKind::refused);
             const std::string text = error.what();
             EXPECT_NE(text.find("system.toml:9:"), std::string::npos) << text;
             EXPECT_NE(text.find("D(z2*z3) of z1 = i*(-2*omega_x + omega_y)"), std::string::npos) << text;
@@ -328,16 +328,16 @@ TEST(Numbers, WantNumbers) {
             return error.kind();
         }
         ADD_FAILURE() << "not an error: " << toml;
-        return Kind::bad_input;
+        return ErrorKind::bad_input;
     };
     EXPECT_EQ(kind_of(test::system_text("p", {{"x", "fast", "x'' = -x + k*x^3"}}, "[parameters]\nk = {}\n")),
-              Kind::bad_input);
+              ErrorKind::bad_input);
     EXPECT_EQ(
         kind_of(fast({{"x", "x'' = -x + tau*x^3"}}, "tau = { role = \"slow\" }\n", "tau = \"tau' = eps\"\n")),
-        Kind::refused);
+        ErrorKind::refused);
     EXPECT_EQ(kind_of(fast({{"x", "x' = y"}, {"y", "y' = x^2"}}, "", "",
                            "[normal_form]\nstyle = \"inner_product\"\n")),
-              Kind::refused);
+              ErrorKind::refused);
 }
 
 } // namespace

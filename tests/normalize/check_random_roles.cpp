@@ -123,7 +123,7 @@ bool check(const std::string& toml) {
         }
         return true;
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused) << e.what() << "\n" << toml;
+        EXPECT_EQ(e.kind(), ErrorKind::refused) << e.what() << "\n" << toml;
         return false;
     }
 }

@@ -167,7 +167,7 @@ TEST(SeveralFrequencies, MoreDivisorsThanARingHoldsAreRefused) {
         static_cast<void>(normalize_poincare(field, 4));
         FAIL() << "this needs more than 32 generators";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         EXPECT_NE(std::string(error.what()).find("--set"), std::string::npos) << error.what();
     }
 }

@@ -55,7 +55,7 @@ TEST(Adiabatic, TheLastDerivativeIsNotFollowed) {
         static_cast<void>(test::certificate_of(n));
         FAIL() << last << " was followed";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         EXPECT_EQ(error.diagnostic().rule,
                   "a normal form holds no higher derivatives than its weights can bring");
         EXPECT_EQ(error.diagnostic().value, last);

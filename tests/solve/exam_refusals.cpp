@@ -13,8 +13,8 @@ using namespace resonform::testing;
 
 namespace {
 
-void expect_error(const std::string& toml, int order, int truncation, Kind kind, const std::string& value,
-                  const std::string& hint) {
+void expect_error(const std::string& toml, int order, int truncation, ErrorKind kind,
+                  const std::string& value, const std::string& hint) {
     const auto normalization = std::make_shared<const Normalization>(
         normalize_poincare(field_of(read_system_text(toml, "test.toml")), truncation));
     try {
@@ -31,20 +31,20 @@ void expect_error(const std::string& toml, int order, int truncation, Kind kind,
 TEST(Refusal, ASlowVariableThatRests) {
     const std::string resting =
         test::system_text("resting", {{"x", "fast", "x'' + (2 + tau^2)*x = 0"}, {"tau", "slow", "tau' = 0"}});
-    expect_error(resting, 2, 2, Kind::refused, "tau' = 0", "declare tau as a parameter");
+    expect_error(resting, 2, 2, ErrorKind::refused, "tau' = 0", "declare tau as a parameter");
 }
 
 TEST(Refusal, AModeThatDecaysAtOnce) {
     const std::string slaved =
         test::system_text("slaved", {{"x", "fast", "x'' + x + x*y = 0"}, {"y", "fast", "y' = -y + x^2"}});
-    expect_error(slaved, 1, 1, Kind::refused, "z3, a mode of y, does not oscillate",
+    expect_error(slaved, 1, 1, ErrorKind::refused, "z3, a mode of y, does not oscillate",
                  "multiply the damping by eps, or derive the normal form and its centre manifold");
 }
 
 TEST(Refusal, AnOscillatorThatIsDampedAtOnce) {
     const std::string strong = test::system_text(
         "strong", {{"x", "fast", "x'' + x = 0"}, {"y", "fast", "y'' + y' + 2*y + x^2 = 0"}});
-    expect_error(strong, 1, 1, Kind::refused, "z3, a mode of y, is damped or grows",
+    expect_error(strong, 1, 1, ErrorKind::refused, "z3, a mode of y, is damped or grows",
                  "multiply the damping by eps, or derive the normal form and its centre manifold");
 }
 
@@ -53,12 +53,12 @@ TEST(Refusal, AResonanceThatIsOnlyNear) {
     const std::string near = test::system_text(
         "near", {{"x", "fast", "x'' + x + x*y = 0"}, {"y", "fast", "y'' + 4.01*y + x^2 = 0"}},
         "[normal_form]\nnear = 0.01\n");
-    expect_error(near, 2, 2, Kind::refused, "the rate of z1 has a term whose divisor is only near zero",
+    expect_error(near, 2, 2, ErrorKind::refused, "the rate of z1 has a term whose divisor is only near zero",
                  "declare the resonance by [relations], with its detuning, instead of [normal_form] near");
 }
 
 TEST(Refusal, ATruncationBelowTheOrder) {
-    expect_error(duffing, 3, 2, Kind::bad_input, "order = 3, truncation = 2",
+    expect_error(duffing, 3, 2, ErrorKind::bad_input, "order = 3, truncation = 2",
                  "raise the truncation, or leave it out");
 }
 

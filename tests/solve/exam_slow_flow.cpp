@@ -168,7 +168,7 @@ TEST(ASlowFlow, LongTimesAreForFlowsThatAreSlowEnough) {
         check_time_scale(solution_of_text(one_to_two, 2, 5), long_scene(2, 2));
         FAIL() << "not refused";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_EQ(e.diagnostic().value, "time_scale = 2, the flow has rates of order eps^1");
         EXPECT_EQ(e.diagnostic().hint, "use time_scale = 1, or give the truncation yourself");
     }

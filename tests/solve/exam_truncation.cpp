@@ -50,7 +50,7 @@ TEST(Truncation, RefusesLongerTimesForASlowVariableThatRunsAway) {
         count_truncation(*field_of(pendulum()), scene(3, 2));
         FAIL() << "not refused";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_EQ(e.diagnostic().value, "time_scale = 2, xi' = O(eps) of constant sign");
         EXPECT_EQ(e.diagnostic().hint, "use time_scale = 1, or give the truncation yourself");
         EXPECT_EQ(e.diagnostic().place.file, "scene.toml");
@@ -64,7 +64,7 @@ void expect_refused(const Solution& solution, const Scene& scene, const std::str
         check_time_scale(solution, scene);
         FAIL() << "not refused";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_EQ(e.diagnostic().value, value);
         EXPECT_EQ(e.diagnostic().hint, hint);
     }

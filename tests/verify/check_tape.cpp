@@ -72,7 +72,7 @@ TYPED_TEST(TapeTypes, NumbersPassBetweenTypesWithoutLoss) {
 TEST(Tape, SharesEqualSubexpressionsAndFoldsConstants) {
     const Tape tape = Tape::rates(test::almost_holonomic_pendulum());
     int roots = 0, pairs = 0;
-    for (const Tape::Step& s : tape.body()) {
+    for (const Tape::Instruction& s : tape.body()) {
         roots += s.op == Tape::Op::sqrt;
         pairs += s.op == Tape::Op::sin_cos;
     }
@@ -103,7 +103,7 @@ TEST(Tape, RefusesWhatItCannotIntegrate) {
         Tape::rates(system);
         FAIL() << "tgamma was accepted";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::refused);
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
         EXPECT_NE(error.diagnostic().value.find("tgamma"), std::string::npos);
         EXPECT_EQ(error.diagnostic().rule, "direct integration knows the elementary functions");
     }

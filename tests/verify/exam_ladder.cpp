@@ -79,7 +79,7 @@ TEST(Ladder, RefusesAParameterWithoutValue) {
         test::verified(line);
         FAIL() << "a free parameter was integrated";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), Kind::bad_input);
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
         EXPECT_EQ(error.diagnostic().rule, "verification needs a value for every parameter");
         EXPECT_EQ(error.diagnostic().hint, "add r = ... under [fix]");
     }

@@ -94,7 +94,7 @@ TEST(FlowStart, KindsAreNotMixed) {
         test::program_of(mixed);
         FAIL() << "accepted";
     } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), Kind::refused);
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_EQ(e.diagnostic().value, "x from its value, y from its amplitude and phase");
         EXPECT_EQ(e.diagnostic().hint, "give y and its derivatives under [start]");
     }

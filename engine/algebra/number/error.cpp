@@ -66,7 +66,7 @@ std::string shown(std::string_view text) {
     return printable(text.substr(0, whole(text, longest_field))) + " ...";
 }
 
-const char* to_string(Reason reason, Kind kind) {
+const char* to_string(Reason reason, ErrorKind kind) {
     switch (reason) {
     case Reason::by_kind: break;
     case Reason::command_line: return "command_line";
@@ -84,9 +84,9 @@ const char* to_string(Reason reason, Kind kind) {
     case Reason::fault: return "fault";
     }
     switch (kind) {
-    case Kind::check_failed: return "certificate";
-    case Kind::bad_input: return "value";
-    case Kind::refused: break;
+    case ErrorKind::check_failed: return "certificate";
+    case ErrorKind::bad_input: return "value";
+    case ErrorKind::refused: break;
     }
     return "unsupported";
 }

@@ -11,7 +11,7 @@
 namespace resonform {
 
 // Exit codes of the command (docs/file_formats.md): the kind of an error decides the code.
-enum class Kind {
+enum class ErrorKind {
     check_failed = 1, // the second route contradicts the first: nothing derived from it may be used
     bad_input = 2,    // the user's file, expression or command line breaks a rule
     refused = 3,      // the input is meaningful but the answer cannot be given honestly
@@ -60,27 +60,27 @@ std::string to_string(const Diagnostic& diagnostic);
 // User text as it is shown: of moderate length, without control characters.
 std::string shown(std::string_view text);
 
-const char* to_string(Reason reason, Kind kind);
+const char* to_string(Reason reason, ErrorKind kind);
 
 class Error : public std::runtime_error {
 public:
-    Error(Kind kind, Diagnostic diagnostic)
+    Error(ErrorKind kind, Diagnostic diagnostic)
         : std::runtime_error(to_string(diagnostic)), kind_(kind), diagnostic_(std::move(diagnostic)) {}
 
-    [[nodiscard]] Kind kind() const { return kind_; }
+    [[nodiscard]] ErrorKind kind() const { return kind_; }
     [[nodiscard]] const Diagnostic& diagnostic() const { return diagnostic_; }
 
 private:
-    Kind kind_;
+    ErrorKind kind_;
     Diagnostic diagnostic_;
 };
 
-[[noreturn]] inline void bad_input(Diagnostic d) { throw Error(Kind::bad_input, std::move(d)); }
+[[noreturn]] inline void bad_input(Diagnostic d) { throw Error(ErrorKind::bad_input, std::move(d)); }
 [[noreturn]] inline void bad_input(Reason reason, Diagnostic d) {
     d.reason = reason;
     bad_input(std::move(d));
 }
-[[noreturn]] inline void refuse(Diagnostic d) { throw Error(Kind::refused, std::move(d)); }
+[[noreturn]] inline void refuse(Diagnostic d) { throw Error(ErrorKind::refused, std::move(d)); }
 [[noreturn]] inline void refuse(Reason reason, Diagnostic d) {
     d.reason = reason;
     refuse(std::move(d));

@@ -17,7 +17,7 @@ namespace {
     const std::string name =
         g.kind == GeneratorKind::root ? spell(display(ring, g.radicand), text_spelling()) : g.name;
     throw DivisionByZero(
-        Kind::refused,
+        ErrorKind::refused,
         {"a value that is divided by must not be zero", name + " = 0", "change it under [fix]", {}});
 }
 

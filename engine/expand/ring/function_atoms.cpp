@@ -62,11 +62,11 @@ std::vector<Multiple> multiples(const ex& argument) {
     return result;
 }
 
-struct Angle {
+struct CosineSine {
     ex cosine, sine;
 };
 
-Angle sum_of(const Angle& a, const Angle& b) {
+CosineSine sum_of(const CosineSine& a, const CosineSine& b) {
     return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
 }
 
@@ -249,16 +249,16 @@ private:
         return found == known_.atoms_.end() ? nullptr : &*found;
     }
 
-    Angle angle(const ex& u) {
-        Angle total{1, 0};
+    CosineSine angle(const ex& u) {
+        CosineSine total{1, 0};
         for (const Multiple& m : multiples(u)) {
             if (m.part.is_equal(known_.pi_)) {
                 total = sum_of(total, fraction_of_turn(m.factor));
                 continue;
             }
             const auto [part, count] = whole_multiple("sin ", m);
-            const Angle one = circle(part);
-            Angle multiple{1, 0};
+            const CosineSine one = circle(part);
+            CosineSine multiple{1, 0};
             for (int k = 0; k < std::abs(count); ++k) {
                 multiple = sum_of(multiple, one);
                 multiple = {domain().expanded(multiple.cosine), domain().expanded(multiple.sine)};
@@ -270,9 +270,9 @@ private:
     }
 
     // Where sine and cosine have roots for values.
-    [[nodiscard]] Angle fraction_of_turn(const Rational& factor) const {
+    [[nodiscard]] CosineSine fraction_of_turn(const Rational& factor) const {
         const ex angle = to_ginac(factor) * GiNaC::Pi;
-        Angle turn{GiNaC::cos(angle), GiNaC::sin(angle)};
+        CosineSine turn{GiNaC::cos(angle), GiNaC::sin(angle)};
         if (has_function(turn.cosine) || has_function(turn.sine))
             refuse({"sines and cosines of multiples of pi are those of multiples of pi/12 and pi/10",
                     spell(GiNaC::sin(angle)), "write the angle, or its sine and cosine, as a parameter",
@@ -280,7 +280,7 @@ private:
         return turn;
     }
 
-    Angle circle(const ex& part) {
+    CosineSine circle(const ex& part) {
         const ex meaning = domain().meaning(part);
         const bool known = find(Function::cosine, part) != nullptr;
         const ex sine = atom(Function::sine, GiNaC::sin(meaning), part);

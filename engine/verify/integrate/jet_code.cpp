@@ -13,7 +13,7 @@ namespace resonform {
 namespace {
 
 using Op = Tape::Op;
-using Step = Tape::Step;
+using Instruction = Tape::Instruction;
 
 constexpr int unbounded = jet_pad + 1; // the degree of what is no polynomial, or one of high degree
 constexpr std::size_t sums_of_one_loop = 8;
@@ -22,7 +22,7 @@ bool has_two_results(Op op) {
     return op == Op::sin_cos || op == Op::sinh_cosh || op == Op::tan_secant || op == Op::tanh_sech;
 }
 
-int degree_of(const Step& step, const std::vector<int>& degrees) {
+int degree_of(const Instruction& step, const std::vector<int>& degrees) {
     const int left = degrees[static_cast<std::size_t>(step.left)];
     const int right = degrees[static_cast<std::size_t>(step.right)];
     switch (step.op) {
@@ -42,7 +42,7 @@ std::vector<int> degrees_in_time(const Tape& tape) {
     std::fill_n(degrees.begin(), tape.constant_count(), 0);
     for (bool changed = true; changed;) {
         changed = false;
-        for (const Step& step : tape.body()) {
+        for (const Instruction& step : tape.body()) {
             const int degree = std::min(unbounded, degree_of(step, degrees));
             degrees[static_cast<std::size_t>(step.result)] = degree;
             if (has_two_results(step.op)) degrees[static_cast<std::size_t>(step.result) + 1] = degree;
@@ -64,7 +64,7 @@ class JetText {
 public:
     explicit JetText(const Tape& tape)
         : tape_(tape), constants_(names_of_constants(tape)), degrees_(degrees_in_time(tape)) {
-        for (const Step& step : tape.body()) coefficient(step);
+        for (const Instruction& step : tape.body()) coefficient(step);
     }
 
     [[nodiscard]] std::size_t rows() const {
@@ -78,7 +78,7 @@ public:
             out += row_line(name(r), r - tape_.constant_count());
         for (const auto& [r, at] : weighted_) out += row_line(weighted_name(r), at);
         const auto first = [this](int r) { return at(r, "0"); };
-        for (const Step& step : tape_.body()) out += "    " + value_line(step, "", first);
+        for (const Instruction& step : tape_.body()) out += "    " + value_line(step, "", first);
         out += inverses_;
         for (std::size_t i = 0; i < tape_.outputs().size(); ++i)
             out += fmt::format("    {}[1] = {};\n", state(i), at(tape_.outputs()[i], "0"));
@@ -154,7 +154,7 @@ private:
         return found->second;
     }
 
-    void product(const Step& s) {
+    void product(const Instruction& s) {
         const int a = degree(s.left) <= degree(s.right) ? s.left : s.right,
                   b = a == s.left ? s.right : s.left;
         if (polynomial(a)) // b_{n-j} is zero for j > n
@@ -163,7 +163,7 @@ private:
         set(s.result, fmt::format("{} + {}*{} + {}*{}", full(name(a), name(b)), at(a, "0"), at(b, "n"),
                                   at(a, "n"), at(b, "0")));
     }
-    void quotient(const Step& s) {
+    void quotient(const Instruction& s) {
         const std::string rest = polynomial(s.right)
                                      ? short_sum(s.right, name(s.result))
                                      : fmt::format("({} + {}*{})", full(name(s.right), name(s.result)),
@@ -171,7 +171,7 @@ private:
         set(s.result, fmt::format("({} - {})*{}", at(s.left, "n"), rest, inverse(at(s.right, "0"))));
     }
     // n a_0 p_n = sum_{j=1}^n (j e - (n - j)) a_j p_{n-j} of p = a^e
-    void power(const Step& s, const std::string& e) {
+    void power(const Instruction& s, const std::string& e) {
         const std::string scale = "*" + inverse(at(s.left, "0")) + "*im";
         if (polynomial(s.left))
             return set(s.result, short_sum(s.left, name(s.result), [&](int j) {
@@ -183,7 +183,7 @@ private:
                         e, at(s.left, "n"), at(s.result, "0")) +
                 scale);
     }
-    void square_root(const Step& s) {
+    void square_root(const Instruction& s) {
         if (polynomial(s.left)) return power(s, "0.5");
         set(s.result,
             fmt::format("({} - {})*{}", at(s.left, "n"), half(s.result), inverse("2*" + at(s.result, "0"))));
@@ -193,17 +193,17 @@ private:
                                   : fmt::format("{}({} + 2*{}*{})", sign, half(a), at(a, "0"), at(a, "n")));
     }
     // s' = a' f, c' = sign a' g
-    void pair(const Step& s, const std::string& sign) {
+    void pair(const Instruction& s, const std::string& sign) {
         const std::string first = derivative_sum(s.left, s.result + 1),
                           second = derivative_sum(s.left, s.result);
         set(s.result, first + "*im");
         set(s.result + 1, sign + second + "*im");
     }
-    void with_square(const Step& s, const std::string& sign) {
+    void with_square(const Instruction& s, const std::string& sign) {
         set(s.result, derivative_sum(s.left, s.result + 1) + "*im");
         square(s.result, s.result + 1, sign);
     }
-    void coefficient(const Step& s) {
+    void coefficient(const Instruction& s) {
         switch (s.op) {
         case Op::add: return set(s.result, at(s.left, "n") + " + " + at(s.right, "n"));
         case Op::subtract: return set(s.result, at(s.left, "n") + " - " + at(s.right, "n"));

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 13> op_names{"add",       "subtract",   "
                                                     "divide",    "sqrt",       "power",    "exp",   "sin_cos",
                                                     "sinh_cosh", "tan_secant", "tanh_sech"};
 
-std::string line(const Tape::Step& s) {
+std::string line(const Tape::Instruction& s) {
     const std::string_view name =
         s.op == Tape::Op::function ? row_of(s.function).name : op_names[static_cast<std::size_t>(s.op)];
     return fmt::format("{} {} {} {}\n", name, s.result, s.left, s.right);
@@ -27,14 +27,14 @@ std::string Tape::text() const {
     std::string out = fmt::format("tape {} {} {} {}\n", parameters_, constants_, states_, registers_);
     for (const Number& n : numbers_)
         out += fmt::format("number {} {:a} {:a} {:a}\n", n.target, n.value[0], n.value[1], n.value[2]);
-    for (const Step& s : prologue_) out += line(s);
+    for (const Instruction& s : prologue_) out += line(s);
     out += "body\n";
-    for (const Step& s : body_) out += line(s);
+    for (const Instruction& s : body_) out += line(s);
     for (int r : outputs_) out += fmt::format("output {}\n", r);
     return out;
 }
 
-template <class Real> void run(const Tape::Step& step, Real* registers) {
+template <class Real> void run(const Tape::Instruction& step, Real* registers) {
     using Op = Tape::Op;
     using M = Math<Real>;
     const Real& left = registers[step.left];
@@ -77,13 +77,13 @@ BoundTape<Real>::BoundTape(const Tape& tape, const std::vector<Real>& parameters
     registers_[static_cast<std::size_t>(tape_.parameter_count())] = eps;
     for (const Tape::Number& n : tape_.numbers())
         registers_[static_cast<std::size_t>(n.target)] = from_parts<Real>(n.value);
-    for (const Tape::Step& step : tape_.prologue()) run(step, registers_.data());
+    for (const Tape::Instruction& step : tape_.prologue()) run(step, registers_.data());
 }
 
 template <class Real> void BoundTape<Real>::evaluate(const Real* state, Real* outputs) {
     Real* states = registers_.data() + tape_.constant_count();
     for (int i = 0; i < tape_.state_count(); ++i) states[i] = state[i];
-    for (const Tape::Step& step : tape_.body()) run(step, registers_.data());
+    for (const Tape::Instruction& step : tape_.body()) run(step, registers_.data());
     for (int r : tape_.outputs()) *outputs++ = registers_[static_cast<std::size_t>(r)];
 }
 
@@ -96,10 +96,10 @@ std::vector<Real> evaluate_constants(const Tape& tape, const std::vector<Real>& 
     return values;
 }
 
-template void run(const Tape::Step&, double*);
-template void run(const Tape::Step&, long double*);
-template void run(const Tape::Step&, Float128*);
-template void run(const Tape::Step&, DoubleDouble*);
+template void run(const Tape::Instruction&, double*);
+template void run(const Tape::Instruction&, long double*);
+template void run(const Tape::Instruction&, Float128*);
+template void run(const Tape::Instruction&, DoubleDouble*);
 template class BoundTape<double>;
 template class BoundTape<long double>;
 template class BoundTape<Float128>;

@@ -36,7 +36,7 @@ public:
         tanh_sech,  // result = tanh(left), result + 1 = 1 - tanh(left)^2
         function,   // f(left), known by its slope: b' = left' right
     };
-    struct Step {
+    struct Instruction {
         Op op;
         int result;
         int left;
@@ -64,8 +64,8 @@ public:
     [[nodiscard]] int parameter_count() const { return parameters_; }
     [[nodiscard]] int size() const { return registers_; }
     [[nodiscard]] const std::vector<Number>& numbers() const { return numbers_; }
-    [[nodiscard]] const std::vector<Step>& prologue() const { return prologue_; }
-    [[nodiscard]] const std::vector<Step>& body() const { return body_; }
+    [[nodiscard]] const std::vector<Instruction>& prologue() const { return prologue_; }
+    [[nodiscard]] const std::vector<Instruction>& body() const { return body_; }
     [[nodiscard]] const std::vector<int>& outputs() const { return outputs_; } // registers
     // Every operation and number, one per line: the key of caches, the same in every run.
     [[nodiscard]] std::string text() const;
@@ -79,12 +79,12 @@ private:
     int states_ = 0;
     int registers_ = 0;
     std::vector<Number> numbers_;
-    std::vector<Step> prologue_, body_;
+    std::vector<Instruction> prologue_, body_;
     std::vector<int> outputs_;
 };
 
 // Runs one step on values; defined for the four real types.
-template <class Real> void run(const Tape::Step& step, Real* registers);
+template <class Real> void run(const Tape::Instruction& step, Real* registers);
 
 // A tape with numbers put in for parameters and eps. It owns its registers: one per thread, copy it.
 template <class Real> class BoundTape {

@@ -262,7 +262,7 @@ TapeBuilder::Value TapeBuilder::lower_function(const GiNaC::ex& e) {
 
 void TapeBuilder::finish(const std::vector<Value>& outputs) {
     const auto place = [this](const Value& v) { return v.varying ? constants_ + v.index : v.index; };
-    const auto settle = [&](const std::vector<LooseStep>& from, std::vector<Tape::Step>& to) {
+    const auto settle = [&](const std::vector<LooseStep>& from, std::vector<Tape::Instruction>& to) {
         for (const LooseStep& s : from)
             to.push_back({s.op, place(s.result), place(s.left), place(s.right), s.function});
     };

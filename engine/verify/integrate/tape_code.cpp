@@ -22,7 +22,8 @@ std::string rates_text(const Tape& tape) {
     };
     std::string out = "extern \"C\" void rf_rates(const double* c, const double* u, double* rates) {\n"
                       "    (void)c; (void)u;\n";
-    for (const Tape::Step& step : tape.body()) out += "    " + value_line(step, "const double ", value);
+    for (const Tape::Instruction& step : tape.body())
+        out += "    " + value_line(step, "const double ", value);
     for (std::size_t i = 0; i < tape.outputs().size(); ++i)
         out += fmt::format("    rates[{}] = {};\n", i, value(tape.outputs()[i]));
     return out + "}\n";
@@ -30,7 +31,7 @@ std::string rates_text(const Tape& tape) {
 
 } // namespace
 
-std::string value_line(const Tape::Step& s, const std::string& type,
+std::string value_line(const Tape::Instruction& s, const std::string& type,
                        const std::function<std::string(int)>& value) {
     const std::string a = value(s.left), b = value(s.right), to = type + value(s.result) + " = ";
     const auto second = [&](const std::string& text) {

@@ -32,7 +32,7 @@ std::string emit_tape(const Tape& tape);
 // Its parts. The text of rf_jet:
 std::string jet_text(const Tape& tape);
 // One step of the tape as an assignment, `value(r)` being the name of register r.
-std::string value_line(const Tape::Step& step, const std::string& type,
+std::string value_line(const Tape::Instruction& step, const std::string& type,
                        const std::function<std::string(int)>& value);
 // "c[3]", or the number itself.
 std::map<int, std::string> names_of_constants(const Tape& tape);

@@ -52,18 +52,18 @@ TaylorJet<Real>::TaylorJet(const BoundTape<Real>& tape, int order)
 template <class Real> void TaylorJet<Real>::expand(const std::vector<Real>& state) {
     for (std::size_t i = 0; i < state.size(); ++i)
         values_[static_cast<std::size_t>(constants_) + i] = state[i];
-    for (const Tape::Step& step : tape_.body()) run(step, values_.data());
+    for (const Tape::Instruction& step : tape_.body()) run(step, values_.data());
     for (int r = constants_; r < tape_.size(); ++r) row(r)[0] = values_[static_cast<std::size_t>(r)];
     const std::vector<int>& rates = tape_.outputs();
     for (int n = 0; n < order_; ++n) {
         if (n > 0)
-            for (const Tape::Step& step : tape_.body()) coefficient(step, n);
+            for (const Tape::Instruction& step : tape_.body()) coefficient(step, n);
         for (std::size_t i = 0; i < rates.size(); ++i)
             row(constants_ + static_cast<int>(i))[n + 1] = row(rates[i])[n] / Real(n + 1);
     }
 }
 
-template <class Real> void TaylorJet<Real>::coefficient(const Tape::Step& step, int n) {
+template <class Real> void TaylorJet<Real>::coefficient(const Tape::Instruction& step, int n) {
     using Op = Tape::Op;
     const Real* a = row(step.left);
     const Real* b = row(step.right);

@@ -33,7 +33,7 @@ private:
     [[nodiscard]] const Real* row(int r) const {
         return rows_.data() + static_cast<std::size_t>(r) * stride_;
     }
-    void coefficient(const Tape::Step& step, int n);
+    void coefficient(const Tape::Instruction& step, int n);
 
     Tape tape_;
     std::vector<Real> values_; // a scratch copy of all registers, for coefficient 0

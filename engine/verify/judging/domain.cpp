@@ -25,7 +25,7 @@ std::string line_of(const std::string& file, int line) { return fmt::format("{}:
 
 } // namespace
 
-Domain::Domain(const FirstOrderSystem& system, const Scene& scene)
+DeclaredDomain::DeclaredDomain(const FirstOrderSystem& system, const Scene& scene)
     : system_(*system.system), scene_(scene), interval_text_(scene.verify.interval_text) {
     place_.file = scene.file.string();
     place_.key = "verify.interval";
@@ -56,7 +56,7 @@ Domain::Domain(const FirstOrderSystem& system, const Scene& scene)
     for (const Declaration& declared : system_.positive)
         add(declared.value, excerpt(declared.text) + " > 0",
             line_of(declared.source.file, declared.source.line));
-    for (const Motion& slow : motions_) {
+    for (const SlowMotion& slow : motions_) {
         const Variable& v = *system_.variable(slow.name);
         const GiNaC::ex x = v.jet.front();
         const std::string where = line_of(v.place.file, v.place.line);
@@ -67,7 +67,7 @@ Domain::Domain(const FirstOrderSystem& system, const Scene& scene)
 }
 
 // NaN where it is none: outside, then.
-double Domain::number(const GiNaC::ex& value, const Rational& eps, double t) const {
+double DeclaredDomain::number(const GiNaC::ex& value, const Rational& eps, double t) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const auto found = where_regular([&] {
         const GiNaC::ex e =
@@ -78,7 +78,7 @@ double Domain::number(const GiNaC::ex& value, const Rational& eps, double t) con
     return found.value_or(none);
 }
 
-void Domain::require(const Rational& eps) const {
+void DeclaredDomain::require(const Rational& eps) const {
     const double end = std::min(interval_length(scene_, eps), longest_interval);
     for (const Condition& condition : conditions_)
         for (int i = 0; i <= samples; ++i) {
@@ -93,7 +93,7 @@ void Domain::require(const Rational& eps) const {
         }
 }
 
-void Domain::complain(const Condition& condition, const Rational& eps, double t) const {
+void DeclaredDomain::complain(const Condition& condition, const Rational& eps, double t) const {
     std::vector<std::string> values;
     for (const std::size_t k : condition.slow)
         values.push_back(fmt::format("{} = {:.6g}", motions_[k].name, number(motions_[k].value, eps, t)));

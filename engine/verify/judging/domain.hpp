@@ -10,12 +10,12 @@
 
 namespace resonform {
 
-class Domain {
+class DeclaredDomain {
 public:
     // The scene must outlive it. Precondition: every parameter is fixed. Only slow variables of constant rate
     // are followed: conditions on others are left to the integration and to the evaluator, which answer
     // beyond with a status.
-    Domain(const FirstOrderSystem& system, const Scene& scene);
+    DeclaredDomain(const FirstOrderSystem& system, const Scene& scene);
 
     // Errors (bad_input): the slow variables leave the domain within the interval of the scene. The place is
     // the interval; the condition, its place, the values, and how long the motion may last are told.
@@ -28,7 +28,7 @@ private:
         std::string where;             // file:line of the declaration
         std::vector<std::size_t> slow; // which variables it is about
     };
-    struct Motion {
+    struct SlowMotion {
         std::string name;
         GiNaC::ex value;
     };
@@ -40,7 +40,7 @@ private:
     GiNaC::symbol time_{"t"};
     std::string interval_text_;
     Place place_; // of the interval
-    std::vector<Motion> motions_;
+    std::vector<SlowMotion> motions_;
     std::vector<Condition> conditions_;
 };
 

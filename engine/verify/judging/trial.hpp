@@ -77,7 +77,7 @@ private:
     std::shared_ptr<const EvaluatorLibrary> library_;
     Tape tape_, start_tape_; // start_tape_: the interval, then the given start values
     std::vector<Float128> parameters_;
-    Domain domain_;
+    DeclaredDomain domain_;
     Place interval_place_;
     std::vector<std::size_t> given_; // states with a given start value
     std::vector<std::size_t> output_states_;

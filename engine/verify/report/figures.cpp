@@ -62,7 +62,7 @@ std::vector<std::string> Figures::drift_outputs(const ErrorCurves& curves) const
     return names;
 }
 
-Figure Figures::path(const Motion& motion, const std::string& x, const std::string& y) const {
+Figure Figures::path(const MotionCurves& motion, const std::string& x, const std::string& y) const {
     const ErrorCurves& former = *motion.former;
     const std::size_t i = position(former, x), j = position(former, y);
     Plot plot{fmt::format("path_{}", identifier(fmt::format("{:g}", former.eps))),
@@ -94,21 +94,23 @@ Figure Figures::former_constant(const ErrorCurves& curves, std::size_t output) c
     return draw(plot, fmt::format("{} over εt, ε = {:g}", pretty(name), curves.eps));
 }
 
-Gallery Figures::transgression(const std::vector<Motion>& motions) const {
+Gallery Figures::transgression(const std::vector<MotionCurves>& motions) const {
     Gallery gallery;
     const ErrorCurves& first = *motions.front().former;
     for (std::size_t k = 0; k < first.outputs.size(); ++k)
-        for (const Motion& motion : motions) gallery.figures.push_back(former_constant(*motion.former, k));
+        for (const MotionCurves& motion : motions)
+            gallery.figures.push_back(former_constant(*motion.former, k));
     const std::vector<std::string> drift = drift_outputs(first);
     if (drift.size() == 2)
-        for (const Motion& motion : motions) gallery.figures.push_back(path(motion, drift[0], drift[1]));
+        for (const MotionCurves& motion : motions)
+            gallery.figures.push_back(path(motion, drift[0], drift[1]));
     return gallery;
 }
 
-Gallery Figures::motion(const std::vector<Motion>& motions) const {
+Gallery Figures::motion(const std::vector<MotionCurves>& motions) const {
     Gallery gallery;
     for (std::size_t k = 0; k < motions.front().full.outputs.size(); ++k)
-        for (const Motion& motion : motions) {
+        for (const MotionCurves& motion : motions) {
             const std::string& name = motion.full.outputs[k];
             const Plot plot{
                 fmt::format("motion_{}_{}", identifier(name),
@@ -124,10 +126,10 @@ Gallery Figures::motion(const std::vector<Motion>& motions) const {
     return gallery;
 }
 
-Gallery Figures::errors(const std::vector<Motion>& motions) const {
+Gallery Figures::errors(const std::vector<MotionCurves>& motions) const {
     Gallery gallery;
     for (std::size_t k = 0; k < motions.front().full.outputs.size(); ++k)
-        for (const Motion& motion : motions) {
+        for (const MotionCurves& motion : motions) {
             const std::string& name = motion.full.outputs[k];
             const Plot plot{
                 fmt::format("error_{}_{}", identifier(name),

@@ -15,7 +15,7 @@ namespace resonform::report {
 
 // Curves of a scene at one eps; of its two drifts without oscillation; of what is constant at eps = 0, if
 // anything is and has a start value.
-struct Motion {
+struct MotionCurves {
     ErrorCurves full;
     std::optional<ErrorCurves> mean, former;
 };
@@ -27,11 +27,11 @@ public:
     Figures(const System& system, std::filesystem::path scratch, bool drawn = true);
 
     // Every output over time.
-    [[nodiscard]] Gallery motion(const std::vector<Motion>& motions) const;
+    [[nodiscard]] Gallery motion(const std::vector<MotionCurves>& motions) const;
     // Former constants over eps*t, beside direct integration; two drifts: the second over the first, too.
-    [[nodiscard]] Gallery transgression(const std::vector<Motion>& motions) const;
+    [[nodiscard]] Gallery transgression(const std::vector<MotionCurves>& motions) const;
     // Direct integration minus emitted formula, one figure for each output and eps.
-    [[nodiscard]] Gallery errors(const std::vector<Motion>& motions) const;
+    [[nodiscard]] Gallery errors(const std::vector<MotionCurves>& motions) const;
     // max error over eps, its limit line, and the claimed order where that differs.
     [[nodiscard]] Gallery ladders(const std::vector<OutputVerdict>& outputs) const;
     // Error against run time, one figure for each task.
@@ -41,7 +41,7 @@ private:
     [[nodiscard]] Figure draw(const Plot& plot, std::string caption) const;
     [[nodiscard]] std::string label(const std::string& name) const; // "x, m"
     [[nodiscard]] std::vector<std::string> drift_outputs(const ErrorCurves& curves) const;
-    [[nodiscard]] Figure path(const Motion& motion, const std::string& x, const std::string& y) const;
+    [[nodiscard]] Figure path(const MotionCurves& motion, const std::string& x, const std::string& y) const;
     [[nodiscard]] Figure former_constant(const ErrorCurves& curves, std::size_t output) const;
     [[nodiscard]] Figure ladder(const OutputVerdict& output) const;
     [[nodiscard]] Figure work_of(const Comparison& comparison, Task task) const;

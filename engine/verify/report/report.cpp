@@ -51,8 +51,8 @@ std::optional<Scene> former_scene(const Scene& scene) {
     return former;
 }
 
-std::vector<Motion> motions(const Findings& f, const VerifyOptions& options) {
-    std::vector<Motion> found;
+std::vector<MotionCurves> motions(const Findings& f, const VerifyOptions& options) {
+    std::vector<MotionCurves> found;
     const std::optional<Scene> former = former_scene(*f.scene);
     const std::optional<Scene> mean = mean_scene(former ? *former : *f.scene);
     const auto curves = [&](const Scene& scene, const Rational& eps) {
@@ -60,7 +60,7 @@ std::vector<Motion> motions(const Findings& f, const VerifyOptions& options) {
     };
     for (const char* text : {"0.1", "0.01"}) {
         const Rational eps = parse_rational(text);
-        Motion motion{curves(*f.scene, eps), std::nullopt, std::nullopt};
+        MotionCurves motion{curves(*f.scene, eps), std::nullopt, std::nullopt};
         if (mean) motion.mean = curves(*mean, eps);
         if (former) motion.former = curves(*former, eps);
         found.push_back(std::move(motion));
@@ -219,7 +219,7 @@ Section rounding(const Findings& f) {
 }
 
 // The law, and how it looks.
-Section transgressed(const Findings& f, const Figures& figures, const std::vector<Motion>& curves) {
+Section transgressed(const Findings& f, const Figures& figures, const std::vector<MotionCurves>& curves) {
     Section section{"Transgression: what is constant at ε = 0",
                     {Preformatted{print_transgression(*f.solution, Format::text)}}};
     if (!curves.empty() && curves.front().former) section.blocks.push_back(figures.transgression(curves));
@@ -252,7 +252,7 @@ std::string subject_of(const std::string& page) {
 
 Page make_report(const Findings& f, const VerifyOptions& options, bool drawn) {
     const Figures figures(*f.scene->system, options.cache / "plots", drawn);
-    const std::vector<Motion> curves = drawn ? motions(f, options) : std::vector<Motion>{};
+    const std::vector<MotionCurves> curves = drawn ? motions(f, options) : std::vector<MotionCurves>{};
     const System& system = *f.scene->system;
     Page page{fmt::format("{}: {}", system.title, f.scene->title),
               fmt::format("System {}, scene {}; order {}, normal form and map through weight {}. {}",
