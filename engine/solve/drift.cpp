@@ -20,7 +20,7 @@ void solve_drift(Draft& draft) {
             const Polynomial part = Substitution(draft, through).rate_part(rate, n);
             if (part.empty()) continue;
             if (n == 0)
-                refuse({"a drift variable moves slowly: its rate is O(eps)",
+                refuse({"the drift variable does not move slowly: its rate is not O(eps)",
                         name + " has a rate of weight 0",
                         "multiply its rate by eps",
                         {}});

@@ -22,8 +22,8 @@ namespace {
 void check_moves(const GradedField& field) {
     for (const SlowVariable& slow : field.slow)
         if (!slow.driven && slow.rate.empty())
-            refuse({"a slow variable moves", slow.name + "' = 0", "declare " + slow.name + " as a parameter",
-                    field.system().place_of(slow.variable)});
+            refuse({"the slow variable does not move", slow.name + "' = 0",
+                    "declare " + slow.name + " as a parameter", field.system().place_of(slow.variable)});
 }
 
 void check_supported(const Normalization& normalization, const SolveOptions& options) {

@@ -104,7 +104,7 @@ TEST_F(ExactInputs, AResonanceOfExactValuesIsSeen) {
         scene(std::string("w = \"1 + sqrt(2)\"\nv = \"") + v + "\"");
         const Outcome outcome = said("evaluate systems/s/scenes/a.toml --eps 0.1 --t 1");
         EXPECT_EQ(outcome.code, 3) << outcome.out;
-        EXPECT_NE(outcome.err.find("no divisor that was divided by is zero with the values under [fix]"),
+        EXPECT_NE(outcome.err.find("a divisor that was divided by is zero with the values under [fix]"),
                   std::string::npos)
             << outcome.err;
     }
@@ -129,7 +129,7 @@ TEST_F(ExactInputs, FixedValuesObeyTheirDeclaration) {
     EXPECT_NE(complaint("sqrt(2)^2 - 2").find("declared positive"), std::string::npos);
     EXPECT_EQ(complaint("sqrt(1 - sqrt(2))")[0], '3');
     EXPECT_NE(complaint("sqrt(2)*10^100").find("lies between 1e-100 and 1e100"), std::string::npos);
-    EXPECT_NE(complaint("w").find("a symbol is declared before it is used"), std::string::npos);
+    EXPECT_NE(complaint("w").find("unknown symbol"), std::string::npos);
 }
 
 TEST_F(ExactInputs, StartValuesTakeFunctionsOfNumbers) {

@@ -106,7 +106,7 @@ TEST_F(Settings, OfAParameterThatARelationGives) {
           "a = \"2*b\"\n[variables]\nx = { role = \"fast\" }\n[equations]\nx = \"x'' + b^2*x = a*x^2\"\n");
     EXPECT_EQ(
         said("derive given --set a=2").err,
-        "resonform: --set: a parameter that [relations] gives has no value of its own\n"
+        "resonform: --set: a parameter computed by [relations] is given a value of its own\n"
         "  found: a = 2*b\n"
         "  hint:  set the parameters on the right side, or take the relation from line 7 of the file\n");
 }

@@ -57,7 +57,7 @@ TEST(ExpandErrors, LightTermsWithFunctionsAsFactors) {
 TEST(ExpandErrors, FiniteFastVariablesAreLinearAtRest) {
     const std::string m =
         test::refusal(system_with("x'' + x + x^3 = 0", "y = { role = \"fast\" }\n"), ErrorKind::bad_input);
-    EXPECT_TRUE(test::has(m, "a variable has an equation"));
+    EXPECT_TRUE(test::has(m, "the variable has no equation"));
     const std::string finite = "[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\", weight = 0 }\n"
                                "[equations]\nx = \"x'' + x + x^3 + eps*x^2 = 0\"\n";
     EXPECT_TRUE(test::has(test::refusal(finite, ErrorKind::refused), "the rest for x' is -x^3"));
@@ -103,8 +103,8 @@ TEST(ExpandErrors, AForceThatMayBeZero) {
     const std::string m =
         test::refusal(system_with("x'' + x = atan(3) + atan(1/3) - pi/2 + x^3"), ErrorKind::refused);
     EXPECT_TRUE(test::has(m, "is proved to be an equilibrium"));
-    EXPECT_TRUE(
-        test::has(test::refusal(system_with("x'' + x = log(2)"), ErrorKind::bad_input), "is an equilibrium"));
+    EXPECT_TRUE(test::has(test::refusal(system_with("x'' + x = log(2)"), ErrorKind::bad_input),
+                          "is not an equilibrium"));
 }
 
 TEST(ExpandErrors, FrequencyNotProvedPositive) {
@@ -152,7 +152,7 @@ TEST(ExpandErrors, DivisionByZero) {
         }
     EXPECT_TRUE(test::has(
         test::refusal(system_with("x'' + a*x = x^3", "[relations]\na = \"2*g/eps\"\n"), ErrorKind::bad_input),
-        "a relation has a value at eps = 0"));
+        "the relation has no value at eps = 0"));
 }
 
 TEST(ExpandErrors, DivisionByWhatIsNotProvedNonZero) {

@@ -109,7 +109,7 @@ const BadInput bad_mechanisms[] = {
      "  found: 'a' follows from those before it\n"
      "  hint:  leave it out, or correct it"},
     {"Positional", "y' = eps*x*x'", "y = eps*x^2/2",
-     "2 system.toml:20:6: constraints.a: a constraint holds a velocity\n"
+     "2 system.toml:20:6: constraints.a: the constraint holds no velocity\n"
      "    a = \"y = eps*x^2/2\"\n"
      "         ^\n"
      "  found: 'a' holds none\n"
@@ -127,13 +127,13 @@ const BadInput bad_mechanisms[] = {
      "  found: 'a' contradicts those before it\n"
      "  hint:  correct it"},
     {"Quadratic", "eps*x*x'\"", "eps*x*x'^2\"",
-     "3 system.toml:20:6: constraints.a: a constraint is linear or affine in the velocities\n"
+     "3 system.toml:20:6: constraints.a: the constraint is neither linear nor affine in the velocities\n"
      "    a = \"y' = eps*x*x'^2\"\n"
      "         ^\n"
      "  found: -eps*x*x'^2\n"
      "  hint:  write constraints a*x' + b*y' + c = 0, with a, b, c free of velocities"},
     {"AsManyAsCoordinates", "a = \"y' = eps*x*x'\"", "a = \"y' = eps*x*x'\"\nb = \"x' = eps\"",
-     "2 system.toml:21:6: constraints.b: a mechanism has fewer constraints than coordinates\n"
+     "2 system.toml:21:6: constraints.b: the mechanism has as many constraints as coordinates, or more\n"
      "    b = \"x' = eps\"\n"
      "         ^\n"
      "  found: 2 constraints, 2 coordinates\n"
@@ -145,13 +145,13 @@ const BadInput bad_mechanisms[] = {
      "  found: 'a' holds no velocity there\n"
      "  hint:  divide it by a power of eps"},
     {"NoMass", "[\"x\", \"y\"]", "[\"0\", \"0\"]",
-     "2 system.toml:10:1: coordinates: the matrix of the accelerations is regular\n"
+     "2 system.toml:10:1: coordinates: the matrix of the accelerations is singular\n"
      "    [coordinates]\n"
      "    ^\n"
      "  found: its determinant is zero\n"
      "  hint:  give every coordinate a mass, or leave it out"},
     {"NoMassAtTheOrigin", "[\"x\", \"y\"]", "[\"(x - xi)^2\", \"0\"]",
-     "2 system.toml:10:1: coordinates: the matrix of the accelerations is regular where the equations are "
+     "2 system.toml:10:1: coordinates: the matrix of the accelerations is singular where the equations are "
      "expanded\n"
      "    [coordinates]\n"
      "    ^\n"
@@ -179,7 +179,7 @@ const BadInput bad_mechanisms[] = {
      "  found: new: psi; coordinates replaced: 0\n"
      "  hint:  correct the names, or write [change]"},
     {"UnknownCoordinate", "(x - xi)^2", "(z - xi)^2",
-     "2 system.toml:18:17: energy.potential: a symbol is declared before it is used\n"
+     "2 system.toml:18:17: energy.potential: unknown symbol\n"
      "    potential = \"m*(z - xi)^2\"\n"
      "                    ^\n"
      "  found: z\n"
@@ -192,7 +192,7 @@ const BadInput bad_mechanisms[] = {
      "  found: 'y' is fast\n"
      "  hint:  write role = \"drift\", or leave the role out"},
     {"MissingRole", "psi = { role = \"fast\" }", "psi = {}",
-     "2 system.toml:7:1: variables.psi: a variable that is not constant at eps = 0 has a role\n"
+     "2 system.toml:7:1: variables.psi: a variable that is not constant at eps = 0 has no role\n"
      "    psi = {}\n"
      "    ^\n"
      "  found: 'psi'\n"
@@ -238,7 +238,7 @@ const BadInput bad_mechanisms[] = {
     {"TwoMoments", "[energy]",
      "[bodies]\nb = { mass = \"m\", position = [\"x\", \"y\", \"0\"], inertia = [\"m\", \"m\"], attitude = "
      "[\"x\", \"y\", \"0\"] }\n[energy]",
-     "2 system.toml:18:57: bodies.b.inertia: a body in space has three principal moments of inertia and "
+     "2 system.toml:18:57: bodies.b.inertia: a body in space needs three principal moments of inertia and "
      "three Euler angles\n"
      "    b = { mass = \"m\", position = [\"x\", \"y\", \"0\"], inertia = [\"m\", \"m\"], attitude = [\"x\", "
      "\"y\", \"0\"] }\n"
@@ -246,7 +246,7 @@ const BadInput bad_mechanisms[] = {
      "  found: 'b'\n"
      "  hint:  write inertia = [\"A\", \"B\", \"C\"], attitude = [\"psi\", \"theta\", \"phi\"]"},
     {"NoCoordinates", "[coordinates]\nx = {}\ny = {}\n", "",
-     "2 system.toml:10:1: prescribed: a mechanism has the table [coordinates]\n"
+     "2 system.toml:10:1: prescribed: the mechanism has no table [coordinates]\n"
      "    [prescribed]\n"
      "    ^\n"
      "  found: [prescribed] without it\n"
@@ -283,8 +283,8 @@ TEST(BadMechanism, WithConstraintsWhoseRankFallsAtTheOrigin) {
                              "\"fast\" }\n[coordinates]\nx = {}\ny = {}\nz = {}\n[particles]\np = { mass = "
                              "\"1\", position = [\"x\", \"y\", \"z\"] }\n[energy]\npotential = \"x^2 + "
                              "y^2\"\n[constraints]\nc = \"x*z' = eps*y*y'\"\n"),
-              "3 system.toml:15:6: constraints.c: the rank of the constraints does not fall at the origin, "
-              "where the equations are expanded\n"
+              "3 system.toml:15:6: constraints.c: the rank of the constraints falls at the origin, where the "
+              "equations are expanded\n"
               "    c = \"x*z' = eps*y*y'\"\n"
               "         ^\n"
               "  found: z' = eps*y*y'/x\n"

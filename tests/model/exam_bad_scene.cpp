@@ -52,7 +52,7 @@ const BadInput bad_scenes[] = {
      "  hint:  did you mean 'order'? Known are: system, title, order, time_scale, truncation, outputs, "
      "oscillating, fix, start, verify"},
     {"BothTimeScaleAndTruncation", "time_scale = 1", "time_scale = 1\ntruncation = 4",
-     "2 scene.toml:5:14: truncation: a scene gives time_scale or truncation, not both\n"
+     "2 scene.toml:5:14: truncation: the scene gives both time_scale and truncation\n"
      "    truncation = 4\n"
      "                 ^\n"
      "  found: 4\n"
@@ -70,13 +70,13 @@ const BadInput bad_scenes[] = {
      "  found: -1\n"
      "  hint:  write an integer in 0 ... 9"},
     {"NoSuchOutput", "\"x\", \"y\"]", "\"x\", \"z\"]",
-     "2 scene.toml:5:25: outputs[2]: an output is a variable of the system\n"
+     "2 scene.toml:5:25: outputs[2]: the output is not a variable of the system\n"
      "    outputs = [\"psi\", \"x\", \"z\"]\n"
      "                            ^\n"
      "  found: \"z\"\n"
      "  hint:  did you mean 'x'? Known are: psi, xi, x, y"},
     {"OutputTwice", "\"x\", \"y\"]", "\"x\", \"x\"]",
-     "2 scene.toml:5:25: outputs[2]: an output is listed once\n"
+     "2 scene.toml:5:25: outputs[2]: the output is listed twice\n"
      "    outputs = [\"psi\", \"x\", \"x\"]\n"
      "                            ^\n"
      "  found: \"x\"\n"
@@ -130,13 +130,13 @@ const BadInput bad_scenes[] = {
      "  found: 1e999999999\n"
      "  hint:  write a shorter number, or a parameter in its place"},
     {"FixTooLarge", "r = 1", "r = \"1e900\"",
-     "2 scene.toml:9:6: fix.r: a fixed value is zero or lies between 1e-100 and 1e100 in size\n"
+     "2 scene.toml:9:6: fix.r: the fixed value is neither zero nor between 1e-100 and 1e100 in size\n"
      "    r = \"1e900\"\n"
      "         ^\n"
      "  found: \"1e900\"\n"
      "  hint:  choose other units"},
     {"FixSymbol", "r = 1", "r = \"g\"",
-     "2 scene.toml:9:6: fix.r: a symbol is declared before it is used\n"
+     "2 scene.toml:9:6: fix.r: unknown symbol\n"
      "    r = \"g\"\n"
      "         ^\n"
      "  found: g\n"
@@ -148,19 +148,19 @@ const BadInput bad_scenes[] = {
      "  found: 'C_Z'\n"
      "  hint:  did you mean 'C_X'? Known are: C_delta, theta_0, psi, psi', xi, C_X, x, C_Y, y"},
     {"BothKindsOfDrift", "C_X = 1", "C_X = 1\nx = 1",
-     "2 scene.toml:17:5: start.x: a variable starts from its physical values or from constants, not both\n"
+     "2 scene.toml:17:5: start.x: the variable starts both from physical values and from constants\n"
      "    x = 1\n"
      "        ^\n"
      "  found: 'x' and 'C_X'\n"
      "  hint:  remove one of the two"},
     {"BothKindsOfFast", "theta_0 = 0", "psi = \"0.3*eps\"",
-     "2 scene.toml:15:8: start.psi: a variable starts from its physical values or from constants, not both\n"
+     "2 scene.toml:15:8: start.psi: the variable starts both from physical values and from constants\n"
      "    psi = \"0.3*eps\"\n"
      "           ^\n"
      "  found: 'psi' and 'C_delta'\n"
      "  hint:  remove one of the two"},
     {"StartTwice", "C_X = 1", "C_X = 1\n\"constant.x\" = 1",
-     "2 scene.toml:17:1: start.constant.x: a start value is given once\n"
+     "2 scene.toml:17:1: start.constant.x: the start value is given twice\n"
      "    \"constant.x\" = 1\n"
      "    ^\n"
      "  found: 'constant.x' and 'C_X'\n"
@@ -192,7 +192,7 @@ const BadInput bad_scenes[] = {
      "  found: no value of 'xi'\n"
      "  hint:  write xi = ... under [start]"},
     {"StartInAVariable", "xi = 0", "xi = \"x\"",
-     "2 scene.toml:13:7: start.xi: a symbol is declared before it is used\n"
+     "2 scene.toml:13:7: start.xi: unknown symbol\n"
      "    xi = \"x\"\n"
      "          ^\n"
      "  found: x\n"
@@ -204,57 +204,57 @@ const BadInput bad_scenes[] = {
      "  found: inf\n"
      "  hint:  write a number such as 0.25"},
     {"StartSingular", "xi = 0", "xi = \"1/(g-r)\"",
-     "2 scene.toml:13:7: start.xi: a start value is finite in double precision\n"
+     "2 scene.toml:13:7: start.xi: the start value is not finite in double precision\n"
      "    xi = \"1/(g-r)\"\n"
      "          ^\n"
      "  found: 1/(g-r)\n"
      "  hint:  give a value of moderate size"},
     {"StartUnreal", "xi = 0", "xi = \"2 + r*log(-eps)\"",
-     "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
+     "2 scene.toml:13:7: start.xi: the start value is not a real number for eps > 0\n"
      "    xi = \"2 + r*log(-eps)\"\n"
      "          ^\n"
      "  found: 2 + r*log(-eps), where -eps is negative at eps = 0.1\n"
      "  hint:  write the real value meant"},
     {"StartUnrealByAFixedValue", "xi = 0", "xi = \"sqrt(g - 2*r)\"",
-     "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
+     "2 scene.toml:13:7: start.xi: the start value is not a real number for eps > 0\n"
      "    xi = \"sqrt(g - 2*r)\"\n"
      "          ^\n"
      "  found: sqrt(g - 2*r), where -2*r + g is negative at eps = 0.1\n"
      "  hint:  write the real value meant"},
     {"StartBeyondAnArcSine", "xi = 0", "xi = \"asin(1 + eps)\"",
-     "2 scene.toml:13:7: start.xi: a start value is a real number for eps > 0\n"
+     "2 scene.toml:13:7: start.xi: the start value is not a real number for eps > 0\n"
      "    xi = \"asin(1 + eps)\"\n"
      "          ^\n"
      "  found: asin(1 + eps), where 1 + eps is not within -1 ... 1 at eps = 0.1\n"
      "  hint:  write the real value meant"},
     {"StartOverflows", "xi = 0", "xi = \"exp(exp(exp(9)))\"",
-     "2 scene.toml:13:7: start.xi: a start value is finite in double precision\n"
+     "2 scene.toml:13:7: start.xi: the start value is not finite in double precision\n"
      "    xi = \"exp(exp(exp(9)))\"\n"
      "          ^\n"
      "  found: exp(exp(exp(9)))\n"
      "  hint:  give a value of moderate size"},
     {"IntervalZero", "\"1/eps\"", "0",
-     "2 scene.toml:20:12: verify.interval: the interval of verification is positive, and finite in double "
-     "precision\n"
+     "2 scene.toml:20:12: verify.interval: the interval of verification is not positive, or not finite in "
+     "double precision\n"
      "    interval = 0\n"
      "               ^\n"
      "  found: 0\n"
      "  hint:  write one such as \"1/eps\""},
     {"IntervalUnreal", "\"1/eps\"", "\"log(-eps)\"",
-     "2 scene.toml:20:13: verify.interval: the interval of verification is a real number for eps > 0\n"
+     "2 scene.toml:20:13: verify.interval: the interval of verification is not a real number for eps > 0\n"
      "    interval = \"log(-eps)\"\n"
      "                ^\n"
      "  found: log(-eps), where -eps is negative at eps = 0.1\n"
      "  hint:  write one such as \"1/eps\""},
     {"IntervalNegative", "\"1/eps\"", "\"(g-2*r)/eps\"",
-     "2 scene.toml:20:13: verify.interval: the interval of verification is positive, and finite in double "
-     "precision\n"
+     "2 scene.toml:20:13: verify.interval: the interval of verification is not positive, or not finite in "
+     "double precision\n"
      "    interval = \"(g-2*r)/eps\"\n"
      "                ^\n"
      "  found: \"(g-2*r)/eps\"\n"
      "  hint:  write one such as \"1/eps\""},
     {"IntervalInAVariable", "\"1/eps\"", "\"1/xi\"",
-     "2 scene.toml:20:15: verify.interval: a symbol is declared before it is used\n"
+     "2 scene.toml:20:15: verify.interval: unknown symbol\n"
      "    interval = \"1/xi\"\n"
      "                  ^\n"
      "  found: xi\n"
@@ -284,7 +284,7 @@ const BadInput bad_scenes[] = {
      "  found: 0.6\n"
      "  hint:  give a small positive number"},
     {"EpsTwice", "interval = \"1/eps\"", "eps = [0.1, \"1/10\"]",
-     "2 scene.toml:20:14: verify.eps[1]: eps of a ladder is listed once\n"
+     "2 scene.toml:20:14: verify.eps[1]: the ladder lists an eps twice\n"
      "    eps = [0.1, \"1/10\"]\n"
      "                 ^\n"
      "  found: \"1/10\"\n"
@@ -308,7 +308,7 @@ const BadInput bad_scenes[] = {
      "  found: \"4\"\n"
      "  hint:  write an integer in 1 ... 100"},
     {"UnknownVerdict", "interval = \"1/eps\"", "expect = { x = \"fial\" }",
-     "2 scene.toml:20:17: verify.expect.x: an expected verdict is pass, fail or undecided\n"
+     "2 scene.toml:20:17: verify.expect.x: unknown verdict: pass, fail or undecided can be expected\n"
      "    expect = { x = \"fial\" }\n"
      "                    ^\n"
      "  found: \"fial\"\n"

@@ -28,7 +28,7 @@ const BadInput bad_systems[] = {
      "equations, domain, relations, modes, normal_form, notation, coordinates, prescribed, "
      "quasi_velocities, particles, bodies, energy, forces, constraints, integrals, ..."},
     {"NotToml", "[parameters]", "[parameters",
-     "2 system.toml:6:12: the file is TOML\n"
+     "2 system.toml:6:12: the file is not valid TOML\n"
      "    [parameters\n"
      "               ^\n"
      "  found: [parameters\n"
@@ -41,7 +41,7 @@ const BadInput bad_systems[] = {
      "  found: k = 1e400\n"
      "  hint:  write it in quotes: it is taken exactly as spelled"},
     {"UnknownSymbol", "+ g*sqrt", "+ gg*sqrt",
-     "2 system.toml:18:43: equations.psi: a symbol is declared before it is used\n"
+     "2 system.toml:18:43: equations.psi: unknown symbol\n"
      "    psi = \"(xi^2 + r^2)*psi'' + xi*xi'*psi' + gg*sqrt(xi^2 + r^2)*sin(psi) - r*xi*xi'^2/(xi^2 + r^2) "
      "= 0 ...\n"
      "                                              ^\n"
@@ -56,25 +56,25 @@ const BadInput bad_systems[] = {
      "  found: psi''\n"
      "  hint:  solve it for psi'' by hand, or introduce a variable for its lower derivative"},
     {"VariableWithoutEquation", "xi = \"xi' = eps*v\"\n", "",
-     "2 system.toml:13:1: variables.xi: a variable has an equation\n"
+     "2 system.toml:13:1: variables.xi: the variable has no equation\n"
      "    xi = { role = \"slow\", unit = \"m\" }\n"
      "    ^\n"
      "  found: 'xi'\n"
      "  hint:  write xi = \"xi' = ...\" under [equations]"},
     {"EquationWithoutVariable", "y = { role = \"drift\", unit = \"m\" }\n", "",
-     "2 system.toml:19:1: equations.y: an equation belongs to a variable\n"
+     "2 system.toml:19:1: equations.y: an equation belongs to no variable\n"
      "    y = \"y' = (r*sin(psi) + xi*cos(psi))/sqrt(xi^2 + r^2)*xi'\"\n"
      "    ^\n"
      "  found: 'y'\n"
      "  hint:  did you mean 'x'? Known are: psi, xi, x"},
     {"UnknownRole", "role = \"slow\"", "role = \"slwo\"",
-     "2 system.toml:13:16: variables.xi.role: a role is fast, angle, slow or drift\n"
+     "2 system.toml:13:16: variables.xi.role: unknown role: the roles are fast, angle, slow and drift\n"
      "    xi = { role = \"slwo\", unit = \"m\" }\n"
      "                   ^\n"
      "  found: \"slwo\"\n"
      "  hint:  did you mean 'slow'? Known are: fast, angle, slow, drift"},
     {"NoRole", "role = \"slow\", ", "",
-     "2 system.toml:13:1: variables.xi: a variable has a role\n"
+     "2 system.toml:13:1: variables.xi: the variable has no role\n"
      "    xi = { unit = \"m\" }\n"
      "    ^\n"
      "  found: 'xi'\n"
@@ -101,13 +101,13 @@ const BadInput bad_systems[] = {
      "  found: \"1/1000\"\n"
      "  hint:  write a number such as 2, 0.5 or \"1/3\""},
     {"WeightWithAName", "role = \"fast\"", "role = \"fast\", weight = \"a\"",
-     "2 system.toml:12:34: variables.psi.weight: a symbol is declared before it is used\n"
+     "2 system.toml:12:34: variables.psi.weight: unknown symbol\n"
      "    psi = { role = \"fast\", weight = \"a\" }\n"
      "                                     ^\n"
      "  found: a\n"
      "  hint:  no name is known here"},
     {"WeightDividedByZero", "role = \"fast\"", "role = \"fast\", weight = \"1/0\"",
-     "2 system.toml:12:36: variables.psi.weight: a denominator is not zero\n"
+     "2 system.toml:12:36: variables.psi.weight: a denominator is zero\n"
      "    psi = { role = \"fast\", weight = \"1/0\" }\n"
      "                                       ^\n"
      "  found: 0\n"
@@ -126,7 +126,7 @@ const BadInput bad_systems[] = {
      "  found: -1\n"
      "  hint:  write a number such as 2, 0.5 or \"1/3\""},
     {"RelationOfNoParameter", "[notation]", "[relations]\nq = \"2*g\"\n[notation]",
-     "2 system.toml:24:1: relations.q: a relation gives a parameter by others\n"
+     "2 system.toml:24:1: relations.q: the relation does not give a parameter by others\n"
      "    q = \"2*g\"\n"
      "    ^\n"
      "  found: 'q'\n"
@@ -138,7 +138,8 @@ const BadInput bad_systems[] = {
      "  found: \"eps*g\"\n"
      "  hint:  declare what its value is made of positive"},
     {"UnknownStyle", "[notation]", "[normal_form]\nstyle = \"innerproduct\"\n[notation]",
-     "2 system.toml:24:10: normal_form.style: a style is poincare, inner_product or hamiltonian\n"
+     "2 system.toml:24:10: normal_form.style: unknown style: the styles are poincare, inner_product and "
+     "hamiltonian\n"
      "    style = \"innerproduct\"\n"
      "             ^\n"
      "  found: \"innerproduct\"\n"
@@ -185,7 +186,7 @@ const BadInput bad_systems[] = {
      "  found: g-1\n"
      "  hint:  choose such a name, in ASCII"},
     {"ParameterNamedAsVariable", "v = { unit", "psi = { unit",
-     "2 system.toml:12:1: variables.psi: a name is used once\n"
+     "2 system.toml:12:1: variables.psi: the name is used twice\n"
      "    psi = { role = \"fast\" }\n"
      "    ^\n"
      "  found: 'psi' is a parameter already\n"
@@ -205,7 +206,7 @@ const BadInput bad_systems[] = {
      "  found: \"constant.z\"\n"
      "  hint:  did you mean 'constant.x'? Known are: amplitude.psi, phase.psi, constant.x, constant.y"},
     {"NotationNamedAsVariable", "C_Y = \"constant.y\"", "psi = \"constant.y\"",
-     "2 system.toml:27:1: notation.psi: a name is used once\n"
+     "2 system.toml:27:1: notation.psi: the name is used twice\n"
      "    psi = \"constant.y\"\n"
      "    ^\n"
      "  found: 'psi' is a variable already\n"
@@ -229,7 +230,8 @@ const BadInput bad_systems[] = {
      "  found: \"yes\"\n"
      "  hint:  write true or false, without quotes"},
     {"PositiveFastVariable", "role = \"fast\"", "role = \"fast\", positive = true",
-     "2 system.toml:12:35: variables.psi.positive: only slow variables are declared positive or nonzero\n"
+     "2 system.toml:12:35: variables.psi.positive: a variable that is not slow is declared positive or "
+     "nonzero\n"
      "    psi = { role = \"fast\", positive = true }\n"
      "                                      ^\n"
      "  found: 'psi' is fast\n"
@@ -241,31 +243,31 @@ const BadInput bad_systems[] = {
      "  found: 3\n"
      "  hint:  write it in quotes"},
     {"EmptyEquation", "xi = \"xi' = eps*v\"", "xi = \" \"",
-     "2 system.toml:21:7: equations.xi: an equation is not empty\n"
+     "2 system.toml:21:7: equations.xi: the equation is empty\n"
      "    xi = \" \"\n"
      "          ^\n"
      "  found: \" \"\n"
      "  hint:  write it as xi' = ..."},
     {"NoEqualsSign", "xi = \"xi' = eps*v\"", "xi = \"xi'\"",
-     "2 system.toml:21:7: equations.xi: an equation has exactly one '='\n"
+     "2 system.toml:21:7: equations.xi: the equation does not have exactly one '='\n"
      "    xi = \"xi'\"\n"
      "          ^\n"
      "  found: xi'\n"
      "  hint:  write it as left = right"},
     {"TwoEqualsSigns", "xi = \"xi' = eps*v\"", "xi = \"xi' = eps = v\"",
-     "2 system.toml:21:17: equations.xi: an equation has exactly one '='\n"
+     "2 system.toml:21:17: equations.xi: the equation does not have exactly one '='\n"
      "    xi = \"xi' = eps = v\"\n"
      "                    ^\n"
      "  found: =\n"
      "  hint:  remove the second"},
     {"NoDerivative", "y = \"y' =", "y = \"x' =",
-     "2 system.toml:15:1: variables.y: the derivative of a variable occurs in the equations\n"
+     "2 system.toml:15:1: variables.y: the derivative of the variable does not occur in the equations\n"
      "    y = { role = \"drift\", unit = \"m\" }\n"
      "    ^\n"
      "  found: no y' in any equation\n"
      "  hint:  write its equation with y', or make it a parameter"},
     {"NoDerivativeLeft", "xi = \"xi' = eps*v\"", "xi = \"xi = eps*v\"",
-     "2 system.toml:21:7: equations.xi: the equations determine every highest derivative\n"
+     "2 system.toml:21:7: equations.xi: the equations do not determine every highest derivative\n"
      "    xi = \"xi = eps*v\"\n"
      "          ^\n"
      "  found: none is left in the equation of 'xi'\n"
@@ -283,7 +285,7 @@ const BadInput bad_systems[] = {
      "  found: 'psi' with 10 primes\n"
      "  hint:  write a system of lower order"},
     {"DivisionByZero", "/(xi^2 + r^2) = 0", "/(xi - xi) = 0",
-     "2 system.toml:18:84: equations.psi: a denominator is not zero\n"
+     "2 system.toml:18:84: equations.psi: a denominator is zero\n"
      "    psi = \"(xi^2 + r^2)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - r*xi*xi'^2/(xi - xi) = "
      "0\"\n"
      "                                                                                       ^\n"
@@ -297,21 +299,21 @@ const BadInput bad_systems[] = {
      "  found: (xi^2 + r^2)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(ps...\n"
      "  hint:  a denominator becomes zero: correct it"},
     {"CoefficientIsZero", "(xi^2 + r^2)*psi''", "((xi+r)^2-xi^2-r^2-2*xi*r)*psi''",
-     "2 system.toml:18:8: equations.psi: the equations can be solved for the highest derivatives\n"
+     "2 system.toml:18:8: equations.psi: the equations cannot be solved for the highest derivatives\n"
      "    psi = \"((xi+r)^2-xi^2-r^2-2*xi*r)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
      "r*xi*xi'^2/(xi ...\n"
      "           ^\n"
      "  found: the coefficient of psi'' is zero\n"
      "  hint:  correct the equations"},
     {"CoefficientUndecided", "(xi^2 + r^2)*psi''", "(sqrt(3+2*sqrt(2))-1-sqrt(2))*psi''",
-     "3 system.toml:18:8: equations.psi: the coefficients of the highest derivatives are not zero\n"
+     "3 system.toml:18:8: equations.psi: the coefficients of the highest derivatives are not proved nonzero\n"
      "    psi = \"(sqrt(3+2*sqrt(2))-1-sqrt(2))*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
      "r*xi*xi'^2/ ...\n"
      "           ^\n"
      "  found: the one of psi'' can be told neither zero nor nonzero\n"
      "  hint:  simplify the equation"},
     {"CoefficientZeroByAnIdentity", "(xi^2 + r^2)*psi''", "(sin(xi)^2+cos(xi)^2-1)*psi''",
-     "2 system.toml:18:8: equations.psi: the equations can be solved for the highest derivatives\n"
+     "2 system.toml:18:8: equations.psi: the equations cannot be solved for the highest derivatives\n"
      "    psi = \"(sin(xi)^2+cos(xi)^2-1)*psi'' + xi*xi'*psi' + g*sqrt(xi^2 + r^2)*sin(psi) - "
      "r*xi*xi'^2/(xi^2  ...\n"
      "           ^\n"
@@ -339,7 +341,7 @@ const BadInput bad_systems[] = {
      "  found: 1e999999999\n"
      "  hint:  write a shorter number, or a parameter in its place"},
     {"NotUtf8", "eps*v", "eps*\xff",
-     "2 system.toml:21:16: the file is TOML\n"
+     "2 system.toml:21:16: the file is not valid TOML\n"
      "    xi = \"xi' = eps*?\"\n"
      "                   ^\n"
      "  found: xi = \"xi' = eps*?\"\n"
@@ -351,7 +353,7 @@ const BadInput bad_systems[] = {
      "  found: \"xi - xi\"\n"
      "  hint:  correct or remove it"},
     {"DeclaredPositiveHasAFastVariable", "[notation]", "[domain]\npositive = [\"psi\"]\n[notation]",
-     "2 system.toml:24:14: domain.positive[0]: a symbol is declared before it is used\n"
+     "2 system.toml:24:14: domain.positive[0]: unknown symbol\n"
      "    positive = [\"psi\"]\n"
      "                 ^\n"
      "  found: psi\n"
@@ -378,7 +380,7 @@ TEST(BadSystems, DeclarationsDoNotContradictEachOther) {
     const std::string small =
         system_message(edited(edited(pendulum_system(), "v = { unit", "v = { weight = 1, unit"), "[notation]",
                               "[relations]\nv = \"2*g\"\n[notation]"));
-    EXPECT_NE(small.find("relations.v: a parameter that is given by others has no weight of its own\n"),
+    EXPECT_NE(small.find("relations.v: a parameter computed by [relations] is given a weight of its own\n"),
               std::string::npos)
         << small;
 }

@@ -76,7 +76,7 @@ TEST(FirstOrderSystem, RefusesWhatIsNotLinear) {
 
 TEST(FirstOrderSystem, RefusesASingularMatrix) {
     EXPECT_EQ(system_message(pair_system("a'' + b'' = a", "2*a'' + 2*b'' = b")),
-              "2 system.toml:7:6: equations.a: the equations can be solved for the highest derivatives\n"
+              "2 system.toml:7:6: equations.a: the equations cannot be solved for the highest derivatives\n"
               "    a = \"a'' + b'' = a\"\n"
               "         ^\n"
               "  found: the determinant of their coefficients is not known to differ from zero\n"

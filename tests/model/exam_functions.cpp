@@ -55,13 +55,13 @@ TEST(NamedFunctions, MayBeWrittenWithPrimes) {
 }
 
 TEST(NamedFunctions, Complaints) {
-    EXPECT_TRUE(has(message("omega = {}"), "a function is declared with the one name"));
+    EXPECT_TRUE(has(message("omega = {}"), "not declared with the one name"));
     EXPECT_TRUE(has(message("omega = { of = [] }"), "write omega = { of = [\"tau\"] }"));
     EXPECT_TRUE(has(message("omega = { of = [\"tau\", \"a\"] }"), "the one name"));
     EXPECT_TRUE(has(message("omega = { of = [\"tua\"] }"), "did you mean 'tau'?"));
-    EXPECT_TRUE(has(message("omega = { of = [\"psi\"] }"), "of a slow variable or a parameter"));
+    EXPECT_TRUE(has(message("omega = { of = [\"psi\"] }"), "on neither a slow variable nor a parameter"));
     EXPECT_TRUE(has(message("omega = { of = [\"tau\"], range = 1 }"), "range"));
-    EXPECT_TRUE(has(message("a = { of = [\"tau\"] }"), "a name is used once"));
+    EXPECT_TRUE(has(message("a = { of = [\"tau\"] }"), "the name is used twice"));
     EXPECT_TRUE(has(message("sin = { of = [\"tau\"] }"), "reserved"));
     EXPECT_TRUE(has(message("omega = { of = [\"tau\"] }", "psi'' + omega*psi = 0"), "omega(...)"));
 }

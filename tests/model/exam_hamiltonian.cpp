@@ -48,44 +48,45 @@ TEST_P(BadHamiltonian, IsRefusedInOneMessage) {
 
 const BadInput bad_hamiltonians[] = {
     {"NoEnergy", "energy = \"p^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n", "",
-     "2 system.toml:8:1: hamiltonian: a Hamiltonian system has an energy\n"
+     "2 system.toml:8:1: hamiltonian: the Hamiltonian system has no energy\n"
      "    [hamiltonian]\n"
      "    ^\n"
      "  found: [hamiltonian]\n"
      "  hint:  write energy = \"p^2/2 + ...\" under [hamiltonian]"},
     {"NoPairs", "momenta = { x = \"p\" }\n", "",
-     "2 system.toml:8:1: hamiltonian: each coordinate of a Hamiltonian system has its momentum\n"
+     "2 system.toml:8:1: hamiltonian: the Hamiltonian system has no canonical pairs\n"
      "    [hamiltonian]\n"
      "    ^\n"
      "  found: no pairs\n"
      "  hint:  write momenta = { x = \"p\" } under [hamiltonian]"},
     {"UnknownMomentum", "x = \"p\"", "x = \"q\"",
-     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate and its momentum are declared variables\n"
+     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate or momentum is not a declared variable\n"
      "    momenta = { x = \"q\" }\n"
      "                     ^\n"
      "  found: 'q'\n"
      "  hint:  did you mean 'x'? Known are: x, p"},
     {"OwnMomentum", "x = \"p\"", "x = \"x\"",
-     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate is not its own momentum\n"
+     "2 system.toml:10:18: hamiltonian.momenta.x: the coordinate is given as its own momentum\n"
      "    momenta = { x = \"x\" }\n"
      "                     ^\n"
      "  found: \"x\"\n"
      "  hint:  name another variable, or declare one"},
     {"PairedTwice", "x = \"p\"", "x = \"p\", p = \"x\"",
-     "2 system.toml:10:22: hamiltonian.momenta.p: a variable belongs to one canonical pair\n"
+     "2 system.toml:10:22: hamiltonian.momenta.p: the variable belongs to two canonical pairs\n"
      "    momenta = { x = \"p\", p = \"x\" }\n"
      "                         ^\n"
      "  found: 'p'\n"
      "  hint:  correct one of the pairs"},
     {"SlowMomentum", "p = { role = \"fast\"", "p = { role = \"slow\"",
-     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate and its momentum are fast variables\n"
+     "2 system.toml:10:18: hamiltonian.momenta.x: a coordinate or momentum is not a fast variable\n"
      "    momenta = { x = \"p\" }\n"
      "                     ^\n"
      "  found: 'p' is slow\n"
      "  hint:  give it role = \"fast\", or leave it out of hamiltonian.momenta and write its equation under "
      "[equations]"},
     {"CyclicCoordinate", "g*(1 - cos(x)) + eps*x^2*p", "g",
-     "2 system.toml:9:11: hamiltonian.energy: the energy depends on every coordinate and every momentum\n"
+     "2 system.toml:9:11: hamiltonian.energy: the energy does not depend on every coordinate and every "
+     "momentum\n"
      "    energy = \"p^2/2 + g\"\n"
      "              ^\n"
      "  found: it does not depend on x\n"
@@ -104,7 +105,7 @@ const BadInput bad_hamiltonians[] = {
      "  found: lhs - rhs becomes -2*eps*p*x -g*sin(x) + g*x\n"
      "  hint:  leave the equation out, or correct it or the energy"},
     {"SecondOrder", "[hamiltonian]", "[equations]\nx = \"x'' = -g*x\"\n[hamiltonian]",
-     "2 system.toml:6:1: variables.x: the equation of a canonical variable is of first order\n"
+     "2 system.toml:6:1: variables.x: the equation of a canonical variable is not of first order\n"
      "    x = { role = \"fast\" }\n"
      "    ^\n"
      "  found: 'x' with 2 primes\n"

@@ -53,7 +53,7 @@ TEST(JointIntegrals, TakeWhatAChangeSays) {
 
 TEST(JointIntegrals, AreIndependent) {
     EXPECT_EQ(system_message(space({two_lines, "R = \"y + z - 3*x\"\nQ = \"2*y + 2*z - 6*x\"\n", "", ""})),
-              "2 system.toml:21:6: integrals.Q: each constraint has one integral\n"
+              "2 system.toml:21:6: integrals.Q: a constraint has two integrals\n"
               "    Q = \"2*y + 2*z - 6*x\"\n"
               "         ^\n"
               "  found: 'Q' is one more\n"

@@ -106,21 +106,19 @@ TEST(QuasiVelocities, ThatAreNone) {
     const auto message = [](const std::string& table) {
         return system_message(with_table(knife_edge(), "[quasi_velocities]\n" + table));
     };
-    EXPECT_EQ(
-        message("u = \"x'*theta'\"\nw = \"theta'\"\n"),
-        "2 system.toml:26:6: quasi_velocities.u: a quasi-velocity is linear or affine in the velocities\n"
-        "    u = \"x'*theta'\"\n"
-        "         ^\n"
-        "  found: x'*theta'\n"
-        "  hint:  write it as a*x' + b*y' with a, b free of velocities");
-    EXPECT_EQ(
-        message("u = \"x'\"\n"),
-        "2 system.toml:26:6: quasi_velocities.u: a mechanism has as many quasi-velocities as degrees of "
-        "freedom, or none\n"
-        "    u = \"x'\"\n"
-        "         ^\n"
-        "  found: 1 quasi-velocities, 2 degrees of freedom\n"
-        "  hint:  name velocities of coordinates, too, as in w = \"theta'\"");
+    EXPECT_EQ(message("u = \"x'*theta'\"\nw = \"theta'\"\n"),
+              "2 system.toml:26:6: quasi_velocities.u: the quasi-velocity is neither linear nor affine in "
+              "the velocities\n"
+              "    u = \"x'*theta'\"\n"
+              "         ^\n"
+              "  found: x'*theta'\n"
+              "  hint:  write it as a*x' + b*y' with a, b free of velocities");
+    EXPECT_EQ(message("u = \"x'\"\n"), "2 system.toml:26:6: quasi_velocities.u: the mechanism has neither as "
+                                       "many quasi-velocities as degrees of freedom nor none\n"
+                                       "    u = \"x'\"\n"
+                                       "         ^\n"
+                                       "  found: 1 quasi-velocities, 2 degrees of freedom\n"
+                                       "  hint:  name velocities of coordinates, too, as in w = \"theta'\"");
     // By the constraint both are multiples of x'.
     EXPECT_EQ(
         message("u = \"x'\"\nw = \"y'\"\n"),
@@ -131,13 +129,13 @@ TEST(QuasiVelocities, ThatAreNone) {
         "  found: the determinant of their coefficients is zero\n"
         "  hint:  replace one of them");
     EXPECT_EQ(message("m = \"x'\"\nw = \"theta'\"\n"),
-              "2 system.toml:26:1: quasi_velocities.m: a name is used once\n"
+              "2 system.toml:26:1: quasi_velocities.m: the name is used twice\n"
               "    m = \"x'\"\n"
               "    ^\n"
               "  found: 'm' is a parameter already\n"
               "  hint:  rename one of the two");
     EXPECT_EQ(message("x = \"x'\"\nw = \"theta'\"\n"),
-              "2 system.toml:26:1: quasi_velocities.x: a quasi-velocity has a name of its own\n"
+              "2 system.toml:26:1: quasi_velocities.x: the name of the quasi-velocity is taken\n"
               "    x = \"x'\"\n"
               "    ^\n"
               "  found: 'x' is a coordinate or prescribed\n"

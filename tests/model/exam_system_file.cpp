@@ -133,9 +133,9 @@ TEST(SystemFile, MissingFilesAndFolders) {
         }
         return "";
     };
-    EXPECT_EQ(rule("no/such/file.toml"), "the file must exist");
-    EXPECT_EQ(rule(source_dir()), "the path must be that of a regular file");
-    EXPECT_EQ(rule("/dev/zero"), "the path must be that of a regular file");
+    EXPECT_EQ(rule("no/such/file.toml"), "no such file");
+    EXPECT_EQ(rule(source_dir()), "not a regular file");
+    EXPECT_EQ(rule("/dev/zero"), "not a regular file");
 }
 
 // A number, a comment and an escape do not shift the marked place.

@@ -94,7 +94,7 @@ TEST(Units, OfVariableAndCoordinateAgree) {
               "");
     EXPECT_EQ(system_message(edited(mechanism_with_units, "[coordinates]\nx = {}",
                                     "[coordinates]\nx = { unit = \"cm\" }")),
-              "2 system.toml:10:15: coordinates.x.unit: a coordinate has one unit\n"
+              "2 system.toml:10:15: coordinates.x.unit: the coordinate has two units\n"
               "    x = { unit = \"cm\" }\n"
               "                  ^\n"
               "  found: 'cm' here, 'm' under [variables]\n"

@@ -229,7 +229,8 @@ TEST(Weights, OfAModeAreOne) {
                                   "[modes]\nz1 = { eigenvalue = \"1\", u = { x = \"1\", y = \"1\" } }\n"
                                   "z2 = { eigenvalue = \"2\", u = { y = \"1\" } }\n"));
               }),
-              "2 the fast variables in the column of a mode have one weight: x has weight 1, y has weight 2");
+              "2 the fast variables in the column of the mode have different weights: x has weight 1, y has "
+              "weight 2");
 }
 
 TEST(Weights, OfCanonicalVariablesAreOne) {

@@ -18,14 +18,15 @@ constexpr std::size_t most_digits = 4000;
 constexpr int largest_exponent = 4000;
 
 [[noreturn]] void not_a_number(std::string_view text) {
-    bad_input({.rule = "a number is an integer, a fraction or a decimal: 12, -3/4, 0.25, 1.5e-3",
-               .value = std::string(text),
-               .hint = "write the number in one of these forms",
-               .place = {}});
+    bad_input(
+        {.rule = "not a number: it must be an integer, a fraction or a decimal, as 12, -3/4, 0.25, 1.5e-3",
+         .value = std::string(text),
+         .hint = "write the number in one of these forms",
+         .place = {}});
 }
 
 [[noreturn]] void too_large(std::string_view text) {
-    bad_input({.rule = "a number has at most 4000 digits and a decimal exponent between -4000 and 4000",
+    bad_input({.rule = "the number has more than 4000 digits, or a decimal exponent beyond -4000 ... 4000",
                .value = std::string(text),
                .hint = "scale the quantity by a unit of its own size",
                .place = {}});
@@ -99,7 +100,7 @@ private:
     Rational quotient(const std::string& numerator, const std::string& denominator) const {
         const Integer below = integer(denominator);
         if (cln::zerop(below)) {
-            bad_input({.rule = "the denominator of a fraction is not zero",
+            bad_input({.rule = "the denominator of the fraction is zero",
                        .value = std::string(text_),
                        .hint = "give another denominator",
                        .place = {}});

@@ -44,7 +44,7 @@ std::string fixed_in(const GiNaC::ex& e, const Scene& scene) {
     place.key = "fix";
     refuse(
         certain ? Reason::by_kind : Reason::undecided,
-        {"no divisor that was divided by is zero with the values under [fix]",
+        {"a divisor that was divided by is zero with the values under [fix]",
          fmt::format("D({}) of {} = {}{}", text(Polynomial(record.monomial, 1)), record.variable,
                      text(record.divisor), certain ? " = 0" : ", which may be zero"),
          fmt::format("change {} under [fix], or declare the resonance in [relations] of the system", names),

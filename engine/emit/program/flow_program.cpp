@@ -230,7 +230,7 @@ const FlowOutput& FlowProgram::output_of(const std::string& name) const {
     const auto found = std::find_if(flow_.outputs.begin(), flow_.outputs.end(),
                                     [&](const FlowOutput& output) { return output.name == name; });
     if (found == flow_.outputs.end())
-        bad_input({"an output is a fast, a slow or a drift variable of the system",
+        bad_input({"the output is not a fast, slow or drift variable of the system",
                    name,
                    "remove it from outputs",
                    {}});

@@ -163,7 +163,7 @@ Graph::Node Graph::root(Node base, int k) {
     if (at(base).op == Op::rational) {
         const Rational value = at(base).value;
         if (value < 0)
-            refuse({"a root needs a number that is not negative",
+            refuse({"the root of a negative number is not real",
                     to_string(value),
                     "change the values under [fix] or [start]",
                     {}});

@@ -109,7 +109,7 @@ Node Translator::function(const ex& e, const Place& place) {
     };
     const std::optional<Function> f = function_of(e);
     if (!f)
-        refuse({"a function is an elementary one or stands under [functions]", spell(e),
+        refuse({"unknown function: neither an elementary one nor one under [functions]", spell(e),
                 "write it with these", place});
     switch (*f) {
     case Function::sine: return sine();

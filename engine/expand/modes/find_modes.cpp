@@ -52,7 +52,7 @@ void ModeFinder::check_equilibrium() const {
                     fmt::format("{} = {} there, which may be zero", variable(s).jet.back().get_name(),
                                 spell(force)),
                     "write it as 0 if it is zero, or in a simpler form", place(s)});
-        bad_input({"the origin of the fast variables is an equilibrium at eps = 0",
+        bad_input({"the origin of the fast variables is not an equilibrium at eps = 0",
                    fmt::format("{} = {} there", variable(s).jet.back().get_name(), spell(force)),
                    fmt::format("shift {} to the equilibrium by a change of variable", name), place(s)});
     }

@@ -49,8 +49,8 @@ private:
         const auto pivot = std::find_if(shape.column.begin(), shape.column.end(),
                                         [](const Complex& c) { return !c.is_zero(); });
         if (pivot == shape.column.end())
-            bad_input({"the column of a mode is not zero", mode.name,
-                       "give its entries as u = { x = \"1/2\" }", mode.place});
+            bad_input({"the column of the mode is zero", mode.name, "give its entries as u = { x = \"1/2\" }",
+                       mode.place});
         shape.pivot = basis_.states[static_cast<std::size_t>(pivot - shape.column.begin())];
         check_weights(mode, shape);
         return shape;
@@ -64,7 +64,7 @@ private:
         for (std::size_t s = 0; s < shape.column.size(); ++s)
             if (const Variable& other = variable_of(basis_.states[s]);
                 !shape.column[s].is_zero() && other.weight != first.weight)
-                bad_input({"the fast variables in the column of a mode have one weight",
+                bad_input({"the fast variables in the column of the mode have different weights",
                            fmt::format("{} has weight {}, {} has weight {}", first.name,
                                        to_string(system_.weight(first.weight)), other.name,
                                        to_string(system_.weight(other.weight))),
@@ -125,7 +125,7 @@ private:
             }
         const auto rows = inverse(std::move(columns));
         if (!rows)
-            bad_input({"the columns of the modes are linearly independent",
+            bad_input({"the columns of the modes are not proved linearly independent",
                        "no determinant that is proved to differ from zero",
                        "give each mode its own eigenvector", system_.modes.front().place});
         std::size_t k = 0;

@@ -116,7 +116,7 @@ private:
         }
         const std::optional<Function> f = function_of(e);
         if (!f)
-            refuse({"a function is an elementary one or stands under [functions]", spell(e),
+            refuse({"unknown function: neither an elementary one nor one under [functions]", spell(e),
                     "write it with these", place_});
         switch (*f) {
         case Function::exponential: return exponential(u);

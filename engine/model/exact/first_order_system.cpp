@@ -128,7 +128,7 @@ void HighestDerivatives::find_unknowns(Pending& p) const {
         if (!solved_[v] && p.residual.has(highest(v))) p.unknowns.push_back(v);
     }
     if (!p.unknowns.empty()) return;
-    complain(*p.equation, "the equations determine every highest derivative",
+    complain(*p.equation, "the equations do not determine every highest derivative",
              "none is left in the equation of '" + p.equation->variable + "'",
              "write " + system_.variable(p.equation->variable)->jet.back().get_name() + " in this equation");
 }
@@ -159,10 +159,10 @@ void HighestDerivatives::check_coefficient(const Pending& p, const ex& coefficie
     const Zero zero = vanishes(coefficient, system_);
     if (zero == Zero::no) return;
     if (zero == Zero::yes) {
-        complain(*p.equation, "the equations can be solved for the highest derivatives",
+        complain(*p.equation, "the equations cannot be solved for the highest derivatives",
                  "the coefficient of " + name + " is zero", "correct the equations");
     }
-    refuse(Reason::undecided, {"the coefficients of the highest derivatives are not zero",
+    refuse(Reason::undecided, {"the coefficients of the highest derivatives are not proved nonzero",
                                "the one of " + name + " can be told neither zero nor nonzero",
                                "simplify the equation", place_of(p.equation->source)});
 }
@@ -211,7 +211,7 @@ void HighestDerivatives::solve_the_rest() {
         rows.push_back(std::move(row));
     }
     if (!solve_rows(rows, InDomain(system_))) {
-        complain(*pending_.front().equation, "the equations can be solved for the highest derivatives",
+        complain(*pending_.front().equation, "the equations cannot be solved for the highest derivatives",
                  "the determinant of their coefficients is not known to differ from zero",
                  "correct or simplify the equations");
     }
@@ -226,7 +226,7 @@ const State& FirstOrderSystem::state(const std::string& name) const {
     if (found == states.end()) {
         std::vector<std::string> names;
         for (const State& s : states) names.push_back(s.name);
-        bad_input({"a state is one of the system", excerpt(name), suggest(name, names), Place{}});
+        bad_input({"unknown state", excerpt(name), suggest(name, names), Place{}});
     }
     return *found;
 }

@@ -104,7 +104,7 @@ ex ExactForm::function(const ex& e) {
                 excerpt(spell(e)), "write it in these", place_});
     const std::optional<Function> f = function_of(e);
     if (!f)
-        refuse({"a function is an elementary one or stands under [functions]", excerpt(spell(e)),
+        refuse({"unknown function: neither an elementary one nor one under [functions]", excerpt(spell(e)),
                 "write it with these", place_});
     const auto tangent = [](const Unit& unit) { return unit.sine / unit.cosine; };
     switch (*f) {

@@ -28,15 +28,15 @@ std::size_t SystemReader::canonical_variable(const std::string& name, const Toml
     };
     const Variable* variable = system_.variable(name);
     if (variable == nullptr)
-        complain("a coordinate and its momentum are declared variables", in_quotes(name),
+        complain("a coordinate or momentum is not a declared variable", in_quotes(name),
                  suggest(name, variable_names()));
     if (variable->role != Role::fast)
-        complain("a coordinate and its momentum are fast variables",
+        complain("a coordinate or momentum is not a fast variable",
                  in_quotes(name) + " is " + to_string(variable->role),
                  "give it role = \"fast\", or leave it out of " + node.source.key +
                      " and write its equation under [equations]");
     if (is_canonical(*variable))
-        complain("a variable belongs to one canonical pair", in_quotes(name), "correct one of the pairs");
+        complain("the variable belongs to two canonical pairs", in_quotes(name), "correct one of the pairs");
     return static_cast<std::size_t>(variable - system_.variables.data());
 }
 
@@ -46,12 +46,12 @@ void SystemReader::read_pairs() {
     check_keys(*node, {"energy", "momenta"});
     const TomlNode* energy = node->find("energy");
     if (energy == nullptr)
-        bad_input({"a Hamiltonian system has an energy", "[hamiltonian]",
+        bad_input({"the Hamiltonian system has no energy", "[hamiltonian]",
                    "write energy = \"p^2/2 + ...\" under [hamiltonian]", place_of(node->source)});
     const TomlNode* momenta = node->find("momenta");
     if (momenta != nullptr) check_table(*momenta);
     if (momenta == nullptr || momenta->entries.empty())
-        bad_input({"each coordinate of a Hamiltonian system has its momentum", "no pairs",
+        bad_input({"the Hamiltonian system has no canonical pairs", "no pairs",
                    "write momenta = { x = \"p\" } under [hamiltonian]",
                    place_of(momenta == nullptr ? node->source : momenta->source)});
     system_.hamiltonian = Hamiltonian{0, string_of(*energy), energy->source, {}};
@@ -60,7 +60,7 @@ void SystemReader::read_pairs() {
         const std::size_t momentum =
             canonical_variable(string_of(entry.value), *momenta, place_of(entry.value.source));
         if (coordinate == momentum)
-            bad_value(entry.value, "a coordinate is not its own momentum",
+            bad_value(entry.value, "the coordinate is given as its own momentum",
                       "name another variable, or declare one");
         system_.hamiltonian->pairs.emplace_back(coordinate, momentum);
     }
@@ -80,7 +80,7 @@ void SystemReader::read_energy() {
         const Variable& variable = system_.variables[of];
         const GiNaC::ex slope = hamiltonian.energy.diff(system_.variables[by].jet.front());
         if (vanishes(slope) == Zero::yes)
-            bad_input({"the energy depends on every coordinate and every momentum",
+            bad_input({"the energy does not depend on every coordinate and every momentum",
                        "it does not depend on " + system_.variables[by].name,
                        "a constant momentum is a parameter: leave the pair out, and write the equation of "
                        "the coordinate under [equations]",

@@ -41,13 +41,13 @@ Heading heading_of_system(const TomlNode& root, const std::filesystem::path& fil
     check_keys(root, keys_of_systems());
     const TomlNode* header = root.find("system");
     if (header == nullptr)
-        bad_input({"a system file has the table [system]", "no [system]",
+        bad_input({"the system file has no table [system]", "no [system]",
                    "begin the file with [system] and name = \"...\"", whole_file(file)});
     check_table(*header);
     check_keys(*header, {"name", "title", "source"});
     const TomlNode* name = header->find("name");
     if (name == nullptr)
-        bad_input({"a system has a name", "[system]", "write name = \"...\" under [system]",
+        bad_input({"the system has no name", "[system]", "write name = \"...\" under [system]",
                    place_of(header->source)});
     Heading heading;
     heading.name = string_of(*name);

@@ -162,7 +162,7 @@ double length_at(const Scene& scene, const GiNaC::ex& interval, const Rational& 
 double interval_length(const Scene& scene, const Rational& eps) {
     const double length = length_at(scene, scene.verify.interval, eps);
     if (std::isnan(length))
-        complain(scene, eps, "the interval of verification is a positive number", "it is none",
+        complain(scene, eps, "the interval of verification is not a positive number", "it is none",
                  "write one such as \"1/eps\", or leave this eps out");
     if (length < shortest_interval)
         complain(scene, eps, fmt::format("the interval of verification is {:g} or longer", shortest_interval),

@@ -30,7 +30,7 @@ void MechanismReader::read_body(const TomlEntry& entry) {
 const std::vector<TomlNode>& MechanismReader::three(const TomlEntry& entry, const std::string& key) const {
     const TomlNode* node = entry.value.find(key);
     if (node == nullptr || node->type != TomlNode::Type::array || node->items.size() != 3)
-        bad_input({"a body in space has three principal moments of inertia and three Euler angles",
+        bad_input({"a body in space needs three principal moments of inertia and three Euler angles",
                    in_quotes(entry.key),
                    "write inertia = [\"A\", \"B\", \"C\"], attitude = [\"psi\", \"theta\", \"phi\"]",
                    node == nullptr ? entry.place : place_of(node->source)});

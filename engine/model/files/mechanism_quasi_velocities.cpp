@@ -21,7 +21,7 @@ void MechanismReader::read_quasi_velocities() {
         if (std::any_of(mechanism_.coordinates.begin(), mechanism_.coordinates.end(), is_named_so) ||
             std::any_of(mechanism_.prescribed.begin(), mechanism_.prescribed.end(),
                         [&](const Prescribed& p) { return is_named_so(p.coordinate); }))
-            bad_input({"a quasi-velocity has a name of its own",
+            bad_input({"the name of the quasi-velocity is taken",
                        in_quotes(entry.key) + " is a coordinate or prescribed", "choose another name",
                        entry.place});
         const Coordinate symbols = coordinate_of(entry);

@@ -86,7 +86,7 @@ void MechanismReader::take_unit(Coordinate& c, const TomlEntry& entry) {
     if (unit.empty()) return;
     const SourceText& source = entry.value.find("unit")->source;
     if (!c.unit.empty() && read_unit(unit, source) != read_unit(c.unit, source))
-        bad_input({"a coordinate has one unit",
+        bad_input({"the coordinate has two units",
                    in_quotes(unit) + " here, " + in_quotes(c.unit) + " under [variables]",
                    "correct one of the two", place_of(source)});
     c.unit = unit;
@@ -176,7 +176,7 @@ ex MechanismReader::inertia_of(const TomlNode& node, const std::string& what) {
 const TomlNode& MechanismReader::needed(const TomlEntry& entry, const std::string& key) const {
     const TomlNode* node = entry.value.find(key);
     if (node == nullptr)
-        bad_input({"a particle has mass and position, a body inertia besides, and angle or attitude",
+        bad_input({"a particle needs mass and position, a body inertia besides, and angle or attitude",
                    in_quotes(entry.key) + " has no " + key, "add " + key + " = \"...\"", entry.place});
     return *node;
 }
@@ -224,7 +224,7 @@ void MechanismReader::read_energy() {
                       "leave out one of the two");
     }
     if (!masses && !mechanism_.lagrangian)
-        bad_input({"a mechanism has particles, bodies, or a Lagrangian", "none of them",
+        bad_input({"the mechanism has no particles, no bodies and no Lagrangian", "none of them",
                    "describe them under [particles], [bodies] or [energy]", place_of(mechanism_.source)});
 }
 

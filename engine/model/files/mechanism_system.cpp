@@ -37,7 +37,7 @@ void SystemReader::require_coordinates() const {
     if (is_mechanism()) return;
     for (const std::string& key : mechanism_tables())
         if (const TomlNode* node = root_.find(key))
-            bad_input({"a mechanism has the table [coordinates]", "[" + key + "] without it",
+            bad_input({"the mechanism has no table [coordinates]", "[" + key + "] without it",
                        "declare coordinates, as x = { unit = \"m\" }", place_of(node->source)});
 }
 
@@ -74,14 +74,14 @@ void SystemReader::derive_equations() {
         const auto line = std::find_if(derived.equations.begin(), derived.equations.end(),
                                        [&](const auto& l) { return l.variable == variable.name; });
         if (line == derived.equations.end())
-            bad_input({"a variable of a mechanism is one of its motion",
+            bad_input({"the variable does not belong to the motion of the mechanism",
                        in_quotes(variable.name) + " is replaced by " + in_place_of(variable.name, derived),
                        "leave it out of [variables]", variable.place});
         system_.equations.push_back({variable.name, line->text, 0, line->source});
     }
     for (const auto& line : derived.equations)
         if (system_.variable(line.variable) == nullptr)
-            bad_input({"every coordinate that stays is a variable", in_quotes(line.variable),
+            bad_input({"a coordinate that stays is not a variable", in_quotes(line.variable),
                        "declare " + line.variable + " under [variables], with its role",
                        place_of(root_.find("coordinates")->source)});
     check_roles();
@@ -107,7 +107,7 @@ void SystemReader::take_constant(const Coordinate& constant, Role role) {
         found->role = role;
         undecided_.erase(undecided);
         if (role == Role::drift && found->nonzero)
-            bad_input({"only slow variables are declared positive or nonzero",
+            bad_input({"a variable that is not slow is declared positive or nonzero",
                        in_quotes(found->name) + " is a drift", "remove the key", found->place});
     } else if (found->role != Role::slow && found->role != role) {
         bad_input({"what is constant at eps = 0 is slow where something depends on it, else a drift",
@@ -129,7 +129,7 @@ void SystemReader::make_parameter(const std::string& name) {
 
 void SystemReader::check_roles() const {
     for (const std::string& name : undecided_)
-        bad_input({"a variable that is not constant at eps = 0 has a role", in_quotes(name),
+        bad_input({"a variable that is not constant at eps = 0 has no role", in_quotes(name),
                    "write role = \"fast\", \"angle\" or \"slow\"", system_.variable(name)->place});
 }
 

@@ -84,7 +84,7 @@ void SceneReader::read_system_of_scene() {
         return;
     }
     if (name == nullptr) {
-        bad_input({"a scene outside the folder of its system names it", "no key 'system'",
+        bad_input({"the scene lies outside the folder of its system and does not name it", "no key 'system'",
                    "write system = \"...\"", whole_file(scene_.file)});
     }
     if (!is_identifier(given)) bad_value(*name, identifier_rule("a system's name"), identifier_hint());
@@ -103,7 +103,7 @@ void SceneReader::read_orders() {
     const TomlNode* time_scale = root_.find("time_scale");
     const TomlNode* truncation = root_.find("truncation");
     if (time_scale != nullptr && truncation != nullptr) {
-        bad_value(*truncation, "a scene gives time_scale or truncation, not both", "remove one of the two");
+        bad_value(*truncation, "the scene gives both time_scale and truncation", "remove one of the two");
     }
     if (truncation != nullptr) {
         scene_.truncation = integer_of(*truncation, scene_.order, highest_order);
@@ -133,15 +133,16 @@ void SceneReader::read_outputs() {
         const std::string name = string_of(item);
         const Variable* variable = scene_.system->variable(name);
         if (variable == nullptr) {
-            bad_input(Reason::name, {"an output is a variable of the system", "\"" + excerpt(name) + "\"",
-                                     suggest(name, known), place_of(item.source)});
+            bad_input(Reason::name,
+                      {"the output is not a variable of the system", "\"" + excerpt(name) + "\"",
+                       suggest(name, known), place_of(item.source)});
         }
         if (variable->role == Role::angle) {
-            bad_value(item, "an output is no angle, which is known by its sine and cosine",
+            bad_value(item, "an angle cannot be an output: it is known by its sine and cosine",
                       "remove it from outputs");
         }
         if (std::find(scene_.outputs.begin(), scene_.outputs.end(), name) != scene_.outputs.end()) {
-            bad_value(item, "an output is listed once", "remove the second");
+            bad_value(item, "the output is listed twice", "remove the second");
         }
         scene_.outputs.push_back(name);
     }
@@ -157,7 +158,7 @@ GiNaC::ex SceneReader::fixed_value(const TomlNode& node, const Parameter& parame
                {"a fixed value is real, and told from zero by intervals", excerpt(node.text),
                 "write it in a simpler form, or as a decimal number", place_of(node.source)});
     if (!value.is_zero() && !is_moderate(*range)) {
-        bad_value(node, "a fixed value is zero or lies between 1e-100 and 1e100 in size",
+        bad_value(node, "the fixed value is neither zero nor between 1e-100 and 1e100 in size",
                   "choose other units");
     }
     const std::string declared = "the parameter '" + parameter.name + "' is declared ";

@@ -66,7 +66,7 @@ void check_value(const Setting& setting, const Parameter& parameter, const ex& v
 void refuse_related(const System& system, const std::string& parameter, const std::string& option) {
     for (const ParameterRelation& relation : system.relations)
         if (relation.parameter == parameter)
-            complain("a parameter that [relations] gives has no value of its own",
+            complain("a parameter computed by [relations] is given a value of its own",
                      parameter + " = " + relation.text,
                      "set the parameters on the right side, or take the relation from line " +
                          std::to_string(relation.source.line) + " of the file",
@@ -107,7 +107,7 @@ void put_regularly(ex& e, const GiNaC::exmap& values, const Place& place, const 
 Setting read_setting(const std::string& text, const std::string& option) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        complain("a setting is NAME=VALUE", printable(text), "write for example g=1 or r=4/5", option);
+        complain("the setting is not NAME=VALUE", printable(text), "write for example g=1 or r=4/5", option);
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -120,13 +120,13 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
             std::vector<std::string> known;
             for (const auto* list : {&system.parameters, &system.cancelled})
                 for (const Parameter& p : *list) known.push_back(p.name);
-            complain("a setting names a parameter of the system", in_quotes(setting.parameter),
+            complain("the setting does not name a parameter of the system", in_quotes(setting.parameter),
                      suggest(setting.parameter, known), option);
         }
         const ex value = read_value(setting, option);
         check_value(setting, *parameter, value, option);
         if (!values.emplace(parameter->symbol, value).second)
-            complain("a parameter is set once", in_quotes(setting.parameter), "leave out one of them",
+            complain("the parameter is set twice", in_quotes(setting.parameter), "leave out one of them",
                      option);
     }
     put_into_domain(system, values, option);

@@ -73,8 +73,9 @@ void StartReader::add(const TomlEntry& entry) {
                                  suggest(entry.key, start_names(system_)), entry.place});
     }
     if (const StartValue* earlier = find(canonical)) {
-        bad_input({"a start value is given once", in_quotes(entry.key) + " and " + in_quotes(earlier->name),
-                   "remove one of the two", entry.place});
+        bad_input({"the start value is given twice",
+                   in_quotes(entry.key) + " and " + in_quotes(earlier->name), "remove one of the two",
+                   entry.place});
     }
     StartValue value;
     value.name = entry.key;
@@ -92,9 +93,10 @@ void StartReader::check_domain(const StartValue& value) const {
     };
     if (estimate == Estimate::unbounded) {
         if (const std::string why = scene_.why_unreal(value.value); !why.empty())
-            bad_input({"a start value is a real number for eps > 0", excerpt(value.text) + ", where " + why,
-                       "write the real value meant", place_of(value.source)});
-        complain("a start value is finite in double precision", "give a value of moderate size");
+            bad_input({"the start value is not a real number for eps > 0",
+                       excerpt(value.text) + ", where " + why, "write the real value meant",
+                       place_of(value.source)});
+        complain("the start value is not finite in double precision", "give a value of moderate size");
     }
     const Variable* variable = system_.variable(value.name);
     if (variable == nullptr) return;
@@ -151,7 +153,7 @@ void StartReader::complain_missing(const std::string& rule, const std::string& c
 }
 
 void StartReader::complain_both(const StartValue& one, const StartValue& other) {
-    bad_input({"a variable starts from its physical values or from constants, not both",
+    bad_input({"the variable starts both from physical values and from constants",
                in_quotes(one.name) + " and " + in_quotes(other.name), "remove one of the two",
                place_of(one.source)});
 }

@@ -47,7 +47,7 @@ bool nonzero_of(const TomlNode& table, bool positive) {
 Role role_of(const TomlEntry& entry) {
     const TomlNode* node = entry.value.find("role");
     if (node == nullptr) {
-        bad_input({"a variable has a role", in_quotes(entry.key),
+        bad_input({"the variable has no role", in_quotes(entry.key),
                    "write role = \"fast\", \"angle\", \"slow\" or \"drift\"", entry.place});
     }
     const std::string role = string_of(*node);
@@ -55,7 +55,7 @@ Role role_of(const TomlEntry& entry) {
     if (role == "slow") return Role::slow;
     if (role == "drift") return Role::drift;
     if (role == "angle") return Role::angle;
-    bad_value(*node, "a role is fast, angle, slow or drift",
+    bad_value(*node, "unknown role: the roles are fast, angle, slow and drift",
               suggest(role, {"fast", "angle", "slow", "drift"}));
 }
 
@@ -141,7 +141,7 @@ void SystemReader::read_variables() {
         system_.variables.push_back(variable_of(entry));
     }
     if (system_.variables.empty()) {
-        bad_input({"a system has a variable", "[variables]", "declare one as in x = { role = \"fast\" }",
+        bad_input({"the system has no variable", "[variables]", "declare one as in x = { role = \"fast\" }",
                    place_of(variables.source)});
     }
 }
@@ -168,8 +168,8 @@ std::string SystemReader::argument_of(const TomlEntry& entry) const {
     const TomlNode* of = entry.value.find("of");
     const std::string hint = "write " + entry.key + " = { of = [\"tau\"] }";
     if (of == nullptr || of->type != TomlNode::Type::array || of->items.size() != 1)
-        bad_input({"a function is declared with the one name that it is a function of", in_quotes(entry.key),
-                   hint, of == nullptr ? entry.place : place_of(of->source)});
+        bad_input({"the function is not declared with the one name that it is a function of",
+                   in_quotes(entry.key), hint, of == nullptr ? entry.place : place_of(of->source)});
     std::string name = string_of(of->items.front());
     const Variable* variable = system_.variable(name);
     if (system_.parameter(name) == nullptr && (variable == nullptr || variable->role != Role::slow)) {
@@ -177,7 +177,7 @@ std::string SystemReader::argument_of(const TomlEntry& entry) const {
         for (const Parameter& p : system_.parameters) known.push_back(p.name);
         for (const Variable& v : system_.variables)
             if (v.role == Role::slow) known.push_back(v.name);
-        bad_value(of->items.front(), "a declared function is one of a slow variable or a parameter",
+        bad_value(of->items.front(), "a declared function depends on neither a slow variable nor a parameter",
                   suggest(name, known));
     }
     return name;
@@ -200,7 +200,7 @@ Variable SystemReader::variable_of(const TomlEntry& entry) {
         const TomlNode* node = entry.value.find(key);
         const bool undecided = !undecided_.empty() && undecided_.back() == variable.name;
         if (node == nullptr || variable.role == Role::slow || undecided) continue;
-        bad_input({"only slow variables are declared positive or nonzero",
+        bad_input({"a variable that is not slow is declared positive or nonzero",
                    in_quotes(entry.key) + " is " + to_string(variable.role), "remove the key",
                    place_of(node->source)});
     }
@@ -218,7 +218,7 @@ void SystemReader::read_equation_texts() {
                                     : table("equations", "write one equation per variable under [equations]");
     for (const TomlEntry& entry : equations.entries) {
         if (system_.variable(entry.key) != nullptr) continue;
-        bad_input(Reason::name, {"an equation belongs to a variable", in_quotes(entry.key),
+        bad_input(Reason::name, {"an equation belongs to no variable", in_quotes(entry.key),
                                  suggest(entry.key, variable_names()), entry.place});
     }
     for (const Variable& variable : system_.variables) {
@@ -228,7 +228,7 @@ void SystemReader::read_equation_texts() {
             continue; // read_energy() derives it
         }
         if (node == nullptr) {
-            bad_input({"a variable has an equation", in_quotes(variable.name),
+            bad_input({"the variable has no equation", in_quotes(variable.name),
                        "write " + variable.name + " = \"" + variable.name + "' = ...\" under [equations]",
                        variable.place});
         }
@@ -237,7 +237,7 @@ void SystemReader::read_equation_texts() {
         equation.text = string_of(*node);
         equation.source = node->source;
         if (equation.text.find_first_not_of(" \t\r\n") == std::string::npos)
-            bad_value(*node, "an equation is not empty",
+            bad_value(*node, "the equation is empty",
                       is_canonical(variable) ? "write it, or leave the key out: it follows from the energy"
                                              : "write it as " + variable.name + "' = ...");
         system_.equations.push_back(std::move(equation));
@@ -265,10 +265,10 @@ void SystemReader::set_orders() {
 void SystemReader::check_order(const Variable& variable, int highest) const {
     const std::string found = in_quotes(variable.name) + " with " + std::to_string(highest) + " primes";
     if (highest > 1 && is_canonical(variable))
-        bad_input({"the equation of a canonical variable is of first order", found,
+        bad_input({"the equation of a canonical variable is not of first order", found,
                    "leave it out: it follows from the energy", variable.place});
     if (highest == 0) {
-        bad_input({"the derivative of a variable occurs in the equations",
+        bad_input({"the derivative of the variable does not occur in the equations",
                    "no " + variable.name + "' in any equation",
                    "write its equation with " + variable.name + "', or make it a parameter", variable.place});
     }
@@ -300,7 +300,7 @@ void SystemReader::read_equations() {
 const TomlNode& SystemReader::table(const std::string& key, const std::string& hint) const {
     const TomlNode* node = root_.find(key);
     if (node == nullptr) {
-        bad_input({"a system file has the table [" + key + "]", "no [" + key + "]", hint,
+        bad_input({"the system file has no table [" + key + "]", "no [" + key + "]", hint,
                    whole_file(system_.file)});
     }
     check_table(*node);
@@ -319,7 +319,7 @@ void SystemReader::claim_name(const TomlEntry& entry, const std::string& what) {
     }
     const auto [earlier, is_new] = taken_.emplace(entry.key, what);
     if (!is_new) {
-        bad_input({"a name is used once", in_quotes(entry.key) + " is " + earlier->second + " already",
+        bad_input({"the name is used twice", in_quotes(entry.key) + " is " + earlier->second + " already",
                    "rename one of the two", entry.place});
     }
 }

@@ -98,7 +98,7 @@ std::vector<GivenRelation> SystemReader::relation_values() const {
     for (const TomlEntry& entry : relations->entries) {
         const Parameter* parameter = system_.parameter(entry.key);
         if (parameter == nullptr)
-            bad_input(Reason::name, {"a relation gives a parameter by others", in_quotes(entry.key),
+            bad_input(Reason::name, {"the relation does not give a parameter by others", in_quotes(entry.key),
                                      suggest(entry.key, names), entry.place});
         const std::string text = string_of(entry.value);
         values.push_back(
@@ -115,7 +115,7 @@ void SystemReader::read_relations() {
         if (std::any_of(small_.begin(), small_.end(), [&, given = parameter](const auto& small) {
                 return small.first.is_equal(given->symbol);
             }))
-            bad_value(node, "a parameter that is given by others has no weight of its own",
+            bad_value(node, "a parameter computed by [relations] is given a weight of its own",
                       "remove weight where it is declared, and write its power of eps here");
         const GiNaC::ex rest = regular_at_rest(value.value, node);
         if ((parameter->positive && !provably_positive(rest, system_)) ||
@@ -147,7 +147,7 @@ GiNaC::ex SystemReader::at_rest(const GiNaC::ex& e) const {
 
 GiNaC::ex SystemReader::regular_at_rest(const GiNaC::ex& e, const TomlNode& value) const {
     const auto regular = where_regular([&] { return at_rest(e); });
-    if (!regular) bad_value(value, "a relation has a value at eps = 0", "remove what is divided by eps");
+    if (!regular) bad_value(value, "the relation has no value at eps = 0", "remove what is divided by eps");
     return *regular;
 }
 
@@ -198,7 +198,7 @@ void SystemReader::read_normal_form() {
         const std::string name = string_of(*style);
         const std::optional<Style> known = style_of(name);
         if (!known)
-            bad_value(*style, "a style is poincare, inner_product or hamiltonian",
+            bad_value(*style, "unknown style: the styles are poincare, inner_product and hamiltonian",
                       suggest(name, style_names()));
         system_.style = *known;
     }

@@ -46,7 +46,7 @@ std::vector<Rational> read_ladder(const TomlNode& node) {
     for (const TomlNode& item : node.items) {
         const Rational eps = ladder_value(item);
         if (std::find(ladder.begin(), ladder.end(), eps) != ladder.end()) {
-            bad_value(item, "eps of a ladder is listed once", "remove the second");
+            bad_value(item, "the ladder lists an eps twice", "remove the second");
         }
         ladder.push_back(eps);
     }
@@ -67,10 +67,10 @@ void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
     const Estimate estimate = scene.estimate(plan.interval);
     if (estimate != Estimate::positive && estimate != Estimate::unknown) {
         if (const std::string why = scene.why_unreal(plan.interval); !why.empty())
-            bad_input({"the interval of verification is a real number for eps > 0",
+            bad_input({"the interval of verification is not a real number for eps > 0",
                        excerpt(node->text) + ", where " + why, "write one such as \"1/eps\"",
                        place_of(node->source)});
-        bad_value(*node, "the interval of verification is positive, and finite in double precision",
+        bad_value(*node, "the interval of verification is not positive, or not finite in double precision",
                   "write one such as \"1/eps\"");
     }
 }
@@ -109,7 +109,7 @@ Verdict verdict_of(const TomlNode& node) {
     for (Verdict v : {Verdict::pass, Verdict::fail, Verdict::undecided}) {
         if (verdict == to_string(v)) return v;
     }
-    bad_value(node, "an expected verdict is pass, fail or undecided",
+    bad_value(node, "unknown verdict: pass, fail or undecided can be expected",
               suggest(verdict, {"pass", "fail", "undecided"}));
 }
 

@@ -34,7 +34,7 @@ public:
     SolvedConstraints solve() {
         const auto& constraints = motion_.mechanism().constraints;
         if (!constraints.empty() && constraints.size() >= coordinates_.size())
-            bad_input({"a mechanism has fewer constraints than coordinates",
+            bad_input({"the mechanism has as many constraints as coordinates, or more",
                        std::to_string(constraints.size()) + " constraints, " +
                            std::to_string(coordinates_.size()) + " coordinates",
                        "leave out constraints, or prescribe coordinates",
@@ -82,7 +82,7 @@ ConstraintRow Elimination::row_of(const Constraint& constraint) const {
         const ex slope = motion_.form().simplified(constraint.condition.value.diff(c.velocity));
         for (const Coordinate& other : coordinates_)
             if (slope.has(other.velocity))
-                refuse({"a constraint is linear or affine in the velocities",
+                refuse({"the constraint is neither linear nor affine in the velocities",
                         excerpt(spell(nonlinear_term(constraint))),
                         "write constraints a*x' + b*y' + c = 0, with a, b, c free of velocities",
                         place_of(constraint.condition.source)});
@@ -114,7 +114,7 @@ void Elimination::require_velocity(const ConstraintRow& row) const {
         return !row.constraint->condition.value.has(c.velocity);
     });
     if (none)
-        bad_input({"a constraint holds a velocity", in_quotes(row.constraint->name) + " holds none",
+        bad_input({"the constraint holds no velocity", in_quotes(row.constraint->name) + " holds none",
                    "differentiate it: x = f(y) is x' = f'(y)*y', with the integral x - f(y)",
                    place_of(row.constraint->condition.source)});
 }

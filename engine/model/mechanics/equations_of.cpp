@@ -109,7 +109,7 @@ void Deriver::require_rank(const ChangeOfVariables& change) {
         const ex velocity = constraints_.velocities.at(dependent(d).velocity);
         if (!has_pole(velocity)) continue;
         const Written& condition = mechanism_.constraints[d].condition;
-        refuse({"the rank of the constraints does not fall at the origin, where the equations are expanded",
+        refuse({"the rank of the constraints falls at the origin, where the equations are expanded",
                 excerpt(dependent(d).name + "' = " + written(form_, velocity)),
                 "choose another origin by [change], or another constraint", place_of(condition.source)});
     }
@@ -124,7 +124,7 @@ void Deriver::require_regular(const ChangeOfVariables& change) {
     const Zero zero = form_.vanishes(masses.determinant());
     const Place place = place_of(mechanism_.source);
     if (zero == Zero::yes)
-        bad_input({"the matrix of the accelerations is regular where the equations are expanded",
+        bad_input({"the matrix of the accelerations is singular where the equations are expanded",
                    "its determinant is zero there", "choose other coordinates, or another point by [change]",
                    place});
     if (zero == Zero::unknown)

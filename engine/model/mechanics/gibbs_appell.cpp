@@ -91,7 +91,7 @@ std::vector<ex> solved(const Motion& motion, const SolvedConstraints& constraint
     for (unsigned r = 0; r < masses.rows(); ++r)
         for (unsigned c = 0; c < masses.cols(); ++c) masses(r, c) = rows[r][c];
     if (motion.form().vanishes(masses.determinant()) == Zero::yes)
-        bad_input({"the matrix of the accelerations is regular", "its determinant is zero",
+        bad_input({"the matrix of the accelerations is singular", "its determinant is zero",
                    "give every coordinate a mass, or leave it out", place_of(motion.mechanism().source)});
     return solve_if_short(std::move(rows), motion.form(), place_of(motion.mechanism().source));
 }

@@ -165,7 +165,7 @@ void JointSolution::give_up() const {
     const Place place = place_of(integral.value.source);
     if (obstacle_.empty() && !changes_.empty()) does_not_invert(*changes_.front().second);
     if (obstacle_.empty())
-        bad_input({"each constraint has one integral", in_quotes(integral.coordinate.name) + " is one more",
+        bad_input({"a constraint has two integrals", in_quotes(integral.coordinate.name) + " is one more",
                    "leave it out", place});
     refuse({"an integral can be solved for a coordinate that it replaces", obstacle_,
             "solve it: write the coordinate as \"...\" in " + integral.coordinate.name + " under [change]",

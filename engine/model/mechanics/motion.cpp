@@ -73,7 +73,7 @@ ex Motion::with_laws(const ex& e) const { return e.subs(laws_, GiNaC::subs_optio
 ex Motion::unperturbed(const ex& e) const {
     const auto value = where_regular([&] { return with_laws(e).subs(system_->eps == 0); });
     if (!value)
-        bad_input({"a mechanism is regular at eps = 0", excerpt(spell(e)), "scale it by a power of eps",
+        bad_input({"the mechanism is singular at eps = 0", excerpt(spell(e)), "scale it by a power of eps",
                    place_of(mechanism_->source)});
     return *value;
 }

@@ -59,7 +59,7 @@ private:
 void Transition::require_number() const {
     const std::size_t freedom = constraints_.independent.size();
     if (all_.size() == freedom) return;
-    bad_input({"a mechanism has as many quasi-velocities as degrees of freedom, or none",
+    bad_input({"the mechanism has neither as many quasi-velocities as degrees of freedom nor none",
                std::to_string(all_.size()) + " quasi-velocities, " + std::to_string(freedom) +
                    " degrees of freedom",
                "name velocities of coordinates, too, as in w = \"theta'\"", place()});
@@ -73,7 +73,7 @@ ExactRow Transition::row_of(std::size_t k) const {
         const ex slope = form_.simplified(forms_[k].diff(independent(i).velocity));
         for (std::size_t other = 0; other < constraints_.independent.size(); ++other)
             if (slope.has(independent(other).velocity))
-                bad_input({"a quasi-velocity is linear or affine in the velocities",
+                bad_input({"the quasi-velocity is neither linear nor affine in the velocities",
                            excerpt(all_[k].form.text), "write it as a*x' + b*y' with a, b free of velocities",
                            place_of(all_[k].form.source)});
         row.push_back(slope);

@@ -72,7 +72,7 @@ ex Parser::expression() {
 ex Parser::equation() {
     const Piece left = sum();
     if (next().kind == TokenKind::end) {
-        complain(0, text_.size(), "an equation has exactly one '='", "write it as left = right");
+        complain(0, text_.size(), "the equation does not have exactly one '='", "write it as left = right");
     }
     if (!accept(TokenKind::equals)) expect_end(true);
     const Piece right = sum();
@@ -192,11 +192,11 @@ Parser::Piece Parser::call() {
     const std::string function(text_.substr(token.begin, token.name_end - token.begin));
     const bool named = scope_.is_function(function);
     if (token.primes > 0 && !named) {
-        complain(token.begin, token.end, "only variables have derivatives written with primes",
+        complain(token.begin, token.end, "primes follow a name that is not a variable",
                  "write the derivative of " + function + " in full");
     }
     if (next().kind != TokenKind::open) {
-        complain(token.begin, token.end, "a function has its argument in parentheses",
+        complain(token.begin, token.end, "the argument of a function is not in parentheses",
                  "write " + function + "(...)");
     }
     const Piece argument = parenthesis();
@@ -221,7 +221,7 @@ Parser::Piece Parser::parenthesis() {
     Piece inner = sum();
     --depth_;
     if (next().kind == TokenKind::end || next().kind == TokenKind::equals) {
-        complain(open.begin, open.end, "every '(' is closed by a ')'", "add the ')' or remove the '('");
+        complain(open.begin, open.end, "a '(' is not closed", "add the ')' or remove the '('");
     }
     if (next().kind == TokenKind::comma) expect_end(false);
     inner.begin = open.begin;
@@ -231,7 +231,7 @@ Parser::Piece Parser::parenthesis() {
 
 Parser::Piece Parser::reciprocal(const Piece& denominator) {
     if (vanishes(denominator.value) == Zero::yes) {
-        complain(denominator.begin, denominator.end, "a denominator is not zero",
+        complain(denominator.begin, denominator.end, "a denominator is zero",
                  "this expression is zero for all values: correct it");
     }
     Piece piece = denominator;
@@ -276,7 +276,7 @@ ex Parser::evaluate(std::size_t begin, std::size_t end, const std::function<ex()
     try {
         return build();
     } catch (const GiNaC::pole_error&) {
-        complain(begin, end, "an expression has a value", "it is singular here: correct it");
+        complain(begin, end, "the expression has no value", "it is singular here: correct it");
     } catch (const std::domain_error& undefined) { // these three: model/text/regular.hpp
         failure = undefined.what();
     } catch (const std::overflow_error& division_by_zero) {
@@ -284,7 +284,7 @@ ex Parser::evaluate(std::size_t begin, std::size_t end, const std::function<ex()
     } catch (const cln::runtime_exception& of_numbers) {
         failure = of_numbers.what();
     }
-    complain(begin, end, "an expression has a value",
+    complain(begin, end, "the expression has no value",
              "it cannot be evaluated (" + excerpt(failure) + "): correct it");
 }
 

@@ -20,14 +20,14 @@ void Parser::expect_end(bool equation) {
     if (token.kind == TokenKind::end) return;
     if (token.kind == TokenKind::equals) {
         complain(token.begin, token.end,
-                 equation ? "an equation has exactly one '='" : "an expression here has no '='",
+                 equation ? "the equation does not have exactly one '='" : "an expression here has no '='",
                  equation ? "remove the second" : "give the value alone");
     }
     if (token.kind == TokenKind::comma) {
-        complain(token.begin, token.end, "a comma has no meaning in an expression",
+        complain(token.begin, token.end, "an expression holds a comma",
                  "write decimals with a point; functions take one argument");
     }
-    complain(token.begin, token.end, "every ')' closes a '('", "remove it or add the '('");
+    complain(token.begin, token.end, "a ')' closes nothing", "remove it or add the '('");
 }
 
 numeric Parser::checked_exponent(const Piece& exponent) {
@@ -87,14 +87,14 @@ void Parser::complain(std::size_t begin, std::size_t end, std::string rule, std:
 void Parser::missing_operand() const {
     const Token& token = next();
     if (tokens_.size() == 1)
-        bad_input(Reason::syntax, {"an expression is not empty", "\"" + excerpt(text_) + "\"", "write one",
+        bad_input(Reason::syntax, {"the expression is empty", "\"" + excerpt(text_) + "\"", "write one",
                                    place_at(source_, text_, 0)});
     if (token.kind == TokenKind::comma) {
-        complain(token.begin, token.end, "a comma has no meaning in an expression",
+        complain(token.begin, token.end, "an expression holds a comma",
                  "write decimals with a point; functions take one argument");
     }
     if (at_ == 0) {
-        complain(token.begin, token.end, "an expression begins with a number, a name, a sign or '('",
+        complain(token.begin, token.end, "an expression begins with none of number, name, sign and '('",
                  "write what stands before '" + spelling(token) + "'");
     }
     const Token& before = tokens_[at_ - 1];
@@ -105,7 +105,7 @@ void Parser::missing_operand() const {
 void Parser::implicit_product() const {
     const Token& left = tokens_[at_ - 1];
     const Token& right = next();
-    complain(left.begin, right.end, "a product is written with '*'",
+    complain(left.begin, right.end, "a product is written without '*'",
              "write " + spelling(left) + "*" + spelling(right));
 }
 
@@ -123,7 +123,7 @@ void Parser::unknown_name(const Token& token) const {
                  "write fewer", Reason::name);
     }
     if (tokens_[at_ + 1].kind == TokenKind::open) {
-        complain(token.begin, token.end, "a function is one of the known ones",
+        complain(token.begin, token.end, "unknown function",
                  name == "ln" ? "write log, the natural logarithm" : suggest(name, function_names()),
                  Reason::name);
     }
@@ -135,11 +135,9 @@ void Parser::unknown_name(const Token& token) const {
             Reason::name);
     }
     if (name == "E" || name == "e") {
-        complain(token.begin, token.end, "a symbol is declared before it is used", "write exp(1)",
-                 Reason::name);
+        complain(token.begin, token.end, "unknown symbol", "write exp(1)", Reason::name);
     }
-    complain(token.begin, token.end, "a symbol is declared before it is used", suggest(name, scope_.names()),
-             Reason::name);
+    complain(token.begin, token.end, "unknown symbol", suggest(name, scope_.names()), Reason::name);
 }
 
 void Parser::enter(std::size_t at) {

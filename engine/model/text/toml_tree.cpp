@@ -222,7 +222,7 @@ Place place_of_second(const Lines& lines, toml::source_position at, const std::s
                        excerpt(lines.line(at)), "write it in quotes: it is taken exactly as spelled",
                        place_of(lines.source(at, ""))});
     bad_input(Reason::syntax,
-              {"the file is TOML", excerpt(lines.line(at)),
+              {"the file is not valid TOML", excerpt(lines.line(at)),
                "the TOML parser says: " + printable(reason.substr(0, 300)), place_of(lines.source(at, ""))});
 }
 
@@ -240,11 +240,11 @@ std::string read_text(const std::filesystem::path& file) {
     const Place place = whole_file(file);
     const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     if (!std::filesystem::exists(status)) {
-        bad_input(Reason::file, {"the file must exist", excerpt(file.string()), "check the path", place});
+        bad_input(Reason::file, {"no such file", excerpt(file.string()), "check the path", place});
     }
     if (!std::filesystem::is_regular_file(status)) {
-        bad_input(Reason::file, {"the path must be that of a regular file", excerpt(file.string()),
-                                 "give the path of a file", place});
+        bad_input(Reason::file,
+                  {"not a regular file", excerpt(file.string()), "give the path of a file", place});
     }
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
     if (size > largest_file) {
@@ -256,7 +256,7 @@ std::string read_text(const std::filesystem::path& file) {
     if (size > 0) text << stream.rdbuf();
     if (!stream || (size > 0 && !text)) {
         bad_input(Reason::file,
-                  {"the file must be readable", excerpt(file.string()), "check its permissions", place});
+                  {"the file cannot be read", excerpt(file.string()), "check its permissions", place});
     }
     return text.str();
 }

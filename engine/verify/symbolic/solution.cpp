@@ -27,7 +27,7 @@ template <class List> const auto& output_of(const List& outputs, const std::stri
     const auto found =
         std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == name; });
     if (found == outputs.end())
-        bad_input({"an output is a variable of the system", name, "remove it from outputs", {}});
+        bad_input({"the output is not a variable of the system", name, "remove it from outputs", {}});
     return *found;
 }
 
