@@ -90,7 +90,7 @@ void add_generate(CLI::App& app, Action& action) {
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
     on_choice(*command, action, [=] {
-        const std::string file = *output == "-" ? "" : *output; // the usual name of standard output
+        const std::string file = *output == "-" ? "" : *output; // "-" usually means standard output
         return run_generate({*scene, file, format.value(), *inline_runtime, limits.value()});
     });
 }
