@@ -40,7 +40,7 @@ public:
     void go_to(const Point& point);
     [[nodiscard]] const NormalForm& normal_form() const { return normal_form_; }
     [[nodiscard]] const NearIdentityMap& map() const { return map_; }
-    // The residual of weight n is a sum of products of n coefficients and what the equations hold besides;
+    // The residual of weight n is a sum of products of n coefficients and other factors of the equations;
     // over their common denominator its degree and height are at most n times those of one coefficient.
     [[nodiscard]] double error() const;
 

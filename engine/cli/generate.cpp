@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// resonform generate SCENE [-o FILE]: the C++ header of a scene, and what pruning saved.
+// resonform generate SCENE [-o FILE]: the C++ header of a scene, and the savings by pruning.
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
 #include "cli/locations.hpp"

@@ -43,7 +43,7 @@ struct VerifyPlan {
     std::string ulp_reason;   // why it is more than the default
 };
 
-// What is known of a value once [fix] is put in and eps is 0.1.
+// The sign of a value as far as it is known, with [fix] put in and eps = 0.1.
 enum class Estimate {
     unknown,   // parameters are left, or rounding hides the sign
     unbounded, // no parameter is left, but it is not finite in double precision

@@ -158,7 +158,7 @@ struct System {
     [[nodiscard]] const NamedFunction* function(const std::string& name) const;
     // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
-    // The parameters and eps: what start values and intervals may contain.
+    // The parameters and eps: the symbols that start values and intervals may contain.
     [[nodiscard]] Scope constants() const;
 };
 
