@@ -24,21 +24,21 @@ namespace resonform {
             "write the equation with what the expansion supports", place_of(equation.source)});
 }
 
-// A GiNaC number as an exact one. Error (refused): it is not rational.
+// A GiNaC number as a Rational. Error (refused): it is not rational.
 inline Rational rational_of(const GiNaC::ex& number, const Equation& equation) {
     if (!GiNaC::is_a<GiNaC::numeric>(number) || !GiNaC::ex_to<GiNaC::numeric>(number).is_rational())
         refuse_certificate("numbers and exponents are rational", equation);
     return to_rational(number);
 }
 
-// Which function a GiNaC call is. Error (refused): one that the table does not have.
+// The function of a GiNaC call. Error (refused): it is not in the table of functions.
 inline Function elementary_of(const GiNaC::ex& function, const Equation& equation) {
     const std::optional<Function> known = function_of(function);
     if (!known) refuse_certificate("functions are the elementary ones", equation);
     return *known;
 }
 
-// f'(u) as the library differentiates, not as the expansion does.
+// f'(u) as GiNaC differentiates, independently of the expansion.
 inline GiNaC::ex known_slope(Function f, const GiNaC::ex& u) {
     if (f == Function::inverse_hyperbolic_cosine) // one root, as in the ring
         return GiNaC::pow(u * u - 1, GiNaC::numeric(-1, 2));

@@ -68,7 +68,7 @@ BallPoint random_ball_point(const RingPtr& ring, std::mt19937_64& random, std::i
         case GeneratorKind::fast:
         case GeneratorKind::phase: value = random_value(random, false); break;
         case GeneratorKind::small: value = random_value(random, true); break;
-        default: // what is left of numbers; modes and frequencies were rounded, and are met no more
+        default: // roots and functions of numbers; modes and frequencies were rounded
             if (numbers.has_value(id)) value = numbers.value(ring->gen(id));
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program of a certificate at a point, over complex balls: truncated series in a grading variable t as in
-// PointRun, each coefficient with the sum of the magnitudes of all terms that it was made of. By that sum is
-// told what is left over from rounding and what is not.
+// PointRun, each coefficient with the sum of the magnitudes of all terms that it was made of. A residual
+// smaller than 10^-(digits + spare_digits/2) times this sum counts as rounding error.
 #pragma once
 
 #include "algebra/number/magnitude.hpp"
@@ -40,13 +40,13 @@ public:
     [[nodiscard]] const Value& operator()(Slot slot) const { return slots_[static_cast<std::size_t>(slot)]; }
 
 private:
-    [[nodiscard]] Value run(const Instruction& step) const; // one that reads no series
+    [[nodiscard]] Value run(const Instruction& step) const; // a step that reads no series
     [[nodiscard]] Value constant(const ComplexBall& c) const;
     [[nodiscard]] Value number(const Rational& value) const;
     [[nodiscard]] Value generator(GeneratorId id, int power) const;
     [[nodiscard]] Value add(const Value& a, const Value& b) const;
     [[nodiscard]] Value multiply(const Value& a, const Value& b) const;
-    // Plain Taylor sums; u_0 is 0 (1 for the logarithm), but for rounding.
+    // Plain Taylor sums; u_0 is 0 (1 for the logarithm) up to rounding.
     [[nodiscard]] Value integral(Value u, const Value& slope) const;
     [[nodiscard]] Value function(Function function, const Value& u) const;
     [[nodiscard]] Value power(const Value& a, const Rational& exponent, const Value& lead) const;
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] Value value(const Series& s, Side side) const;
     [[nodiscard]] Value slope(const Series& s, Side side, GeneratorId by) const;
     [[nodiscard]] const ComplexBall& value_of(GeneratorId id, Side side) const;
-    // Of a term, without one power of a generator (-1: of none).
+    // The value of a term divided by one power of the generator `without` (-1: undivided).
     [[nodiscard]] ComplexBall term(const Term& t, Side side, GeneratorId without) const;
 
     const Ring& ring_;

@@ -36,7 +36,7 @@ public:
         const std::vector<Instruction>& steps = plan.program.steps();
         std::vector<std::optional<Size>> sizes(steps.size());
         SeriesName name{};
-        const Survey* survey = nullptr; // of that name, as neighbours often have
+        const Survey* survey = nullptr; // the series `name`: neighbouring steps often read the same one
         for (std::size_t k = 0; k < steps.size(); ++k) {
             if (!plan.needed[k]) continue;
             const Instruction& step = steps[k];
@@ -161,9 +161,9 @@ private:
     double length_bits_; // of the number of weights
 };
 
-// What certificate_lie.hpp compares. With {w_a, chi} = P/Q, Q free of w, the k-th iterate of the Lie series
-// is a polynomial over Q^k, whose degree grows by that of P and whose norm by that of P, times the degree,
-// for each of the 2n coordinates.
+// Degree and height of the comparison in lie.hpp. With {w_a, chi} = P/Q, Q free of w, the k-th iterate of the
+// Lie series is a polynomial over Q^k, whose degree grows by that of P and whose norm by that of P, times the
+// degree, for each of the 2n coordinates.
 Size size_of_flow(const SizeRun& run, Surveyor& surveys, const NormalForm& normal_form) {
     const HamiltonianForm& form = *normal_form.hamiltonian;
     Size brackets, slopes;

@@ -6,9 +6,9 @@
 // <= 2^B, where a root sigma^k = P counts as degree P / k. Its norm over the field of i and of the roots
 // (of degree K = 2 k_1 ... k_s, because the roots are independent) is the resultant
 //   F = Res(i^2 + 1, Res(sigma^k - P, c)),  F != 0,  deg F <= K D,  bits of F <= K (B + D log2 |P|_1 / k),
-// a polynomial in parameters, slow variables, functions, w0, wbar0, e0, which are chosen at random (of sin
-// and cos, t with sin = 2 t/(1 + t^2) and cos = (1 - t^2)/(1 + t^2)); and c = 0
-// modulo p at a point implies F = 0 modulo p there. Hence
+// a polynomial in the quantities that are drawn at random: parameters, slow variables, functions, w0, wbar0,
+// e0 (for sin and cos, the t of sin = 2 t/(1 + t^2) and cos = (1 - t^2)/(1 + t^2)); and c = 0 modulo p at a
+// point implies F = 0 modulo p there. Hence
 //   (1) F vanishes modulo p identically for at most bits(F)/60 of the 1.3e16 primes p > 2^60;
 //   (2) else, for a random point, with probability at most K D / 2^60            (Schwartz and Zippel);
 //   (3) points are drawn until all roots exist modulo p, which happens with probability at least

@@ -38,7 +38,7 @@ void add_linear_part(CertificatePlan& plan, const GradedField& field) {
     }
 }
 
-// Of the equations, and of psi' along the normal form against d/dt psi.
+// Adds the residuals of the equations, and psi' along the normal form minus d/dt psi.
 void add_residuals(CertificatePlan& plan, const System& system, const Jets& jets, CertificateRoots& roots) {
     const auto substituted = [&](const GiNaC::ex& e, const Equation& equation) {
         return substitute(plan.program, roots, jets.values, equation, e);

@@ -29,7 +29,7 @@ constexpr int unlucky_points_allowed = 64;
 
 using Matrix = std::vector<std::vector<Residue>>;
 
-// At the n-th point, as all below.
+// The functions below take n, the index of the point in the batch.
 std::vector<Residue> at_origin(const PointRun& run, std::size_t n, const std::vector<Slot>& slots) {
     std::vector<Residue> values;
     values.reserve(slots.size());
@@ -55,7 +55,7 @@ void require_known_rates(const CertificatePlan& plan, const PointRun& run, std::
                                       {}});
 }
 
-// What does not vanish at a point, of the lowest stage and there of the lowest weight; "" if all vanishes.
+// The first check that fails at a point, by stage and then by weight; "" if all hold.
 std::string complaint_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
                          const System& system, int order) {
     const VanishingCheck* worst = nullptr;
@@ -100,8 +100,8 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
     const int through = shape.through + (shape.hamiltonian ? weight_of_modes(field) : 0);
     const double bound = point_error_bound(plan, shape, source.map(), surveys) + source.error();
     const int points = points_needed(bound, field.system());
-    // The bound itself follows the shape in which the expression library keeps an equation, which may
-    // differ from run to run: what is said is what there are points for.
+    // The bound depends on the form in which GiNaC keeps an equation, which may differ from run to run.
+    // Reported is the wanted probability, which the number of points guarantees.
     certificate.error_probability = wanted_error;
     PointSampler sampler(*field.ring, seed);
     std::string complaint;
@@ -150,7 +150,7 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
     return complaint;
 }
 
-// The plan is asked for when the shape is right.
+// plan() is called only if the shape is right.
 template <class Source, class Plan> Certificate certified(Plan plan, Source& source, std::uint64_t seed) {
     const NormalForm& normal_form = source.normal_form();
     Certificate certificate;
@@ -177,7 +177,7 @@ Certifier::Certifier(std::shared_ptr<const GradedField> field)
 
 Certificate Certifier::operator()(const NormalForm& normal_form, const NearIdentityMap& map,
                                   std::uint64_t seed) const {
-    // Brackets are part of what is certified.
+    // plan_ has no brackets: a Hamiltonian normal form needs a plan of its own.
     if (normal_form.field != field_ || normal_form.hamiltonian) return certify(normal_form, map, seed);
     RingSource source(normal_form, map);
     return certified([this]() -> const CertificatePlan& { return *plan_; }, source, seed);

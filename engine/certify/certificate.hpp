@@ -5,9 +5,9 @@
 //   z = w + h, X = Z + l, w' = N, Z' = N_X, xi' as given, psi = (z + zbar)/2:
 //   (a) psi' = d/dt psi, and equation_k(psi'', psi', psi, X', xi', xi, eps) = 0, through weight M
 //   (b) every monomial of N is resonant, none of h and l is; N = i omega w + weights 2 ... M
-//       (style inner_product: N = lambda w + n w + ..., and N and h obey certificate_inner_product.hpp)
+//       (style inner_product: N = lambda w + n w + ..., and N and h obey inner_product.hpp)
 //
-// Style hamiltonian: (b) of N and of the generator instead of h, and what certificate_hamiltonian.hpp says.
+// Style hamiltonian: (b) of N and of the generator instead of h, and the checks of hamiltonian.hpp.
 //
 // (a) and (b) have one solution, so that any wrong coefficient through M is found. Only exponents and
 // coefficients are read from the ring; no product, relation, derivative or conjugation of it is used.
@@ -22,16 +22,16 @@ namespace resonform {
 // Checks through M = normal_form.through. `seed` chooses points and primes; the default is fixed, so
 // that the same input gives the same answer. There are at least 2 points, and as many as bring
 // error_probability, the probability that a wrong normal form would be passed (derivation:
-// certificate_bound.hpp), to 1e-30. Cost: linear in the number of terms.
+// bound.hpp), to 1e-30. Cost: linear in the number of terms.
 //
 // A normal form that fails is no error: holds = false, and `complaint` says where.
 // Errors (refused): an equation with constructs that cannot be substituted;
-// roots in the ring that are not proved independent; equations whose highest derivatives are not
-// determined by them at weight 0, so that a residual says less than its weight.
+// roots in the ring that are not proved independent; equations that do not determine their highest
+// derivatives at weight 0, so that a vanishing residual proves less than its weight.
 Certificate certify(const NormalForm& normal_form, const NearIdentityMap& map, std::uint64_t seed = 1);
 
 // The same for several normal forms of one field: the equations are read once, when it is made. (Style
-// hamiltonian: each time, as the brackets are part of what is certified.)
+// hamiltonian: each time, because the plan contains the brackets of the normal form.)
 class Certifier {
 public:
     explicit Certifier(std::shared_ptr<const GradedField> field);

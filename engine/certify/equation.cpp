@@ -10,7 +10,7 @@ namespace resonform {
 
 namespace {
 
-// k of an argument k phi + rest, an integer; the angle is taken out of `argument`. Refuses what is not one.
+// For an argument k phi + rest: returns k, leaves `rest` in `argument`. Refuses a k that is no small integer.
 int take_out_harmonic(GiNaC::ex& argument, const GiNaC::symbol& angle, const Equation& equation) {
     constexpr int highest_harmonic = 1000;
     const GiNaC::ex k = argument.diff(angle).expand();
@@ -189,7 +189,7 @@ private:
         }
     }
 
-    // Of a function at weight 0; a slow variable there is the new one.
+    // The value of f at weight 0; a slow variable in it is the new one.
     Slot value_at_origin(const GiNaC::ex& f) {
         return program_.at_origin((*this)(roots_.at_origin(f, equation_)));
     }

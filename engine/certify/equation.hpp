@@ -12,7 +12,7 @@
 
 namespace resonform {
 
-// What stands for the symbols of an equation; an angle is known by e^{i phi} and e^{-i phi}.
+// The slots put in for the symbols of an equation; an angle is given by e^{i phi} and e^{-i phi}.
 struct Substituted {
     struct Angle {
         GiNaC::symbol symbol;

@@ -9,7 +9,7 @@ namespace resonform {
 
 namespace {
 
-// Of a series along the normal form, with its time derivative.
+// A series along the normal form, with its time derivative.
 struct Moving {
     Slot value, rate;
 };
@@ -108,8 +108,8 @@ private:
         return program_.multiply(slope, follow(program_.series(root.radicand), Side::itself).rate);
     }
 
-    // f(u)' = f'(u) u'. Which generator is which function of what is read from the ring, its derivatives are
-    // not. nullopt: the last derivative of a function that is known by its name.
+    // f(u)' = f'(u) u'. The ring tells which function a generator is; its derivatives are not used. nullopt:
+    // the last derivative that the ring has of a function known by its name.
     std::optional<Slot> function_rate(GeneratorId id, const Moving& argument) {
         const FunctionOf& of = field_.ring->generator(id).of;
         const auto times = [&](Slot slope) { return program_.multiply(slope, argument.rate); };
@@ -129,7 +129,7 @@ private:
         return slope ? std::optional(times(program_.generator(*slope, 1))) : std::nullopt;
     }
 
-    // As if the slope stood in an equation, at weight 0.
+    // f'(u) at weight 0, substituted like an expression of an equation.
     Slot slope_as_written(Function f, GeneratorId id) {
         const Equation& equation = field_.system().equations.front();
         Substituted values;

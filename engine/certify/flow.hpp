@@ -13,12 +13,12 @@
 
 namespace resonform {
 
-// What is substituted into the equations, and what must vanish besides them: psi' - d/dt psi.
+// The values to substitute into the equations, and the defects psi' - d/dt psi, which must vanish as well.
 struct Jets {
     Substituted values;
     std::vector<std::pair<std::size_t, Slot>> velocity_defects; // by variable
-    // Slopes of what is followed, by the last derivative of a function known by its name. That has no rate:
-    // they must vanish.
+    // The derivatives of the followed series by the last derivative of a function known by its name. The ring
+    // does not hold its rate, so they must vanish.
     std::vector<std::pair<GeneratorId, Slot>> unknown;
 };
 

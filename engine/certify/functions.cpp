@@ -121,7 +121,7 @@ ex CertificateRoots::without_whole_powers(const ex& e) const {
     return result;
 }
 
-// Of a function that the ring has as it stands: of the same argument or, if it is odd, of the negative one.
+// f(u) by the generator of the same function with the argument u or, if f is odd, -u.
 ex CertificateRoots::plain(Function name, const ex& u, const Equation& equation) const {
     const bool odd = row_of(name).parity == Parity::odd;
     if (odd && u.is_zero()) return 0;
@@ -191,7 +191,7 @@ ex CertificateRoots::logarithm(const ex& u, const Equation& equation) const {
     return sum;
 }
 
-// The logarithm of the factors that are known, which are taken out of `rest`.
+// Takes out of `rest` the factors whose logarithms are known; returns the sum of these logarithms.
 ex CertificateRoots::logarithm_of_factors(ex& rest) const {
     ex sum = 0;
     const auto take_powers = [&](const ex& symbol, const ex& logarithm) {
@@ -218,7 +218,7 @@ ex CertificateRoots::logarithm_of_factors(ex& rest) const {
     return is_a<GiNaC::numeric>(rest) ? ex(sum + logarithm_of_number(rest)) : sum;
 }
 
-// Of a rational number, by the numbers of which the ring has logarithms.
+// The same for a rational number, with the numbers of which the ring has logarithms.
 ex CertificateRoots::logarithm_of_number(ex& rest) const {
     ex sum = 0, above = rest.numer(), below = rest.denom();
     for (const FunctionAtom& f : functions_) {

@@ -128,7 +128,7 @@ private:
 
     void add_energy(const Jets& jets, CertificateRoots& roots) {
         const Hamiltonian& h = *field_.system().hamiltonian;
-        const Equation energy{"the energy", h.text, h.energy, h.source}; // it names what a message is about
+        const Equation energy{"the energy", h.text, h.energy, h.source}; // for messages
         must_be_equal(substitute(program_, roots, jets.values, energy, energy.residual),
                       program_.value({SeriesName::energy}, Side::itself), weight_, true,
                       "the energy along the map is not K");

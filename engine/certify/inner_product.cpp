@@ -118,7 +118,7 @@ private:
         return exponents;
     }
 
-    // What L keeps: the family of the mode, the degree in each family.
+    // The invariants of L: the degree in each family, and the family of the mode.
     [[nodiscard]] Exponents degrees(const Component& component) const {
         Exponents sums(families_.size() + 1, 0);
         for (std::size_t id = 0; id < families_.size(); ++id) sums[families_[id]] += component.second[id];
@@ -126,7 +126,7 @@ private:
         return sums;
     }
 
-    // All that has the degrees of one component.
+    // All components with the same invariants.
     [[nodiscard]] std::vector<Component> basis_like(const Component& component) const {
         std::vector<Exponents> monomials{Exponents(families_.size(), 0)};
         const Exponents sums = degrees(component);
@@ -219,7 +219,7 @@ private:
     const Resonance& resonance_;
     std::vector<Link> links_;
     std::vector<Residue> factors_;      // of links_
-    std::vector<std::size_t> families_; // by generator: the first of those that couplings lead to
+    std::vector<std::size_t> families_; // by generator: the first of those linked to it by couplings
 };
 
 } // namespace

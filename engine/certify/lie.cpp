@@ -49,7 +49,7 @@ public:
         : m_(point.field), weight_(weight_of_modes(*normal_form.field)), through_(normal_form.through),
           nodes_(static_cast<std::size_t>(std::max(through_ - weight_ + 1, 2))) {
         const HamiltonianForm& form = *normal_form.hamiltonian;
-        std::vector<Residue> others = point.values; // of what is no coordinate
+        std::vector<Residue> others = point.values; // the coordinates are set to 1
         for (const CertificatePlan::Coordinate& c : plan.coordinates) {
             places_.emplace(c.id, places_.size());
             others[static_cast<std::size_t>(c.id)] = 1;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int points = 4, samples = 2;
 
-// Is it smaller than 10^-(digits + spare_digits/2) times the sum of the magnitudes of its terms? What is not
-// a number is not small.
+// Whether it is smaller than 10^-(digits + spare_digits/2) times the sum of the magnitudes of its terms;
+// false if that sum is not finite.
 bool is_small(const BallRun::Coefficient& c, int digits, std::int64_t bits) {
     RealBall magnitude, bound = RealBall(power_of_ten(-(digits + spare_digits / 2)), bits);
     acb_abs(magnitude.get(), c.value.get(), bits);
@@ -26,7 +26,7 @@ bool is_small(const BallRun::Coefficient& c, int digits, std::int64_t bits) {
     return c.size.is_finite() && arb_le(magnitude.get(), bound.get()) != 0;
 }
 
-// What is not small at a point, of the lowest weight; "" if all is.
+// The check of lowest weight whose value at a point is not small; "" if all are small.
 std::string complaint_of(const CertificatePlan& plan, const BallRun& run, const System& system, int order,
                          std::int64_t bits) {
     const VanishingCheck* worst = nullptr;
@@ -45,7 +45,7 @@ std::string complaint_of(const CertificatePlan& plan, const BallRun& run, const 
                             : fmt::format("weight {}: {}", to_string(system.weight(lowest)), worst->sentence);
 }
 
-// A residual says as much as its weight only where the equations determine their highest derivatives.
+// Whether the equations determine their highest derivatives: if not, a residual proves less than its weight.
 bool is_regular(const CertificatePlan& plan, const BallRun& run, std::int64_t bits) {
     BallMatrix jacobian;
     for (const std::vector<Slot>& row : plan.jacobian) {

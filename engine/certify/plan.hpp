@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What part (a) of a certificate computes and what must vanish of it: the equations of the file along map and
-// normal form, whatever these are.
+// The quantities that part (a) of a certificate computes and those that must vanish: the equations of the
+// file along any map and normal form.
 #pragma once
 
 #include "certify/program.hpp"
@@ -16,7 +16,7 @@ struct VanishingCheck {
     Slot slot;
     int weight;
     bool above_order;
-    int stage; // what is wrong at a lower stage is said first, and of one stage the lowest weight
+    int stage; // lower stages are reported first, and of one stage the lowest weight
     std::string sentence;
 };
 
@@ -29,7 +29,7 @@ struct CertificatePlan {
     std::vector<std::pair<GeneratorId, Slot>> unknown; // Jets::unknown
     std::vector<bool> needed;                          // by slot
 
-    // What is wanted of a series, by side.
+    // The value and the slopes that are needed of a series, by side.
     struct Reading {
         SeriesName series;
         struct OfSide {

@@ -12,7 +12,7 @@ namespace resonform {
 
 namespace {
 
-// There are few.
+// A linear search: the lists are short.
 template <class Key, class Entry>
 const Entry* find_in(const std::vector<std::pair<Key, Entry>>& list, const Key& key) {
     const auto found =
@@ -22,12 +22,12 @@ const Entry* find_in(const std::vector<std::pair<Key, Entry>>& list, const Key& 
 
 } // namespace
 
-// A series that a step needs on its way; its room is used again.
+// A temporary series of a step; its memory is reused.
 class PointRun::Scratch {
 public:
     explicit Scratch(PointRun& run) : unused_(run.unused_) {
         if (unused_.empty()) {
-            unused_.reserve(unused_.capacity() + 1); // to take it back
+            unused_.reserve(unused_.capacity() + 1); // the destructor must not allocate
         } else {
             room_ = std::move(unused_.back());
             unused_.pop_back();
@@ -92,7 +92,7 @@ void PointRun::run(const Instruction& step, Value& to) {
     case Operation::integral: return integral(to, operand(step.left), operand(step.right));
     case Operation::at_origin: return set(to, 0, operand(step.left).at[0]);
     case Operation::value:
-    case Operation::slope: return; // read before
+    case Operation::slope: return; // already read
     }
 }
 
@@ -133,7 +133,7 @@ void PointRun::taylor(Value& to, const std::vector<Lanes>& coefficients, const V
     Scratch one(*this), other(*this);
     Value sum = one.value(), next = other.value();
     set(sum, 0, coefficients[static_cast<std::size_t>(used)]);
-    for (int k = used; k-- > 0;) { // it is multiplied with u^k still
+    for (int k = used; k-- > 0;) { // later steps multiply `sum` by u^k
         std::fill_n(next.at, through_ + 1, Lanes{});
         next.first = through_ + 1;
         next.last = -1;

@@ -62,9 +62,9 @@ private:
     [[nodiscard]] Lanes inverse(const Lanes& a); // throws UnluckyPoint
     [[nodiscard]] Lanes power(const Lanes& a, int exponent);
     [[nodiscard]] const Lanes& inverse_of(int k); // 1/k for 1 <= k
-    // Of (1 + u)^exponent. What is returned stays until the next call.
+    // The Taylor coefficients of (1 + u)^exponent; the reference is valid until the next call.
     [[nodiscard]] const std::vector<Lanes>& binomial(const Rational& exponent);
-    // The same.
+    // Those of a function, likewise.
     [[nodiscard]] const std::vector<Lanes>& taylor_coefficients(Function function);
 
     const Ring& ring_;
@@ -73,10 +73,10 @@ private:
     int through_;
     Lanes one_;
     std::vector<Lanes> inverses_;                    // of 1, 2, ...
-    std::vector<std::pair<Lanes, Lanes>> quotients_; // inverses of what powers are taken of
+    std::vector<std::pair<Lanes, Lanes>> quotients_; // a and 1/a, of all a inverted so far
     std::vector<std::pair<Rational, std::vector<Lanes>>> binomials_;
     std::vector<std::pair<Function, std::vector<Lanes>>> taylor_;
-    std::vector<std::vector<Lanes>> unused_; // room of series that were needed on the way
+    std::vector<std::vector<Lanes>> unused_; // memory for temporary series
     std::vector<std::size_t> offsets_;
     std::vector<Lanes> values_;
     std::vector<Value> slots_;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a certificate computes at a point, written down once: a straight-line program over truncated series.
-// The equations of the file are read when it is written; it runs with residues and with bounds of degree and
-// height.
+// The computation of a certificate at a point: a straight-line program over truncated series. The equations
+// of the file are read when it is written; it then runs with residues, with balls, and with bounds of degree
+// and height.
 //
 //   CertificateProgram p;
-//   const Slot u = p.add(p.generator(z, 1), p.value({SeriesName::mode_shift, 0}, Side::itself));   // z = w +
-//   h const Slot sine = p.function(Function::sine, u);
+//   // z = w + h
+//   const Slot u = p.add(p.generator(z, 1), p.value({SeriesName::mode_shift, 0}, Side::itself));
+//   const Slot sine = p.function(Function::sine, u);
 //
-// Equal steps are one step, so that slots are equal where what they stand for is seen to be.
+// Equal steps share one slot, so that many equal values are seen to be equal by their slots.
 #pragma once
 
 #include "algebra/number/functions.hpp"

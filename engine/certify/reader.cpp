@@ -154,7 +154,7 @@ inline void PointReader::read_tail(AtPoint& at, int from) const {
     }
 }
 
-// The limbs of its numerators can be read after that.
+// Sets the factors by which read_number() turns the limbs of a numerator into a residue.
 void PointReader::read_denominator(AtPoint& at, const Fractions& part) {
     const Montgomery& montgomery = at.montgomery;
     while (at.limb_factors.size() < part.limbs) // times 2^64
@@ -170,7 +170,7 @@ void PointReader::read_denominator(AtPoint& at, const Fractions& part) {
     at.cofactor = known->second;
 }
 
-// Times the tail of its monomial.
+// Sets at.number to numerator k times `tail`, the tail of its monomial.
 inline void PointReader::read_number(AtPoint& at, const Fractions& part, std::size_t k, Residue tail) {
     const mp_limb_t* limbs = part.magnitude(k);
     std::uint64_t number = limbs[0]; // need not be reduced

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Evaluates polynomials of a ring and their partial derivatives at a point, by one pass over their terms.
-// Neighbouring terms agree in most words of their monomials: what these give is kept.
+// Neighbouring terms agree in most words of their monomials: the products of these words are kept.
 #pragma once
 
 #include "algebra/ring/fractions.hpp"
@@ -38,7 +38,7 @@ public:
         const auto w = static_cast<std::size_t>(word);
         return {powers_[w].data(), counts_[w]};
     }
-    // Of all generators; what comes after them is 0.
+    // By generator; entries past the last generator are 0.
     [[nodiscard]] const std::vector<int>& exponents() const { return exponents_; }
 
 private:
@@ -55,14 +55,14 @@ private:
     bool started_ = false;
 };
 
-// At some points and their conjugates. Results are in Montgomery's form. UnluckyPoint is thrown where a prime
-// divides a denominator.
+// Evaluates at some points and their conjugates. Results are in Montgomery's form. UnluckyPoint is thrown
+// where a prime divides a denominator.
 class PointReader {
     __extension__ using Signed = __int128;
 
 public:
     static constexpr std::size_t most_points = 4;
-    // 1 ... most_points of them, at which no generator is zero.
+    // `points`: 1 ... most_points of them; no generator is zero there.
     PointReader(const Ring& ring, std::span<const Point> points);
 
     // The sum of all terms, and its derivatives by some generators, at each point.
@@ -105,9 +105,9 @@ private:
         std::array<Half, 2> halves;
         Residue one = 0;
         std::vector<Residue> limb_factors;                 // 2^(64 k + 64)
-        std::vector<std::pair<Residue, Residue>> inverses; // of denominators, ascending: they come again
+        std::vector<std::pair<Residue, Residue>> inverses; // of denominators, ascending: the same ones recur
         std::array<Residue, 5> tails{};                    // of the first words after the head, times 2^64
-        Residue cofactor = 0, number = 0;                  // of the part, of the term that is read
+        Residue cofactor = 0, number = 0;                  // of the part, of the current term
     };
 
     // With the number of generators in the head.

@@ -30,7 +30,7 @@ PointReadings::PointReadings(const CertificatePlan& plan, const NormalForm& norm
             }
         }
     }
-    // Two threads take a share of the points each. They meet no number of CLN.
+    // Two threads take a share of the points each. They use no number of CLN, which is not thread-safe.
     constexpr std::size_t enough = std::size_t{1} << 15; // half a millisecond
     if (points.size() < 2 || terms * points.size() < enough || std::thread::hardware_concurrency() < 2) {
         read(ring, points, 0);
@@ -43,7 +43,7 @@ PointReadings::PointReadings(const CertificatePlan& plan, const NormalForm& norm
     other.get();
 }
 
-// The first of them is number `first` of all.
+// `first` is the index of the first of these points among all.
 void PointReadings::read(const Ring& ring, std::span<const Point> points, std::size_t first) {
     PointReader reader(ring, points);
     std::vector<PointReader::Wanted> wanted;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program reads of normal form and map.
+// The coefficients of normal form and map that a program reads.
 #pragma once
 
 #include "certify/plan.hpp"

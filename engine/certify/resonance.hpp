@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which monomials are resonant, as the certificate sees it.
+// The resonant monomials, found independently of the normaliser.
 #pragma once
 
 #include "algebra/number/modular.hpp"
@@ -9,7 +9,7 @@
 
 namespace resonform {
 
-// What the scan knows of one random point modulo a prime.
+// The frequencies at one random point modulo a prime, for the scan.
 struct FrequencySample {
     PrimeField field;
     std::vector<Residue> growth, omega; // of each mode
@@ -23,9 +23,9 @@ public:
     Resonance(const GradedField& field, const std::vector<FrequencySample>& samples)
         : field_(field), samples_(samples) {}
 
-    // It is zero at all samples.
+    // Whether it is zero at all samples.
     [[nodiscard]] bool is_exact(const std::vector<int>& exponents, int mode) const;
-    // The user's threshold, for divisors that are numbers; those that are zero may be among them.
+    // Whether it is a number of at most the user's threshold [normal_form] near; zero may be included.
     [[nodiscard]] bool is_near(const std::vector<int>& exponents, int mode) const;
 
 private:

@@ -75,7 +75,7 @@ CertificateRoots::CertificateRoots(const GradedField& field) : field_(&field) {
         for (std::size_t k = v.role == Role::fast ? 0 : 1; k < v.jet.size(); ++k) origin_[v.jet[k]] = 0;
 }
 
-// What stands in the equation, or a part of it in the symbols of generators.
+// Names the part of the equation in the message; `part` may hold symbols of generators.
 void CertificateRoots::refuse_part(const std::string& rule, const ex& part, const Equation& equation) const {
     const std::string name = spell(part.subs(meanings_, GiNaC::subs_options::no_pattern));
     refuse_certificate(rule, equation, fmt::format("{} in ", name));
@@ -171,9 +171,9 @@ std::pair<ex, ex> CertificateRoots::rationalised(const ex& e) const {
     return {above, below};
 }
 
-// The factors of a product or a power with their exponents, what is negative turned: the library holds
-// (b - tau)^3*b as -(tau - b)^3*b or so, as it happens, and (1 - a)^2 as (-1 + a)^2. Anything else, and
-// -tau where tau is negative, is its own only factor.
+// The factors of a product or a power with their exponents. A factor b to a whole power is replaced by -b if
+// that is proved positive: GiNaC may hold (1 - a)^2 as (-1 + a)^2, or (b - tau)^3*b as -(tau - b)^3*b.
+// Anything else, and -tau where tau is negative, is its own only factor.
 std::vector<std::pair<ex, Rational>> CertificateRoots::positive_factors(const ex& product,
                                                                         const Equation& equation) const {
     if (!is_a<GiNaC::mul>(product) && !is_a<GiNaC::power>(product)) return {{product, 1}};

@@ -37,7 +37,7 @@ public:
     // The weight-0 part of e as a rational expression in the symbols of parameters, slow variables and
     // generators. Errors (refused, with the equation as written): what the ring has no generators for.
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Equation& equation);
-    // The generator that a symbol in this expression stands for, or the number pi.
+    // The generator of a symbol in this expression; also that of the number pi.
     [[nodiscard]] std::optional<GeneratorId> generator_of(const GiNaC::ex& symbol) const;
     // The argument of a generator that is a function, as an expression in the names of the file.
     [[nodiscard]] GiNaC::ex argument_of(GeneratorId function) const;
@@ -66,7 +66,7 @@ private:
     };
     // A product of positive factors, each to a rational power.
     struct Product {
-        GiNaC::ex whole;             // as it was asked for
+        GiNaC::ex whole;             // the base that was asked for
         std::vector<Rational> roots; // exponent of each radicand
         std::vector<std::pair<Rational, Rational>> numbers;
         std::vector<std::pair<GiNaC::ex, Rational>> rest;
@@ -91,7 +91,7 @@ private:
     [[nodiscard]] GiNaC::ex with_symbols(const GiNaC::ex& e, const Equation& equation);
     [[nodiscard]] GiNaC::ex radical_with_symbols(const GiNaC::ex& base, const Rational& exponent,
                                                  const Equation& equation);
-    // certificate_functions.cpp
+    // functions.cpp
     [[nodiscard]] GiNaC::ex function_with_symbols(const GiNaC::ex& e, const Equation& equation);
     [[nodiscard]] GiNaC::ex exponential(const GiNaC::ex& u, const Equation& equation);
     [[nodiscard]] GiNaC::ex circular(const GiNaC::ex& u, bool cosine, const Equation& equation);
@@ -109,7 +109,7 @@ private:
     GiNaC::symbol pi_{"pi"};
     std::vector<Root> roots_; // largest degree first, so that a product is tried before its factors
     std::vector<FunctionAtom> functions_;
-    GiNaC::exmap meanings_;   // symbols of roots and functions -> what they stand for
+    GiNaC::exmap meanings_;   // symbols of roots and functions -> their expressions
     GiNaC::exmap origin_;     // symbols of positive weight -> 0
     std::deque<Known> known_; // references into it are handed out
     std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> origins_; // looked up only

@@ -132,7 +132,7 @@ bool PointSampler::attempt(Point& point, Residue i) {
     return true;
 }
 
-// They exist modulo a prime or not, whatever the point.
+// Whether roots of numbers exist depends on the prime only, not on the point.
 bool PointSampler::has_roots_of_numbers(const PrimeField& field) {
     for (GeneratorId id = 0; id < ring_.size(); ++id) {
         const Generator& g = ring_.generator(id);

@@ -55,7 +55,8 @@ private:
     };
 
     void draw_powers();
-    // All but fast and small variables and phases, with a root of -1; whether all roots exist.
+    // Draws all values but those of fast and small variables and phases, with i given. False: a root is
+    // missing.
     bool attempt(Point& point, Residue i);
     void draw_variables(Point& point);
     bool has_roots_of_numbers(const PrimeField& field);

@@ -24,7 +24,7 @@ struct Item {
     bool scanned = true;
 };
 
-// A canonical map may hold resonant monomials: those of its generator are looked at.
+// All series to be scanned. A canonical map may hold resonant monomials: its generator is scanned instead.
 std::vector<Item> items(const NormalForm& normal_form, const NearIdentityMap& map) {
     const GradedField& field = *normal_form.field;
     const int through = normal_form.through;
@@ -80,7 +80,7 @@ std::string spell_monomial(const Ring& ring, const std::vector<int>& exponents) 
     return text.empty() ? "1" : text;
 }
 
-// The first term, by weight, that `wrong` calls wrong: its sentence. It is told the first word in which a
+// The complaint about the first term, by weight, that `wrong` rejects. `wrong` gets the first word in which a
 // monomial differs from the one before.
 template <class Judge>
 std::string first_complaint(const Ring& ring, const Item& item, ExponentReader& reader, Judge wrong) {
@@ -103,7 +103,7 @@ bool has_shape(const Ring& ring, const Item& item, const Survey& survey) {
     return true;
 }
 
-// Of a series without the shape.
+// The complaint about a series that has_shape() rejects.
 std::string misshapen_term(const Ring& ring, const Item& item) {
     ExponentReader reader(ring);
     return first_complaint(ring, item, reader, [&](int n, int /*word*/) -> const char* {
@@ -165,8 +165,8 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
                            const std::vector<FrequencySample>& samples) {
     const GradedField& field = *normal_form.field;
     const Resonance resonance(field, samples);
-    // In a linear part that is not semisimple, monomials with D = 0 stand in both
-    // (certificate_inner_product).
+    // If the linear part is not semisimple, both normal form and map hold monomials with D = 0
+    // (inner_product.hpp).
     const bool shared = normal_form.style == Style::inner_product && !field.is_semisimple();
     const std::vector<GeneratorId> outer = field.outer();
     ExponentReader reader(*field.ring, outer); // no other exponents are asked for

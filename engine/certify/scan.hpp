@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part (b) of the certificate: what can be read off the exponents of normal form and map.
+// Part (b) of the certificate: the conditions on the exponents of normal form and map.
 #pragma once
 
 #include "certify/resonance.hpp"
@@ -14,7 +14,7 @@ namespace resonform {
 // All complaints are sentences; "" is none.
 
 // One series for each variable, part n homogeneous of weight n; N from the weight of the mode, 0 (angles) or
-// 1 on, the map from 1 on; nothing beyond M, no negative power of what may vanish.
+// 1 on, the map from 1 on; nothing beyond M, no negative power of a generator that may vanish.
 std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap& map, Surveyor& surveys);
 
 // Every monomial of N is resonant, <alpha, lambda> = lambda_j (0 for other variables), and none of the map

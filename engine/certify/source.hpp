@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a certificate substitutes at a point: the normal form itself, or, for coefficients in a graph, the
-// same with numbers in place of coefficients.
+// The normal form and map that a certificate substitutes at a point: themselves, or, for coefficients in a
+// graph, the same with the values of the coefficients.
 #pragma once
 
 #include "algebra/graph/replay.hpp"
@@ -21,7 +21,7 @@ public:
     void go_to(const Point& /*point*/) {}
     [[nodiscard]] const NormalForm& normal_form() const { return normal_form_; }
     [[nodiscard]] const NearIdentityMap& map() const { return map_; }
-    // What the coefficients add to the probability of an error at a point.
+    // By how much the coefficients raise the probability of an error at a point.
     [[nodiscard]] double error() const { return 0; }
 
 private:
@@ -40,7 +40,7 @@ public:
     void go_to(const Point& point);
     [[nodiscard]] const NormalForm& normal_form() const { return normal_form_; }
     [[nodiscard]] const NearIdentityMap& map() const { return map_; }
-    // The residual of weight n is a sum of products of n coefficients and what the equations hold besides;
+    // The residual of weight n is a sum of products of n coefficients and other factors of the equations;
     // over their common denominator its degree and height are at most n times those of one coefficient.
     [[nodiscard]] double error() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one pass over the monomials of a series tells: its shape, and bounds of degree and height.
+// The shape of a series, and bounds of degree and height, from one pass over its monomials.
 #pragma once
 
 #include "algebra/series/series.hpp"
@@ -33,7 +33,7 @@ struct Survey {
     [[nodiscard]] int exponent(GeneratorId id) const;
 };
 
-// Of a generator, as polynomials in what is chosen at random (certificate_bound.hpp).
+// The size of a generator as a quotient of polynomials in the quantities drawn at random (bound.hpp).
 struct GeneratorSize {
     double degree, denominator; // of the numerator; 1 + t^2 of a sine
     double radicand_bits;       // of a root, over its index
@@ -43,7 +43,7 @@ class Surveyor {
 public:
     explicit Surveyor(const Ring& ring);
 
-    // The same series is read once: it must stay as it is.
+    // The survey of a series is found again by its address: the series must stay as it is.
     const Survey& operator()(const Series& s);
     [[nodiscard]] Size size_of(const Polynomial& p) { return read(Series({p})).size; }
 

@@ -9,7 +9,7 @@
 namespace resonform {
 
 struct Apart {
-    bool ended = false; // of itself; false: the process was ended, and says nothing
+    bool ended = false; // by itself; false: the process was killed or failed, `text` has no meaning
     std::string text;   // what `work` returned
 };
 

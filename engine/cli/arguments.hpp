@@ -14,12 +14,12 @@
 
 namespace resonform {
 
-// The complaint about an argument: its option is the place. No value: none was given, which is not an empty
+// Refuses an argument, with its option as the place. nullopt: the option has no value at all; "" is an empty
 // one.
 [[noreturn]] void bad_argument(const std::string& option, const std::string& rule,
                                const std::optional<std::string>& value, const std::string& hint);
 
-// What `read` gives; the option is the place of its complaint, if that names none.
+// Returns read(); a complaint that names no place gets the option as its place.
 template <class Read> auto of_argument(const std::string& option, const Read& read) {
     try {
         return read();
@@ -39,7 +39,7 @@ int read_order(const std::string& option, const std::string& text);
 Rational read_eps(const std::string& text);
 // "0.01,1/100": several of these, all different.
 std::vector<Rational> read_eps_list(const std::string& text);
-// A decimal number > 0, or "none", which is infinite.
+// A decimal number > 0, or "none": infinity.
 double read_limit(const std::string& option, const std::string& text);
 // A whole number >= 1, or "none".
 double read_count_limit(const std::string& option, const std::string& text);
@@ -47,9 +47,9 @@ double read_count_limit(const std::string& option, const std::string& text);
 std::vector<double> read_times(const std::string& text);
 // NAME=VALUE each.
 std::vector<Setting> read_settings(const std::vector<std::string>& texts);
-// "" is no style: that of the file.
+// nullopt for "": the style of the file.
 std::optional<Style> read_style(const std::string& text);
-// "" is 0: exact coefficients.
+// 0 for "": exact coefficients.
 int read_digits(const std::string& text);
 // One of `known`; the complaint lists them and names the nearest.
 std::string read_choice(const std::string& option, const std::string& text,

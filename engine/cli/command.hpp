@@ -18,7 +18,7 @@ enum ExitCode : int {
     refused_code = 3,
 };
 
-// What the chosen subcommand will do; it returns the exit code.
+// The action of the chosen subcommand; it returns the exit code.
 using Action = std::function<int()>;
 
 // An option as the user typed it, alive as long as the action that uses it. `values` is what the help
@@ -57,7 +57,7 @@ constexpr const char* system_help = "a folder with system.toml, that file, or a 
 constexpr const char* scene_help = "the path of a scene file";
 constexpr const char* order_values = "1..99";
 
-// What `run` does is the action if the command is chosen.
+// Makes `run` the action if the command is chosen.
 template <class Run> void on_choice(CLI::App& command, Action& action, const Run& run) {
     command.callback([&action, run] { action = run; });
 }

@@ -34,7 +34,7 @@ std::string see_help(const CLI::App& app) {
     return fmt::format("see {} --help", full_name(app, chosen_in(app)));
 }
 
-// CLI11 leaves an unknown word in `remaining`: say which it was and what is nearest.
+// Refuses the word that CLI11 left in `remaining`, and names the nearest known one.
 [[noreturn]] void unexpected_word(const CLI::App& app) {
     const CLI::App& chosen = chosen_in(app);
     const auto remaining = app.remaining(true);
@@ -110,10 +110,10 @@ void refuse_option_as_value(const CLI::App& app) {
                              see_help(app));
 }
 
-// Without this an option with an empty value would be one that was not given.
+// Refuses empty values: they would count as options that were not given.
 void refuse_empty_values(const CLI::App& app) {
     for (const CLI::Option* option : chosen_in(app).get_options()) {
-        if (option->get_positional() || option->get_required()) continue; // whose readers complain
+        if (option->get_positional() || option->get_required()) continue; // their readers complain
         for (const std::string& value : option->results())
             if (value.empty() && option->get_default_str().empty())
                 bad_argument(one_name(*option), "must be followed by its value", value,

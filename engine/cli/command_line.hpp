@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// argv read by CLI11, its complaints said in our words.
+// Reads argv with CLI11 and rewords its complaints.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ended a command: a message on standard error and, with --format json, the document
+// The report of a command that failed: a message on standard error and, with --format json, the document
 // resonform.error/1 on standard output.
 #pragma once
 
@@ -14,11 +14,11 @@ namespace resonform {
 // "resonform: " and the message, on standard error.
 void say_error(const Error& error) noexcept;
 
-// The same, and with `as_json` the document: for what ends a command that has printed nothing. What cannot
-// be written is lost: the exit code says that something was wrong.
+// The same, and with `as_json` the document: for an error that ends a command before it has printed anything.
+// A failure to write is ignored: the exit code still says that something was wrong.
 void tell_error(const Error& error, bool as_json) noexcept;
 
-// Of a command that goes on: one broken file hides none of the others.
+// For a command that goes on after an error: one broken file hides none of the others.
 struct Complaints {
     int code = 0; // the worst
     // Runs `work` and prints the Error that it may throw. False: it threw one.
@@ -28,7 +28,7 @@ struct Complaints {
 // Any exception as an Error: std::bad_alloc as a lack of memory, all others as a fault of the engine.
 Error error_of(const std::exception_ptr& failure);
 
-// --format json stands on the command line, whether or not the rest of it can be understood.
+// Whether --format json stands on the command line, even if the rest cannot be parsed.
 bool asks_for_json(int argc, const char* const* argv);
 
 } // namespace resonform

@@ -66,8 +66,8 @@ std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalizatio
 
 bool is_page(Format format) { return format == Format::text || format == Format::latex; }
 
-// What an expanded page leaves out is the motion of the drift variables by their rates of weight 1: no later
-// weight is derived for it, unless fast variables have one, and nothing at all where nothing drifts.
+// The known drift, which an expanded page leaves out: the drift variables by their rates of weight 1. Derived
+// through weight 1 or the largest weight of a variable. nullopt: nothing drifts, or no solution.
 std::optional<Solution> known_drift(const Expanded& expanded, Format format, Watch& watch) {
     if (!is_page(format) || expanded.field->drift.empty()) return std::nullopt;
     const System& system = expanded.field->system();
@@ -146,7 +146,7 @@ bool before_normal_form(Stage stage) {
     return of_mechanism(stage) || stage == Stage::equations || stage == Stage::expand;
 }
 
-// What has no effect on a stage is not taken in silence.
+// Refuses options that have no effect on the stage.
 void require_effect(Stage stage, Format format, const std::string& coefficients, const std::string& style) {
     if (coefficients == "graph" && !goes_with_graph(stage, format))
         bad_argument(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// resonform generate SCENE [-o FILE]: the C++ header of a scene, and what pruning saved.
+// resonform generate SCENE [-o FILE]: the C++ header of a scene, and the savings by pruning.
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
 #include "cli/locations.hpp"
@@ -90,7 +90,7 @@ void add_generate(CLI::App& app, Action& action) {
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
     on_choice(*command, action, [=] {
-        const std::string file = *output == "-" ? "" : *output; // the usual name of standard output
+        const std::string file = *output == "-" ? "" : *output; // "-" usually means standard output
         return run_generate({*scene, file, format.value(), *inline_runtime, limits.value()});
     });
 }

@@ -14,12 +14,11 @@ public:
     [[nodiscard]] DerivationLimits value() const;
 
 private:
-    const CLI::App* command_; // which has --format
+    const CLI::App* command_; // asked for --format
     Text seconds_, megabytes_, terms_;
 };
 
-// What holds where no option is given: 120 s; 4096 MB, or three quarters of the machine's memory if that
-// is less; ten million terms.
+// The defaults: 120 s; 4096 MB, or three quarters of the machine's memory if that is less; ten million terms.
 DerivationLimits default_limits();
 
 } // namespace resonform

@@ -92,7 +92,7 @@ std::string question(const std::vector<std::string>& scenes) {
     return text.empty() ? "" : text + "? ";
 }
 
-// What is still empty of it is gone with the object.
+// Makes folders; the destructor removes those that are still empty.
 class NewFolders {
 public:
     NewFolders() = default;

@@ -61,15 +61,15 @@ struct TextFile {
 // The same of several: all of them or none. Their folders are made.
 void write_files(const std::vector<TextFile>& files);
 
-// What was read is never overwritten, whatever the name by which it is called. Errors (bad_input).
+// Refuses to overwrite a file that was read, by whatever path. Errors (bad_input).
 void require_other_file(const std::filesystem::path& output,
                         const std::vector<std::filesystem::path>& were_read);
 
 // Makes a folder and its parents. Errors (bad_input): it cannot be made, a file is in its way.
 void make_folder(const std::filesystem::path& folder);
 
-// Tries, and leaves everything as it was: makes the folder if it is not there, and a file in it. For what
-// will be written after a long computation. Errors (bad_input): as make_folder; no file can be made.
+// Makes the folder if it is not there and a file in it, then removes both: a test before a long computation
+// whose results go there. Errors (bad_input): as make_folder; no file can be made.
 void require_writable_folder(const std::filesystem::path& folder);
 
 // Where integrations and compiled evaluators are kept: the folder of $RESONFORM_CACHE, else that of `home`.

@@ -16,7 +16,7 @@ namespace resonform {
 
 namespace {
 
-// What must be given comes before what may be: --set takes all words behind it.
+// The usage line shows required arguments before [OPTIONS], because --set takes all words behind it.
 class Help : public CLI::Formatter {
 public:
     std::string make_usage(const CLI::App* app, std::string name) const override {

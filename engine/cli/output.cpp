@@ -25,10 +25,10 @@ namespace {
 } // namespace
 
 void hold_streams() {
-    // A file that grows too large is an error of the write that meets it, not the end of the program.
+    // A file that grows too large makes its write fail and does not end the program.
     std::signal(SIGXFSZ, SIG_IGN); // NOLINT(cert-err33-c): without it all is as it was
-    // open() takes the lowest free number, which is the one that is closed. Reading from standard error
-    // and writing to the others fails, as with the closed stream.
+    // open() takes the lowest free number, that of the closed stream. Reading from standard error and writing
+    // to the others fails, as with the closed stream.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(stream, F_GETFD) == -1 &&
             open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream)

@@ -22,7 +22,7 @@ namespace resonform {
 
 namespace {
 
-// Tells how long each step of a computation took, if that was long enough to wonder.
+// Reports the steps of a computation that took half a second or more.
 class Laps {
 public:
     void done(const std::string& step) {

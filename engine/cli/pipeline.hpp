@@ -25,7 +25,7 @@ struct Expanded {
     std::shared_ptr<const FirstOrderSystem> first_order;
     std::shared_ptr<const GradedField> field;
 };
-// What the command line changes of a system file.
+// The changes that the command line makes to a system file.
 struct SystemChanges {
     std::vector<Setting> settings; // --set: numbers in place of parameters
     std::optional<Style> style;    // --style
@@ -36,15 +36,15 @@ System changed_system(const std::filesystem::path& file, const SystemChanges& ch
 Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home,
                        Watch& watch);
 
-// Normal form and map through a weight with their certificate, which may fail to hold: `certify`
-// shows it, everybody else calls normalize_certified. What takes half a second or more is told on stderr.
+// Normal form and map through a weight with their certificate, which may fail to hold: `certify` shows it,
+// all others call normalize_certified. Steps of half a second or more are reported on standard error.
 std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& expanded, int through,
                                                                 Watch& watch);
-// With coefficients in a graph.
+// Errors (check_failed): the certificate does not hold. The first has coefficients in a graph.
 GraphNormalization normalize_in_graph_certified(const Expanded& expanded, int through, Watch& watch);
 std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through, Watch& watch);
 
-// What follows a certified normal form, its steps made known to the watch as those before are.
+// Solves a certified normal form; the watch is told of each step.
 Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normalization,
                      const SolveOptions& options);
 
@@ -54,7 +54,7 @@ struct SceneLine {
     TruncationCount count;
     Solution solution;
 };
-// Options of verify, compare or stability that keep what they make and tell how far they are.
+// Options of verify, compare or stability with this cache and with progress on standard error.
 template <class Options> Options with_progress(const CacheFolder& cache) {
     Options options;
     options.cache = cache.path();

@@ -39,7 +39,7 @@ void write_report(const std::filesystem::path& folder, const report::Page& page)
     show_progress(fmt::format("report: {}", (folder / "report.html").string()));
 }
 
-// Before hours of integration: what write_report will do can be done.
+// Checks before hours of integration that write_report() will be able to write.
 void require_place_for_report(const std::filesystem::path& folder) {
     require_writable_folder(folder);
     require_writable_folder(folder / "figures");
@@ -59,7 +59,7 @@ Guarantees unpacked(const std::string& text) {
     return guarantees;
 }
 
-// What meets the limits ends its own process: what the ladder finds is not lost with it.
+// Derives in a process of its own: where a derivation meets its limits, the ladder's results are kept.
 Guarantees guarantees_apart(const Scene& scene, const Solution& solution, const Claims& claims,
                             DerivationLimits limits) {
     limits.json = false; // the document is that of the verdicts
@@ -115,7 +115,7 @@ bool figures_can_be_drawn() {
     return false;
 }
 
-// What fails behind the verdicts is said on standard error alone: the document of the command has gone out.
+// Runs work after the verdicts. Its errors go to standard error only: the JSON document is already out.
 int run_behind_results(const std::function<void()>& work) {
     try {
         work();

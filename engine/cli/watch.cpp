@@ -35,8 +35,8 @@ Diagnostic exceeded(Reason reason, const std::string& option, const std::string&
             reason};
 }
 
-// Ten times the limit; where that is soon passed, too, as a limit below what reading the file takes, ten
-// times what was used, in whole seconds.
+// The limit to suggest: ten times the limit or, if that would soon be passed as well (the limit was at most
+// half of the time used), ten times the time used, in whole seconds.
 std::string larger_time(double limit, double used) {
     if (limit > used / 2) return fmt::format("{:g}", 10 * limit);
     return fmt::format("{:.0f}", std::ceil(10 * used));
@@ -104,8 +104,7 @@ void Watch::finish() {
     if (const std::optional<Diagnostic> found = excess()) refuse(*found);
 }
 
-// The first thread cannot be asked to stop, so the program ends here, without running destructors of
-// what it still uses.
+// The first thread cannot be asked to stop, so the program ends here, without destroying the objects in use.
 void Watch::run() {
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, tick, [this] { return over_; })) {

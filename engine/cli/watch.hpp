@@ -22,7 +22,7 @@ struct DerivationLimits {
     double seconds = 0;   // of one derivation; infinite: none
     double megabytes = 0; // resident memory of the program; infinite: none
     double terms = 0;     // of normal form and map together; infinite: none
-    bool json = false;    // --format json: what ends the program is told in this form, too
+    bool json = false;    // --format json: the error that ends the program is printed as a document, too
 };
 
 class Watch {
@@ -33,9 +33,9 @@ public:
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
 
-    // What is under way, for the message: "the expansion".
+    // The step under way, for the message: "the expansion".
     void enter(const std::string& step);
-    // The same behind a certified normal form: "the solution".
+    // The same for a step after the certificate: "the solution".
     void go_on_with(const std::string& step);
     // A normal form has its certificate. `weight` as the user counts it.
     void certified(const std::string& weight);
@@ -53,12 +53,12 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::string step_ = "reading the file";
-    std::string certified_; // what is done when go_on_with() is called
+    std::string certified_; // the message of certified(), a prefix for go_on_with()
     bool over_ = false;
     std::thread thread_; // last: it uses the others
 };
 
-// What `derive(watch)` returns; the watch is over then.
+// Runs derive(watch) under a watch that ends with it.
 template <class Derive> auto watched(const DerivationLimits& limits, const Derive& derive) {
     Watch watch(limits);
     auto derived = derive(watch);

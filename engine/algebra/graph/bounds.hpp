@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Degree and height of what stands in a graph, and from them the probability that one of its decisions is
+// Degree and height of the coefficients of a graph, and so the probability that one of its decisions is
 // wrong.
 //
 // With D the product of all divisors and L the common denominator of all numbers, a node is
@@ -14,9 +14,9 @@ namespace resonform {
 struct GraphBounds {
     int degree = 0;  // of the numerator of a difference of two coefficients, over their common denominator
     double bits = 0; // of its largest coefficient
-    // That any of the graph's decisions by value is wrong: two coefficients differ by a numerator that is not
-    // zero, which vanishes at a random point with probability degree/p (Schwartz; Zippel), or modulo a random
-    // prime, at all points.
+    // The probability that any of the graph's decisions by value is wrong: two coefficients differ by a
+    // numerator that is not zero, which vanishes at a random point with probability degree/p (Schwartz;
+    // Zippel), or modulo a random prime, at all points.
     double error_probability = 0;
 };
 

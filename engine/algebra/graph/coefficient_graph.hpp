@@ -5,8 +5,8 @@
 //   a, b leaves;  s = a + b;  p = (a - b) s;  q = a a - b b      ->  p and q are one node
 //   inverse(6 a - 4 b) = 1/2 * (inverse node of 3 a - 2 b)
 //
-// A node is a leaf, the inverse of a primitive polynomial in leaves, or a sum of (number)(node)(node). What
-// is asked for a second time in the same form is found by its form. Otherwise its values decide, at three
+// A node is a leaf, the inverse of a primitive polynomial in leaves, or a sum of (number)(node)(node). A
+// coefficient in a form that occurred before is found by its form. Otherwise its values decide, at three
 // random points modulo three different random primes near 2^61: equal values are taken for equal coefficients
 // and zeros for zero, both wrong with a probability that GraphBounds computes. The converse is no guess:
 // leaves are algebraically independent, so a non-zero residue proves that a coefficient is not identically
@@ -73,7 +73,7 @@ public:
     Coefficient power(Coefficient a, int exponent); // exponent >= 0
     Coefficient polynomial(const LeafPolynomial& p);
     Coefficient inverse(const LeafPolynomial& p); // p not zero
-    // The sum of the terms, which are used up; equal pairs of nodes may occur, zero factors may not.
+    // The sum of the terms, which it overwrites; equal pairs of nodes may occur, zero factors may not.
     Coefficient dot(std::span<GraphTerm> terms);
 
     // --- reading -------------------------------------------------------------------------------
@@ -92,7 +92,7 @@ public:
     [[nodiscard]] RationalTable& rationals() { return rationals_; }
     [[nodiscard]] const RationalTable& rationals() const { return rationals_; }
 
-    // What was decided by values: for the probability that all of it is right.
+    // Counts of the decisions by values, for the probability that one of them is wrong.
     struct Decisions {
         std::size_t asked = 0;  // comparisons of a new form with all nodes and zero
         std::size_t merged = 0; // forms that a node of another form stands for

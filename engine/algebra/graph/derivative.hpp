@@ -15,8 +15,8 @@ namespace resonform {
 
 class GraphDerivation {
 public:
-    // What the derivation makes of a leaf; the same in every call. It is asked once for each leaf that is
-    // met. A leaf that is a function known by name gets a new leaf for its derivative.
+    // The derivative of a leaf; the same in every call. It is called once for each leaf that occurs. A leaf
+    // that is a function known by name gets a new leaf for its derivative.
     using OfLeaf = std::function<Coefficient(LeafId)>;
 
     explicit GraphDerivation(CoefficientGraph& graph) : graph_(&graph) {}

@@ -82,7 +82,7 @@ public:
     [[nodiscard]] std::size_t points() const { return grid_.size() * shape_.parts.size(); }
 
 private:
-    // The grid in all inner leaves but the last, which is 1, and the outer ones; the inner ones scaled.
+    // The grid in the outer leaves and, times `scale`, in the inner ones, of which the last is 1.
     [[nodiscard]] std::vector<std::vector<Residue>>
     points(const PrimeField& field, const std::vector<Residue>& nodes, Residue scale) const {
         std::vector<std::vector<Residue>> points(grid_.size(), std::vector<Residue>(replay_.leaves().size()));
@@ -107,7 +107,7 @@ private:
     std::mt19937_64& random_;
 };
 
-// The same value at a rational point, exactly: an evaluator that errs alike for all primes is caught here.
+// Compares values at a rational point, exactly, to catch an evaluator that errs alike for all primes.
 void confirm(const CoefficientGraph& graph, const GraphReplay& replay, const ExpandedCoefficient& expanded,
              std::mt19937_64& random) {
     while (true) {
@@ -146,7 +146,7 @@ ExpandedCoefficient expand(const CoefficientGraph& graph, Coefficient c, const E
                 {}});
     Interpolation interpolation(replay, shape, random);
     Reconstruction reconstruction;
-    std::vector<std::size_t> support; // places of what is not zero modulo the first prime
+    std::vector<std::size_t> support; // indices of the coefficients that are not zero modulo the first prime
     std::optional<std::vector<Rational>> numbers;
     while (!numbers) {
         const PrimeField field(random_prime(random));

@@ -15,11 +15,11 @@ namespace resonform {
 struct ExpandedCoefficient {
     LeafPolynomial numerator;
     DivisorPowers denominator;
-    std::size_t points = 0, primes = 0; // what it took
+    std::size_t points = 0, primes = 0; // the cost
 };
 
 struct ExpansionLimits {
-    // At so many points at most are values asked for modulo each prime; the terms of the numerator are fewer.
+    // The largest number of points for each prime; the numerator has fewer terms.
     std::size_t points = 1'000'000;
 };
 

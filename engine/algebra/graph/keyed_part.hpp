@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Homogeneous parts of series as lists of keys (outer_keys.hpp) with real coefficients of any type, and what
-// can be done with them without knowing the coefficients: it is asked for c.negative() and c == d only.
+// Homogeneous parts of series as lists of keys (outer_keys.hpp) with real coefficients of any type, and the
+// operations that need of the coefficients c.negative() and c == d only.
 #pragma once
 
 #include "algebra/graph/outer_keys.hpp"
@@ -27,7 +27,7 @@ template <class Word, class Value> struct KeyedPart {
     friend bool operator==(const KeyedPart&, const KeyedPart&) = default;
 };
 
-// Terms with different keys in any order; whether they are real is left open.
+// Terms with different keys in any order; `real` is not determined.
 template <class Word, class Value> KeyedPart<Word, Value> part_of(std::vector<std::pair<Word, Value>> terms) {
     std::sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     KeyedPart<Word, Value> part{{}, {}, terms.empty()};

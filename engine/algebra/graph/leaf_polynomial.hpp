@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small polynomial in the leaves of a CoefficientGraph: what may be divided by, and what an expanded
-// coefficient has for its numerator.
+// A small polynomial in the leaves of a CoefficientGraph: a divisor, or an expanded coefficient's numerator.
 //
 //   -4 w1^2 w2 + 6 w1 w2^2  =  -2  *  w1 w2  *  (2 w1 - 3 w2)      (content, monomial, primitive part)
 #pragma once

@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] const PrimeField& field() const { return modular_.field(); }
     // points[k]: one value for each of replay.leaves(). Errors (std::domain_error): a divisor is zero at one
-    // of them, which random points do not meet.
+    // of them, as good as impossible at random points.
     [[nodiscard]] std::vector<Residue> at(const std::vector<std::vector<Residue>>& points,
                                           const DivisorPowers& denominator);
 
@@ -35,12 +35,12 @@ private:
 Residue evaluate(const LeafPolynomial& p, const PrimeField& field, const std::vector<LeafId>& leaves,
                  const std::vector<Residue>& point);
 
-// What is found out about a coefficient before it is expanded.
+// Denominator and degrees of a coefficient, found before it is expanded.
 struct CoefficientShape {
     // Leaves that stand in a divisor, in which the numerator is split into homogeneous parts, and the others;
     // as places among replay.leaves().
     std::vector<std::size_t> inner, outer;
-    DivisorPowers denominator; // what the coefficient has, not what the recursion multiplied with
+    DivisorPowers denominator; // that of the coefficient, without factors that cancel
     std::vector<int> parts;    // degrees in the inner leaves that occur, ascending
     int outer_degree = 0;
 };

@@ -24,21 +24,21 @@ public:
         return require_safe(key, exponent);
     }
     [[nodiscard]] int exponent(Word key, int field) const;
-    // A product of keys holds i^2 until this is asked: it drops it and says whether the sign changes.
+    // Drops the i^2 that a product of keys may hold; true: the sign of the coefficient changes.
     static bool take_square_of_i(Word& key) {
         const bool minus = (key & 2U) != 0;
         key &= ~Word{2};
         return minus;
     }
     [[nodiscard]] static bool has_i(Word key) { return (key & 1U) != 0; }
-    // Pairs swapped, phases inverted; i is left, as its sign is not the key's business.
+    // Pairs swapped, phases inverted; i is left: its sign is a matter of the coefficient.
     [[nodiscard]] Word mirror(Word key) const {
         const Word swapped = ((key & first_halves_) << bits_) | ((key & second_halves_) >> bits_);
         const Word low = swapped | (key & kept_);
         if (phases_ == 0) return low;
         return low - (key & ~(first_halves_ | second_halves_ | kept_));
     }
-    // The product of two safe keys does not overflow into another field; whether it is safe is asked here.
+    // Refuses an unsafe key. (The product of two safe keys does not overflow into another field.)
     void require_safe(Word key) const {
         if (((key + quarters_) & guards_) != 0) overflow();
     }

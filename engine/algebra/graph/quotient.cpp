@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reciprocals and powers in the graph: of what is written out as a quotient first, for they are of the
-// leading parts of series, which are short.
+// Reciprocals and powers in the graph. The operand is expanded into a quotient first: it is the leading part
+// of a series, and short.
 #include "algebra/graph/domain.hpp"
 #include "algebra/graph/expansion.hpp"
 

@@ -9,7 +9,7 @@ namespace resonform {
 
 namespace {
 
-// Which nodes the wanted ones need, operands included.
+// The nodes that the wanted ones need, operands included.
 std::vector<bool> needed_nodes(const CoefficientGraph& graph, const std::vector<Coefficient>& wanted) {
     std::vector<bool> needed(graph.size(), false);
     for (const Coefficient& c : wanted)

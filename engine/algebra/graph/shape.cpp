@@ -129,7 +129,7 @@ private:
         return result;
     }
 
-    // Takes out of the denominator what divides the numerator. Returns the numerator's degree.
+    // Cancels the divisors that divide the numerator. Returns the degree of the numerator left.
     std::size_t strip(CoefficientShape& shape, int bound) {
         Coefficients numerator = along(shape.denominator, static_cast<std::size_t>(bound), shape.inner, true);
         for (auto& [divisor, times] : shape.denominator) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Linear algebra in balls: what it answers is proved.
+// Linear algebra in balls, with proved results.
 #pragma once
 
 #include "algebra/number/complex_ball.hpp"

@@ -25,7 +25,7 @@ enum class Reason {
     file,         // something cannot be found, read or written
     syntax,       // neither TOML nor an expression
     name,         // an unknown key or symbol
-    undecided,    // neither zero nor nonzero, or of no sign, as far as can be proved
+    undecided,    // the sign, or whether it is zero, is not proved
     eigenvalues,  // they have no closed form
     size,         // more symbols, larger exponents, ... than a representation holds
     time,         // --time-limit

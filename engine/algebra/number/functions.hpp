@@ -33,7 +33,7 @@ enum class Function {
 
 enum class Parity { none, even, odd };
 
-// Of which real u a function is real. On the edge its slope is infinite.
+// The real u for which a function is real. On the boundary its slope is infinite.
 enum class Argument { any, not_a_pole, positive, within_one, inside_one, at_least_one };
 
 struct FunctionRow {
@@ -45,7 +45,7 @@ struct FunctionRow {
     // Rational bounds of its values, as text; empty: none.
     std::string_view low, high;
     bool keeps_sign; // f(u) has the sign of u
-    // f'(u), by which the function is expanded; empty: it is by an addition theorem.
+    // f'(u), by which the function is expanded; empty: an addition theorem expands it.
     std::string_view slope;
     void (*enclose)(arb_t value, const arb_t argument, slong bits);
 };

@@ -97,7 +97,7 @@ std::optional<Residue> PrimeField::prime_power_root(Residue a, std::uint64_t fac
     const auto above = static_cast<std::uint64_t>((1 + static_cast<UnsignedWide>(r) * v) / q);
     const Residue first = multiply(raise(w, v), raise(a, above));
     if (order <= q) return first; // a^cofactor = 1
-    // What `first` must be multiplied with has q-th power `rest`, an element of the subgroup.
+    // `first` is short of a root by a factor whose q-th power is `rest`, an element of the subgroup.
     const Residue rest = raise(in_subgroup, order - v); // v < q < order
     const Residue generator = sylow_generator(factor, cofactor);
     const Residue of_order_factor = raise(generator, order / factor);

@@ -45,8 +45,8 @@ RationalMatrix transposed(const RationalMatrix& a);
 // A solution X of A X = B: unknowns that are free are 0. Precondition: there is a solution.
 RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b);
 
-// B+: of all h for which R - B h is as small as can be, B+ R is the smallest, measured by
-// |h|^2 = sum columns_k h_k^2 and |R|^2 = sum rows_k R_k^2 (all > 0). With G the diagonal matrices of these,
+// The weighted pseudo-inverse B+: of all h that minimise R - B h, h = B+ R is the smallest, measured by
+// h|^2 = sum columns_k h_k^2 and |R|^2 = sum rows_k R_k^2 (all > 0). With G the diagonal matrices of these,
 //   B+ = G_c^-1 B^T Y,   (B^T G_r B G_c^-1 B^T) Y = B^T G_r.
 RationalMatrix pseudo_inverse(const RationalMatrix& b, const std::vector<Rational>& rows,
                               const std::vector<Rational>& columns);

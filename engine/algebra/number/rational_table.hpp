@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational numbers by number: equal rationals have one id, and the id of -q follows from that of q.
+// Rational numbers by id: equal rationals have one id, and the id of -q follows from that of q.
 #pragma once
 
 #include "algebra/number/number.hpp"

@@ -6,8 +6,8 @@
 
 namespace resonform {
 
-// c_k of the k that `odd` and `even` name: 1/k!, 1/k or binomial(2j, j)/4^j/k with j = (k - 1)/2. Every
-// second of them is negative where signs alternate.
+// The c_k that are not zero, those of odd, of even or of all k: 1/k!, 1/k or binomial(2j, j)/4^j/k with j =
+// (k - 1)/2. If `alternating`, every second one is negative.
 struct TaylorLaw {
     enum { factorial, reciprocal, central } kind = factorial;
     bool odd = true, even = false, alternating = false;
@@ -18,7 +18,7 @@ struct TaylorLaw {
     }
 };
 
-// Is f one of those whose Taylor sum is taken? The others are integrals of their slopes.
+// Whether f is expanded by its Taylor sum. The others are integrals of their slopes.
 constexpr bool has_taylor_law(Function f) {
     switch (f) {
     case Function::inverse_hyperbolic_sine:
@@ -29,7 +29,7 @@ constexpr bool has_taylor_law(Function f) {
     }
 }
 
-// Precondition: f is none of tan and tanh, which are quotients, and has a law.
+// Precondition: f has a law, and is neither tan nor tanh, which are quotients.
 constexpr TaylorLaw taylor_law(Function f) {
     switch (f) {
     case Function::exponential: return {TaylorLaw::factorial, true, true, false};

@@ -25,8 +25,8 @@ std::pair<Ids, Ids> divided_by_occurrence(const Ring& ring, const Polynomial& p)
     return result;
 }
 
-// The greatest common divisor of `radicand` and of what stands in p beside each monomial in other generators;
-// nullopt: a number.
+// The greatest common divisor of `radicand` and all coefficients of p over the generators that `radicand`
+// does not hold; nullopt: a number.
 std::optional<Polynomial> common_factor(const Ring& ring, const Polynomial& p, const Polynomial& radicand) {
     const auto [inside, outside] = divided_by_occurrence(ring, radicand);
     const Translation translation(ring, inside);
@@ -40,8 +40,8 @@ std::optional<Polynomial> common_factor(const Ring& ring, const Polynomial& p, c
     return translation.unpacked(*common);
 }
 
-// p/divisor, where the divisor divides what stands in p beside each monomial in other generators; these may
-// have negative exponents.
+// p/divisor, where the divisor divides all coefficients of p over the generators that it does not hold; these
+// may have negative exponents.
 Polynomial quotient(const Ring& ring, const Polynomial& p, const Polynomial& divisor) {
     const auto [inside, outside] = divided_by_occurrence(ring, divisor);
     const Translation translation(ring, inside);
@@ -60,15 +60,15 @@ Rational signed_content(const Polynomial& p) {
     return p.terms().back().coefficient < 0 ? -content(p) : content(p);
 }
 
-// With what roots are roots of in place of their whole powers, as numerators have it: s^2 - 4 k, where the
-// ring has s^2 - 4 sqrt(k)^2.
+// Writes whole powers of all roots out by their radicands, as numerators have it: s^2 - 4 k, where the ring
+// has s^2 - 4 sqrt(k)^2.
 Polynomial written_out(const Ring& ring, Polynomial p) {
     for (GeneratorId id = ring.size() - 1; id > 0; --id)
         if (ring.generator(id).kind == GeneratorKind::root) p = written_out(ring, p, id);
     return p;
 }
 
-// Takes what numerator and the radicand of a root below it have in common out of both. False: nothing.
+// Cancels the common factor of the numerator and the radicand of a root below it. False: nothing cancelled.
 bool cancel_once(const Ring& ring, GeneratorId root, Fraction& f) {
     const Generator& g = ring.generator(root);
     const int below = -ring.exponent(f.factor, root);
@@ -101,7 +101,7 @@ bool keeps_clear_of_zero(const Ring& ring, const Polynomial& p) {
     });
 }
 
-// Generators in p, and in what those of them that are roots are roots of.
+// The generators in p, in the radicands of the roots among them, and so on.
 Ids written_out_of(const Ring& ring, const Polynomial& p) {
     Ids ids = divided_by_occurrence(ring, p).first;
     for (std::size_t k = 0; k < ids.size(); ++k)
@@ -153,7 +153,7 @@ bool may_hold(const Ring& ring, const Split& terms, const Ids& inside, const Pol
     return false;
 }
 
-// Takes the powers of one radicand out of what stands beside each monomial in other generators.
+// Takes the powers of one radicand out of the coefficients over the generators that it does not hold.
 class PowersApart {
 public:
     PowersApart(const Ring& ring, GeneratorId root, Ids inside)
@@ -173,7 +173,7 @@ public:
     }
 
 private:
-    // Adds the group to the result, the radicand to its highest power out of it. False: as it was.
+    // Adds the group to the result, with the highest power of the radicand taken out. False: there is none.
     bool take_out(const Monomial& outer, std::vector<Term> inner) {
         int power = 0;
         Monomial beside = outer;

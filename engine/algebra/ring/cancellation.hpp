@@ -12,7 +12,7 @@
 
 namespace resonform {
 
-// With what the root is a root of in place of its whole powers:  z s^5, s^2 = k + 1  ->  z s (k + 1)^2
+// Writes whole powers of the root out by its radicand:  z s^5, s^2 = k + 1  ->  z s (k + 1)^2
 Polynomial written_out(const Ring& ring, const Polynomial& p, GeneratorId root);
 
 // factor * numerator / (product of divisors)
@@ -22,13 +22,13 @@ struct Fraction {
     std::vector<Polynomial> divisors; // denominators; primitive polynomials of two terms or more
 };
 
-// The same value, its numerator coprime to all radicands of roots of which whole powers stand below it, and
-// divisible by none of which any power does. Precondition: exponents of the numerator >= 0.
+// The same value, its numerator coprime to the radicand of each root with a whole power in the denominator,
+// and not divisible by that of a root with any power there. Precondition: exponents of the numerator >= 0.
 Fraction cancelled(const Ring& ring, const Monomial& factor, Polynomial numerator);
 
-// The same value for evaluation: a radicand that comes close to zero, for its terms have different signs, is
-// taken out of what stands beside each monomial in other generators, as a power of its root. Written out, it
-// would lose there as many digits as it has leading zeros.
+// The same value for evaluation. A radicand whose terms have different signs may come close to zero: its
+// powers are taken out of the coefficients over the generators that it does not hold, as powers of its root.
+// Written out, it would lose there as many digits as it has leading zeros.
 //   (8 + 12 tau + 6 tau^2 + tau^3) z,  s^2 = 2 + tau   ->   s^6 z
 Polynomial radicands_apart(const Ring& ring, Polynomial numerator);
 

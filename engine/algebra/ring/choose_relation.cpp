@@ -55,8 +55,8 @@ Binomial simplest(const Ring& ring, const Binomial& b) {
     return b;
 }
 
-// The generator that sigma^index = coefficient * monomial eliminates, or -1: it stands with a positive
-// exponent, all others are invertible. An exponent 1 is preferred, then what is no root.
+// The generator that sigma^index = coefficient * monomial eliminates, or -1: its exponent is positive, all
+// others are invertible. The lowest exponent is preferred, then a generator that is no root.
 GeneratorId eliminated_by(const Ring& ring, const std::vector<Relation>& before, const Binomial& b) {
     GeneratorId best = -1;
     int best_cost = 0;
@@ -83,7 +83,7 @@ std::optional<Relation> of_one_term(const Ring& ring, const std::vector<Relation
     relation.lead = root;
     relation.degree = b.index;
     relation.value = Polynomial(b.monomial, b.coefficient);
-    // A divisor that is a symbol not declared to be non-zero stands in its place, and is invertible.
+    // A root of index 1 of a symbol not declared to be non-zero replaces that symbol, and is invertible.
     const bool known_unit = b.index == 1 && invertible_but(ring, b.monomial, -1);
     if (known_unit || b.monomial == Monomial{}) return relation;
     const GeneratorId x = eliminated_by(ring, before, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How sigma^k = radicand is read as a rewriting rule (RingBuilder::freeze says which and why).
+// How sigma^k = radicand becomes a rewriting rule (which one and why: RingBuilder::freeze).
 #pragma once
 
 #include "algebra/ring/relation.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How roots and functions are differentiated, and what ties a cosine to its sine.
+// The derivatives of roots and functions, and the relation of a cosine with its sine.
 //
 //   sigma^k = P:  sigma' = sigma^(1-k)/k P'          f(u):  f(u)' = f'(u) u'
 #include "algebra/ring/choose_relation.hpp"

@@ -19,8 +19,8 @@ using BallOf = std::function<const RealBall&(GeneratorId)>;
 // Precondition: not Function::named.
 RealBall enclose(Function f, const RealBall& x, std::int64_t bits);
 ComplexBall enclose(const Ring& ring, const Polynomial& p, const BallOf& value_of, std::int64_t bits);
-// Of pi, a root, or an elementary function; nullopt: g is none of these, or a root of what may be negative or
-// zero.
+// Of pi, a root, or an elementary function; nullopt: g is none of these, or a root whose radicand may be
+// negative or zero.
 std::optional<RealBall> enclose(const Ring& ring, const Generator& g, const BallOf& value_of,
                                 std::int64_t bits);
 

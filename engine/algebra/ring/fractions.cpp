@@ -61,7 +61,7 @@ mpz_class common_factor(const Fractions& f) {
 }
 
 void divide_numerators(Fractions& f, const mpz_class& factor) {
-    if (f.limbs == 1) { // so is the factor, which divides them
+    if (f.limbs == 1) { // the factor divides them, so it has one limb, too
         const mp_limb_t divisor = factor.get_ui();
         if (divisor == 0) throw std::logic_error("divide_numerators: the common factor is not zero");
         for (mp_limb_t& n : f.magnitudes) n /= divisor;

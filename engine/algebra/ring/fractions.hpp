@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The terms of a polynomial over one common denominator: what products are computed with.
+// The terms of a polynomial over one common denominator: the form in which products are computed.
 //
 //   2/3 x - 5/4 y  ->  (8 x - 15 y)/12
 //

@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    // With what is under the root.
+    // Adds a generator and those of its radicand.
     void add(GeneratorId id) {
         if (std::find(ids_.begin(), ids_.end(), id) != ids_.end()) return;
         ids_.push_back(id);
@@ -106,7 +106,7 @@ bool is_numeric_root(const Ring& ring, GeneratorId id) {
 
 std::optional<Polynomial> inverse_in_number_field(const Ring& ring, const Polynomial& p) {
     if (p.size() < 2) return std::nullopt;
-    Monomial common; // what every term can be divided by, and the negative exponents of roots
+    Monomial common; // divides all terms; of numeric roots, negative exponents only
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         if (!ring.generator(id).invertible || id == Ring::imaginary_unit) continue;
         const int least = ring.lowest_exponent(p, id);

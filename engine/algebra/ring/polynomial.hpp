@@ -17,7 +17,7 @@ namespace resonform {
 struct Fractions;
 class Packing;
 
-// Invariant: terms strictly ascending by monomial key, no zero coefficient. Copies share what they hold.
+// Invariant: terms strictly ascending by monomial key, no zero coefficient. Copies share their content.
 // It is held as terms, or as fractions over a common denominator, or both: each is made from the other
 // when it is first asked for, which several threads may do at once.
 class Polynomial {

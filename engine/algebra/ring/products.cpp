@@ -29,7 +29,7 @@ std::size_t bits_of_sums(const std::vector<WholeProduct>& products) {
     return bits + static_cast<std::size_t>(std::bit_width(summands)) + 1;
 }
 
-// All numerators have one limb, and what is summed fits into a word or two.
+// Whether all numerators have one limb, and all sums fit into a word or two.
 bool fits_words(const std::vector<WholeProduct>& products, std::size_t bits) {
     return bits <= 128 && std::all_of(products.begin(), products.end(), [](const WholeProduct& p) {
                return p.left->limbs == 1 && p.right->limbs == 1 && p.left->bits() < 64 &&
@@ -234,7 +234,7 @@ Fractions sum_in_limbs(const std::vector<WholeProduct>& products, std::size_t wi
     return std::move(sums).numerators(std::move(table).monomials());
 }
 
-// The bits of the sums, and fits_words; factors are 1 unless it holds.
+// `bits` of the sums; `in_words` by fits_words(). All factors must be 1 if it is false.
 Fractions sum_over(const std::vector<WholeProduct>& products, std::size_t bits, bool in_words,
                    const Share& share) {
     if (!in_words) return sum_in_limbs(products, (bits + 63) / 64, share);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of products of polynomials as fractions: where the time of the engine goes.
+// Sums of products of polynomials as fractions: the engine spends most of its time here.
 #pragma once
 
 #include "algebra/ring/fractions.hpp"
@@ -14,7 +14,7 @@ namespace resonform {
 // two threads, where the machine has them.
 Fractions sum_of_products(const std::vector<FractionProduct>& products, const Packing* packing = nullptr);
 
-// The sum of its terms, among which monomials may be equal: in the same way.
+// The same terms, with equal monomials added in the same way.
 Fractions collected(const Fractions& f);
 
 // Exponents that could overflow in one product are refused.

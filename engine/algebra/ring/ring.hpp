@@ -36,11 +36,11 @@ enum class GeneratorKind {
                // that is a divisor, which has an inverse because it does not vanish identically
     constant,  // a constant of the solution (C_delta, C_X, ...), weight 0
     phase,     // e^{i theta}: invertible, conjugate = inverse
-    function,  // exp, sin, cos, log, ... of what parameters and slow variables give, weight 0
+    function,  // exp, sin, cos, log, ... of arguments in parameters and slow variables, weight 0
     primitive, // a function of slow variables known by its derivatives (a logarithm, a quadrature)
 };
 
-// What a generator of kind function is. Others are written with these: tan u = sin u/cos u.
+// The function behind a generator of kind function. Others are written with these: tan u = sin u/cos u.
 struct FunctionOf {
     Function function = Function::exponential;
     Polynomial argument;     // in earlier generators
@@ -115,7 +115,7 @@ public:
 
     // --- polynomials ---------------------------------------------------------------------------
     [[nodiscard]] Polynomial one() const { return Polynomial(Rational(1)); }
-    // Reduced. A negative power of what is not invertible is refused.
+    // Reduced. Refused: a negative power of a generator that is not invertible.
     [[nodiscard]] Polynomial gen(GeneratorId id, int exponent = 1) const;
     [[nodiscard]] Polynomial imaginary() const { return gen(imaginary_unit); }
     // Applies every relation until none applies. All Ring operations below return reduced results.
@@ -166,7 +166,7 @@ public:
     // outer monomial -> coefficient polynomial in the remaining generators. Sorted by outer key.
     [[nodiscard]] std::vector<std::pair<Monomial, Polynomial>>
     collect(const Polynomial& p, const std::vector<GeneratorId>& outer) const;
-    // Of a generator over the terms of p, which is not zero.
+    // The lowest exponent of a generator in the terms of p. Precondition: p is not zero.
     [[nodiscard]] int lowest_exponent(const Polynomial& p, GeneratorId id) const;
     // The part of m in the selected generators.
     [[nodiscard]] Monomial restricted(const Monomial& m, const std::vector<GeneratorId>& generators) const;
@@ -224,7 +224,7 @@ public:
     //   keeps 0 <= exponent < index;
     //   else x^d -> (sigma^k - rest)/c where radicand = c x^d + lower in x, c a unit monomial, x not
     //   invertible and eliminated by no other root, a slow variable if possible;
-    //   else sigma^k -> radicand, which is sound; Ring::is_zero then clears denominators.
+    //   else sigma^k -> radicand, true but not canonical; Ring::is_zero then clears denominators.
     // sin^2 -> 1 - cos^2, or the other way round where the cosine or its square is under a root.
     [[nodiscard]] RingPtr freeze() const;
     // FunctionOf::slope of a generator, a polynomial of a ring that this builder has frozen.

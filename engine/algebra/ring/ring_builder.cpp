@@ -170,7 +170,7 @@ RingPtr RingBuilder::freeze() const {
     i_squared.total = true;
     ring->relations_.push_back(i_squared);
 
-    // Radicands of one term first: what they eliminate is gone from the others.
+    // Radicands of one term first: the others no longer hold the generators that these eliminate.
     for (const bool several_terms : {false, true}) {
         for (GeneratorId id = 0; id < size; ++id) {
             if (ring->generator(id).kind != GeneratorKind::root) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units of a Ring: which elements may be divided by, and which have roots in the ring.
+// The units of a Ring: elements with an inverse, and those with roots in the ring.
 #include "algebra/number/number.hpp"
 #include "algebra/ring/division.hpp"
 #include "algebra/ring/number_field.hpp"
@@ -61,7 +61,7 @@ GeneratorId divide_by_radicand(const Ring& ring, Polynomial& p) {
         if (radicand.size() < 2) continue;
         std::optional<Polynomial> quotient = divide_exactly(ring, p, radicand);
         if (!quotient) quotient = numeric_quotient(ring, p, radicand);
-        // By a sum of numbers every other one can be divided, again and again.
+        // A radicand that is a sum of numbers divides every other such sum, without end.
         if (quotient && (quotient->size() == 1 || !is_numeric_root(ring, id))) {
             p = *quotient;
             return id;

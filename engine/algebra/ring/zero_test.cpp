@@ -11,8 +11,8 @@
 namespace resonform {
 namespace {
 
-// Free of each other and of all other generators: p is zero exactly when its coefficients over these
-// are (i separates real from imaginary part; a phase is free by its constant theta_0).
+// Independent of each other and of all other generators: p is zero exactly when all its coefficients over
+// these are (i separates real from imaginary part; a phase is free by its constant theta_0).
 bool is_free(GeneratorKind kind) {
     return kind == GeneratorKind::imaginary || kind == GeneratorKind::fast || kind == GeneratorKind::small ||
            kind == GeneratorKind::constant || kind == GeneratorKind::phase;
@@ -109,7 +109,7 @@ bool proved_nonzero(const Ring& ring, const std::vector<std::pair<Monomial, Poly
     return false;
 }
 
-// Multiplies with what makes the least exponent of `lead` zero, so that its rule applies. The factor
+// Multiplies by the power of `lead` that makes its least exponent zero, so that its rule applies. The factor
 // itself must not be rewritten first.
 Polynomial cleared_of(const Ring& ring, const Polynomial& p, GeneratorId lead) {
     const int least = p.empty() ? 0 : std::min(0, ring.lowest_exponent(p, lead));

@@ -16,8 +16,8 @@ NumberDomain::NumberDomain(RingPtr ring, int largest, std::int64_t bits, GivenNu
     find_values();
 }
 
-// Radicands and arguments hold earlier generators only. What cannot be evaluated is left out, and refused
-// where it is met.
+// Radicands and arguments hold earlier generators only. A generator that cannot be evaluated gets no value;
+// value_of() refuses it where it is used.
 void NumberDomain::find_values() {
     const Ring& ring = *monomials().ring();
     const BallOf before = [&](GeneratorId id) -> auto& { return value_of(id); };

@@ -4,7 +4,7 @@
 //
 //   ring: z1, z2, eps, s = 2^(1/2)      part:  s/4 z1 z2  ->  {key(z1 z2): 0.35355339059327376... +- 1e-60}
 //
-// All coefficients are balls, so that what is left of their digits is known at the end.
+// All coefficients are balls, so that their accuracy is known at the end.
 #pragma once
 
 #include "algebra/graph/keyed_part.hpp"
@@ -21,7 +21,7 @@ namespace resonform {
 
 using NumberPart = KeyedPart<WideKey, RealBall>;
 
-// What has no exact value in the ring.
+// Values that are not exact in the ring.
 struct GivenNumbers {
     std::map<GeneratorId, RealBall> generators;
     std::vector<ComplexBall> numbers; // those of SeriesProgram::number
@@ -32,7 +32,7 @@ class NumberDomain {
 public:
     using Part = NumberPart;
 
-    // Every generator that is met without a key has a value: those given, roots, and elementary functions.
+    // Every generator that occurs outside of keys has a value: those given, roots, and elementary functions.
     // Series have exponents up to `largest`. Errors (refused): a monomial does not fit into a word.
     NumberDomain(RingPtr ring, int largest, std::int64_t bits, GivenNumbers given);
 
@@ -54,7 +54,7 @@ public:
     // Of a part without keys but i; nullopt if it may be zero (is not proved positive).
     [[nodiscard]] std::optional<Part> inverse(const Part& p) const;
     [[nodiscard]] std::optional<Part> rational_power(const Part& p, const Rational& exponent) const;
-    // Within the balls: what is exactly 0 or 1 in the ring may have a radius here.
+    // Whether the balls contain 0 or 1: an exact 0 or 1 of the ring may have a radius here.
     [[nodiscard]] bool is_zero(const Part& p) const;
     [[nodiscard]] bool is_one(const Part& p) const;
     [[nodiscard]] Part conjugate(const Part& p) const { return conjugated(keys(), p); }
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] Part without_vanishing(Part p, const std::vector<GeneratorId>& /*outer*/) const {
         return p;
     }
-    // Of a part of this weight, without what is linear in fast variables of this weight.
+    // A part of this weight without its terms linear in fast variables of this weight.
     [[nodiscard]] Part without_linear(const Part& p, int weight) const;
     template <class ShareOf>
     [[nodiscard]] std::vector<Part> split(const Part& p, const std::vector<GeneratorId>& outer,

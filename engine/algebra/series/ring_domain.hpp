@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The canonical ring as a domain of coefficients. A domain is what the recursions over series are written
-// for: a type of homogeneous parts, and the operations below on them (GraphDomain has them too).
+// The canonical ring as a domain of coefficients. The recursions over series are written for any domain: a
+// type of homogeneous parts with the operations below (GraphDomain is another).
 #pragma once
 
 #include "algebra/ring/fractions.hpp"
@@ -38,7 +38,7 @@ public:
     // d/d(id), and of a phase e^{i theta} by theta.
     [[nodiscard]] Part derivative(const Part& p, GeneratorId id) const { return ring_->derivative(p, id); }
     [[nodiscard]] Part angle_derivative(const Part& p, GeneratorId phase) const;
-    // Without coefficients over `outer` that vanish though they are not empty, as in a ring that is not
+    // Drops coefficients over `outer` that vanish although they have terms, as in a ring that is not
     // canonical.
     [[nodiscard]] Part without_vanishing(const Part& p, const std::vector<GeneratorId>& outer) const;
     // The terms of p by the number that `share_of` gives the monomial of their outer generators.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A graded series: homogeneous parts by weight. What a part is depends on the domain of the coefficients:
+// A graded series: homogeneous parts by weight. The type of a part depends on the domain of the coefficients:
 // a Polynomial of a Ring, a GraphPart of a graph.
 #pragma once
 

@@ -13,7 +13,7 @@ class Histories {
 public:
     explicit Histories(const SeriesProgram& program)
         : all_(program.instructions()), history_(all_.size(), 0) {
-        // A node comes after its operands, but for the sine, which is read by its cosine.
+        // A node comes after its operands, except a sine, which comes before its operand, the cosine.
         for (std::size_t k = all_.size(); k-- > 0;) spread(static_cast<Node>(k));
     }
     [[nodiscard]] std::vector<int> result() && { return std::move(history_); }

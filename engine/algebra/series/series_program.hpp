@@ -82,7 +82,7 @@ private:
 
     RingPtr ring_;
     std::vector<Instruction> instructions_;
-    std::unordered_multimap<std::size_t, Node> shared_;                 // by hash, of what intern() appended
+    std::unordered_multimap<std::size_t, Node> shared_;                 // by hash, of the nodes of intern()
     std::vector<std::pair<Node, std::pair<Node, Node>>> trigonometric_; // u -> (sine, cosine)
 };
 
@@ -108,8 +108,8 @@ public:
     // By linearity only weight-0 parts enter: d(a b)_n = a_0 db_n + b_0 da_n, d(sin u)_n = c_0 du_n.
     // (At weight 0 everything is computed anew.)
     void correct(int weight);
-    // Gives back the parts that no later weight needs. For whoever asks for each part at its own weight: what
-    // was given back is not there any more.
+    // Frees the parts that no later weight needs. Only for a caller that asks for each part at its own
+    // weight: a freed part is lost.
     void forget();
     // 0 <= weight <= the last one advanced to
     [[nodiscard]] const Part& part(SeriesProgram::Node node, int weight) const;
@@ -148,7 +148,7 @@ private:
     const SeriesProgram* program_;
     Domain domain_;
     std::vector<BasicSeries<Part>> constants_; // as elements of the domain, by node
-    mutable std::vector<Value> values_;        // by node: what was asked for is kept
+    mutable std::vector<Value> values_;        // by node: the parts computed so far
     // Products that only one sum uses: collected with it, they have no parts of their own.
     std::vector<bool> fused_;
     Part one_;

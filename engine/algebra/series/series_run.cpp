@@ -64,7 +64,7 @@ void require_start(bool holds, const std::string& rule) {
             .place = power.place});
 }
 
-// By node: the operands that no later one has.
+// By node: its operands that no later node uses.
 std::vector<std::vector<Node>> last_operands(const std::vector<SeriesProgram::Instruction>& all) {
     std::vector<std::size_t> last(all.size(), 0);
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -101,7 +101,7 @@ template <class Domain> void BasicSeriesRun<Domain>::set_input(Node input, int w
         throw std::logic_error("SeriesRun::set_input: not an input, or a weight that is already settled");
     }
     part = domain_.reduce(std::move(part));
-    if (weight == weight_) // parts that are asked for before correct() must not know it yet
+    if (weight == weight_) // before correct(), parts that are computed must not see it yet
         changed_.emplace_back(input, std::move(part));
     else
         values_[at(input)].series.set(weight, std::move(part));
@@ -149,7 +149,7 @@ template <class Domain> auto BasicSeriesRun<Domain>::series(Node node) const -> 
     return values_[at(node)].series;
 }
 
-// Past the weights of a constant, whose other factor may be forgotten.
+// Whether a constant has no part of this weight. The other factor, perhaps freed, is not read then.
 template <class Domain> bool BasicSeriesRun<Domain>::is_beyond(Node node, int weight) const {
     const Op op = program_->instructions()[at(node)].op;
     return (op == Op::constant || op == Op::number) && weight > constants_[at(node)].through();
@@ -162,7 +162,7 @@ template <class Domain> bool BasicSeriesRun<Domain>::vanishes(const Wanted& w) c
     return part(w.right, w.j).empty() || part(w.left, w.i).empty();
 }
 
-// Products of parts that are all there, and stay where they are until another one is asked for.
+// The products that do not vanish; their parts stay in place until another part is computed.
 template <class Domain>
 auto BasicSeriesRun<Domain>::present(std::vector<Wanted> wanted) const -> std::vector<ProductOf<Part>> {
     std::erase_if(wanted, [&](const Wanted& w) { return vanishes(w); });
@@ -258,7 +258,7 @@ auto BasicSeriesRun<Domain>::combined(const SeriesProgram::Instruction& sum, int
             const std::vector<Wanted> more = factors(factor, product.left, product.right, n);
             wanted.insert(wanted.end(), more.begin(), more.end());
         } else {
-            static_cast<void>(part(addend, n)); // what is asked for later may move what is there
+            static_cast<void>(part(addend, n)); // computed first: later it might move other parts
         }
     }
     std::vector<ProductOf<Part>> products = present(std::move(wanted));

@@ -84,7 +84,7 @@ Packed resultant(const Packed& p, const Packed& q, slong variable) {
     return result;
 }
 
-// The power of the denominator that makes the value whole is the positive number.
+// The positive number is the power of the denominator that makes the value an integer polynomial.
 Packed value_at(const Packed& p, slong variable, const Rational& value) {
     const slong highest = degree(p, variable);
     if (highest <= 0) return p;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What eliminates a variable of polynomials: their coefficients, discriminants, resultants and values, by
+// The polynomials by which a variable is eliminated: coefficients, discriminants, resultants and values, by
 // FLINT.
 #pragma once
 

@@ -54,7 +54,7 @@ private:
         Packed asked;
     };
 
-    // Over each cell of the variables that are left the roots in the others are functions that do not meet.
+    // Projection: over each cell of the remaining variables, the roots in the eliminated one do not meet.
     void project(std::vector<Packed> all) {
         std::vector<slong> left = variables_of(all);
         if (left.size() > most_variables) throw NoQuotient{};

@@ -14,10 +14,10 @@
 
 namespace resonform {
 
-// Zero is in the set where the sign of an irreducible polynomial changes within the domain; where it does
-// not, it may still vanish at a point at which its slopes do. The domain is empty if the set is. `factors`
-// are the irreducible factors of all conditions and of `asked`, which is square-free. nullopt: the
-// elimination takes more than the budgets below.
+// Zero is in the set if the sign of `asked` changes within the domain; if it does not, `asked` may still
+// vanish at a point, where its slopes vanish, too. An empty set: the domain is empty. `factors` are the
+// irreducible factors of all conditions and of `asked`, which is square-free. nullopt: the elimination takes
+// more than the budgets below.
 std::optional<SignSet> signs_on_open_cells(const Packed& asked, const std::vector<Packed>& conditions,
                                            const std::vector<Packed>& factors);
 

@@ -51,7 +51,7 @@ SignSet& PolynomialSigns::learned(const Packed& q) {
     return found != learned_.end() ? found->second : learned_.emplace_back(q, SignSet::all()).second;
 }
 
-// Where the sign of one factor only is open, it follows.
+// If the sign of only one factor is unknown, it follows from the others.
 void PolynomialSigns::learn(const FactoredPolynomial& condition) {
     SignSet others = SignSet::of(condition.sign);
     SignSet* open = nullptr;
@@ -103,7 +103,7 @@ SignSet PolynomialSigns::of_factor(const Packed& q) {
     const auto root = std::find_if(roots_.rbegin(), roots_.rend(),
                                    [&](const SquareRoot& r) { return degree(q, r.variable) > 0; });
     const auto narrow = [&](const SignSet& by_other_means) {
-        if (const SignSet both = signs & by_other_means; !both.empty()) signs = both; // else the domain is
+        if (const SignSet both = signs & by_other_means; !both.empty()) signs = both; // else: no domain
     };
     if (!signs.is_known() && root != roots_.rend()) narrow(by_root(q, *root));
     if (!signs.is_known() && q.terms() > 1) narrow(by_fewer_variables(q));
@@ -111,8 +111,8 @@ SignSet PolynomialSigns::of_factor(const Packed& q) {
     return signs;
 }
 
-// x^2 - 2*x*y + y^2 + p*q where p*q > 0 is larger than without its last term. What is left out are terms of
-// one sign with a variable that no term of the other or of both signs has.
+// x^2 - 2*x*y + y^2 + p*q where p*q > 0 is larger than without its last term. Left out are terms of one sign
+// with a variable that no term of the other or of unknown sign has.
 SignSet PolynomialSigns::by_fewer_variables(const Packed& q) {
     for (const int s : {-1, 1}) {
         std::vector<Packed> helpful;

@@ -23,7 +23,7 @@ public:
     };
     PolynomialSigns(const std::vector<Packed>& positive, std::vector<SquareRoot> roots);
 
-    // Where all of `positive` are; other signs do not occur. Empty: one of them is a number that is not.
+    // The signs of p where all of `positive` are positive. Empty: one of these is a number that is not.
     SignSet of(const Packed& p);
 
 private:

@@ -76,7 +76,7 @@ void check_growth(const Equation& equation, const Growth& growth) {
              "use smaller exponents");
 }
 
-// Runs what GiNaC may find singular.
+// Runs `build`, and complains where GiNaC divides by zero.
 ex guarded(const Equation& equation, const std::function<ex()>& build) {
     const auto value = where_regular(build);
     if (!value)

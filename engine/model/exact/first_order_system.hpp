@@ -30,9 +30,9 @@ struct FirstOrderSystem {
     [[nodiscard]] std::size_t index(std::size_t variable, int derivative) const;
 };
 
-// Solves the equations for the highest derivatives: an equation that holds a single unknown one gives
-// it, which is put into the others (so xi' = eps v may stand squared elsewhere); the equations left
-// are solved together as a linear system. No rate holds a highest derivative.
+// Solves the equations for the highest derivatives: an equation with a single unknown one is solved for it,
+// and the result is put into the others (so xi' = eps v may stand squared elsewhere); the equations left are
+// solved together as a linear system. No rate holds a highest derivative.
 // Errors: bad_input: an equation that is not linear in them (marks the derivative), one that holds
 // none, a determinant that is zero; refused: a coefficient that can be told neither zero nor nonzero.
 FirstOrderSystem solve_for_highest(std::shared_ptr<const System> system);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions of mechanics as fractions of polynomials. Sines, cosines, roots and other functions become
-// generators with their relations, so that what is equal is written the same:
+// generators with their relations, so that equal expressions are written the same:
 //
 //   sin(psi + atan(xi/r))  ->  (xi*cos(psi) + r*sin(psi))/sqrt(xi^2 + r^2)        where r > 0 is declared
 //
@@ -20,12 +20,12 @@ namespace resonform {
 
 class ExactForm {
 public:
-    // What a symbol is, in the order in which terms are written.
+    // The kind of a symbol, in the order in which terms are written.
     enum class Kind { acceleration, velocity, moving, coordinate, rate, constant, slow, parameter, eps };
     struct Generator {
         enum class Relation { none, square, root };
         GiNaC::symbol symbol;
-        GiNaC::ex meaning; // the function it stands for; of what is no function, the symbol
+        GiNaC::ex meaning; // the function this generator stands for, or the symbol itself
         Kind kind;
         std::string text;
         Relation relation = Relation::none;
@@ -36,7 +36,7 @@ public:
         GiNaC::ex numerator, denominator; // expanded, in symbols of generators
     };
 
-    // `domain` says what is positive; it outlives the form.
+    // `domain` has the declared signs; it outlives the form.
     explicit ExactForm(const System& domain) : domain_(&domain) {}
     // The place of errors from here on.
     void set_place(Place place) { place_ = std::move(place); }

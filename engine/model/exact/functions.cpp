@@ -69,7 +69,7 @@ bool ExactForm::is_known(const ex& e) const {
     return known_.count(e) != 0;
 }
 
-// New generators come in the order of the spelling of operands; where there are none, it does not matter.
+// New generators come in the order of the spelling of operands; without new ones, the order does not matter.
 ex ExactForm::converted(const ex& e, bool in_order) {
     if (is_plain(e)) return e;
     in_order = in_order && !is_known(e);

@@ -12,7 +12,7 @@ using GiNaC::numeric;
 
 namespace {
 
-// The factors of a polynomial with their exponents: symbols, then what is left by multiplicity.
+// The factors of a polynomial with their exponents: symbols, then the square-free factors of the rest.
 std::vector<std::pair<ex, int>> factors_of(ex polynomial,
                                            const std::vector<ExactForm::Generator>& generators) {
     std::vector<std::pair<ex, int>> factors;

@@ -42,7 +42,7 @@ std::vector<double> entry_counts(const ExactRow& row, ExactForm& form) {
     return counts;
 }
 
-// Of the products that a determinant of n columns is the sum of; `columns` are in the order of their bits.
+// The terms of a determinant whose entries have so many; bit k of `chosen` stands for columns[k].
 double determinant_terms(const EntryCounts& rows, const std::vector<std::size_t>& columns) {
     const std::size_t n = rows.size();
     std::vector<double> sums(std::size_t{1} << n, 0);
@@ -57,7 +57,7 @@ double determinant_terms(const EntryCounts& rows, const std::vector<std::size_t>
     return sums.back();
 }
 
-// By Cramer's rule, the fraction multiplied out.
+// The most terms that an unknown has by Cramer's rule, its fraction multiplied out.
 double terms_when_solved(const std::vector<ExactRow>& rows, ExactForm& form) {
     EntryCounts counts;
     for (const ExactRow& row : rows) counts.push_back(entry_counts(row, form));

@@ -14,8 +14,8 @@ using ExactRow = std::vector<GiNaC::ex>;
 // Errors (refused): a determinant that is not seen to differ from zero.
 std::vector<GiNaC::ex> solve_exactly(std::vector<ExactRow> rows, ExactForm& form, const Place& place);
 
-// The same; nothing where, by the terms of the entries, the solution may have more than an expression of a
-// file may have. What its length would be is not found by writing it.
+// The same; empty if the solution may have more terms than an expression of a file. This is estimated from
+// the terms of the entries, without computing the solution.
 std::vector<GiNaC::ex> solve_if_short(std::vector<ExactRow> rows, ExactForm& form, const Place& place);
 
 } // namespace resonform

@@ -69,7 +69,7 @@ private:
             factor(product);
         return term;
     }
-    // In the order in which they are written.
+    // The terms in the order in which they are written.
     std::vector<Term> terms_of(const ex& polynomial) const {
         std::vector<Term> terms;
         if (GiNaC::is_a<GiNaC::add>(polynomial))

@@ -45,7 +45,7 @@ bool take(Dimension& dimension, const GiNaC::ex& factor) {
     return true;
 }
 
-// What is not known is written as the unit of its symbol: [eps].
+// An unknown unit is written as that of its symbol: [eps].
 std::string factor_text(const std::string& base, const Rational& exponent) {
     std::string name = base.front() == '?' ? "[" + base.substr(1) + "]" : base;
     if (exponent == 1) return name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a quantity is measured in, as powers of base units and of units not known yet.
+// The unit of a quantity, as powers of base units and of units not known yet.
 //
 //   "kg*m^2/s^2", "N*m", "J"  ->  { kg: 1, m: 2, s: -2 }
 #pragma once
@@ -27,17 +27,17 @@ Dimension read_unit(const std::string& text, const SourceText& source);
 // The unit under the key `unit` of a declaration, empty if there is none. Errors: those of read_unit.
 std::string unit_of(const TomlNode& table);
 
-// What is known of units by equations between them.
+// Unknown units, found from equations between units.
 class Dimensions {
 public:
     static Dimension unknown(const std::string& symbol) { return {{"?" + symbol, 1}}; }
-    // By all that is known.
+    // With all known units put in.
     [[nodiscard]] Dimension resolved(const Dimension& dimension) const;
-    // Learns that two are equal; false: they are not.
+    // Learns that two units are equal; false: they are not.
     bool equate(const Dimension& a, const Dimension& b);
 
 private:
-    std::map<std::string, Dimension> known_; // of what was unknown
+    std::map<std::string, Dimension> known_; // the units found so far
 };
 
 } // namespace resonform

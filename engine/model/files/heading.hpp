@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the files of a user call themselves, read without anything that they describe.
+// The headings of system and scene files, read without the rest of the file.
 #pragma once
 
 #include "model/text/toml_tree.hpp"
@@ -20,7 +20,7 @@ struct Heading {
 const std::vector<std::string>& keys_of_systems();
 const std::vector<std::string>& keys_of_scenes();
 
-// The table [system]. Errors (bad_input): what is wrong with it, or an unknown table of the file.
+// The table [system]. Errors (bad_input): a wrong or missing key in it, or an unknown table of the file.
 Heading heading_of_system(const TomlNode& root, const std::filesystem::path& file);
 Heading read_heading_of_system(const std::filesystem::path& file);
 // The same of a scene, whose name is that of its file.

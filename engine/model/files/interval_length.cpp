@@ -23,7 +23,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double cancelled = 1e-12; // of the largest term: what is left of a sum has too few digits
+constexpr double cancelled = 1e-12; // of the largest term: a sum below this has too few digits
 constexpr double tiny_angle = -30;  // ln of an angle that is its own sine, tangent, ...
 
 // sign exp(log): a number of any size. Not known: log is NaN.
@@ -179,9 +179,9 @@ double bounded_interval_length(const Scene& scene, const Rational& eps) {
     return length;
 }
 
-// Between eps = 10^-12 and 10^-12288 twelve times, each the square of the last: what is not a power shows.
-// The power found between two eps comes nearer to its limit by half each time if logarithms go with it
-// (eps^-1 log(1/eps)^k), and does not if there is no limit.
+// Probes twelve eps from 10^-12 to 10^-24576, each the square of the one before: a growth that is no power
+// shows. The power between two neighbours halves its distance to the limit each time if a power is multiplied
+// by logarithms (eps^-1 log(1/eps)^k), and does not if there is no limit.
 std::optional<int> growth_power(const Scene& scene, const GiNaC::ex& interval) {
     constexpr int probes = 12;
     constexpr double near_whole = 1e-6, settling = 0.75, largest_power = 1e6;

@@ -9,7 +9,7 @@
 
 namespace resonform {
 
-// What evaluators tabulate and integrations start on.
+// The range in which evaluators tabulate and integrations start.
 constexpr double shortest_interval = 1e-200, longest_interval = 1e200;
 
 // Of an expression in eps, [fix] put in, at one eps: 0 and infinity where a double cannot hold it, NaN where

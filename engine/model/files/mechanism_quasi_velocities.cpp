@@ -11,7 +11,7 @@ namespace resonform {
 
 using GiNaC::ex;
 
-// One that is a variable of the system has its symbols.
+// A quasi-velocity that is a variable of the system has the symbols of that variable.
 void MechanismReader::read_quasi_velocities() {
     const TomlNode* table = root_.find("quasi_velocities");
     if (table == nullptr) return;
@@ -35,7 +35,7 @@ void MechanismReader::read_quasi_velocities() {
     }
 }
 
-// Its power is value * u: on each coordinate it is value * du/dx'.
+// The power of the force is value * u: on each coordinate the force is value * du/dx'.
 bool MechanismReader::add_force_on_quasi_velocity(const TomlEntry& entry) {
     for (const QuasiVelocity& u : mechanism_.quasi_velocities) {
         if (u.name != entry.key) continue;

@@ -62,7 +62,7 @@ template <class Read> void MechanismReader::each(const std::string& key, const R
     for (const TomlEntry& entry : table->entries) read(entry);
 }
 
-// A coordinate that is a variable of the system has its symbols.
+// A coordinate that is a variable of the system has the symbols of that variable.
 Coordinate MechanismReader::coordinate_of(const TomlEntry& entry) const {
     Coordinate c;
     c.name = entry.key;
@@ -259,8 +259,8 @@ void MechanismReader::read_integrals() {
     });
 }
 
-// Variables that are neither coordinates nor prescribed nor integrals, and have no name of one that may be
-// found.
+// Finds the variables that [change] brings in: no coordinates, quasi-velocities, prescribed ones or
+// integrals, not even by the name of an integral that the engine may find.
 void MechanismReader::find_fresh() {
     const TomlNode* variables = root_.find("variables");
     const auto named_by_engine = [&](const std::string& name) {

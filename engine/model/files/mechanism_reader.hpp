@@ -14,7 +14,7 @@ class MechanismReader {
 public:
     // `system` has its parameters, functions, and variables with at least three symbols in each jet.
     MechanismReader(const TomlNode& root, const System& system);
-    // Errors: bad_input for what breaks a rule of the format.
+    // Errors: bad_input: a rule of the format is broken.
     Mechanism read();
 
 private:

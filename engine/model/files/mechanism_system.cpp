@@ -89,7 +89,7 @@ void SystemReader::derive_equations() {
     derivation_ = std::make_shared<Derivation>(std::move(derived.derivation));
 }
 
-// What is constant at eps = 0 is slow or a drift: as the file says, if that is possible, or as is found.
+// Makes a constant of the motion at eps = 0 slow or a drift by `role`, or checks its role in the file.
 void SystemReader::take_constant(const Coordinate& constant, Role role) {
     const auto found = std::find_if(system_.variables.begin(), system_.variables.end(),
                                     [&](const Variable& v) { return v.name == constant.name; });
@@ -117,7 +117,7 @@ void SystemReader::take_constant(const Coordinate& constant, Role role) {
     }
 }
 
-// A slow variable that stands still is none.
+// Turns a slow variable that is constant for every eps into a parameter.
 void SystemReader::make_parameter(const std::string& name) {
     const auto found = std::find_if(system_.variables.begin(), system_.variables.end(),
                                     [&](const Variable& v) { return v.name == name; });
@@ -133,7 +133,7 @@ void SystemReader::check_roles() const {
                    "write role = \"fast\", \"angle\" or \"slow\"", system_.variable(name)->place});
 }
 
-// A mass that cancels is no parameter of the equations.
+// Moves parameters that the equations do not hold, as a mass that cancels, into System::cancelled.
 void SystemReader::drop_cancelled() {
     if (!derivation_) return;
     const auto used = [&](const Parameter& p) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [modes]: the modal matrix as a user gives it, mode by mode. That it fits the equations is checked where
-// they have been solved for their highest derivatives.
+// [modes]: the modal matrix as a user gives it, mode by mode. Whether it fits the equations is checked after
+// these have been solved for their highest derivatives.
 #include "algebra/number/error.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/text/canonical.hpp"

@@ -14,8 +14,8 @@ namespace resonform {
 // Errors (bad_input): none of these exists; the names in `systems` are suggested.
 std::filesystem::path find_system(const std::string& argument, const std::filesystem::path& systems);
 
-// Reads and checks a system file (docs/file_formats.md). Errors: bad_input for what breaks a rule
-// there, refused for what the format foresees and the engine does not do yet.
+// Reads and checks a system file (docs/file_formats.md). Errors: bad_input: a rule there is broken; refused:
+// the format foresees it, but the engine does not do it yet.
 System read_system(const std::filesystem::path& file);
 System read_system_text(std::string_view toml, const std::filesystem::path& file);
 

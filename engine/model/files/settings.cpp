@@ -43,7 +43,7 @@ ex read_value(const Setting& setting, const std::string& option) {
     }
 }
 
-// Values are constants: where intervals do not decide what their signs are, nothing is claimed.
+// Refuses a constant whose sign interval arithmetic does not decide.
 [[noreturn]] void refuse_undecided(const std::string& value, const std::string& option) {
     Place place;
     place.key = option;
@@ -62,7 +62,7 @@ void check_value(const Setting& setting, const Parameter& parameter, const ex& v
              "set a value of this kind, or change the file", option);
 }
 
-// What a relation gives is set by what it is given by.
+// Refuses --set of a parameter that [relations] computes.
 void refuse_related(const System& system, const std::string& parameter, const std::string& option) {
     for (const ParameterRelation& relation : system.relations)
         if (relation.parameter == parameter)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A motion begins where the system is declared to be defined.
+// Checks that a motion begins where the system is declared to be defined.
 #pragma once
 
 #include "model/system/scene_file.hpp"
@@ -7,7 +7,7 @@
 
 namespace resonform {
 
-// Checks the expressions of [domain] with the start values and [fix] put in; what still holds a parameter
+// Checks the expressions of [domain] with the start values and [fix] put in; one that still holds a parameter
 // is left to the evaluator. fix: the table [fix] of the scene, or nullptr.
 // Errors (bad_input): one is negative, zero or not finite; the place is the start value in it, else the
 // fixed one.

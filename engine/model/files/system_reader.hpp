@@ -25,7 +25,7 @@ private:
     void read_functions();
     void read_pairs(); // of a Hamiltonian, whose variables need no equations
     [[nodiscard]] bool is_mechanism() const;
-    void require_coordinates() const; // of what has other tables of a mechanism
+    void require_coordinates() const; // if there are other tables of a mechanism
     void derive_equations();          // of a mechanism (mechanism_system.cpp)
     void take_constant(const Coordinate& constant, Role role);
     void make_parameter(const std::string& name);
@@ -65,7 +65,7 @@ private:
     std::vector<Rational> weights_;                         // of the variables
     std::vector<std::string> undecided_;                    // variables of a mechanism without a role
     std::shared_ptr<Derivation> derivation_;                // of a mechanism
-    std::map<std::string, std::string> taken_;              // name -> what it names
+    std::map<std::string, std::string> taken_;              // name -> the kind of thing that has it
 };
 
 } // namespace resonform

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of a system.toml that say more about what is declared: domain, relations, normal form, notation.
+// Further tables of a system.toml: domain, relations, normal form, notation.
 #include "algebra/number/error.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/files/unit_check.hpp"
@@ -72,8 +72,8 @@ void SystemReader::read_domain() {
         }
         system_.positive.push_back({value, item.text, item.source});
     }
-    // A name by itself is the same as positive = true, and so is what follows: k with k - 2, nonzero tau with
-    // tau^2 - k.
+    // A name by itself is the same as positive = true. So are consequences: k > 0 follows from k - 2, and
+    // nonzero tau from tau^2 - k.
     const auto conclude = [this](auto& named, const GiNaC::ex& symbol) {
         named.positive = named.positive || provably_positive(symbol, system_);
         named.nonzero = named.nonzero || provably_nonzero(symbol, system_);
@@ -170,7 +170,7 @@ void SystemReader::scale_small_parameters() {
     for (GivenMode& mode : system_.modes) for_each_part(mode, [&](GiNaC::ex& e) { e = at_rest(e); });
 }
 
-// The least unit of which all weights and all powers of eps are multiples.
+// Finds the largest unit 1/q of which all weights and all powers of eps are multiples.
 void SystemReader::refine_weights() {
     EpsPowers powers(system_.eps);
     for (std::size_t v = 0; v < system_.variables.size(); ++v)
@@ -228,7 +228,7 @@ void SystemReader::read_notation() {
 
 // Results are written with names made from those of the variables: nothing else may have them.
 void SystemReader::check_names_of_results() const {
-    std::map<std::string, std::string> made; // name -> what results call so
+    std::map<std::string, std::string> made; // name -> its meaning in results
     for (const Variable& variable : system_.variables) {
         made[variable.name + "_0"] = variable.name + " at t = 0";
         for (const std::string& kind : constant_kinds(variable.role))

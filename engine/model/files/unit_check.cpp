@@ -31,7 +31,7 @@ public:
     }
     void declare(const QuasiVelocity& u) { declare(u.velocity, u.name, u.unit, {}, u.place); }
     [[nodiscard]] bool any() const { return any_; }
-    // Of what has no unit in the file, where it is determined.
+    // Units that the file does not give, but determines.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> found() const;
 
     // The unit of an expression at `source`, whose sums must fit together.
@@ -95,7 +95,7 @@ Dimension UnitCheck::unit(const ex& e, const SourceText& source) {
     return {};
 }
 
-// All terms are in the unit of the first.
+// All terms must have the unit of the first.
 Dimension UnitCheck::of_sum(const ex& e, const SourceText& source) {
     const std::vector<ex> terms = operands(e);
     Dimension first = unit(terms.front(), source);
@@ -116,7 +116,7 @@ Dimension UnitCheck::of_function(const ex& e, const SourceText& source) {
     return {};
 }
 
-// Everything that is an energy: kinetic ones m*x^2/s^2, and what [energy] and [forces] give.
+// Checks all energies: kinetic ones m*x^2/s^2, and those given by [energy] and [forces].
 void check_energies(const Mechanism& mechanism, UnitCheck& check) {
     const Dimension energy = Dimensions::unknown(" energy");
     const auto require = [&](const ex& value, const Dimension& factor, const std::string& what,

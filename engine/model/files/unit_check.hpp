@@ -15,10 +15,10 @@ struct GivenRelation {
     Written value; // in parameters and eps
 };
 
-// Sums, arguments of functions, energies and forces, relations, what is declared positive. A file without
-// units is not checked. Returns what the file does not say and its expressions determine: { "eps", "1/m" },
-// in the order of the file. Errors (bad_input): a term whose unit is not that of the others; the argument of
-// a function with a unit; what is not the energy or the force that it should be.
+// Checks sums, arguments of functions, energies and forces, relations, and expressions declared positive. A
+// file without units is not checked. Returns the units that the file does not give, but determines: { "eps",
+// "1/m" }, in the order of the file. Errors (bad_input): a term whose unit is not that of the others; the
+// argument of a function with a unit; an energy or a force whose unit is not that of energies or forces.
 std::vector<std::pair<std::string, std::string>> check_units(const Mechanism& mechanism, const System& system,
                                                              const std::vector<GivenRelation>& relations);
 

@@ -86,7 +86,7 @@ private:
         return *whole * inverse - *rest;
     }
 
-    // g(w(x)) w'(x), w an argument of a function, a function, or what a power is taken of
+    // g(w(x)) w'(x), w an argument of a function, a function, or the base of a power
     std::optional<ex> by_chain_rule(const ex& term) const {
         if (depth_ == 0) return std::nullopt;
         const GiNaC::symbol u("u");
@@ -100,7 +100,7 @@ private:
         return std::nullopt;
     }
 
-    // Not tan, an arc of which would jump.
+    // The candidates for w. Not tan: an arc tangent of it would jump.
     std::vector<ex> inner_functions(const ex& e) const {
         std::vector<ex> found;
         const auto add = [&](const ex& inner) {

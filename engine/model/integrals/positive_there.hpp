@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What integrals know of signs.
+// How integrals ask for signs.
 #pragma once
 
 #include <ginac/ginac.h>

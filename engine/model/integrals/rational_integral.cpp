@@ -58,7 +58,7 @@ private:
         ex c1, c0;
     };
 
-    // Of degree 1 and 2; what is free of x goes into the content.
+    // Factors of degree 1 and 2; those without x go into the content.
     std::optional<std::vector<Factor>> factors_of(const ex& polynomial, ex& content) const {
         std::vector<Factor> factors;
         const ex product = GiNaC::factor(polynomial);
@@ -159,7 +159,7 @@ ex log_of_size(const ex& u, const PositiveThere& positive) {
 }
 
 std::optional<ex> integral_of_rational(const ex& e, const GiNaC::symbol& x, const PositiveThere& positive) {
-    GiNaC::exmap functions; // of what does not move with x
+    GiNaC::exmap functions; // free of x, or there is no result
     const ex fraction = e.to_rational(functions).numer_denom();
     for (const auto& [symbol, function] : functions)
         if (function.has(x)) return std::nullopt;

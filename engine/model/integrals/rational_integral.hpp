@@ -8,7 +8,7 @@
 
 namespace resonform {
 
-// Is it certain that e is not zero? Products are taken at their word, as divisors of the file are.
+// Whether e may be a divisor: a sum must be proved nonzero; a product is trusted, as in the file.
 bool may_divide(const GiNaC::ex& e, const PositiveThere& positive);
 
 // log|u|, by the sign that is proved: log(u), log(-u), else log(u^2)/2.

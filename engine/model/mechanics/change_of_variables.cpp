@@ -48,7 +48,7 @@ ChangeOfVariables::ChangeOfVariables(const Motion& motion, const SolvedConstrain
     find_rates(constants);
 }
 
-// What a coordinate is replaced by may hold others that are replaced.
+// The value of a replaced coordinate may hold other replaced ones: they are put in until none is left.
 void ChangeOfVariables::find_positions(const std::vector<Constant>& constants) {
     const auto& coordinates = motion_.mechanism().coordinates;
     GiNaC::exmap values;
@@ -127,7 +127,7 @@ void ChangeOfVariables::require_invertible() const {
 
 // R' = F + sum of G R' where a change of variables holds constants: G is of order eps, as these rates are.
 void ChangeOfVariables::find_rates(const std::vector<Constant>& constants) {
-    GiNaC::exmap laws; // what moves at eps = 0 cancels by its law only
+    GiNaC::exmap laws; // motions that go on at eps = 0 cancel only by their laws
     for (const Prescribed* p : motion_.moving()) laws[p->coordinate.velocity] = p->rate;
     std::vector<ExactRow> rows;
     bool coupled = false;

@@ -9,9 +9,9 @@ namespace resonform {
 
 class ChangeOfVariables {
 public:
-    // A change may hold constants of the constraints; what their rates are is solved for.
+    // A change may hold constants of the constraints; equations for their rates are solved then.
     // Errors: bad_input: as many new variables as changed coordinates are wanted; a change that is not
-    // invertible, or depends on what it replaces; refused: one that cannot be told to be.
+    // invertible, or depends on the coordinate that it replaces; refused: one that is not proved invertible.
     ChangeOfVariables(const Motion& motion, const SolvedConstraints& constraints,
                       const std::vector<Constant>& constants);
 

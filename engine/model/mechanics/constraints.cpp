@@ -18,7 +18,7 @@ using GiNaC::ex;
 
 struct ConstraintRow {
     const Constraint* constraint;
-    ExactRow entries; // of the velocities, then what is free of them
+    ExactRow entries; // coefficients of the velocities, then the term without them
     std::optional<std::size_t> pivot;
 };
 
@@ -94,7 +94,7 @@ ConstraintRow Elimination::row_of(const Constraint& constraint) const {
     return row;
 }
 
-// The first addend that is not linear in the velocities; all of it, where no addend by itself is to blame.
+// The first addend that is not linear in the velocities; the whole condition, if no addend is to blame.
 ex Elimination::nonlinear_term(const Constraint& constraint) const {
     ex condition = constraint.condition.value.expand();
     const auto is_linear = [&](const ex& e) {

@@ -16,8 +16,8 @@ struct SolvedConstraints {
     GiNaC::exmap velocities; // x_d' -> that sum
 };
 
-// Coordinates that are no fast variable or angle become dependent first, in the order of the file; what is
-// divided by differs from zero at eps = 0.
+// Coordinates that are no fast variable or angle become dependent first, in the order of the file; divisors
+// differ from zero at eps = 0.
 // Errors: bad_input: dependent constraints, as many as coordinates or more; refused: a constraint that is not
 // linear in the velocities (marks the term), a rank that falls at eps = 0 or cannot be told.
 SolvedConstraints solve_constraints(const Motion& motion);

@@ -31,7 +31,7 @@ private:
     [[nodiscard]] const Coordinate& dependent(std::size_t d) const {
         return mechanism().coordinates[steps_.constraints.dependent[d]];
     }
-    // What is prescribed, at eps = 0.
+    // The prescribed motions at eps = 0.
     [[nodiscard]] std::string unperturbed_motion();
     void write_constraints();
     void write_coefficients(DerivationSection& section, const Constant& constant);
@@ -176,7 +176,7 @@ void DerivationLines::write_quasi_velocities() {
     print({definitions, velocities, energy, equations, solved});
 }
 
-// The last section is empty where it is too long.
+// Prints the sections that are not empty; the last one is empty if it would be too long.
 void DerivationLines::print(const std::vector<DerivationSection>& sections) {
     for (const DerivationSection& section : sections)
         if (!section.equations.empty()) result_.accelerations.push_back(section);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is printed between a mechanism and its equations.
+// The lines that are printed between a mechanism and its equations.
 #pragma once
 
 #include "model/mechanics/equation_texts.hpp"

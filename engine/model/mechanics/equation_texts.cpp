@@ -37,7 +37,7 @@ std::vector<std::string> EquationTexts::of_exact(std::vector<ex> residuals,
     return texts;
 }
 
-// Nothing where they are not coupled, or too long.
+// Solved for the accelerations; empty where the equations are not coupled, or a solution is too long.
 std::vector<std::string> EquationTexts::solved(const std::vector<ExactRow>& rows,
                                                const std::vector<Coordinate>& unknowns) {
     bool coupled = false;

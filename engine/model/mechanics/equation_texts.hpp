@@ -16,12 +16,12 @@ public:
     EquationTexts(const System& system, ExactForm& form, Place place)
         : system_(system), form_(form), place_(std::move(place)) {}
 
-    // Residuals as they are where each holds its own acceleration only, else solved; those whose solution is
-    // longer than a text may be are solved by whoever reads them. What a change of variables would make too
-    // long when it is multiplied out stands as the change leaves it.
+    // Residuals as they are if each holds its own acceleration only, else solved. If the solution is longer
+    // than a text may be, the equations stay unsolved, and the reader of the file solves them. A residual
+    // that would be too long when a change of variables is multiplied out stands as the change leaves it.
     std::vector<std::string> of(const std::vector<GiNaC::ex>& residuals,
                                 const std::vector<Coordinate>& unknowns);
-    // Divided by a number and by what is declared not zero, multiplied by a denominator that moves.
+    // Divided by a number and by symbols declared nonzero, multiplied by a denominator that moves.
     [[nodiscard]] GiNaC::ex without_content(const GiNaC::ex& residual);
 
 private:

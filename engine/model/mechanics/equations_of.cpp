@@ -85,7 +85,7 @@ private:
     MechanicalEquations result_;
 };
 
-// What has no exact form is found where it stands in the file; what comes of several, at [coordinates].
+// Converts each expression of the file, so that errors name its place. Later errors name [coordinates].
 void Deriver::look_at_parts() {
     ExactForm trial = form_;
     for (const Written& part : mechanism_.parts) {
@@ -95,8 +95,8 @@ void Deriver::look_at_parts() {
     form_.set_place(place_of(mechanism_.source));
 }
 
-// Where a dependent velocity has a pole at the origin, and the equations or the rate of a constant have it,
-// too.
+// Refuses a dependent velocity with a pole at the origin if the equations or the rate of a constant have a
+// pole there, too.
 void Deriver::require_rank(const ChangeOfVariables& change) {
     const auto has_pole = [&](const ex& e) {
         const ex denominator = form_.meaning(form_.fraction(e).denominator);
@@ -186,14 +186,14 @@ void Deriver::write_first_order(const ChangeOfVariables& change) {
     }
 }
 
-// In velocities of variables, or in quasi-velocities.
+// The rate of the k-th constant, in velocities of variables or in quasi-velocities.
 ex Deriver::rate_of_constant(std::size_t k, const ChangeOfVariables& change) {
     if (!first_order_) return change.rate(k);
     const ex rate = put(motion_.derivative(constants_[k].integral), constraints_.velocities);
     return form_.simplified(change(put(rate, quasi_->velocities)));
 }
 
-// Does a symbol in it not cancel?
+// Whether e depends on the symbol: it may also cancel.
 bool Deriver::depends(const ex& e, const GiNaC::symbol& symbol) {
     if (!e.has(symbol)) return false;
     const ex slope = e.diff(symbol);
@@ -201,7 +201,7 @@ bool Deriver::depends(const ex& e, const GiNaC::symbol& symbol) {
 }
 
 void Deriver::write_constants(const ChangeOfVariables& change) {
-    std::vector<ex> others, rates; // what may depend on a constant
+    std::vector<ex> others, rates; // expressions that may depend on a constant
     for (const ex& equation : first_order_ ? quasi_->equations : appell_.equations)
         others.push_back(change(equation));
     if (first_order_)

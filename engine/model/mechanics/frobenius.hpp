@@ -8,12 +8,12 @@
 
 namespace resonform {
 
-// At eps = 0, where what is prescribed rests or moves as its law says there: s' = V is no rest.
+// Requires it at eps = 0, where prescribed coordinates rest or move by their laws, s' = V.
 // Errors (refused): a term that does not vanish, or cannot be told to; a velocity that is left at eps = 0
 // although nothing prescribed moves.
 void require_integrable_unperturbed(const SolvedConstraints& constraints, const Motion& motion);
 
-// For every eps, the laws of what is prescribed put in: the system is holonomic after all. No: not proved.
+// Whether they are for every eps, by the laws of prescribed coordinates (holonomic). False: not proved.
 bool integrable_for_every_eps(const SolvedConstraints& constraints, const Motion& motion);
 
 } // namespace resonform

@@ -12,7 +12,7 @@ namespace {
 
 using GiNaC::ex;
 
-// sum over the axes of I_1 w_1'^2/2 + (I_3 - I_2) w_2 w_3 w_1', up to what is free of accelerations
+// sum over the axes of I_1 w_1'^2/2 + (I_3 - I_2) w_2 w_3 w_1', up to terms free of accelerations
 ex of_rotation(const Motion& motion, const SpatialBody& body) {
     ex energy = 0;
     for (std::size_t a = 0; a < 3; ++a) {

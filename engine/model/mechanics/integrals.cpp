@@ -26,7 +26,7 @@ public:
 
     std::vector<Constant> run() {
         take_those_of_the_file();
-        GiNaC::exmap values; // of what the engine integrates
+        GiNaC::exmap values; // of the integrals that the engine finds
         for (std::size_t d = 0; d < found_.size(); ++d) {
             if (found_[d]) continue;
             found_[d] = stays(d) ? itself(d) : integrated(d);
@@ -58,7 +58,7 @@ private:
     }
     Constant itself(std::size_t d) const { return {dependent(d), dependent(d).at, d, dependent(d).at, true}; }
 
-    // How phi changes with an independent coordinate, and by what is prescribed, at eps = 0.
+    // The derivatives of phi along an independent coordinate, and along the prescribed motions, at eps = 0.
     ex along(const ex& phi, std::size_t i) const;
     ex along_time(const ex& phi) const;
     void require_constant(const Integral& integral, const ex& rate, const std::string& velocity) const;
@@ -119,7 +119,7 @@ void Search::not_found(std::size_t d) const {
             place_of(motion_.mechanism().constraints.front().condition.source)});
 }
 
-// W with dW/dx_i = slope, and the rate of the coordinate, in independent coordinates and prescribed ones.
+// W in independent and prescribed coordinates: dW/dx_i = slope, and along the prescribed motions W' = rest.
 ex Search::potential(std::size_t d) const {
     ex sum = 0;
     for (std::size_t i = 0; i < constraints_.independent.size(); ++i) {
@@ -143,8 +143,8 @@ std::optional<ex> Search::integral_of(const ex& slope, const GiNaC::symbol& x) c
     return f && zero(f->diff(x) - plain) ? f : std::nullopt;
 }
 
-// What `sum` lacks of W by what moves at eps = 0: first as the constraint has it, as c*s', then the rest of
-// the rate by one of the laws, c/V*s'.
+// The part of W that depends on coordinates moving at eps = 0, where `sum` is the other part: first from the
+// terms c*s' of the constraint, then from the rest of the rate by one of the laws, c/V*s'.
 ex Search::moving_part(std::size_t d, const ex& sum) const {
     ex part = 0;
     const std::vector<const Prescribed*> moving = motion_.moving();

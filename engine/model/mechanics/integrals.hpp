@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The constants that the constraints have at eps = 0, with what is prescribed as it is there: the new
-// coordinates q_{n+mu} = phi_mu(x) of a weakly nonholonomic system.
+// The constants of the constraints at eps = 0, where prescribed coordinates rest or move by their laws: the
+// new coordinates q_{n+mu} = phi_mu(x) of a weakly nonholonomic system.
 #pragma once
 
 #include "model/mechanics/constraints.hpp"

@@ -77,7 +77,7 @@ void JointSolution::take(const Change& change) {
     changes_.emplace_back(found - constraints_.dependent.begin(), &change);
 }
 
-// With the values of coordinates, which may hold each other.
+// e with the values of coordinates put in, which may hold other ones.
 ex JointSolution::resolved(const ex& e) const {
     if (const auto value = put_through(e, values_)) return *value;
     const Change& change = *changes_.front().second;
@@ -85,7 +85,7 @@ ex JointSolution::resolved(const ex& e) const {
                "write it in what remains", place_of(change.value.source)});
 }
 
-// An integral that is satisfied by what is known belongs to a change of variables.
+// Assigns an integral that the known values satisfy to a change of variables. False: there is none.
 bool JointSolution::follows() {
     for (const Integral* integral : open_) {
         const auto change = std::find_if(changes_.begin(), changes_.end(), [&](const auto& c) {
@@ -114,7 +114,7 @@ std::vector<std::size_t> JointSolution::unknowns_in(const ex& e) const {
     return unknowns;
 }
 
-// Those with one coordinate first: what is triangular stays so.
+// Integrals with one unknown coordinate first, so that a triangular system stays triangular.
 bool JointSolution::solve_one() {
     obstacle_.clear();
     for (const bool by_one_only : {true, false})
@@ -143,7 +143,7 @@ bool JointSolution::solve(const Integral& integral, bool by_one_only) {
 }
 
 // y/(1 + y) - R is zero where its numerator is; a denominator without roots may have changed that, so that
-// the solution is looked at again.
+// the solution is checked in the original.
 Inverse JointSolution::inverted(const ex& left, const GiNaC::symbol& y) const {
     ExactForm& form = motion_.form();
     const auto positive = [&](const ex& e) { return motion_.positive_where_expanded(resolved(e)); };

@@ -15,8 +15,8 @@ struct SolvedIntegral {
     GiNaC::ex value;       // of that coordinate, in constants R and coordinates that are not solved for
 };
 
-// `preferred`: the dependent coordinates, those first that are to be replaced if possible. What [change] says
-// of a dependent coordinate is taken, and must satisfy the integrals. Errors: bad_input: more integrals than
+// `preferred`: the dependent coordinates, those first that are to be replaced if possible. The value of one
+// under [change] is taken, and must satisfy the integrals. Errors: bad_input: more integrals than
 // they determine coordinates, a change that does not invert; refused: an integral that cannot be solved (with
 // the domain that is not proved).
 std::vector<SolvedIntegral> solve_integrals(const SolvedConstraints& constraints, const Motion& motion,

@@ -12,7 +12,7 @@ struct MechanicalEquations {
         std::string variable, text;
         SourceText source;
     };
-    std::vector<Line> equations; // of what moves
+    std::vector<Line> equations; // of variables that move
     struct Former {              // constant at eps = 0
         Coordinate coordinate;
         std::string instead_of; // the coordinate that it replaces

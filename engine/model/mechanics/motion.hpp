@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The symbols of a mechanism in motion: what is the time derivative of what, and their values at eps = 0.
+// The symbols of a mechanism in motion, their time derivatives, and their values at eps = 0.
 #pragma once
 
 #include "model/exact/form.hpp"
@@ -19,11 +19,11 @@ public:
     // At eps = 0, where prescribed velocities have their values there.
     // Errors (bad_input): a pole.
     [[nodiscard]] GiNaC::ex unperturbed(const GiNaC::ex& e) const;
-    // What is prescribed and does not rest at eps = 0.
+    // The prescribed coordinates that do not rest at eps = 0.
     [[nodiscard]] std::vector<const Prescribed*> moving() const;
     // e > 0 is proved at eps = 0 and the origin of small variables, hence nearby.
     [[nodiscard]] bool positive_where_expanded(const GiNaC::ex& e) const;
-    // With the laws of what is prescribed put in.
+    // With the laws of prescribed coordinates put in.
     [[nodiscard]] GiNaC::ex with_laws(const GiNaC::ex& e) const;
     [[nodiscard]] const Mechanism& mechanism() const { return *mechanism_; }
     [[nodiscard]] const System& system() const { return *system_; }

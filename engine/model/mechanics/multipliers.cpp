@@ -89,7 +89,7 @@ private:
         return mechanism_.coordinates[constraints_.independent[i]];
     }
 
-    // What the multipliers must balance, of every coordinate.
+    // The forces that the multipliers must balance, by coordinate.
     std::vector<ex> unbalanced() const {
         const ex lagrangian =
             mechanism_.lagrangian ? mechanism_.lagrangian->value : kinetic() - mechanism_.potential.value;
@@ -99,8 +99,8 @@ private:
         return forces;
     }
 
-    // Along the direction of x_i' that the constraints allow: there the multipliers do no work. That they
-    // allow it is seen where they hold for all x_i'.
+    // Their sum along the direction of x_i' that the constraints allow: there the multipliers do no work.
+    // (They allow it, because they are checked to hold for all x_i'.)
     ex along(const std::vector<ex>& forces, std::size_t i) const {
         ex sum = forces[constraints_.independent[i]];
         for (const std::size_t d : constraints_.dependent)
@@ -110,7 +110,7 @@ private:
         return sum;
     }
 
-    // There are no more directions than these.
+    // Requires that the constraints are independent: they allow no other directions then.
     void require_rank() const {
         const auto m = static_cast<unsigned>(mechanism_.constraints.size());
         if (m == 0) return;

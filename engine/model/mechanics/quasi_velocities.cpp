@@ -144,8 +144,8 @@ void Transition::solve_for_accelerations() {
     result_.accelerations = solve_if_short(std::move(rows), form_, place());
 }
 
-// Along dx_i'/du_k the equations in coordinates are those in quasi-velocities, and u' that were solved for
-// satisfy them.
+// Checks that the equations in coordinates, along dx_i'/du_k, are those in quasi-velocities, and that the u'
+// solved for satisfy them.
 void Transition::check_by_coordinates() const {
     GiNaC::exmap accelerations;
     for (const std::size_t i : constraints_.independent) {

@@ -17,7 +17,7 @@ struct QuasiEquations {
 };
 
 // Errors: bad_input: too few or too many, not linear in the velocities, dependent on each other or on the
-// constraints; refused: what cannot be told, or equations that are not those of the coordinates.
+// constraints; refused: one of these is not proved, or equations that are not those of the coordinates.
 // Precondition: the mechanism has quasi-velocities.
 QuasiEquations quasi_equations(const Motion& motion, const SolvedConstraints& constraints,
                                const AppellEquations& appell);

@@ -23,7 +23,7 @@ using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
 
-constexpr int most_multiples = 16; // of an angle, or in an exponential: degrees of what is factored
+constexpr int most_multiples = 16; // of an angle, or in an exponential: degree of the polynomials
 
 bool is_exponential(std::optional<Function> f) {
     return f == Function::exponential || f == Function::hyperbolic_sine || f == Function::hyperbolic_cosine ||
@@ -49,7 +49,7 @@ std::vector<ex> addends(const ex& e) {
     return is_a<GiNaC::add>(sum) ? operands(sum) : std::vector<ex>{sum};
 }
 
-// What is known of e alone: low < e < high.
+// Bounds low < e < high that hold for e alone: of a function by its row, of a constant by its ball.
 std::optional<std::pair<numeric, numeric>> range_of(const ex& e) {
     const std::optional<Function> f = is_constant(e) ? std::nullopt : function_of(e);
     if (f && !row_of(*f).low.empty() && !row_of(*f).high.empty()) {
@@ -95,7 +95,7 @@ bool Atoms::collect(const ex& e, const SignsOf& signs) {
     return true;
 }
 
-// As often as the index can be halved.
+// How often the index can be halved.
 std::size_t Atoms::halvings(const Atom& atom) {
     std::size_t count = 0;
     for (numeric left = atom.index; left.is_even() && !is_opaque(atom.key); left /= 2) ++count;
@@ -116,7 +116,7 @@ Atoms::Multiple Atoms::find(Kind kind, const ex& key) {
     return {atoms_.size() - 1, 1};
 }
 
-// exp(u/2) is one of exp(u/3).
+// The key as a multiple of that of a known atom: exp(u/2) by exp(u/3), ratio 3/2.
 std::optional<Atoms::Multiple> Atoms::multiple(Kind kind, const ex& key) const {
     for (std::size_t k = 0; k < atoms_.size(); ++k) {
         if (atoms_[k].kind != kind) continue;

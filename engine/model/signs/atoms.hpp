@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real expressions as quotients of polynomials in atoms, and what is known of the atoms.
+// Real expressions as quotients of polynomials in atoms, with the relations and signs of the atoms.
 //
 //   3*sin(u) + 4*cos(u) + 6  ->  (2*t^2 + 6*t + 10)/(1 + t^2)      with t the tangent of u/2
 //   exp(2*u) - exp(u) + 1    ->  t^2 - t + 1, t > 0                x - sqrt(x)  ->  t^2 - t, t > 0 if x is
@@ -19,11 +19,11 @@ class Atoms {
 public:
     using SignsOf = std::function<SignSet(const GiNaC::ex&)>;
 
-    // `signs` of roots, and of what is opaque. false: e is complex, or holds a power with a symbolic
-    // exponent.
+    // Takes in the atoms of e; `signs` tells those of roots and of opaque parts. false: e is complex, or
+    // holds a power with a symbolic exponent.
     bool collect(const GiNaC::ex& e, const SignsOf& signs);
 
-    // All below after the last one is collected. They are in these symbols.
+    // For all below the last expression must be collected. Their results are in these symbols.
     [[nodiscard]] std::vector<GiNaC::symbol> symbols() const;
     [[nodiscard]] GiNaC::ex rational(const GiNaC::ex& e) const;
     [[nodiscard]] std::vector<GiNaC::ex> positive() const;

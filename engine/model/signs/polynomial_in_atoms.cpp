@@ -51,7 +51,7 @@ SignSet signs_in(const Atoms& atoms, const ex& asked, const std::vector<ex>& dec
     for (const ex& d : declared) {
         try {
             positive.push_back(of_equal_sign(atoms.rational(d)));
-        } catch (const NoQuotient&) { // too large: what does not need it is proved without it
+        } catch (const NoQuotient&) { // too large: proofs do without it
         }
     }
     return PolynomialSigns(positive, roots).of(of_equal_sign(atoms.rational(asked)));

@@ -124,7 +124,7 @@ private:
         for (auto r = relations_.rbegin(); r != relations_.rend(); ++r) lower(p, *r);
     }
 
-    // Terms by what power of the relation they hold.
+    // Replaces symbol^index by its value: the terms are sorted by the power of it that they hold.
     void lower(Packed& p, const Lowering& r) {
         const slong degree = fmpz_mpoly_degree_si(p.get(), r.variable, context_.get());
         if (degree < static_cast<slong>(r.index)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational expressions as quotients of coprime polynomials, by FLINT: the library that holds expressions
-// takes common factors out of sums of fractions in a time that is no time to wait.
+// Rational expressions as quotients of coprime polynomials, by FLINT: GiNaC's normal() is too slow here (200
+// s for three links), FLINT's gcd is not.
 #pragma once
 
 #include "algebra/ring/integer_polynomial.hpp"
@@ -23,9 +23,9 @@ struct PolynomialQuotient {
     GiNaC::ex numerator, denominator; // expanded, with integer coefficients
 };
 
-// The quotient that `e` is, a rational expression in the symbols, lowered by the relations, the last ones
-// first (a value holds earlier symbols). A denominator of 0 is left to the caller. nullopt: e is more than
-// that.
+// A rational expression in the symbols as a quotient, lowered by the relations, the last ones first (a value
+// holds earlier symbols). A denominator of 0 is left to the caller. nullopt: e is not rational in the
+// symbols, or too large.
 std::optional<PolynomialQuotient> polynomial_quotient(const GiNaC::ex& e,
                                                       const std::vector<GiNaC::symbol>& symbols,
                                                       const std::vector<PowerRelation>& relations);

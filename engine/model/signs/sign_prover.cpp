@@ -38,7 +38,7 @@ SignSet SignProver::find_signs(const ex& e) const {
     const auto narrow = [&](const auto& method) {
         if (signs.is_known()) return;
         const SignSet both = signs & method();
-        if (!both.empty()) signs = both; // else the domain is
+        if (!both.empty()) signs = both; // else the domain is empty
     };
     narrow([&] { return by_structure(e); });
     if (!is_constant(e)) narrow([&] { return real(e) ? in_atoms(e) : SignSet::all(); });
@@ -71,7 +71,7 @@ bool SignProver::real(const ex& e) const {
     return std::all_of(e.begin(), e.end(), [this](const ex& part) { return real(part); });
 }
 
-// What is written in the system file.
+// The signs that the system file declares.
 SignSet SignProver::declared(const ex& e) const {
     const auto is_declared = [&](const ex& other) {
         return std::any_of(system_.positive.begin(), system_.positive.end(),
@@ -118,7 +118,7 @@ SignSet SignProver::of_function(const ex& e) const {
     return real(e.op(0)) ? SignSet::of(1) : SignSet::all();
 }
 
-// What is constant in it counts as one addend: sqrt(a) - 1 + pi.
+// The constants in a sum count as one addend: sqrt(a) - 1 + pi.
 SignSet SignProver::of_sum(const ex& e) const {
     ex constants = 0;
     SignSet sum = SignSet::of(0);

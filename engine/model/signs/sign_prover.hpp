@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What signs a real expression may have where parameters and slow variables lie in their domain: by its
+// The signs that a real expression may have where parameters and slow variables lie in their domain: by its
 // structure (sign_prover.cpp), and by its polynomial in atoms (polynomial_in_atoms.cpp);
 // docs/design/20_signs.md.
 #pragma once
@@ -19,8 +19,7 @@ public:
     [[nodiscard]] SignSet signs(const GiNaC::ex& e) const;
     // Even where it may be complex: (a - b)^(1/2) where a - b is not zero.
     [[nodiscard]] bool nonzero(const GiNaC::ex& e) const;
-    // No root of what may be negative, no logarithm of what may not be positive, no inverse of what may
-    // vanish.
+    // Proved: no root in it is of a negative number, no logarithm of a number <= 0, no inverse of zero.
     [[nodiscard]] bool real(const GiNaC::ex& e) const;
 
 private:
@@ -33,7 +32,7 @@ private:
     [[nodiscard]] SignSet in_atoms(const GiNaC::ex& e) const;
 
     const System& system_;
-    mutable std::map<GiNaC::ex, SignSet, GiNaC::ex_is_less> signs_; // of what was asked before
+    mutable std::map<GiNaC::ex, SignSet, GiNaC::ex_is_less> signs_; // of expressions asked before
 };
 
 // true: e > 0 wherever parameters and slow variables lie in their declared domain; false: not proved.

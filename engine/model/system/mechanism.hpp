@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mechanism is made of, as the user wrote it (docs/file_formats.md, "Mechanisms").
+// The parts of a mechanism, as the user wrote them (docs/file_formats.md, "Mechanisms").
 #pragma once
 
 #include "model/system/system_file.hpp"
@@ -80,7 +80,7 @@ struct Integral {
     Written value; // in coordinates and prescribed ones
 };
 
-// What an integral is called that the engine finds, where this coordinate was dependent: R_y.
+// The name of an integral found by the engine that replaces this dependent coordinate: R_y.
 std::string name_of_integral(const Coordinate& dependent);
 
 struct Mechanism {

@@ -14,8 +14,8 @@ constexpr const char* digits = "0123456789";
 constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 constexpr const char* allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
 
-// SymPy reads the expressions of the JSON, with the names of the file as locals. That fails for the
-// keywords of Python, and for the names of SymPy that stand in what it reads or makes of it.
+// SymPy reads the expressions of the JSON, with the names of the file as locals. That fails for the keywords
+// of Python, and for names of SymPy that occur in these expressions or in SymPy's form of them.
 const std::vector<std::string>& python_words() {
     static const std::vector<std::string> words = {
         "False",    "None",  "True",       "and",     "as",       "assert", "async", "await",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which names a user may give, and what the constants of a solution are called.
+// The names that a user may give, and those of the constants of a solution.
 #pragma once
 
 #include "model/system/system_file.hpp"

@@ -24,11 +24,11 @@ struct StartValue {
     SourceText source;
 };
 
-// Below the smallest, nothing is left in double of what eps does; above the largest, eps is not small.
+// Below the smallest, the effects of eps are lost in double precision; above the largest, eps is not small.
 constexpr double smallest_eps = 1e-12, largest_eps = 0.5;
 constexpr const char* eps_rule = "eps lies in 1e-12 <= eps <= 0.5";
 
-// By so much may emitted code differ from the exact solution if a scene says nothing else.
+// The error that emitted code may have against the exact solution if a scene says nothing else.
 constexpr double default_ulp = 16, largest_ulp = 1e6;
 
 struct VerifyPlan {
@@ -39,11 +39,11 @@ struct VerifyPlan {
     bool eps_given = false;                    // false: the judge may extend the ladder downwards
     std::map<std::string, int> claim;          // those given
     std::map<std::string, Verdict> expect;
-    double ulp = default_ulp; // what emitted code may be off, in units of the last place of an output's scale
+    double ulp = default_ulp; // emitted code's largest error, in units of the last place of an output's scale
     std::string ulp_reason;   // why it is more than the default
 };
 
-// What is known of a value once [fix] is put in and eps is 0.1.
+// The sign of a value as far as it is known, with [fix] put in and eps = 0.1.
 enum class Estimate {
     unknown,   // parameters are left, or rounding hides the sign
     unbounded, // no parameter is left, but it is not finite in double precision
@@ -64,21 +64,21 @@ struct Scene {
     bool oscillating = true;
     std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
     std::vector<StartValue> start;        // in the order of the file
-    Place fix_place, start_place;         // of the tables, else of the file: for what is missing there
+    Place fix_place, start_place;         // of the tables, else of the file: for missing entries
     Place order_place, time_scale_place;  // of the values, else of the file
     VerifyPlan verify;
 
-    // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
     // Whether it is among the outputs.
     [[nodiscard]] bool wants(const std::string& output) const;
+    // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
     [[nodiscard]] const StartValue* start_of(const std::string& canonical) const;
-    // What start values and intervals may contain: parameters and eps, of cancelled ones those that are
-    // fixed.
+    // The symbols that start values and intervals may contain: parameters, eps, and cancelled parameters that
+    // are fixed.
     [[nodiscard]] Scope constants() const;
     // An expression with the values of [fix] put in; GiNaC throws if a denominator becomes zero.
     [[nodiscard]] GiNaC::ex fixed(const GiNaC::ex& value) const;
     [[nodiscard]] Estimate estimate(const GiNaC::ex& value) const;
-    // Of an unbounded one that is not even real: "-eps is negative at eps = 0.1". Else empty.
+    // For an unbounded value that is not real: "-eps is negative at eps = 0.1". Else empty.
     [[nodiscard]] std::string why_unreal(const GiNaC::ex& value) const;
 };
 

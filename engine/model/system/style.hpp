@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The style of a normal form: which of the possible ones is meant (docs/design/12_styles.md).
+// The style of a normal form, which selects one of the possible ones (docs/design/12_styles.md).
 #pragma once
 
 #include <optional>

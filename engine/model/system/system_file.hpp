@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user wrote into system.toml, checked, in the order of the file (model/files/read_system.hpp).
+// The content of system.toml, checked, in the order of the file (model/files/read_system.hpp).
 #pragma once
 
 #include "algebra/number/number.hpp"
@@ -32,7 +32,7 @@ struct Variable {
     Role role = Role::fast;
     std::string unit;
     bool positive = false, nonzero = false; // slow variables: their domain
-    int weight = 0;                         // as System::weight() reads it; 0 of what is not fast
+    int weight = 0;                         // in units of 1/eps_root; 0 if the variable is not fast
     int order = 1;                          // highest derivative in the equations
     std::vector<GiNaC::symbol> jet;         // x, x', ..., x^(order)
     Place place;
@@ -158,7 +158,7 @@ struct System {
     [[nodiscard]] const NamedFunction* function(const std::string& name) const;
     // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
-    // The parameters and eps: what start values and intervals may contain.
+    // The parameters and eps: the symbols that start values and intervals may contain.
     [[nodiscard]] Scope constants() const;
 };
 

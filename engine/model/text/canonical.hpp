@@ -27,7 +27,7 @@ std::vector<GiNaC::ex> factors_of(const GiNaC::ex& e);
 Rational to_rational(const GiNaC::ex& number); // precondition: a rational GiNaC number
 GiNaC::ex to_ginac(const Rational& number);
 
-// What is more than a rational expression in its symbols.
+// Whether e is more than a rational expression in its symbols.
 bool holds_functions_or_roots(const GiNaC::ex& e);
 
 // The sum or its negative, whichever begins with a positive term (numbers come last).

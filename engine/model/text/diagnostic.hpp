@@ -24,7 +24,7 @@ struct SourceText {
 // The place of the whole text.
 Place place_of(const SourceText& source);
 
-// A file as a whole: for what is missing in it.
+// The place of a file as a whole, for entries that are missing in it.
 Place whole_file(const std::filesystem::path& file);
 
 // The place of the byte `offset` of `text`; a text of several lines is followed to the right one.

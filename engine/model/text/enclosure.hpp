@@ -15,8 +15,8 @@ bool is_constant(const GiNaC::ex& e);
 
 // A ball that holds the real value of e at a point, each step to about `bits` binary digits. The point gives
 // symbols their values, and calls of functions that are known by their names only. nullopt: no value, or none
-// that this proves to be real (log of what may be negative, a divisor that may be zero), or a power or
-// function of a size beyond 2^(+-2^20).
+// that this proves to be real (log of a number that may be negative, a divisor that may be zero), or a power
+// or function of a size beyond 2^(+-2^20).
 std::optional<RealBall> enclose(const GiNaC::ex& e, const GiNaC::exmap& point, std::int64_t bits);
 // With 64, 128, 256, 512 bits, until its sign is known.
 std::optional<RealBall> enclose(const GiNaC::ex& e, const GiNaC::exmap& point = {});

@@ -17,7 +17,7 @@ std::optional<Function> function_of(const GiNaC::ex& e);
 // can. Errors: GiNaC's of a pole.
 GiNaC::ex call(Function f, const GiNaC::ex& u);
 
-// What must not be negative for f(u) to be real, and be positive for it to have a slope: 1 - u^2 of asin.
+// The expression that must be >= 0 for f(u) to be real, and > 0 for it to have a slope: 1 - u^2 of asin.
 GiNaC::ex asked_of(const GiNaC::ex& u, Function f);
 
 } // namespace resonform

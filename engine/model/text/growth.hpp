@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Upper bounds of what an expression may grow to, known before anything is evaluated, so that
+// Upper bounds for the size of an expression, known before anything is evaluated, so that
 // ((2^1000)^1000)^1000 is refused instead of computed.
 #pragma once
 

@@ -17,7 +17,7 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 
 using Spelling = std::pair<std::string_view, std::string_view>;
 
-// What people paste from papers, and how this reader wants it written.
+// Characters that people paste from papers, with the ASCII spelling of this reader.
 constexpr std::array<Spelling, 50> spellings = {{
     {"α", "alpha"},  {"β", "beta"},    {"γ", "gamma"}, {"δ", "delta"},     {"ε", "eps"},
     {"ϵ", "eps"},    {"ζ", "zeta"},    {"η", "eta"},   {"θ", "theta"},     {"ϑ", "theta"},

@@ -44,7 +44,7 @@ std::string nearest(const std::string& name, const std::vector<std::string>& kno
 }
 
 std::string suggest(const std::string& name, const std::vector<std::string>& known) {
-    constexpr std::size_t listed = 20, longest_list = 300; // what is appended still fits into a message
+    constexpr std::size_t listed = 20, longest_list = 300; // so that the list fits into a message
     const std::string guess = nearest(name, known);
     std::string text = guess.empty() ? "" : "did you mean '" + guess + "'? ";
     if (known.empty()) return text + "no name is known here";

@@ -44,7 +44,7 @@ private:
     void check_growth(const Growth& growth, std::size_t begin, std::size_t end);
     void check_argument(const std::string& function, const Piece& argument);
     void expect_end(bool equation);
-    // Runs an evaluation by GiNaC; what it throws becomes a message about text [begin, end).
+    // Runs an evaluation by GiNaC; an exception of it becomes a message about text [begin, end).
     GiNaC::ex evaluate(std::size_t begin, std::size_t end, const std::function<GiNaC::ex()>& build);
 
     [[nodiscard]] const Token& next() const { return tokens_[at_]; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the parser refuses, and how it says so.
+// The checks of the parser and their messages.
 #include "algebra/number/error.hpp"
 #include "algebra/number/functions.hpp"
 #include "model/text/diagnostic.hpp"

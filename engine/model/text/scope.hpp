@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the text of an expression may say, and how much of it.
+// The symbols that the text of an expression may use, and the limits on its size.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -16,8 +16,8 @@ namespace resonform {
 class Scope {
 public:
     void define(const std::string& name, const GiNaC::ex& value);
-    // The k-th time derivative of a declared variable; k beyond what is defined is an error that
-    // names the variable and the largest k.
+    // The k-th time derivative of a declared variable; using a k that is not defined is an error that names
+    // the variable and the largest k.
     void define_derivative(const std::string& name, int primes, const GiNaC::ex& value);
     // A function that is known by its name only: omega(tau), omega'(tau).
     void define_function(const std::string& name) { functions_.push_back(name); }
@@ -31,7 +31,7 @@ private:
     std::vector<std::string> functions_;
 };
 
-// What one expression may cost. All are checked before GiNaC evaluates anything.
+// The limits on one expression. All are checked before GiNaC evaluates anything.
 struct Limits {
     std::size_t length = 100000; // bytes
     int depth = 200;             // nested parentheses, functions and powers
@@ -42,7 +42,7 @@ struct Limits {
     double degree = 10000;       // of the expression when it is expanded
 };
 
-// Of the table of functions, and sqrt, which is read as a power.
+// The functions of the table, and sqrt, which is read as a power.
 const std::vector<std::string>& function_names();
 
 } // namespace resonform

@@ -17,7 +17,7 @@ constexpr std::uintmax_t largest_file = 4000000; // bytes
 constexpr int deepest = 8;                       // tables in tables
 constexpr int longest_dotted_key = 32;           // dots of one key
 
-// The lines of the file, and what stands where the parser says.
+// The lines of the file, and the text at a position of the parser.
 class Lines {
 public:
     Lines(std::string_view text, std::string file) : file_(std::move(file)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a key of a system or scene file may hold, checked: each function returns the value or throws
+// The values that keys of a system or scene file may hold, checked: each function returns the value or throws
 // bad_input with the key, the value found and the type or range wanted.
 #pragma once
 

@@ -8,8 +8,7 @@
 
 namespace resonform {
 
-// Which part makes the value no real number there: "-eps is negative" of log(-eps). Empty: none that is
-// known.
+// The part by which the value is not real there: "-eps is negative" for log(-eps). Empty: none is found.
 std::string why_unreal(const GiNaC::ex& e, const GiNaC::exmap& point);
 
 } // namespace resonform

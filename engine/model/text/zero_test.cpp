@@ -31,7 +31,7 @@ GiNaC::exmap point_for(const ex& e, int salt) {
     return point;
 }
 
-// 0: not known with 64 bits. Of what is zero more of them would not tell it either, at every point again.
+// 0: not known with 64 bits. More bits would not prove a zero either, and cost time at every point.
 int sign_at(const ex& e, const GiNaC::exmap& point) {
     constexpr std::int64_t bits = 64;
     const std::optional<RealBall> value = enclose(e, point, bits);

@@ -20,7 +20,7 @@ Zero vanishes(const GiNaC::ex& e, const std::vector<GiNaC::ex>& positive);
 bool differs_from_zero(const GiNaC::ex& e, const std::vector<GiNaC::ex>& positive);
 
 // Gives a value to each call in e of a function that is known by its name only: it may be 1 + exp(u/n), with
-// n from its name. What differs from zero for that differs from zero for some.
+// n from its name. If e differs from zero for it, it does for some function.
 void add_named(const GiNaC::ex& e, GiNaC::exmap& point);
 
 } // namespace resonform
