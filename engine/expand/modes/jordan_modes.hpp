@@ -23,8 +23,7 @@ struct LoneMode {
 };
 
 // a: the linear part; from_driver: indices of all modes, each before those that it drives.
-// Preconditions: modes of one block do not drive each other, but for those of a chain, where
-// `chained[block]` holds.
+// Preconditions: modes of one block do not drive each other, except in a chain (`chained[block]`).
 // Errors (refused): it is not proved whether eigenvalues or couplings vanish; couplings that cannot be
 // scaled to numbers.
 std::vector<ModeShape> jordan_modes(const Matrix& a, const std::vector<LoneMode>& modes,
