@@ -15,7 +15,7 @@ constexpr std::size_t latex_terms = 4; // per line
 
 bool starts_negative(const std::string& text) { return !text.empty() && text.front() == '-'; }
 
-// "+ a" or "- a", to be put behind what came before.
+// "+ a" or "- a", to be appended to earlier terms.
 std::string continued(const std::string& text) {
     return starts_negative(text) ? "- " + text.substr(1) : "+ " + text;
 }

@@ -53,11 +53,11 @@ struct ProgramOutput {
     Graph::Node value;
 };
 
-// What must be > 0, and the quantity that says so to a reader: "xi", "r^2 - xi^2", a divisor.
+// A quantity that must be > 0, and its name for a reader: "xi", "r^2 - xi^2", a divisor.
 struct ProgramCondition {
     Graph::Node value;
     std::string quantity;
-    bool of_start_map = false; // that the near-identity map leads back to the start
+    bool of_start_map = false; // the near-identity map leads back to the start
     bool broad = false;        // of a layer: a few samples see where it begins
 };
 
