@@ -66,7 +66,7 @@ Domain::Domain(const FirstOrderSystem& system, const Scene& scene)
     }
 }
 
-// NaN where it is none: outside, then.
+// NaN, which counts as outside, where the value is no number.
 double Domain::number(const GiNaC::ex& value, const Rational& eps, double t) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const auto found = where_regular([&] {

@@ -34,7 +34,7 @@ struct SweepPoint {
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
-// What a point adds to what was swept. `swept`: swept_inputs(...) emptied by nothing_swept.
+// nothing_swept: the inputs with empty ranges; add() then widens `swept` by the values of a point.
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);
 void add(const SweepPoint& point, std::vector<SweptInput>& swept);
 
