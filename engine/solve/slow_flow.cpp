@@ -152,7 +152,7 @@ private:
     int through_;
 };
 
-// Every state as it is written in modes, z and zeta the old ones; then the map is put in.
+// Writes every state in the old modes z and slow variables, then substitutes the map.
 class Outputs {
 public:
     explicit Outputs(const Normalization& normalization)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Additional output of a normal form of style hamiltonian, which is the precondition.
+// Additional output for a normal form of style hamiltonian (precondition).
 #pragma once
 
 #include "emit/display/json.hpp"

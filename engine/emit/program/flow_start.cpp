@@ -14,7 +14,7 @@ namespace resonform {
 
 namespace {
 
-// 1e30 as a double is off by many turns.
+// Refuses large angles: 1e30 as a double is off by many turns.
 void require_moderate(const Scene& scene, const std::string& angle) {
     constexpr double most = 1e14;
     const StartValue* start = scene.start_of(angle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generators of a solution's ring as nodes, at one moment: during a call (slow variables move with
+// The generators of a solution's ring as nodes, at a given time: during a call (slow variables move with
 // slow time) or at the start (they have their start values, quadratures are zero).
 #pragma once
 

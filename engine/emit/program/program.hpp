@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene as one pruned expression graph: what the emitted evaluator computes, and when.
+// A scene as one pruned expression graph: the values that the emitted evaluator computes, and when.
 //
 //   construction (once):  parameters, start values, eps -> constants, quadrature tables
 //   call (per t):         t -> slow variables, cos theta, sin theta, outputs

@@ -13,7 +13,7 @@ template <class T, class Needed> void keep(std::vector<T>& items, const Needed& 
                 items.end());
 }
 
-// Each of those that are needed once: the start has conditions of the calls, too.
+// Keeps each needed condition once: conditions of calls may occur at the start, too.
 template <class Needed> void keep_first(std::vector<ProgramCondition>& conditions, const Needed& needed) {
     std::set<Graph::Node> seen;
     std::vector<ProgramCondition> kept;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first-order system as graded series in modal coordinates, ready to be normalised.
 //
-//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes/modes.hpp),
-//   which may
-//                                                      hold couplings besides: z' = lambda z + sum n z_k + f
+//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes/modes.hpp);
+//                                                      with couplings: z' = lambda z + sum n z_k + f
 //   phi' = omega(xi) + f,   xi' = f,   X' = f           angles, slow variables, drift variables
 //
 //   oscillator psi'' + omega^2 psi = ...:  z = psi - i psi'/omega,  psi = (z + zbar)/2        (design 2.2)

@@ -6,7 +6,7 @@
 //   x' = b y, y' = 0:  z1 = x, z2 = b y, n_12 = 1
 //
 // Modes are scaled so that n is 1 along a spanning tree of the couplings, from the first mode on: the inner
-// product by which a normal form is chosen is that of these modes (docs/design/12_styles.md).
+// product that selects the normal form is that of these modes (docs/design/12_styles.md).
 #pragma once
 
 #include "expand/modes/mode_blocks.hpp"

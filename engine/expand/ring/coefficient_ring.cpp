@@ -23,7 +23,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::is_a;
 
-// While a ring is built its exponents have the narrowest fields.
+// A ring under construction stores exponents in the narrowest fields.
 int largest_root_index() { return Packing().largest(); }
 
 int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
@@ -330,7 +330,7 @@ Term CoefficientRing::factor(const ex& e, const RingBuilder& builder, const Plac
     };
     if (const Base* root = find_base(base); root != nullptr && root->id >= 0)
         return power_of(root->id, exponent * root->index);
-    // The library holds 1/(a - b) as -1/(b - a), as it happens.
+    // GiNaC may hold 1/(a - b) as -1/(b - a).
     if (is_a<GiNaC::add>(base) && cln::denominator(exponent) == 1)
         if (const Base* root = find_base((-base).expand()); root != nullptr && root->id >= 0) {
             Term turned = power_of(root->id, exponent * root->index);

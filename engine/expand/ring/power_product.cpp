@@ -195,7 +195,7 @@ private:
             return !cln::minusp(exponent) || !domain_.nonzero(sum) || all_nonzero(factored);
         if (is_a<GiNaC::power>(factored))
             return domain_.positive(factored.op(0)) || is_square_of_negative(factored);
-        // A number times one sum is that sum.
+        // A number times one sum is treated like the sum.
         const auto numbers = std::count_if(factored.begin(), factored.end(),
                                            [](const ex& f) { return is_a<GiNaC::numeric>(f); });
         const bool one_sum =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Emitted code at work: the text of emit_library, compiled and called; or the same program interpreted.
+// A running evaluator: the text of emit_library, compiled and called; or the same program interpreted.
 #pragma once
 
 #include "runtime/status.hpp"

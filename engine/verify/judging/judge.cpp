@@ -131,8 +131,8 @@ void undecided(OutputVerdict& output, std::string reason) {
     output.reason = std::move(reason);
 }
 
-// No rung shows an error. That is a pass only where the noise hides little of what the claim allows, with
-// a constant of 1 or, for a small output, of its size: a large output has no right to large errors.
+// No rung shows an error. That is a pass only where the noise hides little of the error the claim allows,
+// with a constant of 1 or, for a small output, of its size: a large output is not allowed larger errors.
 void judge_unseen(OutputVerdict& output) {
     const auto allowed = [&](const LadderRung& rung) {
         return well_below * std::min(1.0, rung.scale) * std::pow(to_double(rung.eps), output.claimed_order);

@@ -76,7 +76,7 @@ struct SymbolicEvaluator::Impl {
         if (has_layers) {
             const Status clear = margins.keep_clear(*integral, reach);
             if (!goes_on(clear, reach)) return clear;
-            if (clear != Status::ok) tabulated = inputs.slow_time_end; // behind a layer no table is missed
+            if (clear != Status::ok) tabulated = inputs.slow_time_end; // no tables are needed beyond a layer
             reach = std::min(reach, wanted);
         }
         if (const Status built = integral->build_along(reach); !tabulate(built)) return built;

@@ -28,8 +28,8 @@ struct SymbolicVariable { // d/dT = rate/eps^power
     Kind kind;
     GeneratorId id = -1, conjugate = -1;
     int power = 0, weight = 0;
-    std::size_t phase = 0; // mode, angle: which of the variables theta is
-    std::size_t start = 0; // which of SymbolicStart
+    std::size_t phase = 0; // mode, angle: index of the variable theta
+    std::size_t start = 0; // index into SymbolicStart
     SymbolicSum rate = {}; // with the phases left out of modes and angles
     bool needed = false;   // by an output
 };
