@@ -61,7 +61,7 @@ Polynomial strip_eps(const Draft& draft, const Polynomial& p, int power) {
     return *quotient_in_ring(draft.ring(), p, draft.ring().gen(draft.solution.eps, power));
 }
 
-// C is not in it: E is a function of the slow variable.
+// Without C: E is a function of the slow variable.
 Polynomial envelope(Draft& draft, const EnvelopePlan& plan, const std::string& variable) {
     Polynomial result = draft.ring().one();
     if (!plan.rest.empty()) {

@@ -13,7 +13,7 @@
 
 namespace resonform {
 
-// The leading envelope E = exp int Re a_01 dT, seen before the ring of the solution exists: the part of
+// The leading envelope E = exp int Re a_01 dT, before the ring of the solution exists: the part of
 // Re a_01 that is a logarithmic derivative of powers of the ring's roots, and the rest.
 //   E = prod base^(exponent) exp int rest dT
 struct EnvelopePlan {
@@ -29,7 +29,7 @@ struct EnvelopePlan {
 // Errors (refused): Re a_00 != 0 (damping at weight 0 leaves no oscillation on 1/eps).
 EnvelopePlan plan_envelope(const NormalForm& normal_form);
 
-// No rate changes the modulus: every a_kc is imaginary. No mode: true.
+// Is every a_kc imaginary, so that no rate changes the modulus? true without a mode.
 bool amplitude_is_constant(const NormalForm& normal_form);
 
 // Fills envelope, then factor 1 + eps B_1 + ... + eps^(M-2) B_(M-2) from rates of weight <= M, then

@@ -10,8 +10,8 @@
 namespace resonform {
 
 // Fills the values of all drifts through eps^(M-1): a rate of weight n gives eps^(n-1). Each power of
-// eps of each variable is closed as a whole or left as one quadrature: a part that closes costs
-// nothing under an integral that has to be tabulated anyway.
+// eps of each variable is integrated in closed form as a whole or left as one quadrature: its closed
+// parts cost nothing under an integral that has to be tabulated anyway.
 // Errors (refused): a drift rate of weight 0.
 void solve_drift(Draft& draft);
 

@@ -19,7 +19,7 @@ struct DriftPath {
 };
 
 // Of a solution in closed form with exactly two drifts, by their parts without eps. nullopt: they do not both
-// move there, or the path is of another kind (or not seen to be of this one).
+// move there, or the path is not proved to be of this kind.
 std::optional<DriftPath> drift_path(const Solution& solution);
 
 } // namespace resonform

@@ -10,14 +10,14 @@ namespace resonform {
 
 namespace {
 
-constexpr int highest_derivative = 4; // of what is expanded about the mean
+constexpr int highest_derivative = 4; // in the Taylor expansion about zeta
 
 class Corrections {
 public:
     explicit Corrections(const Solution& solution)
         : solution_(solution), field_(*solution.normalization->normal_form.field), ring_(*field_.ring) {}
 
-    // nullopt: nothing that has a mode in it is added to the mode.
+    // nullopt: the map adds no term of degree 2 or more in the modes.
     [[nodiscard]] std::optional<FirstCorrection> of_mode(std::size_t mode) const {
         const std::vector<Found> found = first(solution_.normalization->map.mode[mode], 2);
         if (found.empty()) return std::nullopt;
@@ -32,14 +32,14 @@ public:
         return result;
     }
 
-    // 2 |m| < 1; nullopt: nothing is added to the angle.
+    // 2 |m| < 1; nullopt: the map does not change the angle, m = 0.
     [[nodiscard]] std::optional<FirstCorrection> of_angle(std::size_t angle) const {
         std::vector<std::vector<Found>> shifts{first(solution_.normalization->map.angle[angle], 0)};
         if (shifts.front().empty()) return std::nullopt;
         return compared(name_of(field_.angles[angle]), ring_.one(), shifts);
     }
 
-    // nullopt: p keeps its value, or its derivatives are not known.
+    // nullopt: the map does not change p, or a derivative of p is not known.
     [[nodiscard]] std::optional<FirstCorrection> of_quantity(const std::string& name,
                                                              const Polynomial& p) const {
         std::vector<GeneratorId> moving;
@@ -60,7 +60,7 @@ public:
         return result;
     }
 
-    // What the equations take a root of or divide by, and variables that are declared.
+    // Radicands and denominators of the equations, and slow variables declared positive or nonzero.
     [[nodiscard]] std::vector<FirstCorrection> of_quantities() const {
         std::vector<FirstCorrection> result;
         const auto add = [&](const std::string& name, const Polynomial& p) {
@@ -151,7 +151,7 @@ private:
 
     [[nodiscard]] std::vector<Found> first(const Series& added, int least_degree) const {
         const bool of_modes = least_degree > 0;
-        std::map<std::vector<int>, int> first_weight; // of each degree; else of each product of modes
+        std::map<std::vector<int>, int> first_weight; // by degree, or by product of modes
         std::optional<int> lowest;                    // of all
         std::vector<Found> found;
         for (int n = 0; n <= std::min(added.through(), solution_.truncation); ++n)

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Along the motion the near-identity map must stay near the identity (docs/theory.md, "And where it goes"):
-// an evaluator ends where the first corrections of a mode are half of the amplitudes that they are made of,
+// an evaluator stops where the first corrections of a mode reach half of the amplitudes they are made of,
 //
 //   2 sum |coefficient| eps^n prod |a_k|^p_k  <  |a|          z_k = eps^w_k a_k
 //
 // x'' + x + x^3 = 0:   h = -w^3/16 + 3/16 w wbar^2 + wbar^3/32,   2 (9/32) eps^2 |a|^2 < 1
 //
-// No phase is in it, so that it is smooth in slow time but where a coefficient vanishes. What is forced is in
-// h and has no mode in it: it is left out.
+// The condition contains no phase, so it is smooth in slow time except where a coefficient vanishes. Forced
+// terms of h, which contain no mode, are left out.
 //
-// What depends on a driven slow variable xi = zeta + k is expanded about zeta, what depends on an angle
-// phi = theta + m about theta: with p a declared variable, or what the equations take a root of or divide by,
+// Functions of a driven slow variable xi = zeta + k are expanded about zeta, functions of an angle
+// phi = theta + m about theta. With p a declared variable, or a radicand or denominator of the equations:
 //
 //   2 sum_alpha |d^alpha p/dzeta^alpha| prod_j |k_j|^alpha_j / alpha!  <  |p(zeta)|,     2 |m|  <  1
 //
-// with 1 <= |alpha| <= 4, and of k and m the terms of the lowest weight of each product of modes, those
-// without a mode or linear in one among them. p keeps its sign at the old xi then, for every phase.
-// (Divisors that normalisation makes stand at zeta from the start.)
+// with 1 <= |alpha| <= 4. Of k and m, each product of modes counts with its terms of lowest weight, including
+// terms without a mode or linear in one. Then p at the old xi keeps its sign for every phase.
+// (The small divisors of the normalisation are functions of zeta already.)
 #pragma once
 
 #include "solve/solution.hpp"
@@ -34,35 +34,35 @@ struct FirstCorrection {
     std::vector<std::size_t> modes; // whose |a_k| the terms hold, the mode itself among them
     std::vector<int> powers_of_eps; // of each of them, over that of the largest
     struct Term {                   // coefficient eps^power_of_eps prod |a_k|^powers_k
-        std::vector<int> powers;    // in the order of modes; of a mode alone, one is divided out
+        std::vector<int> powers;    // in the order of modes; a single mode has one |a| divided out
         int power_of_eps;
         Polynomial coefficient; // in the ring of the solution
     };
     std::vector<std::vector<Term>> sums; // one; of a quantity: |k_j| of each slow variable that moves it
-    std::optional<Polynomial> quantity;  // p, or 1, with which they are compared; else with the modes
+    std::optional<Polynomial> quantity;  // right-hand side: p, or 1; nullopt: moduli of modes
     struct Slope {                       // coefficient prod sums_j^powers_j
         std::vector<int> powers;
         Polynomial coefficient;
     };
     std::vector<Slope> slopes; // of a quantity; none: the sum itself
 
-    // Coefficients of terms, then of slopes, then the quantity: all of which sizes are asked for.
+    // Coefficients of terms, then of slopes, then the quantity: margin_of takes their absolute values.
     [[nodiscard]] std::vector<Polynomial> polynomials() const;
 };
 
-// Of quadratic and cubic terms those of the lowest weight each, and of all terms beyond linear ones those of
-// the lowest weight; no mode without such terms. (Linear ones have divisors that move, with layers of their
-// own.) Then those of slow variables and angles. For closed solutions the factor of the amplitude is one
-// more: 2 |F - 1| < 1.
+// For each mode with nonlinear terms: its quadratic and its cubic terms of lowest weight, and of all
+// nonlinear terms those of lowest weight. (Linear terms have divisors that move, with layers of their own.)
+// Then those of angles and slow variables. A closed solution has one more, for the factor of the amplitude:
+// 2 |F - 1| < 1.
 std::vector<FirstCorrection> first_corrections(const Solution& solution);
 
 // Of a closed solution: C E, the leading part of the modulus over eps.
 Polynomial leading_modulus(const Solution& solution);
 
-// Whether a quadrature of a closed solution stands in it.
+// Whether the correction or the leading modulus contains a quadrature of a closed solution.
 bool needs_quadratures(const Solution& solution, const FirstCorrection& correction);
 
-// eps^power_of_eps |coefficient| prod |a_k|^powers_k, summed up by Horner's rule in eps; `sizes` moves on.
+// eps^power_of_eps |coefficient| prod |a_k|^powers_k, summed by Horner's rule in eps; advances `sizes`.
 template <class Algebra, class Real>
 Real sum_of_terms(const Algebra& algebra, const FirstCorrection& correction,
                   const std::vector<FirstCorrection::Term>& terms, const Real& eps,
@@ -83,8 +83,8 @@ Real sum_of_terms(const Algebra& algebra, const FirstCorrection& correction,
     return sum;
 }
 
-// What must be > 0. Algebra: rational, add, multiply, power and hypot. moduli: of every mode of the field;
-// sizes: |p| of each of correction.polynomials().
+// Right-hand side minus left-hand side, which must be > 0. Algebra: rational, add, multiply, power and hypot.
+// moduli: of every mode of the field; sizes: |p| of each of correction.polynomials().
 template <class Algebra, class Real>
 Real margin_of(const Algebra& algebra, const FirstCorrection& correction, const Real& eps,
                const std::vector<Real>& moduli, const std::vector<Real>& sizes) {
@@ -94,7 +94,7 @@ Real margin_of(const Algebra& algebra, const FirstCorrection& correction, const 
         for (std::size_t k = 0; k < correction.modes.size(); ++k)
             size = algebra.hypot(size, algebra.multiply({algebra.power(eps, correction.powers_of_eps[k]),
                                                          moduli[correction.modes[k]]}));
-        const Rational none = cln::expt(Rational(2), -100); // where all are at rest, nothing is large
+        const Rational none = cln::expt(Rational(2), -100); // the margin is > 0 where all amplitudes are 0
         size = algebra.add({size, algebra.rational(none)});
     }
     std::vector<Real> sums;

@@ -34,7 +34,7 @@ std::vector<Polynomial> harmonics_without_modes(const GradedField& field, const 
     return coefficients;
 }
 
-// Of an equation that is of the first degree in the fast variables forced motion is a solution by itself.
+// False where all equations are of first degree in the fast variables: forced motion is then superposed.
 bool feels_what_is_forced(const FirstOrderSystem& equations) {
     const auto is_fast = [&](const State& s) {
         return equations.system->variables[s.variable].role == Role::fast;

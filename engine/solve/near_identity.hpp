@@ -5,14 +5,14 @@
 //   from constants w_0         h(z_0) misses h(w_0), z_0 = w_0 + h(w_0), by less than a half of |w_0| and
 //                              |h(w_0)|: z_0 - h(z_0) leads back
 //
-// or by less than eps^M/2. Slow variables, angles and drifts have physical values; where slow variables and
-// drifts begin to count says nothing, so that they are missed by less than 2^-M |h(w_0)|, each of M steps of
-// the inversion having gained a half (or 10^-10 of themselves and of the terms of their sum, which is
-// rounding: at the start the constant of a drift and its mean motion cancel). What of h has no mode in it
-// drops out of these differences: its harmonics together are less than twice the start value, or than 2
-// eps^weight (of a slow variable or angle, than 2; modes of equations of the first degree are forced as far
-// as they like). A template over the numbers, for there are two users: the emitter computes with nodes of a
-// graph, the check of emitted code with 50 digits.
+// or by less than eps^M/2. Slow variables, angles and drifts start from physical values. The origin of slow
+// variables and drifts is arbitrary, so their size is no measure: they are missed by less than 2^-M |h(w_0)|,
+// the error being halved in each of M steps of the inversion (or, for rounding, by 10^-10 of their size and
+// of the terms of their sum: at the start the constant of a drift and its mean motion cancel). Forced terms
+// of h, those without a mode, drop out of these differences: their harmonics together are less than twice the
+// start value, or than 2 eps^weight (of a slow variable or angle, than 2; no bound for modes if the equations
+// are linear in the fast variables). A template over the number type, for two users: the emitter computes
+// with nodes of a graph, the check of emitted code with 50 digits.
 #pragma once
 
 #include "solve/solution.hpp"
@@ -33,11 +33,11 @@ struct MovedVariable {
     const Series* series;           // of the map
     Polynomial added;               // it through weight M
     std::vector<std::size_t> modes; // of a mode: itself, and those that are in `added`
-    std::vector<Polynomial> forced; // what of `added` has no mode in it: the coefficient of each harmonic
+    std::vector<Polynomial> forced; // terms of `added` without a mode: the coefficient of each harmonic
 };
 std::vector<MovedVariable> moved_variables(const Solution& solution);
 
-// At t = 0; modes are divided by eps^weight. An angle stands for what it is turned by: its old value is 0.
+// Values at t = 0; modes are divided by eps^weight. Angles are measured from their old value, which is 0.
 template <class Complex> struct StartShift {
     Complex old, now, added; // added: by the map to the new variables
     Complex added_to_old;    // by the map to the old ones; of modes that start from constants
@@ -76,13 +76,13 @@ public:
             if (!v.forced.empty()) require_moderate(v, at.of(v), from_constants);
         }
     }
-    // What is 1 but for small terms: a factor of an amplitude.
+    // For a factor of an amplitude, which is 1 up to small terms; minus_one: the factor minus 1.
     void require_close_to_one(const Complex& minus_one, const std::string& name) {
         require_half(minus_one, {algebra_.number(1)}, name);
     }
 
 private:
-    // |missed| is less than a half of the root of what the squares add up to.
+    // Requires |missed| < sqrt(sum of the squares)/2.
     void require_half(const Complex& missed, std::vector<Real> squares, const std::string& name) {
         squares.push_back(algebra_.times(-4, algebra_.square(missed)));
         algebra_.require(algebra_.sum(std::move(squares)), name);

@@ -12,11 +12,11 @@ namespace resonform {
 
 namespace {
 
-constexpr int nothing = 1 << 20; // a power that no error has
-constexpr int far = nothing / 2; // beyond any power that is met
+constexpr int nothing = 1 << 20; // the power of a zero error
+constexpr int far = nothing / 2; // larger than any power of a nonzero error
 constexpr ErrorPower none{nothing, true};
 
-// The lower power; of equal ones that which is sure.
+// Replaces `error` by `other` if its power is lower, or equal and sure. Returns whether it did.
 bool lower(ErrorPower& error, const ErrorPower& other) {
     if (other.power > error.power) return false;
     const bool changes = other.power < error.power || (other.sure && !error.sure);
@@ -30,7 +30,7 @@ ErrorPower operator+(const ErrorPower& a, const ErrorPower& b) {
 
 Zero vanishing(const Ring& ring, const Polynomial& p) { return p.empty() ? Zero::yes : ring.is_zero(p); }
 
-// What is not proved to vanish from a weight on.
+// The first part from weight `from` on that is not proved to vanish.
 ErrorPower first(const Ring& ring, const Series& series, int from) {
     for (; from <= series.through(); ++from)
         if (const Zero zero = vanishing(ring, series.part(from)); zero != Zero::yes)
@@ -38,7 +38,7 @@ ErrorPower first(const Ring& ring, const Series& series, int from) {
     return none;
 }
 
-// The terms that `chosen` takes.
+// The terms of p whose monomials satisfy `chosen`.
 template <class Choice> Polynomial part_of(const Polynomial& p, const Choice& chosen) {
     std::vector<Term> terms;
     for (const Term& t : p.terms())
@@ -113,7 +113,7 @@ void Neglected::add_rates() {
     }
 }
 
-// A part of a rate: what of it was neglected, and whose errors it hands on.
+// Adds one part of a rate: its error, if it was neglected, and the quantities whose errors it passes on.
 void Neglected::add_rate(std::size_t on, int weight, const Polynomial& rate, bool exact) {
     const Zero zero = vanishing(ring_, rate);
     if (zero == Zero::yes) return;
@@ -125,14 +125,14 @@ void Neglected::add_rate(std::size_t on, int weight, const Polynomial& rate, boo
 }
 
 // In closed form amplitude, phase and drifts are power series in eps with coefficients in T = eps t that
-// vanish at T = 0: what is cut off them is known as it is.
+// vanish at T = 0: the error is the first part that is cut off.
 void Neglected::add_series_errors() {
     const int last = formula_.truncation, p = formula_.time_power;
     const Ring& ring = *richer_.ring;
     for (std::size_t k = 0; k < richer_.modes.size(); ++k) {
         const ModeSolution& mode = richer_.modes[k];
         lower_of(Kind::modulus, k, first(ring, mode.factor, std::max(last - 1, 1)) + ErrorPower{1 - p, true});
-        if (last < 2) // the factor's leading 1 stands for the mode; what weight 2 does to it is the envelope
+        if (last < 2) // neglects rates of weight 2, which make the envelope
             if (const Zero one = vanishing(ring, mode.envelope - ring.one()); one != Zero::yes)
                 lower_of(Kind::modulus, k, {1 - p, one == Zero::no});
         lower_of(Kind::argument, k, first(ring, mode.phase_rate, last) + ErrorPower{-p, true});
@@ -141,8 +141,8 @@ void Neglected::add_series_errors() {
         lower_of(Kind::drift, k, first(ring, richer_.drift[k].value, last) + ErrorPower{1 - p, true});
 }
 
-// Direct integration starts where the formula does. From physical values the inverse map is cut at M; from
-// constants the map is, and what it leaves out of one variable is seen in those whose maps contain it.
+// Direct integration starts from the same values as the formula. From physical values the inverse map is cut
+// at M. From constants the map itself is, and an error in one variable reaches those whose maps contain it.
 void Neglected::add_start_errors() {
     const Normalization& n = *richer_.normalization;
     const NearIdentityMap map = formula_.from_constants ? n.map : invert(n.normal_form, n.map);
@@ -165,7 +165,7 @@ void Neglected::add_start_errors() {
     }
 }
 
-// Along the influences, until no error becomes larger.
+// Propagates errors along the influences until no error grows.
 void Neglected::spread() {
     bool moved = true;
     for (std::size_t round = 0; moved; ++round) {
@@ -187,8 +187,8 @@ void Neglected::lower_of(Kind kind, std::size_t index, const ErrorPower& error) 
         if (q.kind == kind && q.index == index) lower(q.error, error);
 }
 
-// Whether p does not change with a quantity; in rates of a mode, which stand times its |z|^2, its own modulus
-// counts beyond that.
+// Whether p is independent of a quantity. Rates of a mode carry a factor |z|^2, which does not count as
+// dependence on its own modulus.
 Zero Neglected::insensitive(const Polynomial& p, const Quantity& what, const Quantity* rate_of) const {
     const auto turns = [&](const Monomial& m, std::size_t k) {
         return ring_.exponent(m, field_.modes[k].z) - ring_.exponent(m, field_.modes[k].zbar);
@@ -221,7 +221,7 @@ Zero Neglected::insensitive(const Polynomial& p, const Quantity& what, const Qua
     return vanishing(ring_, part_of(p, chosen));
 }
 
-// Whether eps^weight has nothing in an output that the formula has not.
+// yes: the formula has the whole part eps^weight of an output; no: a part of it is missing.
 Zero Neglected::missing(const FlowOutput& output, int weight) const {
     const Polynomial& part = output.value.part(weight);
     if (weight <= formula_.order)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a formula of order N with normal form and map through weight M leaves out, read from a solution that
-// goes further: the first power of eps in which an output differs on t <= T/eps^p.
+// The error of a formula of order N with normal form and map through weight M, read from a solution of higher
+// order: the first power of eps at which an output differs on t <= T/eps^p.
 //
 //   psi of the pendulum, M = N = 3: the phase rate has a part of weight 3, which is eps^2 over 1/eps, and psi
 //   oscillates at eps  ->  3
@@ -11,7 +11,7 @@
 //                              slow variable, a drift;
 //   the start above weight M   acts as it is;
 //   each of these              acts through the rates of others, over eps^-p once more, and through the map;
-//   the output above eps^N     is missing; of a mean motion all that oscillates is, too.
+//   the output above eps^N     is missing; a mean motion also lacks all oscillating terms.
 // A coefficient that vanishes identically carries nothing, so all this holds for every start.
 #pragma once
 
@@ -43,12 +43,12 @@ public:
     // slow_flow; errors that feed on each other faster than eps^p, so that no power bounds them.
     Neglected(const Solution& richer, const Formula& formula);
 
-    // nullopt: nothing that `richer` knows of is left out.
+    // nullopt: the formula leaves out nothing that `richer` contains.
     [[nodiscard]] std::optional<ErrorPower> power(const std::string& output) const;
 
 private:
     enum class Kind { modulus, argument, phase, angle, slow, drift };
-    struct Quantity { // what may be wrong
+    struct Quantity { // a quantity and its error
         Kind kind;
         std::size_t index;
         int scale; // a rate of weight n moves it at eps^(n - scale)
@@ -62,7 +62,7 @@ private:
     void add_quantities();
     void add_rates();
     void add_rate(std::size_t on, int weight, const Polynomial& rate, bool exact = false);
-    void add_series_errors(); // closed solutions: exact power series, which are cut
+    void add_series_errors(); // closed solutions: truncated power series
     void add_start_errors();
     void spread();
     void lower_of(Kind kind, std::size_t index, const ErrorPower& error);

@@ -40,7 +40,7 @@ RealForm::RealForm(const GradedField& field) : field_(field) {
     for (GeneratorId id = Ring::imaginary_unit + 1; id < old.size(); ++id) {
         const GeneratorKind kind = old.generator(id).kind;
         if (kind == GeneratorKind::fast || kind == GeneratorKind::phase)
-            gone.emplace_back(id, Polynomial(Rational(1))); // never met
+            gone.emplace_back(id, Polynomial(Rational(1))); // lift_ never meets it
         else
             copy.copy(id);
     }

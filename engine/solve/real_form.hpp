@@ -33,15 +33,15 @@ public:
     };
     [[nodiscard]] Value operator()(const Polynomial& p) const;
 
-    // What operator() multiplies out: p = sum of coefficient * product of powers of modes, their conjugates
-    // and e^{i phi}, in this order. Modes are divided by eps^weight, the coefficient is not.
+    // A term before operator() multiplies it out: p = sum of coefficient * product of powers of modes, their
+    // conjugates and e^{i phi}, in this order. Modes are divided by eps^weight, the coefficient is not.
     struct Harmonic {
         std::vector<std::pair<int, int>> modes; // powers of u + i v and of u - i v
         std::vector<int> angles;
         Value coefficient;
     };
     [[nodiscard]] std::vector<Harmonic> harmonics(const Polynomial& p) const;
-    // A bound of the terms of operator().
+    // An upper bound of the number of terms of operator()(p).
     [[nodiscard]] std::size_t length(const Polynomial& p) const;
 
 private:
@@ -54,8 +54,8 @@ private:
     std::vector<GeneratorId> slow_;
     GeneratorId eps_ = -1;
     std::vector<GeneratorId> outer_; // z1, zbar1, ..., e^{i phi}, ...
-    std::vector<Polynomial> units_;  // what stands for them
-    std::optional<RingMap> lift_;    // of what is free of them
+    std::vector<Polynomial> units_;  // their images
+    std::optional<RingMap> lift_;    // for polynomials free of outer_
     mutable std::vector<std::vector<Polynomial>> powers_;
 };
 

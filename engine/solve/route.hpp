@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which way a solution is found: by quadratures, in closed form, or as a slow flow.
+// The method of solution: by quadratures, in closed form, or as a slow flow.
 #pragma once
 
 #include "expand/expansion/graded_field.hpp"

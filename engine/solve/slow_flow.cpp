@@ -34,8 +34,7 @@ void check_modes(const NormalForm& normal_form) {
                 {system.file.string(), 0, 0, "equations", ""}});
 }
 
-// Whether a term of a rate turns as mode k does by itself, z_k times moduli. nullopt: whether it does not
-// turn.
+// Whether a monomial of a rate is z_k times powers of moduli; k = nullopt: powers of moduli only.
 bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<std::size_t> k) {
     const Ring& ring = *field.ring;
     for (std::size_t j = 0; j < field.modes.size(); ++j) {
@@ -69,7 +68,7 @@ public:
     }
 
 private:
-    // i times something real and even, times z_j itself, in every term of every mode?
+    // Is every term of every rate N_j of the form i z_j times a real coefficient and powers of moduli?
     [[nodiscard]] bool keeps_moduli() const {
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
             for (const auto& [monomial, coefficient] :
@@ -128,7 +127,7 @@ private:
         return index;
     }
 
-    // The variable in whose rate something does not turn with it.
+    // The first variable whose rate has a term that does not turn with the phase of the variable.
     [[nodiscard]] std::optional<std::string> complaint(const SlowFlow& flow) const {
         const auto turns = [&](const Series& series, const Polynomial& with) {
             const Polynomial rate = series.total(series.through());
@@ -153,7 +152,7 @@ private:
     int through_;
 };
 
-// Every state as it is written in modes, z and zeta the old ones; then the map is put in.
+// Writes every state in the old modes z and slow variables, then substitutes the map.
 class Outputs {
 public:
     explicit Outputs(const Normalization& normalization)
@@ -225,7 +224,7 @@ bool depends_on_phases(const GradedField& field, const SlowFlow& flow) {
                        [&](const Series& rate) { return turns(rate, std::nullopt); });
 }
 
-// zbar a' + z abar', what changes |z|^2; empty with the rate of a phase alone.
+// The rate of |z|^2, zbar a' + z abar'; empty if the rate only turns the phase.
 Series of_modulus(const GradedField& field, const Mode& mode, const Series& rate) {
     Series result;
     for (int n = 0; n <= rate.through(); ++n) {

@@ -48,7 +48,7 @@ struct SlowFlow {
 // The net phase of a monomial of the normal form's ring: <alpha, theta'>; empty: it does not oscillate.
 Polynomial net_rate(const GradedField& field, const SlowFlow& flow, const Monomial& monomial);
 
-// p without what oscillates.
+// p without its oscillating terms.
 Polynomial mean_part(const GradedField& field, const SlowFlow& flow, const Polynomial& p);
 
 // The weight of the first oscillating term of an output; nullopt: it has none.
@@ -59,7 +59,7 @@ std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& f
 std::optional<int> lowest_weight(const Series& series);
 
 // The lowest power of eps in a_j'/a_j or zeta': the flow moves on the time scale eps^-power. Where no rate
-// depends on a phase, how fast these turn does not count: only moduli and slow variables go anywhere.
+// depends on a phase, the rates of phases do not count, only those of moduli and slow variables.
 // nullopt: at rest.
 std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow);
 

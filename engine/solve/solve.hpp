@@ -8,9 +8,9 @@
 
 namespace resonform {
 
-// Whether it is found by quadratures (solve/route.hpp) on times of order eps^-time_scale. Amplitudes that
-// change are expanded in powers of T = eps t, which is large beyond 1/eps: there only constant ones are left
-// to quadratures.
+// Whether the solution is found by quadratures (solve/route.hpp) on times of order eps^-time_scale.
+// Amplitudes that change are expanded in powers of T = eps t, which is large beyond 1/eps: on longer times
+// quadratures are used for constant amplitudes only.
 [[nodiscard]] bool solves_by_quadratures(const NormalForm& normal_form, int time_scale);
 
 // Errors (refused): functions among the coefficients, a slow variable that does not move; by quadratures: an

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a solution goes a finite way within the times that a scene asks for (design 2.4).
+// Whether a solution moves a finite distance within the times that a scene asks for (design 2.4).
 #pragma once
 
 #include "model/system/scene_file.hpp"
@@ -7,8 +7,8 @@
 
 namespace resonform {
 
-// The part of the count that only the solution shows: for p >= 2 a slow flow, and a drift among the outputs,
-// move as eps^p or more slowly, so that they go a finite way. Error: refused.
+// The condition of the truncation count that only the solution can decide: for p >= 2 the slow flow, and each
+// drift among the outputs, has rates of order eps^p or less and so moves a finite distance. Error: refused.
 void check_time_scale(const Solution& solution, const Scene& scene);
 
 } // namespace resonform

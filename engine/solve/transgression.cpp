@@ -12,8 +12,7 @@ bool is_former_constant(const Variable& variable) {
     return variable.role == Role::slow || variable.role == Role::drift;
 }
 
-// Without the first part behind `leading` that is not zero, and all after it; what is not known counts as
-// such.
+// Drops the first nonzero part after `leading` and all later parts; parts beyond `known` count as nonzero.
 Series cut_behind(const Series& series, int leading, int known) {
     int through = std::min(leading, known);
     while (through < known && series.part(through + 1).empty()) ++through;
@@ -22,14 +21,14 @@ Series cut_behind(const Series& series, int leading, int known) {
     return result;
 }
 
-// The first weight above `base` with something in it, else the last that is known.
+// The first weight above `base` with a nonzero part, else `known`.
 int first_motion(const Series& series, int base, int known) {
     int n = base + 1;
     while (n < known && series.part(n).empty()) ++n;
     return std::min(n, known);
 }
 
-// A drift begins with its constant; it moves where there is more.
+// Part 0 of a drift contains its constant C_X; anything else in part 0 is motion of order 0.
 Series leading_drift(const Solution& solution, const DriftSolution& drift) {
     const bool moves = drift.value.part(0) != solution.ring->gen(drift.constant);
     const int leading = moves ? 0 : first_motion(drift.value, 0, solution.order);
@@ -41,7 +40,7 @@ bool contains(const Ring& ring, const Polynomial& p, GeneratorId id) {
                        [&](const Term& term) { return ring.exponent(term.monomial, id) != 0; });
 }
 
-// Primitives that the drifts hold, or primitives that are kept.
+// Primitives that occur in the drifts or in other needed primitives.
 std::vector<Primitive> needed_primitives(const Solution& law) {
     std::vector<Primitive> kept;
     for (auto p = law.primitives.rbegin(); p != law.primitives.rend(); ++p) {
@@ -62,7 +61,8 @@ void keep_leading_drifts(Solution& law) {
     law.state.clear();
 }
 
-// An amplitude changes by its own size in the time 1/eps at one weight above it, an angle at weight 1.
+// In the time 1/eps an amplitude changes by its own size through rates one weight above its own, an angle
+// through rates of weight 1.
 SlowFlow leading_flow(const Solution& solution) {
     const GradedField& field = *solution.normalization->normal_form.field;
     const int known = solution.truncation;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is constant at eps = 0 (slow variables and drifts) on the time 1/eps, through the first power of eps
-// that moves it: the transgression.
+// The transgression: the motion, on the time 1/eps, of the variables that are constant at eps = 0 (slow
+// variables and drifts), through the first power of eps that moves them.
 //
 //   pendulum:  xi = xi_0 + eps v t,  x = C_X + r log((xi + sqrt(xi^2 + r^2))/r) + O(eps^2)
 //   particle:  z' = eps sqrt(c/m)(...) + O(eps^5), a constant: z rises uniformly
@@ -22,8 +22,8 @@ struct FormerConstant {
 struct Transgression {
     // The solution with laws only. Closed: drifts and the primitives that they need, no outputs. A slow flow:
     // rates of slow variables and drifts through the first weight that moves them, of amplitudes and offsets
-    // of angles through what moves them by their own size. What is left out of a series has the weight
-    // through() + 1 at least, whether it was looked at or not.
+    // of angles through the weight that changes them by their own size. Terms left out of a series have
+    // weight through() + 1 or more, whether they were computed or not.
     Solution law;
     std::vector<FormerConstant> constants; // in the order of the file
     std::optional<DriftPath> path;         // of two drifts

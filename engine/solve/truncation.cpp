@@ -19,7 +19,7 @@ struct Count {
     const char* formula;
 };
 
-// What an output weighs through which a phase is seen.
+// The lowest weight of an output that shows a phase: 0 with angles, else the lowest weight of a mode.
 int lightest(const GradedField& field) {
     if (!field.angles.empty() || field.modes.empty()) return 0;
     return field.mode_weights().back();

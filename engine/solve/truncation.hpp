@@ -20,7 +20,7 @@ void require_whole_weights(const System& system);
 
 // The scene's own `truncation` ("plain truncation"); otherwise, for time_scale p,
 //
-//   M = max(N + p, N + 2p - 2)   with an oscillator: what is neglected in rates at weight M + 1 acts
+//   M = max(N + p, N + 2p - 2)   with an oscillator: rates neglected at weight M + 1 act
 //                                over eps^-p on amplitude, phase and drift, and by the twist eps^2
 //                                delta^2 of the frequency once more on the phase;
 //   M = N + p                    without one;

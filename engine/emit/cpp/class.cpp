@@ -93,7 +93,7 @@ std::string CppFrame::prepare() const {
     return text + "        return status;\n    }\n\n";
 }
 
-// Builds a table as far as it goes; what goes nowhere is the answer of the construction.
+// Builds a table as far as it goes; if that is nowhere, the construction returns the failure.
 std::string built_or_return(const std::string& call) { return filled(frames::shorten, {{"call", call}}); }
 std::string built_or_return(const std::string& call, const std::string& what) {
     return built_or_return(fmt::format("{{{}, {}}}", call, cpp_literal(what)));
@@ -166,7 +166,7 @@ std::string CppFrame::constants(const std::string& target) const {
            "; lost.status != Status::ok)\n            return lost;\n";
 }
 
-// Where constants are kept by way of numbers of any range, this looks at their conditions as well.
+// Checks of the constant conditions; none if keep_constants, which computes in Scaled, has checked them.
 std::string CppFrame::conditions() const {
     if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
     const bool apart = plan_.conditions_apart;

@@ -43,7 +43,7 @@ std::string banner(const Program& program) {
     return text;
 }
 
-// What of the runtime the class needs, or all of it as text.
+// The includes of the runtime that the class needs, or the whole runtime as text.
 std::string runtime(const Program& program, bool inlined) {
     std::string text;
     if (!inlined) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text that emitted code is made of, from files: the build writes the source (cmake/embedded_text.cmake).
+// Files whose text goes into emitted code: the build writes the source (cmake/embedded_text.cmake).
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace resonform {
 // includes, without SPDX lines and includes of each other.
 const std::vector<std::string_view>& runtime_texts();
 
-// What classes and libraries have in common. A word between two @ is a hole, to be filled.
+// Text common to all classes and libraries. A word between two @ is a placeholder.
 namespace frames {
 extern const std::string_view batch, call, constructors, library, library_names, library_state, look_up,
     shorten, why, widened;

@@ -216,7 +216,7 @@ std::string CppFunction::print(const Frame& frame) const {
                                   frame.parameters, lines(frame.first) + body + lines(frame.last));
 }
 
-// The struct of what the pieces of a long function hand on.
+// The struct of the quantities that the pieces of a long function pass on.
 std::string CppFunction::quantities(const std::string& name, bool is_template) const {
     std::string text =
         fmt::format("    {}struct {} {{\n", is_template ? "template <class Number> " : "", name);

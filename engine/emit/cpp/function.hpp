@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Instructions -> the statements of one C++ function. What is used once is written in place, what is
-// shared or has a name gets its statement; long functions are cut into pieces of bounded size.
+// Instructions -> the statements of one C++ function. A value used once is written in place, a
+// shared or named value gets a statement; long functions are cut into pieces of bounded size.
 #pragma once
 
 #include "emit/cpp/names.hpp"

@@ -124,7 +124,7 @@ void CppPlan::lower_results() {
         layers_use_flow = layers_use_flow || behind_layers[static_cast<std::size_t>(variable.value)];
 }
 
-// All that is computed, but for constant conditions.
+// All results, except constant conditions.
 std::vector<Value> CppPlan::roots() const {
     std::vector<Value> all = integrands;
     for (const std::vector<Value>* more : {&flow_starts, &flow_rates, &phase_starts, &phase_rates})
@@ -170,7 +170,7 @@ void CppPlan::find_ranges() {
     native_defaults = constant_range(code, defaults).bound > one_factor;
 }
 
-// Of each value, what uses it and has a name that a reader knows.
+// For each value, a user of it that has a name known to readers.
 std::vector<std::string> CppPlan::users() const {
     std::vector<std::string> user(code.size());
     const auto name = [&](Value v, const std::string& text) { user[static_cast<std::size_t>(v)] = text; };

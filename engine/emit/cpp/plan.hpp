@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an emitted evaluator consists of: which values are computed once and kept, which functions are
-// called at which time, and under which names.
+// The parts of an emitted evaluator: values that are computed once and kept, functions and when they are
+// called, and their names.
 #pragma once
 
 #include "emit/cpp/constant_range.hpp"
@@ -12,8 +12,8 @@
 
 namespace resonform {
 
-// What is built together, after all levels before: the slow flow, which comes first, or tables whose
-// integrands need no later ones.
+// Tables that are built together, after those of earlier levels: the slow flow, which comes first, or tables
+// whose integrands need no later ones.
 struct CppLevel {
     bool flow = false;
     std::string name;                 // for a reader: "Q_x or Q_y"
@@ -53,8 +53,8 @@ struct CppPlan {
     // The constant conditions are no members: these are native, and they would not be.
     bool conditions_apart = false;
     [[nodiscard]] bool uses_scaled() const { return !range.native || !native_defaults || conditions_apart; }
-    // Of the members, those that must have a place in the real type, with what an evaluator says where one
-    // has none: "C_delta", "c_12 in psi_3". The others are conditions, of which the sign is enough.
+    // Members that must lie within the range of the real type, with the text that an evaluator reports if one
+    // does not: "C_delta", "c_12 in psi_3". The others are conditions, of which only the sign matters.
     std::vector<std::pair<StraightLine::Value, std::string>> kept;
     // All values that are looked up: of the flow, and of the tables, level by level.
     struct Column {
@@ -62,7 +62,7 @@ struct CppPlan {
         Graph::Node value;
     };
     [[nodiscard]] std::vector<Column> columns() const;
-    // What must be positive at every time; the output that may overflow then, "" if there are several.
+    // The conditions at every time, as text; the output that may overflow, "" if there are several.
     [[nodiscard]] std::string conditions_text() const;
     [[nodiscard]] std::string results_text() const { return outputs.size() == 1 ? outputs[0].name : ""; }
     [[nodiscard]] std::size_t columns_before(std::size_t level) const;

@@ -83,7 +83,7 @@ std::string CppStages::constants() {
            "\n";
 }
 
-// Where powers of arguments may leave the range of Number: all constants in Scaled, and then as Numbers.
+// For powers of arguments beyond the range of Number: all constants in Scaled, then converted to Number.
 std::string CppStages::kept_constants() const {
     if (plan_.range.native) return "";
     constexpr std::size_t longest = 200; // statements of a function
@@ -113,7 +113,7 @@ std::string CppStages::kept_constants() const {
     return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n";
 }
 
-// Products of many arguments, of which the sign is enough.
+// Conditions on the start: products of many arguments, of which only the sign matters.
 std::string CppStages::start_conditions() {
     if (!plan_.conditions_apart) return "";
     CppFunction function(plan_.code, "Number", "k");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each stage of `derive` shows: a page for text and LaTeX, a value for JSON, a script.
+// The output of each stage of `derive`: a page for text and LaTeX, a value for JSON, a script.
 // document.hpp chooses among them.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace resonform {
 
-// An equation as the user wrote it, with the values of what is set; and what [relations] gives, with heading.
+// An equation as the user wrote it, with the values of --set; and what [relations] computes, with a heading.
 Formula formula_of(const Equation& equation, const std::vector<Setting>& settings);
 void append_relations(Page& page, const System& system);
 Json relations_json(const System& system);
@@ -35,7 +35,7 @@ Page normal_form_page(const Normalization& normalization, int order, const Solut
 Json normal_form_json(const Normalization& normalization, int order);
 // Coefficients written out one by one. Errors (refused): one is longer than ExpansionLimits.
 Json normal_form_json(const GraphNormalization& normalization, int order);
-// Of each equation the divisors with their verdicts, and where those that were divided by vanish. Schema
+// The divisors of each equation with their verdicts, and where those that were divided by vanish. Schema
 // resonform.divisors/1; divisors_json is its list, in the document of the normal form too.
 Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order);
 Json divisors_document(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order);
@@ -55,7 +55,7 @@ Json solution_json(const Solution& solution);
 // xi = xi_0 + eps*v*t
 Section slow_laws(const Solution& solution);
 
-// What is constant at eps = 0, on the time 1/eps. Schema resonform.transgression/1.
+// Motion on the time 1/eps of the variables constant at eps = 0. Schema resonform.transgression/1.
 Page transgression_page(const Transgression& transgression);
 Json transgression_json(const Transgression& transgression);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The divisors of a normal form with their verdicts, and the resonance surfaces, on which one of those that
-// were divided by vanishes.
+// The divisors of a normal form with their verdicts, and the resonance surfaces, where one of the removed
+// divisors vanishes.
 #include "emit/derive/derive.hpp"
 #include "emit/display/display.hpp"
 #include "emit/display/json.hpp"

@@ -47,7 +47,7 @@ std::string render(const Page& page, Format format) {
     return format == Format::latex ? page_latex(page) : page_text(page);
 }
 
-// What T means is said on each page that has it.
+// Adds the definition of T to a page that uses it.
 Page defined(Page page, const Solution* solution) {
     if (solution != nullptr) define_slow_time(page, *solution);
     return page;

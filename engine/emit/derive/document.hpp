@@ -4,7 +4,7 @@
 //   print_normal_form(pendulum, 3, Format::text, &solution)   ->   z1' = I*sqrt(g)/(r^2 + xi^2)^(1/4)*z1 -
 //   ...
 //
-// Combinations without a meaning (Maxima of a solution, say) are bad input, with those that have one.
+// Unsupported combinations (Maxima of a solution, say) are bad input; the hint lists those supported.
 #pragma once
 
 #include "expand/expansion/graded_field.hpp"
@@ -42,7 +42,7 @@ void require_printable(Stage stage, Format format);
 // The equations as read, e.g. (15).
 std::string print_equations(const System& system, Format format);
 
-// What a mechanism's equations come from: its constraints (2), or its energy of accelerations (7)-(10).
+// The derivation of a mechanism's equations: its constraints (2), or its energy of accelerations (7)-(10).
 // Errors: bad_input: the file has the equations.
 std::string print_derivation(const System& system, Stage stage, Format format);
 
@@ -61,7 +61,7 @@ std::string print_normal_form(const Normalization& normalization, int order, For
 // With coefficients in a graph: JSON, the same schema.
 std::string print_normal_form(const GraphNormalization& normalization, int order);
 
-// What the homological equations divided by and what they kept, through weight `order`.
+// The divisors of the homological equations, removed and kept, through weight `order`.
 std::string print_divisors(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order,
                            Format format);
 
@@ -71,8 +71,8 @@ std::string print_manifold(const Normalization& normalization, int order, Format
 // Amplitude and phase (21), the drift, and the outputs by powers of eps, (22), (23).
 std::string print_solution(const Solution& solution, Format format);
 
-// The laws of what is constant at eps = 0, on the time 1/eps.
-// Errors: bad_input: nothing is (require_former_constants, to be called before the work).
+// The motion, on the time 1/eps, of the variables that are constant at eps = 0.
+// Errors: bad_input: there are none (require_former_constants, to be called before the work).
 std::string print_transgression(const Solution& solution, Format format);
 void require_former_constants(const System& system);
 

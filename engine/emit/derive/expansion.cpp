@@ -27,7 +27,7 @@ std::vector<GeneratorId> outer_of(const EquationSeries& equations) {
     return outer;
 }
 
-// A slow variable that moves by itself: its rate is shown as it is.
+// Is it the rate of a slow variable that is not driven? Such a rate is shown unchanged.
 bool is_free(const GradedField& field, const EquationLine& line) {
     return std::any_of(field.slow.begin(), field.slow.end(), [&](const SlowVariable& slow) {
         return slow.variable == line.variable && !slow.driven;

@@ -16,7 +16,7 @@ namespace {
 
 class FlowPage {
 public:
-    // remainders: what is left out of the rates is said.
+    // remainders: print the order of the terms left out of the rates.
     FlowPage(const Solution& solution, bool remainders)
         : solution_(solution), flow_(*solution.flow), normal_form_(solution.normalization->normal_form),
           field_(*normal_form_.field), ring_(*field_.ring), remainders_(remainders),
@@ -110,8 +110,8 @@ private:
         return value;
     }
 
-    // What amplitudes that are constants but for what is left out of their rates, and that of the drift,
-    // leave out of a uniform motion in the time 1/eps.
+    // The first power of eps at which the neglected rates of constant amplitudes, and of the drift itself,
+    // change the uniform motion of the drift within t <= 1/eps.
     [[nodiscard]] int remainder_of_uniform(std::size_t k) const {
         const Series& rate = flow_.drift[k];
         int leading = 0;

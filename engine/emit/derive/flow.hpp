@@ -16,11 +16,11 @@ std::vector<Section> flow_sections(const Solution& solution, const std::vector<F
 // The frame of phases, and the flow within it with the weights that are left out of each rate.
 std::vector<Section> leading_flow_sections(const Solution& solution);
 
-// What resonform.solution/1 has of a slow flow: frame, flow, outputs.
+// The part of resonform.solution/1 for a slow flow: frame, flow, outputs.
 Json flow_json(const Solution& solution);
 
-// What resonform.transgression/1 has of one: frame, flow with the weights that are left out and, where the
-// amplitudes are constants, these as real ones and the uniform motion of drifts in them.
+// The part of resonform.transgression/1 for a slow flow: frame, flow with the weights that are left out and,
+// where the amplitudes are constants, these as real ones and the uniform motion of drifts in them.
 Json leading_flow_json(const Solution& solution);
 
 } // namespace resonform

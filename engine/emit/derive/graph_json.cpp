@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The normal form as JSON where coefficients are nodes of a graph: each is written out when it is printed.
+// The normal form as JSON where coefficients are nodes of a graph: each is written out only when printed.
 #include "algebra/graph/expansion.hpp"
 #include "emit/derive/derive.hpp"
 #include "emit/display/display.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a normal form of style hamiltonian shows besides rates and map. Precondition: it is one.
+// Additional output for a normal form of style hamiltonian (precondition).
 #pragma once
 
 #include "emit/display/json.hpp"
@@ -10,7 +10,7 @@
 
 namespace resonform {
 
-// The energy in actions and resonant parts, and what these are.
+// The energy in actions and resonant parts, and their definitions.
 std::vector<Section> hamiltonian_sections(const NormalForm& normal_form, int order);
 
 // { "brackets", "actions", "energy", "invariants", "generator" } (docs/file_formats.md)

@@ -84,7 +84,7 @@ private:
     Substitutes phases_;
 };
 
-// Where a growth rate vanishes the manifold has more dimensions.
+// Warns that the manifold has more dimensions where a growth rate vanishes.
 std::vector<std::string> growth_remarks(const CentreManifold& manifold) {
     const GradedField& field = *manifold.flow.field;
     std::vector<std::string> remarks;

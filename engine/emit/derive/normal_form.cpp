@@ -122,7 +122,7 @@ private:
     Substitutes phases_;
 };
 
-// What the result is divided by without a proof that it vanishes nowhere; "" if nothing.
+// Lists the small divisors that are not proved to vanish nowhere; "" if there are none.
 std::string divisor_remark(const GradedField& field) {
     std::string text;
     Vanishing vanishing(field);

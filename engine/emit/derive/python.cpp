@@ -43,7 +43,7 @@ std::string real_symbol(const std::string& name, bool positive, bool nonzero) {
     return symbol_line(name, nonzero ? ", real=True, nonzero=True" : ", real=True");
 }
 
-// The functions that stand in the coefficients besides what every script needs.
+// The imported names: those of every script, and the functions in the coefficients.
 std::string imported(const GradedField& field) {
     std::set<std::string> names{"I", "Rational", "Symbol", "exp", "prod", "sqrt"};
     if (field.ring->find("pi")) names.insert("pi");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is constant at eps = 0 on the time 1/eps: x = C_X + r*log(...) + O(eps^2), or averaged rates.
+// Variables constant at eps = 0, on the time 1/eps: x = C_X + r*log(...) + O(eps^2), or averaged rates.
 #include "emit/derive/derive.hpp"
 #include "emit/derive/flow.hpp"
 #include "emit/display/display.hpp"
@@ -13,7 +13,7 @@ namespace resonform {
 
 namespace {
 
-// A drift that oscillates less than it moves is written itself, one that does not as its mean z_x.
+// The law of a drift x that oscillates less than it moves; for other drifts, of the mean z_x.
 Formula drift_law(const Solution& law, const DriftSolution& drift, std::optional<int> oscillation) {
     const Substitutes substitutes = solution_substitutes(law);
     Side value;

@@ -5,7 +5,7 @@
 
 namespace resonform {
 
-// Refuses a normal form with a term that is neither proved to be zero nor to be there
+// Refuses a normal form with a term that is proved neither zero nor nonzero
 // (normalize/recursion/undecided_term.hpp); the message shows the term.
 void require_decided(const NormalForm& form);
 

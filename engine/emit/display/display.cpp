@@ -50,7 +50,7 @@ public:
             symbols_[id] += exponent;
     }
 
-    // Numbers, symbols in the order of the ring, sums, and what stands for more than a name.
+    // Numbers, symbols in the order of the ring, sums, and substitutes such as logarithms.
     [[nodiscard]] std::vector<DisplayFactor> factors() const {
         std::vector<DisplayFactor> result = numbers_, functions;
         for (const auto& [id, exponent] : symbols_) {
@@ -140,7 +140,7 @@ DisplaySum display_radicand(const Ring& ring, const Polynomial& radicand) {
     return sum;
 }
 
-// A content taken out of a list of terms: what remains has coprime integer coefficients, the first
+// Takes the content out of a list of terms: the rest has coprime integer coefficients, the first
 // positive, and no common power.
 PlainTerm take_content(std::vector<PlainTerm>& terms) {
     PlainTerm content = terms.front();

@@ -68,7 +68,7 @@ bool same_but_coefficient(const DisplayTerm& a, const DisplayTerm& b);
 DisplaySum operator+(DisplaySum a, const DisplaySum& b);
 DisplaySum operator-(DisplaySum a);
 
-// How generators are shown that are more than their name: a primitive as its logarithm, ...
+// How generators are shown if not by their name: a primitive as its logarithm, ...
 using Substitutes = std::map<GeneratorId, DisplayFactor>;
 
 DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& substitutes = {});
@@ -82,7 +82,7 @@ std::vector<std::pair<Monomial, Polynomial>> collect_in_order(const Ring& ring, 
 DisplaySum display_collected(const Ring& ring, const Polynomial& p, const std::vector<GeneratorId>& outer,
                              const Substitutes& substitutes = {});
 
-// factors *= sum, which stands before what stands for more than a name.
+// factors *= sum; the sum goes before substitutes such as logarithms.
 void insert_sum(std::vector<DisplayFactor>& factors, DisplaySum sum);
 
 // +(a + b): a term that needs no parentheses inside a sum.

@@ -3,8 +3,8 @@
 //
 //   u*(1/D1 + 1/D2) + v/D3   ->   (D1 D2)^-1 * u*(D1 + D2) + D3^-1 * v,   D1, D2 written out
 //
-// Only what has to do with divisors is put over a common denominator, and only where the numerator does not
-// become much longer by it: with many divisors it would grow like the product of their lengths. Common
+// Only terms with divisors are put over a common denominator, and only where the numerator does not become
+// much longer by it: with many divisors it would grow like the product of their lengths. Common
 // factors of numerator and denominator are cancelled.
 #pragma once
 

@@ -17,7 +17,7 @@ std::string capitalised(std::string name) {
     return name;
 }
 
-// X for x; where that has a meaning already, x_new: of q and Q it is seen which is whose.
+// X for x, or x_new where X is taken: a system with q and Q has q_new and Q_new.
 std::string name_without_drift(const System& system, const std::string& variable,
                                const std::vector<DriftFrame>& others) {
     const auto is_free = [&](const std::string& name) {
@@ -31,8 +31,7 @@ std::string name_without_drift(const System& system, const std::string& variable
     return name;
 }
 
-// x = constant + primitive + O(eps)
-// Of a solution in closed form.
+// The primitive of x = constant + primitive + O(eps), for a solution in closed form.
 Polynomial known_primitive(const Solution& solution, std::size_t variable) {
     for (const DriftSolution& drift : solution.drift) {
         if (drift.variable != variable) continue;

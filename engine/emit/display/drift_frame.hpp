@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drift variables without what is known of their motion: X = x - r*log(...), as in (19).
+// The drift variables minus the known part of their motion: X = x - r*log(...), as in (19).
 #pragma once
 
 #include "emit/display/page.hpp"

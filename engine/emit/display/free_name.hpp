@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names for what a page prints besides the names of the file.
+// Names that a page prints besides those of the file.
 #pragma once
 
 #include "model/system/system_file.hpp"

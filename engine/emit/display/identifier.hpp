@@ -6,8 +6,8 @@
 
 namespace resonform {
 
-// "psi'" -> "psi_dot", "psi''_0" -> "psi_dot_dot_0", "phase.psi" -> "phase_psi"; what is no letter, digit
-// or underscore becomes an underscore.
+// "psi'" -> "psi_dot", "psi''_0" -> "psi_dot_dot_0", "phase.psi" -> "phase_psi"; all characters
+// but letters and digits become underscores.
 std::string identifier(const std::string& name);
 
 } // namespace resonform

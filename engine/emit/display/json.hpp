@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // JSON as the contract of the command fixes it (design 6.1): key order kept, numbers with as many of
-// 17 digits as it takes to read the same double back, null for what is no number.
+// 17 digits as it takes to read the same double back, null for NaN and infinities.
 #pragma once
 
 #include "algebra/ring/ring.hpp"

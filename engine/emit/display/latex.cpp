@@ -60,7 +60,7 @@ std::string dotted(const std::string& symbol, int primes) {
 
 std::string parenthesised(const std::string& text) { return "\\left(" + text + "\\right)"; }
 
-// Re and Im have their own.
+// Re and Im have macros of their own.
 std::string function_macro(const std::string& name) {
     const std::optional<Function> f = function_called(name);
     return f ? std::string(row_of(*f).latex) : "\\" + name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The document of a normal form (schema resonform.normal_form/1), whatever its coefficients are held in.
+// The document of a normal form (schema resonform.normal_form/1), for coefficients of any representation.
 #pragma once
 
 #include "emit/display/json.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every printer of a normal form asks: its variables in order, its terms through a weight.
+// Helpers of all printers of a normal form: its variables in order, its terms through a weight.
 #pragma once
 
 #include "emit/display/page.hpp"

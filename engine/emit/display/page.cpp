@@ -15,7 +15,7 @@ constexpr std::size_t latex_terms = 4; // per line
 
 bool starts_negative(const std::string& text) { return !text.empty() && text.front() == '-'; }
 
-// "+ a" or "- a", to be put behind what came before.
+// "+ a" or "- a", to be appended to earlier terms.
 std::string continued(const std::string& text) {
     return starts_negative(text) ? "- " + text.substr(1) : "+ " + text;
 }
@@ -27,7 +27,7 @@ std::vector<DisplaySum> without_empty(const std::vector<DisplaySum>& groups) {
     return result;
 }
 
-// A group, or its terms one by one where it is too long for a line.
+// Appends a group, or its terms one by one if it is too long for a line.
 void append_pieces(std::vector<std::string>& pieces, const DisplaySum& group) {
     const std::string text = spell(group, text_spelling());
     if (text.size() <= text_columns) {

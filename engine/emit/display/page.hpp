@@ -10,7 +10,7 @@
 namespace resonform {
 
 // One side of a formula: summands in groups (a weight, a power of eps each), where lines may break, and
-// the order of what is left out: + O(eps^remainder), 0 for nothing.
+// the order of the neglected terms, + O(eps^remainder); 0: none are neglected.
 struct Side {
     std::vector<DisplaySum> groups;
     Rational remainder = 0;

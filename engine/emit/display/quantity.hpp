@@ -9,7 +9,7 @@
 
 namespace resonform {
 
-// "r^2 - xi^2"; of a purely imaginary one, such as a divisor i (w1 - 2 w2), the real factor.
+// "r^2 - xi^2"; for a purely imaginary polynomial, such as a divisor i (w1 - 2 w2), its real factor.
 std::string quantity(const Ring& ring, const Polynomial& p);
 
 // The text itself, or its beginning and "..." where it is longer than 80 characters.

@@ -11,7 +11,7 @@ namespace resonform {
 
 namespace {
 
-// Is a real polynomial of parameters seen to be negative: every term is, by its generators?
+// Is a real polynomial of parameters negative term by term, by the signs of its generators?
 bool seen_negative(const Ring& ring, const Polynomial& p) {
     return std::all_of(p.terms().begin(), p.terms().end(), [&](const Term& t) {
         for (GeneratorId id = 0; id < ring.size(); ++id)

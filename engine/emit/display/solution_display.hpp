@@ -14,7 +14,7 @@ namespace resonform {
 // log(...), exp(...), integral(..., xi = xi_0..xi) or integral(..., T = 0..eps*t) for every primitive.
 Substitutes solution_substitutes(const Solution& solution);
 
-// The slow time T = eps*t: its symbol, which no name of the system takes, and the sum eps*t.
+// The slow time T = eps*t: a symbol that is no name of the system, and the sum eps*t.
 std::string slow_time_name(const Solution& solution);
 DisplaySum slow_time_sum();
 

@@ -23,7 +23,7 @@ std::string primed(const std::string& name, int primes) {
     return name + std::string(static_cast<std::size_t>(primes), '\'');
 }
 
-// A trailing "_" keeps apart from what the language owns; from what the user named with "_" too.
+// A trailing "_" avoids reserved names of the language, and names of the user that end in "_" as well.
 template <std::size_t N>
 std::string unreserved(const std::array<const char*, N>& reserved, const std::string& name, int primes) {
     const std::string stem = name.substr(0, name.find_last_not_of('_') + 1);
@@ -33,7 +33,7 @@ std::string unreserved(const std::array<const char*, N>& reserved, const std::st
     return safe;
 }
 
-// What the script imports or sets; the reader of systems accepts no keyword of Python as a name.
+// Avoids names that the script imports or sets. Keywords of Python are no names in system files.
 std::string python_symbol(const std::string& name, int primes) {
     static constexpr std::array<const char*, 12> reserved = {"Rational",
                                                              "Symbol",

@@ -29,8 +29,8 @@ bool same_sum(const DisplaySum& a, const DisplaySum& b) {
                       });
 }
 
-// The smallest exponent of a base over all terms, 0 for a term that is free of it: what is common above
-// the fraction bar, and the common denominator.
+// The smallest exponent of a base over all terms, 0 for a term that is free of it: its exponent in the common
+// factor above the fraction bar, or in the common denominator.
 Rational common_exponent(const DisplaySum& sum, const DisplayFactor& base) {
     Rational least = base.exponent;
     for (const DisplayTerm& term : sum.terms) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where what was divided by may vanish, as far as the declared domain does not rule it out.
+// Where the divisors of a result may vanish, as far as the declared domain does not rule it out.
 //
 //   (2*w1 - w2)*(tau^2 + 1)*w1, w1 positive   ->   2*w1 - w2
 #pragma once
@@ -12,15 +12,15 @@
 
 namespace resonform {
 
-// Of polynomials in constants of the ring, without i. Keeps what it has found out.
+// For polynomials in constants of the ring, without i. Remembers its results.
 class Vanishing {
 public:
     explicit Vanishing(const GradedField& field) : field_(field) {}
 
     // Proved; false: it may vanish somewhere.
     bool nowhere(const Polynomial& p);
-    // What p is a product of, as far as it may vanish, without common factors of its terms: divisors that the
-    // ring has learned, and the rest.
+    // The factors of p that may vanish, without common factors of its terms: divisors that the ring has
+    // learned, and the rest.
     std::vector<Polynomial> factors(const Polynomial& p);
 
 private:
@@ -28,7 +28,7 @@ private:
     std::vector<std::pair<Polynomial, bool>> known_;
 };
 
-// What is set to zero: p or -p, whichever begins without a minus.
+// p or -p, whichever begins without a minus, for an equation p = 0.
 DisplaySum display_without_sign(const Ring& ring, const Polynomial& p);
 
 } // namespace resonform

@@ -100,7 +100,7 @@ void ProgramBuilder::define_slow_variables() {
         quadratures_.set_clock_rate(rate);
         program_.slow.push_back({variable.name, value});
         program_.names.push_back({variable.name, value});
-        // What must not vanish keeps the sign that it starts with.
+        // A variable declared nonzero must keep the sign that it starts with.
         if (variable.nonzero && !variable.positive)
             program_.positive.push_back({graph.multiply({begin, value}), variable.name});
         if (!variable.positive) continue;
@@ -175,14 +175,14 @@ Program built(const Solution& solution, const Scene& scene, const ProgramOptions
                          : ProgramBuilder(solution, scene, options).build();
 }
 
-// A division by zero is seen where rational numbers are put in; that sqrt(2)^2 + w - 3 is zero, only by
-// asking.
+// With rational numbers put in, a division by zero shows by itself; that sqrt(2)^2 + w - 3 is zero has to be
+// checked.
 bool all_rational(const Scene& scene) {
     return std::all_of(scene.fix.begin(), scene.fix.end(),
                        [](const auto& fixed) { return GiNaC::is_a<GiNaC::numeric>(fixed.second); });
 }
 
-// What is divided by zero is in the first place a divisor of the normal form.
+// Reports a division by zero as a divisor of the normal form, if it is one.
 Program built_with_reason(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
     if (!all_rational(scene)) require_divisors(*solution.normalization, scene);
     try {

@@ -44,7 +44,7 @@ struct AreaForm {
 };
 
 std::optional<AreaForm> area_form(const Ring& ring, const Lowering& lowering, const Polynomial& argument) {
-    const auto any = [](GeneratorId) { return true; }; // constants of the start are no less cancelled
+    const auto any = [](GeneratorId) { return true; }; // constants of the start may cancel as well
     for (const RootSplit& split : root_splits(ring, argument, any)) {
         const Polynomial d = ring.multiply(split.r, split.r) - ring.multiply(split.a, split.a);
         const bool constant = std::none_of(d.terms().begin(), d.terms().end(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rewriting for accuracy, and the domain that what is emitted needs.
+// Rewriting for accuracy, and the signs of nodes.
 #pragma once
 
 #include "algebra/ring/ring.hpp"

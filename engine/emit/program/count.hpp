@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operations of an expression as it would be written out, every occurrence computed anew.
+// Operations of an expression written out in full, every occurrence computed anew.
 #pragma once
 
 #include "emit/program/program.hpp"

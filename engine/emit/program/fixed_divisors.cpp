@@ -21,7 +21,7 @@ namespace {
 
 Zero zero_when_fixed(const GiNaC::ex& e, const Scene& scene) {
     const auto value = where_regular([&] { return scene.fixed(e).expand(); });
-    if (!value) return Zero::no; // what stands below it is a divisor, too
+    if (!value) return Zero::no; // its own denominator is a divisor, too
     if (is_constant(*value) && sign_of_constant(*value) != ConstantSign::unknown) return Zero::no;
     const Zero zero = vanishes(*value);
     return zero == Zero::unknown && !is_constant(*value) ? Zero::no : zero; // parameters are left

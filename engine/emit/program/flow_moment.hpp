@@ -21,8 +21,8 @@ struct FlowValues {
     std::vector<Graph::Node> slow, drift;
 };
 
-// p/eps^power before it has a place: real and imaginary part multiplied out, or, where these would be long,
-// coefficients times powers of the units.
+// p/eps^power before it is lowered to nodes: real and imaginary part multiplied out, or, where these would be
+// long, coefficients times powers of the units.
 struct FlowSum {
     struct Harmonic {
         std::vector<int> turns, moduli; // powers of the units, modes first; of |mode|^2
@@ -38,7 +38,7 @@ FlowSum flow_sum(const RealForm& real_form, const Polynomial& p, int power, bool
 class FlowMoment {
 public:
     using Unit = FlowUnit;
-    // named: what is under roots gets names for readers.
+    // named: radicands get names for readers.
     FlowMoment(Program& program, const RealForm& real, const Surroundings& surroundings,
                const FlowValues& values, bool named);
 
@@ -59,7 +59,7 @@ private:
     std::map<std::pair<std::size_t, int>, Unit> powers_;
 };
 
-// p/eps^power, every term of which has that power at least.
+// p/eps^power. Precondition: every term of p has at least that power of eps.
 Polynomial over_eps(const RealForm& real, const Polynomial& p, int power);
 
 } // namespace resonform

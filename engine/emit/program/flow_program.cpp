@@ -75,8 +75,8 @@ private:
     std::vector<Graph::Node> drift_;     // Z
 };
 
-// Symbols for what the flow changes; what it does not change stays as it starts. Their names are those of the
-// real form: two modes may belong to one variable.
+// Symbols for variables that the flow changes; the others keep their start values. Names are those of the
+// real form, because two modes may belong to one variable.
 FlowMoment::Unit FlowProgram::moving_unit(const RealForm::Pair& pair, const FlowMoment::Unit& start,
                                           bool moves) {
     if (!moves) return start;
@@ -123,7 +123,7 @@ void FlowProgram::define_slow(std::size_t k) {
     moving_.slow.push_back(value);
     names_[variable.name] = value;
     program_.names.push_back({slow.driven ? variable.name + "_mean" : variable.name, value});
-    // What must not vanish keeps the sign that it starts with.
+    // A variable declared nonzero must keep the sign that it starts with.
     if (variable.nonzero && !variable.positive)
         program_.positive.push_back({graph.multiply({start_.slow[k], value}), variable.name});
     if (!variable.positive) return;
@@ -131,7 +131,7 @@ void FlowProgram::define_slow(std::size_t k) {
     surroundings_.positive.insert({start_.slow[k], value});
 }
 
-// Small divisors that move keep the sign that they start with: between lies a resonance surface.
+// Moving small divisors must keep the sign that they start with: a change crosses a resonance surface.
 void FlowProgram::keep_signs() {
     const FlowMoment at_start(program_, real_, surroundings_, start_, false);
     for (GeneratorId id = 0; id < real_.ring()->size(); ++id) {
@@ -140,7 +140,7 @@ void FlowProgram::keep_signs() {
             continue;
         const Graph::Node begin = at_start.lowering.node(id);
         const std::string name = quantity(*real_.ring(), g.radicand);
-        // None to begin with: known before the start is put into the map.
+        // It must not be zero at the start: this is checked before the start is put into the map.
         if (!signs_of(program_.graph, begin, surroundings_.positive).is_positive())
             program_.positive.push_back({program_.graph.power(begin, 2), name});
         program_.positive.push_back({program_.graph.multiply({begin, frame_->lowering.node(id)}), name});

@@ -14,7 +14,7 @@ namespace resonform {
 
 namespace {
 
-// 1e30 as a double is off by many turns.
+// Refuses large angles: 1e30 as a double is off by many turns.
 void require_moderate(const Scene& scene, const std::string& angle) {
     constexpr double most = 1e14;
     const StartValue* start = scene.start_of(angle);
@@ -88,7 +88,7 @@ private:
     const NearIdentityMap& map_;
     FlowValues given_, new_; // old and new variables at t = 0 (of modes given by constants, the new ones)
     std::vector<Graph::Node> turns_; // of the angles from the old to the new
-    FlowSums sums_;                  // of the map, which is lowered at each substitution
+    FlowSums sums_;                  // of the map; lowered anew at each substitution
 };
 
 void FlowStart::read_slow_and_angles() {
@@ -104,7 +104,7 @@ FlowUnit FlowStart::unit(Graph::Node angle) {
             program_.graph.function(Graph::Op::sin, {angle})};
 }
 
-// An angle is turned by small ones: of a large one no digits would be left, had they to be added.
+// Turns u + i v by a small angle. Adding the small angle to a large one would lose its digits.
 FlowUnit FlowStart::turned(const FlowUnit& at, Graph::Node by) {
     Graph& graph = program_.graph;
     const FlowUnit turn = unit(by);
@@ -112,7 +112,7 @@ FlowUnit FlowStart::turned(const FlowUnit& at, Graph::Node by) {
             graph.add({graph.multiply({at.u, turn.v}), graph.multiply({at.v, turn.u})})};
 }
 
-// Of all fast variables, or of none.
+// Either all fast variables start from physical values, or none does.
 bool FlowStart::from_physical_values() const {
     std::string physical, constant;
     for (const std::size_t s : field_.basis.states) {

@@ -13,7 +13,7 @@
 
 namespace resonform {
 
-// `names` says what stands for each symbol.
+// names: the node of each symbol.
 // Errors (refused): a function other than sin, cos, tan, exp, log, sqrt, asinh and rational powers, unless it
 // is one of a number: `place` is where the user wrote it;
 // std::logic_error: a symbol without a node (the readers of files exclude it).

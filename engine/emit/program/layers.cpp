@@ -13,9 +13,9 @@ namespace resonform {
 
 namespace {
 
-const Rational least_divisor = Rational(1) / 10'000; // of what eps turns by
+const Rational least_divisor = Rational(1) / 10'000; // |D| > 10^-4 eps
 
-// Of divisors, whose first term decides: D = factor * primitive, factor > 0 the smallest that occurs.
+// One divisor of each kind D = factor * primitive, the one with the smallest factor > 0.
 std::vector<Polynomial> smallest_of_each(const Normalization& normalization) {
     std::vector<std::pair<Polynomial, Rational>> known; // primitive, factor
     for (const DivisorRecord& record : normalization.divisors) {
@@ -143,7 +143,7 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
             }
     }
     const Graph::Node largest =
-        graph.rational(least_divisor * least_divisor / 4); // of what eps <= 1/2 asks for
+        graph.rational(least_divisor * least_divisor / 4); // (10^-4 eps)^2 at eps = 1/2
     for (const StandingDivisor& standing : standing_divisors(normalization)) {
         const Graph::Node square = lower(ring.multiply(standing.divisor, ring.conjugate(standing.divisor)));
         const Graph::Node rest = graph.add({square, graph.negate(largest)});
@@ -167,7 +167,7 @@ void add_corrections(Program& program, const Solution& solution, const Surroundi
         }
         const Graph::Node margin = margin_of(algebra, correction, program.eps, moduli, sizes);
         const bool moves = varies(program, margin);
-        // Of modes that keep their amplitudes the start has been asked.
+        // Corrections of modes with constant amplitudes were checked at the start.
         if ((!moves && !correction.quantity) ||
             signs_of(program.graph, margin, surroundings.positive).is_positive())
             continue;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Around the zeros of a small divisor that moves in slow time, the resonance surfaces, lies a layer in which
-// a normal form says nothing (design 2.3): dividing by D gains no power of eps where
+// the normal form is not valid (design 2.3): dividing by D gains no power of eps where
 //
 //   |D|^2 <= |dD/dt|,   dD/dt = sum_k dD/dzeta_k zeta_k'
 //
 // This is |D| <~ sqrt(eps) where D passes zero; of a frequency omega = D itself it is |d(1/omega)/dt| >= 1.
-// So does it where amplitudes have grown beyond what its map is made for (solve/first_correction.hpp).
+// Nor is it valid where amplitudes have grown too large for its map (solve/first_correction.hpp).
 #pragma once
 
 #include "emit/program/flow_moment.hpp"
@@ -22,20 +22,20 @@ struct MovingDivisor {
 };
 std::vector<MovingDivisor> moving_divisors(const Normalization& normalization);
 
-// A divisor that stands still is as good as none where it moves no phase within t = 1/eps: then the monomial
-// that was divided by it cancels against its start value, in exact arithmetic only. What must be > 0 is
-// margin = |D|^2 - (10^-4 eps)^2: eight digits of the real type are left to two divisions by D. Of divisors
-// that differ by a factor the smallest.
+// A constant divisor is as good as zero where the phase D t stays small on t <= 1/eps: then the monomial that
+// was divided by it cancels against its start value, but only in exact arithmetic. It must satisfy
+// margin = |D|^2 - (10^-4 eps)^2 > 0, so that two divisions by D leave eight digits of the real type. Of
+// divisors that differ by a factor, only the smallest.
 struct StandingDivisor {
     Polynomial divisor, margin;
 };
 std::vector<StandingDivisor> standing_divisors(const Normalization& normalization);
 
-// What is > 0 outside of the layers is put into program.layers: D^2 - dD/dt and D^2 + dD/dt for all
-// of them that were divided by. `lower`: the node of a real
-// polynomial of the normal form's ring at any slow time. A divisor whose rate needs the derivative of a
-// function known by name that nothing else needs is left out. The margins of standing divisors go into
-// program.positive, unless they are numbers that are large enough for every eps <= 1/2.
+// Adds the margins D^2 - dD/dt and D^2 + dD/dt of all moving divisors, > 0 outside of the layers, to
+// program.layers. `lower`: the node of a real polynomial of the normal form's ring at any slow time. Divisors
+// whose rate needs the derivative of a function known by name that nothing else needs are left out. The
+// margins of standing divisors go into program.positive, unless they are numbers that are large enough for
+// every eps <= 1/2.
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                 const std::function<Graph::Node(const Polynomial&)>& lower);
 

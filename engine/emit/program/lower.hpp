@@ -3,8 +3,8 @@
 //
 //   (16 g^-1 s^-13 r v^2 - ...)   ->   s^-13 (c_1 + xi^2 c_2),   s^-13 = s^3/(s^8)^2
 //
-// Powers of roots are factored out, the rest is grouped by Horner's rule, first by what changes from
-// call to call, so that the coefficients are constants of the construction.
+// Powers of roots are factored out, the rest is grouped by Horner's rule, first by generators that change
+// from call to call, so that the coefficients are constants of the construction.
 #pragma once
 
 #include "algebra/number/error.hpp"
@@ -35,20 +35,20 @@ public:
 
     [[nodiscard]] const Ring& ring() const { return *ring_; }
 
-    // What stands for a generator; varying: it changes from call to call.
+    // The node of a generator; varying: it changes from call to call.
     void define(GeneratorId id, Graph::Node node, bool varying);
     [[nodiscard]] Graph::Node node(GeneratorId id) const { return nodes_[static_cast<std::size_t>(id)]; }
     [[nodiscard]] bool varying(GeneratorId id) const { return varying_[static_cast<std::size_t>(id)]; }
 
     // Precondition: every generator in p is defined. Errors (refused): DivisionByZero.
     Graph::Node polynomial(const Polynomial& p) { return fractions(reduced_fractions(*ring_, p)); }
-    // The same of what does not change from one place to another.
+    // The same for fractions prepared by reduced_fractions(), when p is lowered at several places.
     Graph::Node fractions(const std::vector<Fraction>& list);
     // The same without looking for common root powers: for radicands, while roots are not yet defined.
     Graph::Node radicand(const Polynomial& p);
-    // What is divided by. divisor = A + R, R a square root times something: where A and R have different
-    // signs, which is proved, it is (A^2 - R^2)/(A - R), of which numbers cancel exactly and the denominator
-    // loses nothing:   sqrt(1 + s^2) - (1 + s^2)   ->   -s^2 (1 + s^2)/(sqrt(1 + s^2) + 1 + s^2)
+    // A divisor. Where it is A + R, R a square root times something, A and R of proved opposite sign, it
+    // becomes (A^2 - R^2)/(A - R), whose numerator cancels exactly and whose denominator does not cancel:
+    //   sqrt(1 + s^2) - (1 + s^2)   ->   -s^2 (1 + s^2)/(sqrt(1 + s^2) + 1 + s^2)
     // A sum of numbers with different signs is formed exactly:   1 - pi/3 -> -0.0471975...
     // (conditioning.cpp)
     Graph::Node divisor(const Polynomial& p);

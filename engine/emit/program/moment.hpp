@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generators of a solution's ring as nodes, at one moment: during a call (slow variables move with
+// The generators of a solution's ring as nodes, at a given time: during a call (slow variables move with
 // slow time) or at the start (they have their start values, quadratures are zero).
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace resonform {
 
-// What is the same at every moment.
+// Nodes that are the same at every moment.
 struct Surroundings {
     std::map<std::string, Graph::Node>
         symbols;                    // eps, parameters, constants of the solution, by generator name
@@ -27,8 +27,8 @@ struct MomentPlan {
     std::function<Graph::Node(const Primitive&, Lowering&)> quadrature;
 };
 
-// Defines the roots of a ring, and declares that what is under them is positive where that is not known; of
-// divisors (index 1) nothing is declared.
+// Defines the roots of a ring, and adds conditions that their radicands are positive where that is not known;
+// divisors (index 1) get no condition.
 void define_roots(Lowering& lowering, Program& program, const Surroundings& surroundings, bool named);
 
 class Moment {

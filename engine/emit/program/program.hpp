@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene as one pruned expression graph: what the emitted evaluator computes, and when.
+// A scene as one pruned expression graph: the values that the emitted evaluator computes, and when.
 //
 //   construction (once):  parameters, start values, eps -> constants, quadrature tables
 //   call (per t):         t -> slow variables, cos theta, sin theta, outputs
@@ -53,11 +53,11 @@ struct ProgramOutput {
     Graph::Node value;
 };
 
-// What must be > 0, and the quantity that says so to a reader: "xi", "r^2 - xi^2", a divisor.
+// A quantity that must be > 0, and its name for a reader: "xi", "r^2 - xi^2", a divisor.
 struct ProgramCondition {
     Graph::Node value;
     std::string quantity;
-    bool of_start_map = false; // that the near-identity map leads back to the start
+    bool of_start_map = false; // the near-identity map leads back to the start
     bool broad = false;        // of a layer: a few samples see where it begins
 };
 

@@ -13,7 +13,7 @@ template <class T, class Needed> void keep(std::vector<T>& items, const Needed& 
                 items.end());
 }
 
-// Each of those that are needed once: the start has conditions of the calls, too.
+// Keeps each needed condition once: conditions of calls may occur at the start, too.
 template <class Needed> void keep_first(std::vector<ProgramCondition>& conditions, const Needed& needed) {
     std::set<Graph::Node> seen;
     std::vector<ProgramCondition> kept;
@@ -22,7 +22,7 @@ template <class Needed> void keep_first(std::vector<ProgramCondition>& condition
     conditions = std::move(kept);
 }
 
-// All symbols of a condition are there already: checking it brings nothing new into the program.
+// Whether all symbols of a condition are used already, so that checking it adds nothing to the program.
 bool is_about(const Graph& graph, Graph::Node condition, const std::vector<bool>& used) {
     const std::vector<bool> inside = reachable(graph, {condition});
     for (std::size_t n = 0; n < inside.size(); ++n)
@@ -42,7 +42,7 @@ bool is_seen(const ProgramPhase& phase, const std::vector<bool>& used) {
     return used[static_cast<std::size_t>(phase.cosine)] || used[static_cast<std::size_t>(phase.sine)];
 }
 
-// The results, and what the tables and phases behind them are made of.
+// The nodes of the results, and of the tables and phases that they use.
 std::vector<bool> needed_nodes(const Program& program) {
     std::vector<Graph::Node> roots = results(program);
     for (std::size_t before = 0; before != roots.size();) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a graph is needed, and what of it changes from call to call.
+// Which nodes of a graph are needed, and which of them change from call to call.
 #pragma once
 
 #include "emit/program/program.hpp"
@@ -19,8 +19,8 @@ std::vector<bool> depending(const Graph& graph, const std::set<Graph::Node>& sou
 // cosines, sines.
 std::set<Graph::Node> varying_symbols(const Program& program);
 
-// Drops what outputs, state and declared start values do not need: the flow, tables, phases, parameters,
-// start values, conditions and names.
+// Drops the flow, tables, phases, parameters, start values, conditions and names that outputs, state and
+// declared start values do not need.
 void prune(Program& program);
 
 } // namespace resonform

@@ -22,7 +22,7 @@ public:
     Graph::Node value(const Primitive& primitive, Lowering& lowering);
 
     // Takes the terms coefficient * quadrature with constant coefficients out of p (in the ring of the
-    // solution, by powers of eps): what remains, and the value of one table for the sum of the terms.
+    // solution, by powers of eps): returns the rest, and the value of one table for the sum of the terms.
     std::pair<Polynomial, Graph::Node> extract(const Polynomial& p, Moment& call, const std::string& name);
 
 private:

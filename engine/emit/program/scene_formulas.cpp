@@ -36,7 +36,7 @@ std::vector<std::string> lines_of(const Page& page) {
     return lines;
 }
 
-// The mean parts only, if the scene does not oscillate.
+// The outputs of the scene, only their mean parts if the scene does not oscillate.
 std::vector<FlowOutput> narrowed_outputs(const Solution& solution, const Scene& scene) {
     const GradedField& field = *solution.normalization->normal_form.field;
     std::vector<FlowOutput> outputs;

@@ -108,7 +108,7 @@ void SceneProgram::close() {
                                        [&](const ProgramCondition& c) { return c.value == node; });
         if (!known) program_.positive.push_back({node, short_quantity(condition.text)});
     }
-    // A map that was divided by nearly zero leads nowhere: what is behind it is to be named.
+    // Conditions of the start map go last: if it fails because a divisor nearly vanishes, name the divisor.
     std::stable_partition(program_.positive.begin(), program_.positive.end(),
                           [](const ProgramCondition& c) { return !c.of_start_map; });
     const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every program of a scene begins and ends with: title, symbols, parameters, start values, the domain
-// and the interval.
+// The common beginning and end of all programs of a scene: title, symbols, parameters, start values, domain
+// and interval.
 #pragma once
 
 #include "emit/program/moment.hpp"
@@ -20,7 +20,7 @@ public:
 protected:
     // Title, symbols and parameters. eps: the name of its generator.
     void open(const std::string& eps);
-    // What the files declare positive, and the interval.
+    // The conditions that the files declare positive, and the interval.
     void close();
 
     // An argument of the evaluator with its default from the scene (0 if it gives none).

@@ -120,7 +120,7 @@ FlowUnit StartConstants::old_mode(const RealForm& real, FlowMoment& at) {
             graph.negate(graph.multiply({scale, period, physical_.at(name + "'")}))};
 }
 
-// The new mode is C E F e^{i theta_0}: the series F is 1 but for small terms, and the map at it leads back.
+// The new mode is C E F e^{i theta_0}: F must be close to 1, and the map must lead back to the start.
 void StartConstants::require_map(const Surroundings& surroundings) {
     if (solution_.modes.empty()) return;
     Graph& graph = program_.graph;

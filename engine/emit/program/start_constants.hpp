@@ -15,7 +15,7 @@ namespace resonform {
 
 class StartConstants {
 public:
-    // slow_starts: the slow variables at t = 0; names: what start values may be written in.
+    // slow_starts: the slow variables at t = 0; names: symbols that start values may contain.
     StartConstants(Program& program, const Solution& solution, const Scene& scene,
                    std::map<GeneratorId, Graph::Node> slow_starts, std::map<std::string, Graph::Node> names)
         : program_(program), solution_(solution), scene_(scene), slow_starts_(std::move(slow_starts)),

@@ -8,8 +8,8 @@
 
 namespace resonform {
 
-// Old and new variables at t = 0. Modes that start from constants have no old ones: those follow from the
-// map.
+// Old and new variables at t = 0. Modes that start from constants have no old ones, which would follow
+// from the map.
 struct StartPair {
     FlowValues old, now;            // `drift` of both: of drifts that are checked, else -1, or empty
     std::vector<Graph::Node> turns; // of the angles, from the old to the new

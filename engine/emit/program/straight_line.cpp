@@ -114,7 +114,7 @@ void StraightLine::gather_constants(std::vector<Value>& plus, std::vector<Value>
     plus.push_back(append(std::move(gathered)));
 }
 
-// n as a rational power of what is under all its roots: sqrt(sqrt(s)) = s^(1/4).
+// n as a rational power of its innermost radicand: sqrt(sqrt(s)) = s^(1/4).
 StraightLine::RootPower StraightLine::root_power(Graph::Node n) const {
     Rational exponent = 1;
     for (;; n = graph_.at(n).operands.front()) {

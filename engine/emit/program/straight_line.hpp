@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program's graph as instructions of a machine with two stages: what is computed once (constants) and
-// what changes from call to call. Powers are chains of multiplications, negative ones start from one
+// A program's graph as instructions of a machine with two stages: constants, computed once, and
+// values that change from call to call. Powers are chains of multiplications, negative ones start from one
 // shared reciprocal, factors and terms that are constant are gathered into one constant, powers of the
 // roots of one radicand into one shared power.
 //
@@ -34,13 +34,13 @@ public:
 
     explicit StraightLine(const Program& program);
 
-    // The value of a node, appending what is not there yet.
+    // The value of a node; appends the missing instructions.
     Value lower(Graph::Node n);
 
     [[nodiscard]] const Instruction& at(Value v) const { return instructions_[static_cast<std::size_t>(v)]; }
     [[nodiscard]] std::size_t size() const { return instructions_.size(); }
-    // The instructions behind some values, ascending; constants are included as operands of varying
-    // values but not what is behind them, unless asked for.
+    // The instructions that some values need, ascending; constant operands of varying values are included,
+    // their own operands only if through_constants.
     [[nodiscard]] std::vector<Value> behind(const std::vector<Value>& roots, bool through_constants) const;
 
 private:

@@ -41,7 +41,7 @@ std::shared_ptr<const GradedField> with_derivatives(std::shared_ptr<const Graded
 
 namespace {
 
-// What is left when p is divided by the radicands of several terms, which have inverses already.
+// p divided by all radicands of several terms that divide it: those have inverses already.
 Polynomial without_radicands(const Ring& ring, Polynomial p) {
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         if (ring.generator(id).kind != GeneratorKind::root || is_numeric_root(ring, id)) continue;
@@ -52,7 +52,7 @@ Polynomial without_radicands(const Ring& ring, Polynomial p) {
     return p.size() > 1 ? primitive_part(ring, p) : p;
 }
 
-// A product of generators and a polynomial that none of them divides: where each has an inverse, p has.
+// Factors of p, generators and the rest: if each of them has an inverse, p has one.
 std::vector<Polynomial> factors_to_invert(const Ring& ring, const Polynomial& p) {
     Polynomial rest = primitive_part(ring, p);
     std::vector<Polynomial> factors;

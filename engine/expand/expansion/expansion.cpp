@@ -174,7 +174,7 @@ void Expansion::add_product(Addends& addends, const Complex& factor, Node node, 
     }
 }
 
-// A coefficient at the old slow variables.
+// The node of a coefficient at the old slow variables.
 Node Expansion::moving(const Complex& c, const Place& place) {
     if (!coefficients_.has_weight(c.re) && !coefficients_.has_weight(c.im))
         return program_->constant(coefficients_.convert(c, place));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first-order system as graded series in modal coordinates, ready to be normalised.
 //
-//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes/modes.hpp),
-//   which may
-//                                                      hold couplings besides: z' = lambda z + sum n z_k + f
+//   z' = lambda z + f(z, zbar, e^{i phi}, eps; xi)     modes of the linear part (expand/modes/modes.hpp);
+//                                                      with couplings: z' = lambda z + sum n z_k + f
 //   phi' = omega(xi) + f,   xi' = f,   X' = f           angles, slow variables, drift variables
 //
 //   oscillator psi'' + omega^2 psi = ...:  z = psi - i psi'/omega,  psi = (z + zbar)/2        (design 2.2)
@@ -46,8 +45,8 @@ struct AngleVariable {
     SeriesProgram::Node rate;  // phi' - frequency (at the new xi)
 };
 
-// Driven: fast variables or angles occur in its rate, or driven variables do. Then it is an input of the
-// program, and what depends on it is expanded about the new variable.
+// Driven: fast variables, angles or driven variables occur in its rate. Then it is an input of the program,
+// and functions of it are expanded about the new variable.
 struct SlowVariable {
     std::size_t variable;
     std::string name;
@@ -77,7 +76,7 @@ struct GradedField {
     SeriesProgram::Node energy = -1; // of a Hamiltonian system, in modal coordinates
 
     [[nodiscard]] const System& system() const { return *first_order->system; }
-    // What exponents of a monomial are given for: modes with their conjugates, phases, eps.
+    // The generators that make up monomials: modes with their conjugates, phases, eps.
     [[nodiscard]] std::vector<GeneratorId> outer() const;
     [[nodiscard]] Polynomial eigenvalue(const Mode& mode) const;
     [[nodiscard]] const std::vector<ModeCoupling>& couplings(std::size_t mode) const {
@@ -99,19 +98,19 @@ struct GradedField {
 // coefficient function that the ring cannot hold.
 GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors = {});
 
-// What a field over numbers (System::digits) knows by numbers only, to this precision; nullopt: it takes
-// more.
+// The numbers without exact value of a field over numbers (System::digits), to this precision; nullopt: more
+// bits are needed.
 std::optional<GivenNumbers> given_numbers(const GradedField& field, std::int64_t bits);
 
 // The small divisors that the ring has an inverse for, besides its units: polynomials of field.ring. None
-// vanishes identically; on the surfaces where one does the normal form means nothing.
+// vanishes identically; where one of them vanishes the normal form is not defined.
 std::vector<Polynomial> small_divisors(const GradedField& field);
 
 // p without its common factors: numbers, the sign of the first term, and the units that every term can be
 // divided by; exponents >= 0 are left.
 Polynomial primitive_part(const Ring& ring, const Polynomial& p);
 
-// The same field over a ring that divides by more; the divisors it has already are kept. New ones are
+// The same field over a ring with inverses of more divisors; those it has already are kept. New ones are
 // polynomials of field.ring that are proved not to vanish identically; units are divided out of them.
 // Errors (refused): more generators than a ring holds.
 GradedField with_divisors(const GradedField& field, const std::vector<Polynomial>& divisors);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which systems can have their coefficients in a graph: what the option that asks for it accepts, and what
-// messages may offer.
+// Which systems can have their coefficients in a graph: those that the option --coefficients graph accepts,
+// and for which messages may offer it.
 #pragma once
 
 #include "expand/expansion/graded_field.hpp"

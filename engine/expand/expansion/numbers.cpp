@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What expand() does where modes are numbers that the ring does not hold.
+// The steps of expand() for numeric modes, which the ring has no exact values of.
 #include "algebra/number/error.hpp"
 #include "expand/expansion/expansion.hpp"
 #include "expand/modes/number_fit.hpp"

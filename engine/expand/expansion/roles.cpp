@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the roles of the variables demand of the equations.
+// Checks the equations against the roles of the variables.
 #include "algebra/number/error.hpp"
 #include "expand/expansion/expansion.hpp"
 #include "model/exact/question.hpp"
@@ -26,7 +26,7 @@ bool Expansion::occurs(Role role, const ex& e) const {
     return false;
 }
 
-// What moves passes on its motion.
+// A slow variable is driven by fast variables, angles and driven slow variables in its rate.
 void Expansion::find_driven() {
     driven_.assign(system_.variables.size(), false);
     bool found = true;

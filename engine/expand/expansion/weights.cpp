@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the weights of the variables demand of the equations: at the weight of a fast variable stand in its
-// rate nothing but its linear part, and what holds variables of lower weight only.
+// Checks the equations against the weights of the variables: at the weight of a fast variable, its rate may
+// contain only its linear part and terms in variables of lower weight.
 #include "algebra/number/error.hpp"
 #include "expand/expansion/expansion.hpp"
 #include "model/text/canonical.hpp"
@@ -15,7 +15,7 @@ namespace resonform {
 using GiNaC::ex;
 using GiNaC::is_a;
 
-// With weight 0 fast variables are not small: nothing but the linear part is left of their rates at eps = 0.
+// Fast variables of weight 0 are not small: at eps = 0 their rates must be linear.
 void Expansion::check_finite() const {
     GiNaC::exmap rest_of_motion{{system_.eps, 0}};
     std::vector<const State*> finite;
@@ -60,7 +60,7 @@ const State& Expansion::last_state(std::size_t variable) const {
     return first_order_->states[first_order_->index(variable, system_.variables[variable].order - 1)];
 }
 
-// For fast variables that all are finite, or all of the weight of eps, this is known already.
+// Not needed if all fast variables are finite, or all of the weight of eps.
 void Expansion::check_leading_terms() const {
     const Ring& ring = *field_.ring;
     const std::vector<int> weights = field_.mode_weights();
@@ -92,7 +92,7 @@ void Expansion::check_leading_terms() const {
     }
 }
 
-// Shown as the file writes it where a term of that weight is seen.
+// Shows a term of that weight as the file writes it, if one is found.
 void Expansion::refuse_leading_term(const State& state, int weight) const {
     const Variable& variable = variable_of(state);
     const auto offends = [&](const ex& term) {
@@ -120,7 +120,7 @@ void Expansion::refuse_leading_term(const State& state, int weight) const {
             place_of_equation(state.variable)});
 }
 
-// Of what stands in e at least; functions count as their arguments where they vanish with them.
+// A lower bound of the weights of e; a function that vanishes with its argument has the weight of that.
 int Expansion::lowest_weight(const ex& e) const {
     if (e.is_equal(system_.eps)) return 1;
     if (is_a<GiNaC::symbol>(e)) {

@@ -24,7 +24,7 @@ std::vector<std::pair<ex, int>> powers_of(const ex& e) {
     const ex fraction = e.normal().numer_denom();
     std::vector<std::pair<ex, int>> factors;
     for (const int side : {0, 1}) {
-        GiNaC::exmap atoms; // pi and roots, which are no polynomials
+        GiNaC::exmap atoms; // pi and roots, kept as symbols
         const ex polynomial = fraction.op(static_cast<std::size_t>(side)).to_polynomial(atoms);
         const ex factored = GiNaC::factor(polynomial);
         for (const ex& f : factors_of(factored)) {
@@ -150,7 +150,7 @@ private:
             if (const auto nested = denested(h, c)) return *nested;
         const Root root = extracted(q);
         const ex ratio = (h / root.outside).normal().numer_denom(); // h = outside * P/Q
-        // Which of P/Q and -P/-Q it is is GiNaC's choice.
+        // GiNaC may return P/Q or -P/-Q.
         const int turn = provably_positive(-root.outside / ratio.op(1), system_) ? -1 : 1;
         const ex above = turn * ratio.op(0), below = turn * ratio.op(1);
         const ex common = (root.outside / below).normal();

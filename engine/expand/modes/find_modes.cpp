@@ -64,7 +64,7 @@ void ModeFinder::fill_linear_part() {
     drives_.assign(n, std::vector<bool>(n, false));
     for (std::size_t s = 0; s < n; ++s) {
         for (std::size_t t = 0; t < n; ++t) {
-            // Of another weight it is a coupling of another weight: no part of A.
+            // A coupling between different weights is no part of A.
             if (variable(s).weight == variable(t).weight)
                 linear_[s][t] = coefficients_.at_origin(state(s).rate.diff(state(t).symbol), place(s));
             drives_[t][s] = s == t || !linear_[s][t].is_zero();

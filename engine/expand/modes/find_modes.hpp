@@ -6,7 +6,7 @@
 
 namespace resonform {
 
-// Those that the user gives, proved; else closed forms: blocks of at most two states, larger ones whose
+// The modes that the user gives, proved; else closed forms: blocks of at most two states, larger ones whose
 // characteristic polynomial falls into factors with closed roots, triangular couplings between blocks. Only
 // the vanishing symbols of `coefficients` are used; it need not be frozen. Errors: bad_input: a force at the
 // origin, division by an expression that is zero; refused: a block without closed roots, a sign that is not

@@ -52,7 +52,7 @@ private:
         return coordinates_[c].conjugate ? conjugate(value) : value;
     }
 
-    // Refuses what is undecided.
+    // Refuses if it cannot be decided whether the value is zero.
     [[nodiscard]] bool is_zero(const Complex& value, const std::string& what, std::size_t c) const {
         const Zero zero = vanishes(value);
         if (zero == Zero::unknown)

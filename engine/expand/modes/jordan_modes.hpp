@@ -6,7 +6,7 @@
 //   x' = b y, y' = 0:  z1 = x, z2 = b y, n_12 = 1
 //
 // Modes are scaled so that n is 1 along a spanning tree of the couplings, from the first mode on: the inner
-// product by which a normal form is chosen is that of these modes (docs/design/12_styles.md).
+// product that selects the normal form is that of these modes (docs/design/12_styles.md).
 #pragma once
 
 #include "expand/modes/mode_blocks.hpp"
@@ -23,8 +23,7 @@ struct LoneMode {
 };
 
 // a: the linear part; from_driver: indices of all modes, each before those that it drives.
-// Preconditions: modes of one block do not drive each other, but for those of a chain, where
-// `chained[block]` holds.
+// Preconditions: modes of one block do not drive each other, except in a chain (`chained[block]`).
 // Errors (refused): it is not proved whether eigenvalues or couplings vanish; couplings that cannot be
 // scaled to numbers.
 std::vector<ModeShape> jordan_modes(const Matrix& a, const std::vector<LoneMode>& modes,

@@ -15,7 +15,7 @@ using GiNaC::ex;
 
 bool is_number(const ex& a) { return GiNaC::is_a<GiNaC::numeric>(a); }
 
-// Numbers are the best pivots: nothing grows.
+// Numbers are the best pivots: expressions do not grow.
 struct Expressions : ExpressionField {
     static Zero zero(const ex& a) { return vanishes(a); }
     static bool settles(const ex& a) { return is_number(a); }

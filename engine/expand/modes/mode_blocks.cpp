@@ -27,7 +27,7 @@ enum class Sign { negative, zero, positive };
          name.place});
 }
 
-// Of what decides whether eigenvalues are real.
+// The sign of an expression that decides whether eigenvalues are real.
 Sign sign_of(const ex& e, const std::string& what, const System& system, const BlockName& name) {
     if (provably_positive(e, system)) return Sign::positive;
     if (provably_positive(-e, system)) return Sign::negative;
@@ -88,7 +88,7 @@ BlockModes chain(const Matrix& a, const ex& lambda) {
             true};
 }
 
-// Of real eigenvalues that of `first` root comes first.
+// Real eigenvalues, the one with the sign `first` of the root first.
 BlockModes real_modes(const Matrix& a, const Eigenvalues& e, int first) {
     if (e.square == Sign::zero) return chain(a, e.middle);
     return {{real_mode(a, e, first), real_mode(a, e, -first)}};

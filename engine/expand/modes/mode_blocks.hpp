@@ -25,7 +25,7 @@ struct BlockModes {
     bool chained = false; // not semisimple: later modes drive earlier ones, and no first entry is promised
 };
 
-// What a block is called in messages.
+// The name of a block in messages.
 struct BlockName {
     std::string variables; // "x", "x, y"
     bool oscillator;       // the block of one variable of second order
@@ -41,7 +41,7 @@ BlockModes modes_of_block(const Matrix& a, const System& system, const BlockName
 // u1, u1', u2, u2'. Errors: as above.
 BlockModes modes_of_coupled_oscillators(const Matrix& k, const System& system, const BlockName& name);
 
-// Is it seen that the eigenvalues of k are equal, or that they are real and of which sign each is?
+// Can it be proved that the eigenvalues of k are equal, or that they are real and of which signs?
 bool has_plain_frequencies(const Matrix& k, const System& system);
 
 } // namespace resonform

@@ -9,7 +9,7 @@
 
 namespace resonform {
 
-// Blocks of more states than these have modes by themselves only if their characteristic polynomial factors.
+// Larger blocks have closed modes only if their characteristic polynomial factors.
 constexpr std::size_t largest_simple_block = 2;
 
 class ModeFinder {

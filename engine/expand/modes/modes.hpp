@@ -50,7 +50,7 @@ struct ModalBasis {
     std::shared_ptr<const NumericModes> numeric = nullptr;
     std::vector<NumberSymbol> numbers = {};
 
-    // psi'' + omega^2 psi by itself, in which no other mode takes part: z = psi - i psi'/omega.
+    // An uncoupled oscillator psi'' + omega^2 psi: z = psi - i psi'/omega.
     [[nodiscard]] bool is_oscillator(std::size_t mode, const FirstOrderSystem& system) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which systems can have their coefficients in numbers: what the option that asks for it accepts, and what
-// messages may offer.
+// Which systems can have their coefficients in numbers: those that the option --digits accepts, and for which
+// messages may offer it.
 #pragma once
 
 #include "model/system/system_file.hpp"

@@ -37,13 +37,13 @@ std::vector<Polynomial> characteristic_polynomial(const Ring& ring, const Number
     return c;
 }
 
-// How many of the values lie where this one does.
+// The number of values whose balls overlap this one.
 std::ptrdiff_t overlaps(const std::vector<ComplexBall>& values, const ComplexBall& value) {
     return std::count_if(values.begin(), values.end(),
                          [&](const ComplexBall& v) { return v.overlaps(value); });
 }
 
-// A real eigenvector, given one that is complex by a factor and by rounding.
+// Makes an eigenvector real that is complex only by a factor and by rounding.
 void make_real(std::vector<ComplexBall>& vector, const ComplexBall& scale, std::int64_t bits) {
     for (ComplexBall& c : vector) c = ComplexBall(over(c, scale, bits).re(), RealBall());
 }

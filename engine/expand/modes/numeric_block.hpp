@@ -34,7 +34,7 @@ public:
     NumericBlock(const Ring& ring, NumberMatrix a, std::vector<ClosedMode> closed);
 
     // Of a pair only the first; by frequency, then by growth. nullopt: more bits are needed to tell the
-    // eigenvalues from each other. What is exact about one is proved: it is real where no other one lies in
+    // eigenvalues from each other. Exact properties are proved: it is real where no other one lies in
     // the ball of its conjugate, imaginary where besides the characteristic polynomial is even and no other
     // one lies in that of its negative conjugate, zero where the determinant is and no other one may be.
     [[nodiscard]] std::optional<std::vector<NumericMode>> modes(const NumberDomain& numbers) const;

@@ -89,7 +89,7 @@ void NumericModes::add_blocks(const Matrix& a, const std::vector<BlockOfStates>&
     }
 }
 
-// Which modes there are is decided once, so that more bits never change it.
+// Decides once which modes exist, so that more bits never change them.
 void NumericModes::find_shapes(const std::vector<BlockOfStates>& blocks, const Place& place) {
     for (std::int64_t bits = first_bits; bits <= most_bits; bits *= 2) {
         const NumberDomain numbers = domain(bits);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which atoms are proved to be algebraically independent. The reason is Ax's theorem (and Lindemann's for
 // numbers): exponentials are, if their arguments are linearly independent over the rationals modulo
-// constants, which different products of independent things are; logarithms are, if no product of powers
-// of their arguments and of exponentials is constant, as with different irreducible polynomials. What is
-// known by its name only is independent of everything. The number pi is transcendental, and of a function
-// of numbers beside it nothing is known.
+// constants, as different products of independent atoms are; logarithms are, if no product of powers
+// of their arguments and of exponentials is constant, as with different irreducible polynomials. Functions
+// known by their name only are independent of everything. The number pi is transcendental; nothing is known
+// about a function of numbers beside it.
 #include "expand/ring/function_atoms.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void FunctionAtoms::judge_independence() {
         for (std::size_t k = 0; k < atoms_.size(); ++k) n += is_meant(atoms_[k], shapes[k]) ? 1 : 0;
         return n;
     };
-    // Inverses, and what has a logarithm in it with the circle.
+    // Inverse functions, and logarithms of arguments with circular functions, roots or inverted sums.
     const int odd = count([&](const FunctionAtom& a, const Shape& s) {
         return is_inverse(a) ||
                (a.function == Function::logarithm && (s.circles || s.roots || s.sums_inverted));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known about expressions of weight 0 in which symbols stand for functions: E for exp(tau/2),
+// Signs and relations of expressions of weight 0 in which symbols stand for functions: E for exp(tau/2),
 // s and c for sin(tau) and cos(tau).
 #pragma once
 
@@ -22,7 +22,7 @@ public:
     CoefficientDomain(const System& system, InverseOfNumber inverse)
         : inverse_of_number(std::move(inverse)), system_(&system) {}
 
-    InverseOfNumber inverse_of_number; // by a ring, which is made with the help of this domain
+    InverseOfNumber inverse_of_number; // uses a ring, which in turn uses this domain
 
     void add(const GiNaC::ex& symbol, const GiNaC::ex& meaning) {
         meanings_[symbol] = meaning;

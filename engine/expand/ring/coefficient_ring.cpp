@@ -23,7 +23,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::is_a;
 
-// While a ring is built its exponents have the narrowest fields.
+// A ring under construction stores exponents in the narrowest fields.
 int largest_root_index() { return Packing().largest(); }
 
 int to_int(const Integer& i) { return cln::cl_I_to_int(i); }
@@ -80,7 +80,7 @@ ex CoefficientRing::without_angles(const ex& argument) const {
     return zero.empty() ? argument : argument.subs(zero, GiNaC::subs_options::no_pattern);
 }
 
-// What f(u_0 + ...) needs: f(u_0) itself, and of what is expanded about u_0 the slope there.
+// Notes what the expansion of f(u_0 + ...) needs: f(u_0) and, if f is expanded, its slope at u_0.
 void CoefficientRing::collect_function(const ex& e, const ex& u, const Place& place) {
     const auto need = [&](const ex& expression) { needed_.push_back({expression, place}); };
     const std::optional<Function> f = function_of(e);
@@ -121,7 +121,7 @@ void CoefficientRing::note(const PowerProduct& product, const Place& place) {
         const bool atom = is_a<GiNaC::symbol>(factor.base);
         if (atom && denominator == 1) continue;
         note_powers(factor.base, place);                               // roots inside come first
-        if (denominator == 1 && cln::plusp(factor.exponent)) continue; // a polynomial of what is known
+        if (denominator == 1 && cln::plusp(factor.exponent)) continue; // a polynomial of known bases
         Base* known = find_base(factor.base);
         if (known == nullptr) {
             bases_.push_back({factor.base, 1, level_of(factor.base), key_of(factor.base), -1, place});
@@ -191,7 +191,7 @@ void CoefficientRing::freeze(const Divisors& divisors) {
     if (set_slopes(builder)) ring_ = builder.freeze();
 }
 
-// The slopes that the ring does not find by itself, as elements of it.
+// Sets the slopes of functions that the ring does not know, as elements of the ring.
 bool CoefficientRing::set_slopes(RingBuilder& builder) const {
     bool any = false;
     for (const FunctionAtom& atom : functions_->atoms()) {
@@ -242,7 +242,7 @@ void CoefficientRing::add_symbols(RingBuilder& builder) {
             add(GeneratorKind::slow, v.name, v.nonzero || v.positive, v.positive, v.jet.front());
 }
 
-// What is inside of others first; roots before functions of one level.
+// Inner roots and functions before outer ones; on one level, roots before functions.
 void CoefficientRing::add_roots_and_functions(RingBuilder& builder) {
     const auto& atoms = functions_->atoms();
     std::vector<std::size_t> order(atoms.size());
@@ -270,7 +270,7 @@ void CoefficientRing::add_roots_and_functions(RingBuilder& builder) {
     }
 }
 
-// sqrt(2) is 2^(1/2), the inverse of b - a needs (b - a): no name of a user is like these.
+// sqrt(2) is named 2^(1/2), the base of 1/(b - a) is named (b - a): no name of a user looks like these.
 std::string CoefficientRing::name_of(const Base& base) {
     const bool sum = is_a<GiNaC::add>(base.expression);
     const std::string text = spell(base.expression), inside = sum ? "(" + text + ")" : text;
@@ -303,7 +303,7 @@ void CoefficientRing::add_function(const FunctionAtom& atom, std::vector<Generat
     symbols_.emplace_back(atom.symbol, at_place(atom.place, [&] { return builder.add(std::move(g)); }));
 }
 
-// A sum of products of powers of what the builder has.
+// An expression in generators of the builder, a sum of products of powers, as a polynomial.
 Polynomial CoefficientRing::polynomial(const ex& e, const RingBuilder& builder, const Place& place) const {
     std::vector<Term> terms;
     for (const ex& term : terms_of(e)) {
@@ -330,7 +330,7 @@ Term CoefficientRing::factor(const ex& e, const RingBuilder& builder, const Plac
     };
     if (const Base* root = find_base(base); root != nullptr && root->id >= 0)
         return power_of(root->id, exponent * root->index);
-    // The library holds 1/(a - b) as -1/(b - a), as it happens.
+    // GiNaC may hold 1/(a - b) as -1/(b - a).
     if (is_a<GiNaC::add>(base) && cln::denominator(exponent) == 1)
         if (const Base* root = find_base((-base).expand()); root != nullptr && root->id >= 0) {
             Term turned = power_of(root->id, exponent * root->index);

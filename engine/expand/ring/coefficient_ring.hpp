@@ -2,7 +2,7 @@
 // The coefficient ring of a system: parameters, slow variables, one invertible generator for every base
 // of which a root or an inverse occurs, and generators for functions of slow variables and parameters.
 //
-//   collect:  sees every power and function in an expression and notes what it needs at weight 0
+//   collect:  sees every power and function in an expression and notes the generators it needs at weight 0
 //   freeze:   builds the Ring (fast generators, eps, parameters, slow, roots and functions)
 //   convert:  an expression of weight 0 (and eps) -> its Polynomial
 #pragma once
@@ -19,8 +19,8 @@ namespace resonform {
 // f(u) for the function f of e = f(...).
 GiNaC::ex with_argument(const GiNaC::ex& e, const GiNaC::ex& u);
 
-// What is divided by besides what stands in the equations: small divisors k.omega, polynomials of another
-// ring of the same system, with exponents >= 0 of every generator.
+// Divisors besides those in the equations: small divisors k.omega, polynomials of another ring of the same
+// system, with exponents >= 0 of every generator.
 struct Divisors {
     RingPtr ring;
     std::vector<Polynomial> values;
@@ -55,17 +55,17 @@ public:
     // Without terms that cancel by the relations of roots and functions. Errors (bad_input): a pole at the
     // origin.
     [[nodiscard]] GiNaC::ex at_origin(const GiNaC::ex& e, const Place& place) const;
-    // Is an expression in parameters and slow variables zero? Where cancelling common factors does not
-    // tell, a ring is made for it. Errors (refused): those of collect and convert.
+    // Is an expression in parameters and slow variables zero? If cancelling common factors does not
+    // decide it, a ring is built for it. Errors (refused): those of collect and convert.
     [[nodiscard]] Zero vanishes(const GiNaC::ex& e, const Place& place) const;
     // Does a symbol occur in e that vanishes or moves?
     [[nodiscard]] bool has_weight(const GiNaC::ex& e) const;
-    // Does it hold a fast variable of weight 0 where eps and small ones are 0? There is no expansion about
-    // such a value.
+    // Does it contain a fast variable of weight 0 at eps = 0 and small variables 0? Such a value cannot be
+    // expanded about.
     [[nodiscard]] bool is_finite(const GiNaC::ex& e) const;
     // How often functions known by their names only can be differentiated.
     [[nodiscard]] int derivatives() const { return derivatives_; }
-    // Was one collected that is to be expanded, as omega(tau + psi)?
+    // Was a function known by its name collected that must be expanded, such as omega(tau + psi)?
     [[nodiscard]] bool expands_named() const { return expands_named_; }
 
     // Notes the roots, inverses and functions that a later convert of e, or of the weight-0 part of a power
@@ -87,7 +87,7 @@ public:
     // Precondition: freeze() was called and e was collected. e in parameters, slow variables, eps.
     [[nodiscard]] Polynomial convert(const GiNaC::ex& e, const Place& place) const;
     [[nodiscard]] Polynomial convert(const Complex& e, const Place& place) const;
-    // The other way: what a polynomial in constants of the ring means, roots and functions written out.
+    // The inverse of convert: a polynomial in constants of the ring, with roots and functions written out.
     [[nodiscard]] GiNaC::ex expression(const Polynomial& p) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What expressions are at the origin, where the fast variables and eps are zero.
+// Expressions at the origin, where the fast variables and eps are zero.
 #include "expand/ring/coefficient_ring.hpp"
 
 #include "algebra/number/error.hpp"
@@ -58,7 +58,7 @@ CoefficientRing CoefficientRing::ring_of(const ex& e, const Place& place) const 
     return own;
 }
 
-// Where only relations tell that terms cancel: (1 - w)^(3/2) - (1 - w)^(1/2) + w*(1 - w)^(1/2) + k is k.
+// For terms that cancel only by relations of roots: (1 - w)^(3/2) - (1 - w)^(1/2) + w*(1 - w)^(1/2) + k is k.
 ex CoefficientRing::simplified(const ex& e, const Place& place) const {
     if (!holds_functions_or_roots(e)) return e;
     try {
@@ -68,7 +68,7 @@ ex CoefficientRing::simplified(const ex& e, const Place& place) const {
         const CoefficientRing own = ring_of(e, place);
         const Polynomial p = own.convert(e, place);
         return p.size() < above.nops() ? own.expression(p) : e;
-    } catch (const Error&) { // what has no ring is refused where it is needed
+    } catch (const Error&) { // no ring: refused where it is needed
         return e;
     }
 }

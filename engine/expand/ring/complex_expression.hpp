@@ -27,7 +27,7 @@ inline Complex operator/(const Complex& a, const Complex& b) {
     const Complex product = a * conjugate(b);
     return {product.re / norm, product.im / norm};
 }
-// Common factors cancelled, so that what is zero by rational identities is the number zero.
+// Cancels common factors, so that an expression that vanishes by rational identities becomes the number 0.
 inline Complex normal(const Complex& a) { return {a.re.normal(), a.im.normal()}; }
 
 } // namespace resonform

@@ -72,7 +72,7 @@ CosineSine sum_of(const CosineSine& a, const CosineSine& b) {
 
 } // namespace
 
-// Goes through one expression; learns what is not known if that is allowed.
+// Rewrites one expression in atoms; learns new atoms if that is allowed.
 class FunctionRewriter {
 public:
     FunctionRewriter(const FunctionAtoms& atoms, FunctionAtoms* learner, const Place& place)
@@ -179,7 +179,7 @@ private:
         return found == known_.atoms_.end() ? nullptr : &*found;
     }
 
-    // The symbol of an atom, which is made if need be.
+    // The symbol of an atom; creates the atom if need be.
     ex atom(Function function, const ex& meaning, const ex& u, const std::string& name = {},
             int derivative = 0, std::size_t sine = 0) {
         if (const FunctionAtom* known = find(function, u, name, derivative)) return known->symbol;
@@ -269,7 +269,7 @@ private:
         return total;
     }
 
-    // Where sine and cosine have roots for values.
+    // Fractions of pi whose sine and cosine are expressions in roots.
     [[nodiscard]] CosineSine fraction_of_turn(const Rational& factor) const {
         const ex angle = to_ginac(factor) * GiNaC::Pi;
         CosineSine turn{GiNaC::cos(angle), GiNaC::sin(angle)};
@@ -328,7 +328,7 @@ private:
         return sum;
     }
 
-    // f(u) is an atom; of an odd f the argument has the sign that it always has.
+    // f(u) as an atom; for an odd f the sign of the argument is normalised: f(-u) = -f(u).
     ex plain(Function f, const ex& u) {
         const bool odd = row_of(f).parity == Parity::odd;
         if (odd && u.is_zero()) return 0;

@@ -10,8 +10,8 @@
 //   cos(tau + pi/3)           ->  c/2 - 3^(1/2) s/2         pi itself is a symbol
 //
 // The arguments of rationally related exponentials, and of sines and cosines, have one common part, the
-// largest there is, so that atoms are independent of each other where that can be seen; an atom of which it
-// cannot says so.
+// largest possible, so that atoms are independent of each other where this can be proved;
+// FunctionAtom::independent tells whether it is.
 #pragma once
 
 #include "algebra/ring/ring.hpp"
@@ -39,12 +39,12 @@ struct FunctionAtom {
 
 class FunctionAtoms {
 public:
-    // derivatives: how many of each function that is known by its name only are needed beyond those written.
+    // derivatives: how many of each function known by its name only are needed beyond those written.
     FunctionAtoms(std::shared_ptr<const System> system, int derivatives, InverseOfNumber inverse);
 
     // Learns the atoms of e, an expression of weight 0. The common parts of arguments are known when all
     // expressions were learned and none of them changed any: until then, learn all again.
-    // Errors (refused): a logarithm of what is not proved positive, and those of split_power.
+    // Errors (refused): a logarithm whose argument is not proved positive, and those of split_power.
     void learn(const GiNaC::ex& e, const Place& place);
     bool forget_unless_settled(); // false: all atoms are forgotten, learn again
     void judge_independence();    // of all atoms, when settled

@@ -126,9 +126,9 @@ private:
         for (const ex& factor : operands(base)) split(factor, exponent);
     }
 
-    // The factors, those that are negative turned: -(-2 + tau)*tau is (2 - tau)*tau. Nothing if there is one
-    // of neither sign, or the product is negative. Bases and exponents apart: GiNaC gives powers of sums
-    // the sign that it likes.
+    // The factors, negative ones with their sign changed: -(-2 + tau)*tau is (2 - tau)*tau. nullopt if a sign
+    // is unknown, or the product is negative. Bases and exponents apart, because GiNaC may change the sign of
+    // a sum under a power.
     [[nodiscard]] std::optional<std::vector<PowerFactor>> positive_factors(const ex& product) const {
         std::vector<PowerFactor> factors;
         bool negative = false;
@@ -182,20 +182,20 @@ private:
         append_sum(expanded, exponent);
     }
 
-    // Of 1 + tau^6 = (1 + tau^2)*(1 - tau^2 + tau^4) only the whole is seen to be positive.
+    // Not so for 1 + tau^6 = (1 + tau^2)*(1 - tau^2 + tau^4): only the whole is proved to be positive.
     [[nodiscard]] bool all_nonzero(const ex& product) const {
         const std::vector<ex> factors = operands(product);
         return std::all_of(factors.begin(), factors.end(), [&](const ex& f) { return domain_.nonzero(f); });
     }
 
-    // May factors be treated one by one? Always for whole exponents, inverses apart, else only where each is
-    // positive.
+    // May factors be treated one by one? For whole exponents, unless it is an inverse and only the whole is
+    // proved nonzero; for others, only where each factor is positive.
     [[nodiscard]] bool separable(const ex& factored, const ex& sum, const Rational& exponent) const {
         if (is_integer(exponent))
             return !cln::minusp(exponent) || !domain_.nonzero(sum) || all_nonzero(factored);
         if (is_a<GiNaC::power>(factored))
             return domain_.positive(factored.op(0)) || is_square_of_negative(factored);
-        // A number times one sum is that sum.
+        // A number times one sum is treated like the sum.
         const auto numbers = std::count_if(factored.begin(), factored.end(),
                                            [](const ex& f) { return is_a<GiNaC::numeric>(f); });
         const bool one_sum =
@@ -227,7 +227,7 @@ private:
         }
     }
 
-    // Of a base and its negative the same one is always taken.
+    // Always takes the same one of a base and its negative.
     void append_of_unknown_sign(const ex& base, const Rational& exponent) {
         const ex chosen = is_integer(exponent) ? canonical_sign(base) : base;
         if (!chosen.is_equal(base) && cln::oddp(cln::numerator(exponent))) result.number = -result.number;
@@ -248,7 +248,7 @@ private:
         result.factors.push_back({base, exponent});
     }
 
-    // By the first factor of unknown sign: of -1/2*(a - b)/c with c > 0 it is b - a that is to be declared.
+    // Names the first factor of unknown sign: for -1/2*(a - b)/c with c > 0 it asks for b - a > 0.
     [[noreturn]] void not_positive_product(const ex& product) const {
         ex unknown;
         bool negative = false;

@@ -34,7 +34,7 @@ struct PowerProduct {
 PowerProduct split_power(const GiNaC::ex& base, const Rational& exponent, const CoefficientDomain& domain,
                          const Place& place);
 
-// The hint where e is not proved to be positive: what to write into the system file.
+// The hint where e is not proved to be positive: the declaration to write into the system file.
 std::string how_to_make_positive(const GiNaC::ex& e);
 
 } // namespace resonform

@@ -13,7 +13,7 @@ namespace resonform {
 
 namespace {
 
-// A series where the slaved modes vanish.
+// The series with the slaved modes set to zero.
 Series restricted(const Ring& ring, const Series& series, const std::vector<GeneratorId>& slaved) {
     Series result;
     for (int n = 0; n <= series.through(); ++n) {

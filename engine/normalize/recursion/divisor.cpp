@@ -27,9 +27,8 @@ const char* to_string(DivisorVerdict verdict) {
 
 namespace {
 
-// Is |D|^2 smaller than near^2? nullopt: it is closer to that than by 10^-12 of it, or than is known, and on
-// neither side for sure: a certificate may see rounded frequencies. Equality is on one, where it is seen
-// exactly.
+// Is |D|^2 smaller than near^2? nullopt: they agree within 10^-12 near^2 or the radius of the ball, and a
+// certificate with rounded frequencies might decide otherwise. Exact equality is settled in is_near().
 std::optional<bool> is_below(const RealBall& square, const Rational& near, std::int64_t bits) {
     RealBall excess = square;
     arb_sub(excess.get(), excess.get(), RealBall(near * near, bits).get(), bits);
@@ -44,8 +43,8 @@ std::string size_for_message(const RealBall& square, const Rational& near) {
     return fmt::format(", |D| = {:.17g}, near = {:.17g}", nearest_double(size), cln::double_approx(near));
 }
 
-// 1/(a + i b), given that it is not zero and the norm a^2 + b^2 (a or b where the other vanishes); nullopt
-// where the ring has no inverse of that.
+// 1/(a + i b) = numerator/norm, with the norm a^2 + b^2, or a or b where the other vanishes. reciprocal():
+// nullopt where the ring has no inverse of the norm.
 struct ComplexDivisor {
     Polynomial numerator, norm;
 };
@@ -61,7 +60,7 @@ std::optional<GraphPart> reciprocal(const GraphDomain& domain, const Ring&, cons
     return domain.dot({{1, &numerator, &inverse}});
 }
 
-// Of the variable, if no other mode has it.
+// The name of its variable if no other mode belongs to this variable, else its own name.
 std::string name_of_mode(const GradedField& field, std::size_t m) {
     const std::size_t variable = field.modes[m].variable;
     const auto modes = std::count_if(field.modes.begin(), field.modes.end(),
@@ -82,7 +81,7 @@ template <class Domain> auto DivisorTable<Domain>::of(const Monomial& monomial) 
     return known_.emplace(multiples, make({monomial, multiples})).first->second;
 }
 
-// Multiples of what is zero are left out, so that equal divisors have one entry.
+// Multiples of zero growths and frequencies are set to 0, so that equal divisors share one entry.
 template <class Domain> auto DivisorTable<Domain>::multiples_of(const Monomial& monomial) const -> Multiples {
     const Ring& ring = *field_.ring;
     Multiples multiples;

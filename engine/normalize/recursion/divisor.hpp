@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small divisors: what a monomial's homological equation divides by, and whether it may.
+// Small divisors: the divisor of each monomial in a homological equation, and whether it may be divided by.
 //
 //   D(alpha) = <alpha, lambda> - lambda_j = a + i b,
 //   <alpha, lambda> = sum_m (alpha_m lambda_m + alphabar_m conj(lambda_m)) + i sum_l k_l omega_l
@@ -43,8 +43,8 @@ public:
     // Errors (refused): proved neither to vanish nor not to vanish identically (ambiguous); in numbers
     // UndecidedDivisor is thrown.
     const Divisor<Part>& of(const Monomial& monomial);
-    // What the ring would have to divide by for the divisors that were asked for and have no inverse in it:
-    // a or b where the other vanishes, else a^2 + b^2.
+    // The norms for which the ring lacks an inverse, among the divisors asked for: a or b where the other
+    // vanishes, else a^2 + b^2.
     [[nodiscard]] const std::vector<Polynomial>& missing() const { return missing_; }
 
 private:

@@ -41,7 +41,7 @@ auto HomologicalEquation<Domain>::right_hand_side(int weight, const Part& field_
 }
 
 template <class Domain> auto HomologicalEquation<Domain>::divided(int weight, const Part& part) -> Shares {
-    std::vector<const Divisor<Part>*> divisors; // of the shares of the terms
+    std::vector<const Divisor<Part>*> divisors; // one for each share
     const auto share_of = [&](const Monomial& outer) {
         const Divisor<Part>* divisor = &divisor_of(outer, weight);
         const auto known = std::find(divisors.begin(), divisors.end(), divisor);

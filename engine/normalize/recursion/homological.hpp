@@ -6,7 +6,7 @@
 //   R_n = [F]_n - sum_j sum_y d_y c_j . y'_{n + weight(y) - j}
 //
 // over the new variables y = w, wbar, zeta, theta, where the linear part lambda w of the modes and the
-// frequencies of the angles are in D, not in the sum. What is c and what is N is up to a HomologicalStyle.
+// frequencies of the angles are in D, not in the sum. A HomologicalStyle chooses c and N.
 #pragma once
 
 #include "normalize/recursion/divisor.hpp"
@@ -37,21 +37,21 @@ public:
     // mode: index of the mode, or -1 for another variable.
     HomologicalEquation(const GradedField& field, Domain domain, int mode, std::string variable, Place place);
 
-    // What solve() has to divide by and cannot (DivisorTable): what it left is not the solution.
+    // Divisors without an inverse (DivisorTable::missing). If there are any, solve() left no solution.
     [[nodiscard]] const std::vector<Polynomial>& missing_divisors() const { return divisors_.missing(); }
 
     // R_n, given [F]_n of the composed field.
     [[nodiscard]] Part right_hand_side(int weight, const Part& field_part, const Transport<Part>& transport);
-    // No right-hand side is wanted any more: what only it needs is given back.
+    // To be called after the last right_hand_side(): frees the derivatives of the correction.
     void finish() { slopes_.clear(); }
     struct Shares {
-        Part exact, near; // what belongs to D = 0, and to a D that is kept near
-        Part quotient;    // all else, divided by D
+        Part exact, near; // terms with D = 0, and with a small D kept by `near`
+        Part quotient;    // all other terms, divided by D
     };
     [[nodiscard]] Shares divided(int weight, const Part& part);
     // c_n and N_n; weights must come in order.
     void accept(int weight, Part correction, Part rate);
-    // A monomial that is new gets its record.
+    // Makes a record of each new monomial.
     const Divisor<Part>& divisor_of(const Monomial& outer, int weight);
 
     [[nodiscard]] int mode() const { return mode_; }
@@ -70,7 +70,7 @@ private:
     std::string variable_;
     Place place_; // of the equation of the variable
     DivisorTable<Domain> divisors_;
-    std::vector<GeneratorId> outer_; // what a monomial is made of
+    std::vector<GeneratorId> outer_; // GradedField::outer()
     BasicSeries<Part> correction_, rate_;
     std::vector<Carrier> carriers_;
     // The derivatives of the correction by each carrier, computed when a rate is there to be multiplied with:
@@ -81,7 +81,7 @@ private:
     std::set<Monomial> seen_; // monomials that have a record
 };
 
-// What a style makes of the right-hand sides: corrections and normal form, D c + ... = R - N.
+// A style of normal form: splits right-hand sides into corrections and normal form, D c + ... = R - N.
 template <class Domain> class HomologicalStyle {
 public:
     using Part = typename Domain::Part;

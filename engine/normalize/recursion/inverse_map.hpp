@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inverse of the near-identity map, through the same weight M. With y = (w, theta, zeta), Y = (z, phi,
 // xi), Y = y + c(y, eps) and X = Z + l(y, eps):
-//   y = Y + g(Y, eps),   g = -c(Y + g)        weight by weight: [c(Y + g)]_n needs g below weight n, but for
-//   Z = X + m(Y, eps),   m = -l(Y + g)        what is linear in small fast variables, which come first,
-//                                              those of larger weight before the others
+//   y = Y + g(Y, eps),   g = -c(Y + g)        weight by weight: [c(Y + g)]_n needs g below weight n, and at n
+//   Z = X + m(Y, eps),   m = -l(Y + g)        only where c is linear in small fast variables: these are
+//                                              solved first, those of larger weight before the others
 #pragma once
 
 #include "normalize/recursion/normal_form.hpp"

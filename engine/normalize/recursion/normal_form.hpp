@@ -28,7 +28,7 @@ struct DivisorRecord {
     DivisorVerdict verdict;
 };
 
-// What the style hamiltonian keeps besides (normalize/styles/hamiltonian.hpp). With the weight w of the
+// Additional results of the style hamiltonian (normalize/styles/hamiltonian.hpp). With the weight w of the
 // modes:
 //   K = H(old variables), {w_a, K} = rates;   old = exp(L_chi) new,  L_chi f = {f, chi}
 struct HamiltonianForm {

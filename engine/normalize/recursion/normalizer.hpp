@@ -20,7 +20,7 @@ inline NumberPart without_linear(const NumberDomain& domain, const NumberPart& p
     return domain.without_linear(p, weight);
 }
 
-// Goes through the weights once, at each in an order in which what an equation needs is known:
+// Goes through the weights once. At each weight, equations are solved after those they depend on:
 // small fast variables, those of larger weight first -> slow -> fast variables of weight 0 -> angles ->
 // drift. (k_n reaches the angles at weight n as omega' k_n, and finite fast variables as A' k_n w; small ones
 // reach slow rates, and those of fast variables of lower weight, as g_u h_n.)
@@ -68,7 +68,7 @@ public:
         run_.forget();
     }
 
-    // What the ring must learn to divide by before the last weight can be solved.
+    // Divisors that the ring must get an inverse for before the last weight can be solved.
     [[nodiscard]] std::vector<Polynomial> missing_divisors() const {
         std::vector<Polynomial> missing;
         for (const auto* equations : {&modes_, &slow_, &angles_, &drifts_})
@@ -209,7 +209,7 @@ private:
         run_.correct(weight);
     }
 
-    // What moves a mode at its own weight must be removable: lambda w + n w is the whole linear part.
+    // Requires that the normal form of a mode has no terms at its own weight besides lambda w + n w.
     void check_start(std::size_t m, int weight) const {
         const Part& rate = modes_[m].rate().part(weight);
         if (rate.empty()) return;
@@ -279,7 +279,7 @@ std::vector<Polynomial> advance_through(Normalizer<Domain>& normalizer, int thro
     return {};
 }
 
-// With coefficients in the ring of the field, to which the small divisors are added that turn up;
+// With coefficients in the ring of the field, to which small divisors are added as they turn up;
 // StyleOf(field) makes the style.
 template <class StyleOf>
 Normalization normalize_in_ring(std::shared_ptr<const GradedField> field, int through,

@@ -19,15 +19,15 @@ namespace resonform {
 
 namespace {
 
-// How many times the bits of the digits are tried, until the derivation ends, and until a divisor that may be
-// zero is given up.
+// The precision is doubled up to these multiples of the first one, before the derivation is refused, and
+// before an undecided divisor is.
 constexpr std::int64_t most_bits = 64, decisive = 4;
 
 std::int64_t bits_of(int digits) { return static_cast<std::int64_t>(bits_of_digit * digits) + 2; }
 
 using Part = NumberPart;
 
-// Rounds what is known by balls.
+// Rounds balls to D + spare_digits digits.
 class Rounding {
 public:
     Rounding(const GradedField& field, const NumberDomain& domain)
@@ -41,7 +41,7 @@ public:
         const ComplexBall c = domain_.value(p);
         return Polynomial(number(c.re())) + number(c.im()) * field_.ring->imaginary();
     }
-    // Are all coefficients known, or so small that they are left out?
+    // Are all coefficients known to all digits, or so small that they are left out?
     [[nodiscard]] bool is_certain(const BasicSeries<Part>& series) const {
         const std::int64_t scale = scale_of(series);
         for (int n = 0; n <= series.through(); ++n)
@@ -76,13 +76,13 @@ public:
     }
 
 private:
-    // All digits are, or it is zero beside 2^scale.
+    // All digits of c are certain, or c is negligible beside 2^scale.
     [[nodiscard]] bool is_certain(const RealBall& c, std::int64_t scale) const {
         return c.contains_zero() ? binary_exponent(c) <= scale - bits_of(digits_)
                                  : accurate_bits(c) >= bits_of(digits_);
     }
     static std::int64_t scale_of(const BasicSeries<Part>& series) {
-        std::int64_t scale = 0; // no coefficient matters that is far below 1 when all are
+        std::int64_t scale = 0; // >= 0: coefficients far below 1 are negligible anyway
         for (int n = 0; n <= series.through(); ++n)
             for (const RealBall& c : series.part(n).coefficients) scale = std::max(scale, binary_exponent(c));
         return scale;
@@ -146,8 +146,8 @@ void add_monomials(const GradedField& field, const Series& series, std::set<Mono
             monomials.insert(field.ring->restricted(t.monomial, field.outer()));
 }
 
-// The records of what is there: a coefficient that is zero for its structure is zero within its ball, and no
-// term. What is resonant at eps = 0 has its record anyway.
+// Keeps the records of monomials that occur: a coefficient that vanishes structurally is zero in its ball and
+// makes no term. The linear terms w_j of modes and the constants of angles keep their records in any case.
 std::vector<DivisorRecord> records_of_terms(const Normalization& n, std::vector<DivisorRecord> records) {
     const GradedField& field = *n.normal_form.field;
     std::map<std::string, std::set<Monomial>> there; // by variable

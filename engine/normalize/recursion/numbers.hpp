@@ -13,12 +13,12 @@ constexpr int spare_digits = 20;
 
 constexpr double bits_of_digit = 3.3219280948873623; // log(10)/log(2)
 
-// What digits may be asked for.
+// The range of D.
 constexpr int fewest_digits = 4, most_digits = 1000;
 
 // The Poincare normal form and its map, each coefficient rounded to D + spare_digits significant digits, all
-// of which are certain; a coefficient whose ball holds zero when all others are known, and that is then
-// smaller than the largest of its series by so many digits, is left out. The field of the result is one in
+// of them certain. A coefficient whose ball still contains zero when all others are known, and which is then
+// smaller than the largest of its series by that many digits, is left out. The field of the result is one in
 // which modes and frequencies are rounded numbers in the same way. A divisor is zero only where that is
 // exact, by the eigenvalues' closed forms or the symmetries of the spectrum (expand/modes/numeric_modes.hpp).
 // Errors (refused): another style than poincare, a divisor that cannot be told from zero (ambiguous).

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int largest_weight = 99;
 
-// Each monomial by itself: what can be divided goes into the correction, all else stays.
+// Each monomial by itself: nonresonant ones go into the correction, the others stay in the normal form.
 template <class Domain> class PoincareStyle : public HomologicalStyle<Domain> {
 public:
     using Part = typename Domain::Part;
@@ -62,7 +62,7 @@ NormalizationOf<NumberPart> normalize_over(const std::shared_ptr<const GradedFie
     check_order(*field, through);
     Normalizer<NumberDomain> normalizer(field, domain, std::make_unique<PoincareStyle<NumberDomain>>(domain),
                                         through);
-    static_cast<void>(advance_through(normalizer, through, options)); // zero is not in what it divides by
+    static_cast<void>(advance_through(normalizer, through, options)); // none missing: balls exclude 0
     return normalizer.result();
 }
 
@@ -76,7 +76,7 @@ GraphNormalization normalize_in_graph(std::shared_ptr<const GradedField> field, 
     NormalizeOptions counted;
     if (options.progress)
         counted.progress = [&](int weight, std::size_t) { options.progress(weight, domain.graph().terms()); };
-    static_cast<void>(advance_through(normalizer, through, counted)); // a graph divides by everything
+    static_cast<void>(advance_through(normalizer, through, counted)); // a graph divides by any node
     return {domain, normalizer.result()};
 }
 

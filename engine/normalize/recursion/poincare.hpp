@@ -16,7 +16,7 @@ void check_order(const GradedField& field, int through);
 Normalization normalize_poincare(std::shared_ptr<const GradedField> field, int through,
                                  const NormalizeOptions& options = {});
 
-// The same with coefficients in a graph, in which no divisor has to be learned: for several symbolic
+// The same with coefficients in a graph, which divides by any small divisor: for several symbolic
 // frequencies. Errors (refused): coefficients that are no rational functions of independent symbols.
 GraphNormalization normalize_in_graph(std::shared_ptr<const GradedField> field, int through,
                                       const NormalizeOptions& options = {});

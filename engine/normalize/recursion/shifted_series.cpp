@@ -53,8 +53,8 @@ bool ShiftedSeries::moves(GeneratorId id) const {
     return std::find(moving_.begin(), moving_.end(), id) != moving_.end();
 }
 
-// Sum over the monomials of what moves: coefficient * product of powers. The powers first: equal products of
-// powers are shared between all series.
+// Sum over the monomials in moving generators: coefficient * product of powers. The powers first: equal
+// products of powers are shared between all series.
 Node ShiftedSeries::add(const Polynomial& p) {
     const Ring& ring = *field_.ring;
     std::vector<std::pair<Rational, Node>> addends;

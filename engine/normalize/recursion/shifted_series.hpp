@@ -16,7 +16,7 @@ public:
     // All polynomials are added before run().
     SeriesProgram::Node add(const Polynomial& p);
     [[nodiscard]] SeriesRun run() const { return SeriesRun(program_); }
-    // Part `weight` of what stands for the variables, as far as the shift is known there.
+    // Sets part `weight` of the shifted variables, as far as the shift is known there.
     void set(SeriesRun& run, const NearIdentityMap& shift, int weight) const;
 
 private:

@@ -77,7 +77,7 @@ public:
         n.normal_form.hamiltonian =
             HamiltonianForm{generator_.brackets(), std::move(energy), equation_.correction()};
         n.divisors = std::move(equation_.records());
-        for (DivisorRecord& record : n.divisors) record.weight -= weight_; // what it has in the rates
+        for (DivisorRecord& record : n.divisors) record.weight -= weight_; // the weight in the rates
         return n;
     }
 
@@ -120,7 +120,7 @@ private:
     SeriesRun run_;
     LieGenerator generator_;
     HomologicalEquation<RingDomain> equation_; // rate: K, correction: chi
-    Transport<Polynomial> at_rest_;            // nothing is transported along K: brackets do that
+    Transport<Polynomial> at_rest_;            // empty: brackets take the place of transport
     LieSeries energy_;
     int weight_; // of the modes
     std::vector<LieSeries> coordinates_;

@@ -19,7 +19,7 @@ struct Block {
     std::vector<VectorMonomial> rows, columns;
     std::map<VectorMonomial, std::size_t> row_index, column_index;
 
-    // False: it is known already.
+    // Returns false if v is in the list already.
     static bool add(std::vector<VectorMonomial>& list, std::map<VectorMonomial, std::size_t>& index,
                     const VectorMonomial& v) {
         if (!index.emplace(v, list.size()).second) return false;
@@ -112,7 +112,7 @@ private:
         return domain_.without_vanishing(sum(terms), outer_);
     }
 
-    // What L_n and its adjoint reach from a monomial of the right-hand side.
+    // The monomials that L_n and its adjoint reach from a monomial of the right-hand side.
     [[nodiscard]] Block block_of(const VectorMonomial& v) const {
         Block block;
         Block::add(block.rows, block.row_index, v);

@@ -4,7 +4,7 @@
 //
 //   f^(0) = f,   f^(k)_n = 1/k sum_{j=1}^{n-k+1} {f^(k-1)_{n-j}, chi_j},   [exp(L_chi) f]_n = sum_k f^(k)_n
 //
-// chi_n stands in f^(1)_n only, as {f_0, chi_n}: what comes before it is known when chi_n is looked for.
+// chi_n occurs only in f^(1)_n, as {f_0, chi_n}: all other terms are known when chi_n is solved for.
 #pragma once
 
 #include "normalize/styles/poisson.hpp"
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] Polynomial newest() const;
 
 private:
-    // The derivatives of f^(k) by the coordinates, for each order: what further brackets need of it.
+    // The derivatives of f^(k) by the coordinates, for each order, as needed by further brackets.
     using Slopes = std::vector<std::pair<GeneratorId, Polynomial>>;
     using Iterate = std::vector<Slopes>;
     void set(std::size_t k, const Polynomial& part);

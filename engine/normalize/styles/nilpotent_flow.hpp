@@ -34,7 +34,7 @@ public:
     [[nodiscard]] const std::vector<ModeCoupling>& row(int mode) const;
 
     using Image = std::vector<std::pair<VectorMonomial, Rational>>;
-    // L_n of one monomial; it may name one more than once.
+    // L_n of one monomial; a monomial may be listed more than once.
     [[nodiscard]] Image image(const VectorMonomial& v) const;
     // All monomials in whose image v may occur.
     [[nodiscard]] std::vector<VectorMonomial> sources(const VectorMonomial& v) const;

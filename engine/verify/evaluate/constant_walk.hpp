@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The constants of an emitted evaluator as numbers of any range, and which of them an evaluator answers with
-// where it has no place in its real type.
+// The constants of an emitted evaluator as numbers of any range, and the first of them that does not fit into
+// the evaluator's real type, which its status names.
 #pragma once
 
 #include "runtime/scaled.hpp"
@@ -25,7 +25,7 @@ public:
             values_[static_cast<std::size_t>(v)] = value(v, inputs);
     }
 
-    // What construction answers with, as emitted.
+    // The status of the construction, as in emitted code.
     [[nodiscard]] Cause cause() const {
         Keeper keep;
         for (const auto& [v, reader] : plan_->kept) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Emitted code at work: the text of emit_library, compiled and called; or the same program interpreted.
+// A running evaluator: the text of emit_library, compiled and called; or the same program interpreted.
 #pragma once
 
 #include "runtime/status.hpp"
@@ -50,7 +50,7 @@ public:
               const std::vector<Real>& start, Real slow_time_end);
 
     Status call(Real t, Real* outputs) const;
-    // What is behind a status of the construction or of calls, "" if nothing is.
+    // The cause of a status of the construction or of calls, "" if there is none.
     [[nodiscard]] const char* why(Status status) const;
     // All states; only if the program kept them.
     Status state(Real t, Real* values) const;
@@ -72,7 +72,7 @@ private:
     void (*batch_)(const void*, const Real*, long, Real* const*, unsigned char*) = nullptr;
 };
 
-// "outside_domain: 1 - tau", or the status alone where nothing is behind it.
+// "outside_domain: 1 - tau", or the status alone where it has no cause.
 std::string told(Status status, const std::string& why);
 
 } // namespace resonform

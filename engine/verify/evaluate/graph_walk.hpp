@@ -26,8 +26,8 @@ public:
     explicit GraphWalk(const Graph& graph, const std::vector<BinaryParts>* numbers = nullptr)
         : graph_(&graph), numbers_(numbers), values_(graph.size(), Number(0)) {}
 
-    // Takes over what is constant; the constant factors or terms of a node that varies become one number, as
-    // in emitted code: together they may have a place in Number where each alone has none.
+    // Takes over the constant nodes. The constant factors or terms of a varying node become one number, as in
+    // emitted code: together they may fit into Number where each alone does not.
     void keep(const GraphWalk<Scaled<Number>>& constants, const std::vector<bool>& varying) {
         varying_ = varying;
         gathered_.resize(varying.size());
@@ -52,7 +52,7 @@ public:
         return values_[static_cast<std::size_t>(n)];
     }
 
-    // Computes the nodes listed, operands before their users; symbols keep what was set.
+    // Computes the nodes listed, operands before their users; symbols keep their values from set().
     void compute(const std::vector<Graph::Node>& nodes) {
         for (const Graph::Node n : nodes)
             if (graph_->at(n).op != Graph::Op::symbol) set(n, value(n, graph_->at(n)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all interpreters of one program share: it is as much work as a thousand calls.
+// Data shared by all interpreters of one program: making it costs as much as a thousand calls.
 #pragma once
 
 #include "algebra/number/binary_parts.hpp"
@@ -17,7 +17,7 @@ struct Interpretation {
     std::shared_ptr<const Program> program;
     CppPlan plan;
     std::vector<bool> changes;             // of the nodes, those that are computed at each call
-    std::string conditions, results;       // what is behind a status
+    std::string conditions, results;       // causes of a status
     std::vector<BinaryParts> numbers;      // of the graph, by node
     std::vector<BinaryParts> plan_numbers; // of plan.code, by value
 };

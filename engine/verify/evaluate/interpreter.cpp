@@ -308,7 +308,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         }
     }
 
-    // As emitted.
+    // As in emitted code.
     [[nodiscard]] const char* why(Status status) const {
         if (cause.status != Status::ok) return status == cause.status ? cause.quantity : "";
         if (status == Status::low_precision)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The symbolic evaluator: runs a Program's graph in any real type, without compiling anything. It is
-// what emitted code is compared with, and what `resonform evaluate` uses.
+// The symbolic evaluator: runs a Program's graph in any real type, without compiling anything. Emitted
+// code is compared with it, and `resonform evaluate` uses it.
 #pragma once
 
 #include "runtime/status.hpp"
@@ -31,7 +31,7 @@ public:
     // accuracy is judged. Functions and negative powers count as one term.
     Status scale(Real t, std::vector<Real>& scale) const;
     [[nodiscard]] Status construction_status() const;
-    // What is behind a status of the construction or of calls, "" if nothing is; it lives as long as this.
+    // The cause of a status of the construction or of calls, "" if there is none; it lives as long as this.
     [[nodiscard]] const char* why(Status status) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an evaluator is given where the scene says it all.
+// The arguments of an evaluator by the defaults of its scene.
 #pragma once
 
 #include "emit/program/program.hpp"

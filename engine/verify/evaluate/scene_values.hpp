@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What [fix] of a scene gives, in numbers.
+// The values under [fix] of a scene, in numbers.
 #pragma once
 
 #include "model/system/scene_file.hpp"

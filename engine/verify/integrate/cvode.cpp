@@ -21,7 +21,7 @@ constexpr long most_cvode_steps = 50'000'000;
 
 struct Problem {
     RightHandSide rates;
-    std::string message; // what the library complained of last
+    std::string message; // the last error message of the library
 };
 
 int right_hand_side(realtype, N_Vector u, N_Vector rate, void* data) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An integration that is set up once and run many times: what `compare` measures. All buffers stand before
+// An integration that is set up once and run many times, for `compare` to measure. All buffers stand before
 // the first run, and only the wanted states are kept.
 #pragma once
 
@@ -18,7 +18,7 @@ struct RightHandSide {
     const void* context;
 };
 
-// What an integration starts from, and which of its states are wanted.
+// The start of an integration, and the states whose values are wanted.
 struct Start {
     std::vector<double> state;
     double tolerance; // relative, and absolute against the scale of each start value (1 where that is zero)

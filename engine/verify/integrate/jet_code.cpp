@@ -15,7 +15,7 @@ namespace {
 using Op = Tape::Op;
 using Instruction = Tape::Instruction;
 
-constexpr int unbounded = jet_pad + 1; // the degree of what is no polynomial, or one of high degree
+constexpr int unbounded = jet_pad + 1; // stands for: no polynomial, or one of high degree
 constexpr std::size_t sums_of_one_loop = 8;
 
 bool has_two_results(Op op) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tape as C++ text: what a person would write for a direct integration of these equations, so that rivals
-// of the emitted evaluators are compiled as these are.
+// A tape as C++ text, as one would write it by hand for a direct integration of these equations, so that
+// rivals of the emitted evaluators are compiled code, too.
 //
 //   extern "C" void rf_rates(const double* c, const double* u, double* rates);
 //   extern "C" void rf_jet(const double* c, int order, double* rows);

@@ -12,7 +12,7 @@ namespace resonform {
 
 namespace {
 
-// By more than rounding, at this eps.
+// Whether the interval is shorter than promised at this eps, by more than rounding.
 bool is_shorter(const Scene& scene, const GiNaC::ex& promised, const Rational& eps) {
     constexpr double rounding = 1e-12;
     return length_at(scene, scene.verify.interval / promised, eps) < 1 - rounding;
@@ -21,7 +21,7 @@ bool is_shorter(const Scene& scene, const GiNaC::ex& promised, const Rational& e
 } // namespace
 
 Conditions conditions_of(const Scene& scene) {
-    const VerifyPlan promised = read_verify(nullptr, scene); // where the scene says nothing
+    const VerifyPlan promised = read_verify(nullptr, scene); // defaults, as if the scene gave none
     Conditions conditions;
     conditions.interval = scene.verify.interval_text;
     conditions.promised = promised.interval_text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every verdict of a ladder is about: how long, from where, at which times, and down to which eps.
+// The conditions of every verdict of a ladder: interval, start, times of comparison, and the smallest eps.
 #pragma once
 
 #include "model/system/scene_file.hpp"
@@ -23,7 +23,7 @@ struct LadderEnd {
 };
 
 struct Conditions {
-    std::string interval, promised;     // "1/eps", "1/eps^2": what is measured, what time_scale promises
+    std::string interval, promised;     // "1/eps", "1/eps^2": as measured, as time_scale promises
     bool shorter_than_promised = false; // at one of the eps
     std::vector<std::pair<std::string, std::string>> start; // as the scene spells it
 

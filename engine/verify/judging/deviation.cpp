@@ -34,7 +34,7 @@ void fill(const Evaluator<Real>& evaluator, const Reference& reference, Errors& 
     }
 }
 
-// The status of the first time without numbers, and what is behind it; "" where all have them.
+// The status, with its cause, at the first time without numbers; "" if all times have numbers.
 template <class Real>
 std::string first_refusal(const Evaluator<Real>& evaluator, const Reference& reference, const Errors& error) {
     const auto refused =

@@ -11,7 +11,7 @@ namespace resonform {
 
 struct Deviation {
     std::vector<std::vector<double>> error; // [output][point]; infinite where the evaluator refuses
-    int digits = 0;                         // of the arithmetic that was needed
+    int digits = 0;                         // of the arithmetic used
     std::vector<double> floor;              // its rounding, per output
     std::string refusal;                    // the first one, with its cause and time
 };

@@ -66,7 +66,7 @@ DeclaredDomain::DeclaredDomain(const FirstOrderSystem& system, const Scene& scen
     }
 }
 
-// NaN where it is none: outside, then.
+// NaN, which counts as outside, where the value is no number.
 double DeclaredDomain::number(const GiNaC::ex& value, const Rational& eps, double t) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const auto found = where_regular([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does the motion that is to be verified stay where the system is declared to be defined?
+// Does the motion to be verified stay in the declared domain of the system?
 #pragma once
 
 #include "model/exact/first_order_system.hpp"

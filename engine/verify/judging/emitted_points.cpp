@@ -55,7 +55,7 @@ std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t 
         EmittedPoints<Real> d;
         d.eps = dice.log_uniform(low, high);
         const std::vector<Real> values = evaluate_constants<Real>(expressions, parameters, d.eps);
-        // Below the ladder it may be beyond what an evaluator is made for.
+        // Below the ladder the interval may be beyond the range of an evaluator.
         const Real interval = std::clamp(values[0], Real(shortest_interval), Real(longest_interval));
         d.end = d.eps * interval * Real(1 + 0x1p-40); // t = end/eps is rounded
         for (std::size_t k = 0; k < scene.start.size(); ++k) {

@@ -123,7 +123,7 @@ private:
         return guaranteed_by_count(field, scene_, order, truncation, formula_.time_power);
     }
 
-    // What one more weight shows.
+    // Derives one more weight and settles the claims that it decides.
     void look(int weight, Guarantees& found, Claims& open) {
         if (!fixed_) fixed_ = with_fix(scene_);
         const Solution richer = derive_(fixed_, weight, weight);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The order that is guaranteed, whatever a ladder shows: by the count of weights and, for a claim above it,
-// by deriving what comes next and looking whether it vanishes.
+// by deriving the next weights and testing whether they vanish.
 #pragma once
 
 #include "solve/solution.hpp"
@@ -14,7 +14,7 @@ namespace resonform {
 
 struct Guarantee {
     std::optional<int> order; // the error is O(eps^order); none: the count does not hold on this interval
-    bool refuted = false;     // the next power is there, so that no higher order is true
+    bool refuted = false;     // the next power does not vanish: no higher order holds
     std::string reason;       // why the order is no higher, where the claim is
 };
 
@@ -25,7 +25,7 @@ using Claims = std::map<std::string, int>;           // the order claimed of eac
 using Derive = std::function<Solution(std::shared_ptr<const System>, int order, int truncation)>;
 
 // Each weight above that of `solution` is derived, with [fix] put in, as
-// long as a claim is neither reached nor refuted; what `derive` or a room on the way refuses leaves it open,
+// long as a claim is neither reached nor refuted; a refusal by `derive` or on the way leaves it open,
 // with the reason. The order is not searched for beyond the claim.
 Guarantees guarantees(const Scene& scene, const Solution& solution, const Claims& claims,
                       const Derive& derive);

@@ -21,7 +21,7 @@ constexpr double one_slope = 0.02; // local slopes this close are one straight l
 constexpr double settled_distance = 0.02; // of the last slopes from their integer and from each other
 constexpr double free_bend = 0.05;        // a smaller step between local slopes may be noise
 constexpr double free_departure = 0.03;   // 1 % of noise moves a slope no farther from its integer
-constexpr double well_below = 1e-3;       // of what a claim allows: what noise may hide of an exact output
+constexpr double well_below = 1e-3;       // share of the allowed error that noise may hide in a pass
 
 struct Point {
     double eps, error;
@@ -34,7 +34,7 @@ bool usable(const LadderRung& rung) {
     return std::isfinite(rung.max_error) && rung.max_error > 0 && rung.max_error >= noise(rung);
 }
 
-// A rung that meets the floor between others is a zero of the error, not the end of what is seen.
+// Drops unusable rungs. One between usable rungs is a zero of the error, not the end of the ladder.
 std::vector<Point> usable_points(const std::vector<LadderRung>& ladder) {
     std::vector<Point> points;
     for (const LadderRung& rung : ladder)
@@ -49,7 +49,7 @@ std::string refusal_of(const LadderRung& rung) {
                        rung.refusal.empty() ? "" : fmt::format(" ({})", rung.refusal));
 }
 
-// The first rung without an error below one that has it. Large eps may leave where the formula answers.
+// The first rung without an error below one with an error. (At large eps the formula may have no answer.)
 const LadderRung* refused_rung(const std::vector<LadderRung>& ladder) {
     const auto first = std::find_if(ladder.begin(), ladder.end(), answered);
     const auto refused = std::find_if_not(first, ladder.end(), answered);
@@ -131,8 +131,8 @@ void undecided(OutputVerdict& output, std::string reason) {
     output.reason = std::move(reason);
 }
 
-// No rung shows an error. That is a pass only where the noise hides little of what the claim allows, with
-// a constant of 1 or, for a small output, of its size: a large output has no right to large errors.
+// No rung shows an error. That is a pass only where the noise hides little of the error the claim allows,
+// with a constant of 1 or, for a small output, of its size: a large output is not allowed larger errors.
 void judge_unseen(OutputVerdict& output) {
     const auto allowed = [&](const LadderRung& rung) {
         return well_below * std::min(1.0, rung.scale) * std::pow(to_double(rung.eps), output.claimed_order);
@@ -195,7 +195,7 @@ void judge(OutputVerdict& output) {
 
     if (std::abs(output.slope - slopes.back()) > near_integer || (!straight && bends_away(slopes)) ||
         departs(slopes, order)) {
-        output.slope = slopes.back(); // what is seen; no limit can be told from it
+        output.slope = slopes.back(); // the last local slope: no limit is known
         return undecided(
             output, fmt::format("the slope still bends ({:.2f}, then {:.2f}) at eps = {:g}: add smaller eps",
                                 slopes[slopes.size() - 2], slopes.back(), points.back().eps));

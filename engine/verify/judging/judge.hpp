@@ -17,7 +17,7 @@ struct LadderRung {
     double max_error = 0, rms_error = 0;
     int digits = 0;             // decimal digits of the arithmetic used
     double reference_error = 0; // estimated error of the direct integration
-    double floor = 0;           // rounding of the evaluator at this rung: nothing below is seen
+    double floor = 0;           // rounding of the evaluator at this rung: smaller errors are invisible
     double scale = 1;           // max |output| over the interval
     std::string refusal;        // where the evaluator has no numbers: "outside_domain: 1 - tau at t = 3"
 };
@@ -25,7 +25,7 @@ struct LadderRung {
 struct OutputVerdict {
     std::string name;
     int claimed_order = 0;
-    std::optional<int> guaranteed_order; // what the count of weights promises; none: it does not hold here
+    std::optional<int> guaranteed_order; // by the count of weights; none: it does not hold here
     std::optional<int> found_order;      // none while undecided
     Verdict verdict = Verdict::undecided, expected = Verdict::pass;
     double slope = 0, slope_low_eps = 0, slope_high_eps = 0; // asymptotic slope and its window
@@ -46,8 +46,8 @@ struct OutputVerdict {
 // floor) <= 1e-3 min(1, scale) eps^claimed_order on half of the rungs and on 3: else it is undecided.
 void judge(OutputVerdict& output);
 
-// What is guaranteed has the last word on a claim above it: refuted, it fails; open, it is undecided unless
-// the ladder has it fail. A claim that is guaranteed must still be shown by the ladder.
+// Weighs the guaranteed order against the claim. A claim above it fails if it is refuted; if open, it is
+// undecided unless the ladder makes it fail. A guaranteed claim must still be confirmed by the ladder.
 void weigh(OutputVerdict& output, const Guarantee& guarantee);
 
 // Whatever the ladder shows, the verdict is undecided, with this reason.

@@ -30,8 +30,8 @@ constexpr double affordable_steps = 150'000;                      // seconds in 
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-// Of a scene that does not claim another. What is accurate through order N has an error O(eps^{N+1}); a
-// mean motion leaves out the oscillation, and differs from the motion by its first term.
+// The claim of a scene that makes none. An output accurate through order N has an error O(eps^{N+1}); a mean
+// motion leaves out the oscillation, and so has an error of the order of its first term.
 int default_claim(const Scene& scene, const Solution& solution, const std::string& name) {
     const int claim = scene.order + 1;
     if (scene.oscillating) return claim;
@@ -54,7 +54,7 @@ std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Solution& so
     return outputs;
 }
 
-// What `generate` writes, without the state that the ladder starts from.
+// Checks the code that `generate` writes, without the state that the ladder starts from.
 EmittedCheck emitted_check(const Scene& scene, const Solution& solution, const VerifyOptions& options) {
     const auto program = std::make_shared<const Program>(build_program(solution, scene));
     return check_emitted(*program, library_of(program, options), solution, scene,
@@ -77,14 +77,13 @@ double largest_value(const std::vector<DoubleDouble>& values) {
     return most;
 }
 
-// Goes down a ladder and notes what it finds in a Verification.
+// Goes down a ladder and writes the results into a Verification.
 class Descent {
 public:
     Descent(const Trial& trial, const Scene& scene, const GradedField& field, Verification& result)
         : trial_(trial), scene_(scene), field_(field), result_(result) {}
 
-    // All rungs are looked at before any is integrated at length; the first that takes too many steps is the
-    // end.
+    // Plans all rungs before any is integrated; the first that takes too many steps ends the ladder.
     void along(const std::vector<Rational>& ladder) {
         std::vector<Rung> rungs;
         for (const Rational& eps : ladder) {

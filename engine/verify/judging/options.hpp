@@ -23,7 +23,7 @@ struct VerifyOptions {
     bool compiled = true;            // false: programs are interpreted, and no compiler is waited for
 };
 
-// What is tried of a scene: its emitted code.
+// The emitted code of a scene, compiled or interpreted.
 std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
                                                    const VerifyOptions& options);
 

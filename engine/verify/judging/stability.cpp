@@ -146,7 +146,7 @@ private:
         return std::isinf(from.unavoidable(t, largest_).front());
     }
 
-    // The table of a slow flow is as good as its largest values so far.
+    // Updates the scales: the table of a slow flow is accurate relative to its largest values so far.
     void see(const std::vector<Wide>& scales) {
         for (std::size_t k = 0; k < scales.size(); ++k)
             largest_[k] = is_flow_ ? std::max(largest_[k], scales[k]) : scales[k];

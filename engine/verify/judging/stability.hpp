@@ -17,10 +17,10 @@ namespace resonform {
 struct WorstPoint {
     std::string output;
     double ulp = 0;         // infinite: a number where the exact solution has none
-    double unavoidable = 0; // of it, if it is above the threshold: what a last bit of the inputs does
+    double unavoidable = 0; // of it, if above the threshold: the effect of a last bit of the inputs
     std::vector<std::pair<std::string, double>> at; // eps, parameters, start values, t
 
-    // Above threshold (1 + unavoidable), which is as much as can be asked for.
+    // Above threshold (1 + unavoidable); no code could be required to do better.
     [[nodiscard]] bool is_wrong(double threshold) const;
 };
 
@@ -30,16 +30,16 @@ struct Stability {
     double threshold = default_ulp; // of the scene
     std::string reason;             // why it is more than the default
     std::vector<SweptInput> inputs; // how far each is to be driven
-    std::vector<SweptInput> swept;  // how far it was, at points that the exact solution is followed to
+    std::vector<SweptInput> swept;  // how far it was, at points where the exact solution is computed
     Verdict verdict = Verdict::undecided;
     std::string rule;                 // that failed or is left open, with its numbers; empty at a pass
     std::size_t cases = 0;            // each is one of the next three
     std::size_t compared = 0;         // numbers beside numbers
     std::size_t refused = 0;          // the evaluator answered with a status
-    std::size_t beyond_reference = 0; // the exact solution is not followed so far
+    std::size_t beyond_reference = 0; // the exact solution is not computed so far
     std::map<std::string, std::size_t> refused_by; // status -> how many
     std::size_t unexplained = 0;                   // of `refused`: the exact solution has moderate numbers
-    std::vector<WorstPoint> worst;                 // of each output five: what is wrong, then the largest
+    std::vector<WorstPoint> worst;                 // five of each output: wrong ones first, then by size
     std::vector<std::pair<std::string, double>> median; // per output, in ulp
 };
 
@@ -50,9 +50,9 @@ struct StabilityOptions : VerifyOptions {
 
 constexpr double unexplained_share = 0.1; // with more of the points there is something wrong
 
-// Sweeps what the program of the scene takes, [fix] values included as free parameters. Verdict: fail, where
-// a threshold (1 + unavoidable) is exceeded, or more than a tenth of the points have a status that nothing
-// explains: neither the exact solution (the declared domain, a radicand, a divisor, a start to which the map
+// Sweeps all inputs of the program, with [fix] values as free parameters. Verdict: fail, where
+// a threshold (1 + unavoidable) is exceeded, or more than a tenth of the points have an unexplained status,
+// due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the map
 // does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth
 // of them are compared, or fewer than lie beyond the reference, or an input was driven over less than half
 // of its decades. Errors: those of bounded_interval_length at the smallest eps of the ladder.

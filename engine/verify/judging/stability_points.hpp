@@ -34,15 +34,15 @@ struct SweepPoint {
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
-// What a point adds to what was swept. `swept`: swept_inputs(...) emptied by nothing_swept.
+// nothing_swept: the inputs with empty ranges; add() then widens `swept` by the values of a point.
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);
 void add(const SweepPoint& point, std::vector<SweptInput>& swept);
 
 // The scene's own, then points of which every other one has one input at a corner, with the rest as in the
 // scene: all inputs in turn, at the high and the low one first, then in the middle and at zero.
 // In the others all inputs are drawn: log-uniform, each at a corner with probability 0.4; in every other of
-// these one input is then moved towards the end of the domain, over all but 1 ... 1e-6 of the way. What lies
-// not `inside`, or was drawn before, is drawn again, 20 times at most. Same seed, same points.
+// these one input is then moved towards the end of the domain, over all but 1 ... 1e-6 of the way. A point
+// not `inside`, or drawn before, is drawn again, 20 times at most. Same seed, same points.
 std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t count,
                                      std::uint64_t seed,
                                      const std::function<bool(const SweepPoint&)>& inside);

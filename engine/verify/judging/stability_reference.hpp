@@ -30,9 +30,9 @@ public:
         [[nodiscard]] bool has_large_phase(double t) const;
         // Emitted code in double has no phase at t, or ends within this eighth of the interval.
         [[nodiscard]] bool loses_phase(double t) const;
-        // What a change of every input but t by its last bit does to each output at t, with the phases as
-        // they are, in ulp of `scales`, added up: no code that takes its inputs in double could be asked for
-        // less. Infinite where the status is another one for a start that close, or within 4 ulp of t.
+        // The change of each output at t, in ulp of `scales`, when every input but t changes by its last bit
+        // with the phases unchanged, summed over the inputs: no code with inputs in double can be better.
+        // Infinite where the status is another one for a start that close, or within 4 ulp of t.
         [[nodiscard]] std::vector<double> unavoidable(double t, const std::vector<Wide>& scales);
 
     private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the start values of a scene follow the grading, without which a ladder in eps means nothing.
+// Whether the start values of a scene scale with eps by the weights; else a ladder in eps is meaningless.
 #pragma once
 
 #include "model/system/scene_file.hpp"

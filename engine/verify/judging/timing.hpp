@@ -24,7 +24,7 @@ template <class Work> double seconds_of(int times, Work&& work) {
 template <class Work> Timing measure(Work&& work) {
     constexpr double enough_time = 0.2; // seconds after which nothing is repeated any more
     constexpr int fewest_repetitions = 3, most_repetitions = 15;
-    constexpr double shortest_reading = 2e-5; // seconds on the clock: what is shorter is done several times
+    constexpr double shortest_reading = 2e-5; // seconds on the clock: shorter work is repeated
     const double first = seconds_of(1, work);
     const int each =
         static_cast<int>(std::clamp(std::ceil(shortest_reading / std::max(first, 1e-9)), 1.0, 1e4));

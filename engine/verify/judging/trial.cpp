@@ -142,7 +142,7 @@ TrialPoint Trial::point(const Rational& eps) const {
     return at;
 }
 
-// What the scene does not give.
+// The state at the start by the formula, for start values that the scene does not give.
 std::vector<Float128> Trial::state_at_start(const TrialPoint& at) const {
     std::vector<Float128> state(program_->state.size());
     if (state.empty()) return state;

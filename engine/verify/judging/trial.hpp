@@ -32,7 +32,7 @@ struct Reference {
     std::vector<double> error;                     // of each output: a second run, coarser, differs by this
 };
 
-// Where a user leaves an eps out.
+// Where an eps comes from, so that a message can tell where to leave it out.
 enum class EpsFrom { ladder, command_line };
 
 class Trial {
@@ -55,7 +55,7 @@ public:
     // than `most`. Errors: refused, the solution leaves the domain.
     [[nodiscard]] std::optional<std::size_t> steps(const TrialPoint& at, std::size_t most) const;
 
-    // How many times resolve what takes so many steps (40 or more in each period), at most 200,000.
+    // The number of sample times that resolve a run of so many steps (40 or more in each period), <= 200,000.
     static std::size_t resolving_points(std::size_t steps);
 
     // Cached. times: ascending, not negative. Errors: refused, the solution leaves the domain.

@@ -172,7 +172,7 @@ private:
         return *rates_;
     }
 
-    // What did not reach the end has no error.
+    // A method that did not reach the end gets the error NaN.
     void judge(ComparisonRow& row, const Workload& work, const OutputValues& values) {
         if (!row.failure.empty()) {
             row.max_error.assign(values.size(), NAN);
@@ -245,7 +245,7 @@ BreakEven break_even(const std::vector<ComparisonRow>& rows, const ComparisonRow
 
 namespace {
 
-// Direct integration may be long: after some silence it is said which is under way.
+// Tells which integration is running, if it takes long and nothing was told for a while.
 class Pulse {
 public:
     explicit Pulse(const CompareOptions& options) : options_(options) {}
@@ -264,8 +264,8 @@ private:
     Clock::time_point told_ = Clock::now();
 };
 
-// Where the evaluator has no numbers nobody wins, and nothing is integrated: the rows are of the orders that
-// refuse.
+// An eps at which the evaluator has no numbers: nobody wins, nothing is integrated, and the rows are those of
+// the orders that refuse.
 std::vector<BreakEven> refused_at(Comparer& comparer, const std::vector<Emitted>& codes,
                                   const std::string& refusal, std::vector<ComparisonRow>& rows) {
     std::vector<BreakEven> even;

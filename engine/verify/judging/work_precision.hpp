@@ -65,7 +65,7 @@ struct Comparison {
 struct CompareOptions : VerifyOptions {
     std::vector<Rational> eps = {Rational(1) / 1000};
     std::size_t dense_points = 1000000;
-    double silence = 5; // seconds: progress of a method that takes longer says what is under way
+    double silence = 5; // seconds: progress names a method that takes longer
 };
 
 Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,

@@ -13,8 +13,8 @@
 
 namespace resonform::report {
 
-// Curves of a scene at one eps; of its two drifts without oscillation; of what is constant at eps = 0, if
-// anything is and has a start value.
+// Curves of a scene at one eps; of its two drifts without oscillation; of the variables that are constant at
+// eps = 0 and have a start value, if any.
 struct MotionCurves {
     ErrorCurves full;
     std::optional<ErrorCurves> mean, former;

@@ -27,7 +27,7 @@ Json of(const LadderRung& r) {
             {"reference_error", number(r.reference_error)}};
 }
 
-// What every verdict is about, between the names and the outputs.
+// The conditions of all verdicts, between the names and the outputs.
 void add(Json& json, const Conditions& c) {
     json["times"] = {
         {"count", c.count}, {"first", number(c.first)}, {"per_fast_period", number(c.per_fast_period)}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON of verify, compare and stability (docs/file_formats.md): numbers with 17 digits, null for
-// what is not finite.
+// NaN and infinities.
 #pragma once
 
 #include "verify/judging/ladder.hpp"

@@ -29,7 +29,7 @@ std::string verdict_line(const OutputVerdict& o, const Conditions& c) {
     else if (o.expected != Verdict::pass)
         line += "  (as expected)";
     if (c.shorter_than_promised) line += ", " + shortness(c);
-    // What the ladder found wrong stands in the line already.
+    // A failure that the ladder found is in the line already.
     const bool told = o.verdict == Verdict::fail && o.found_order && *o.found_order < o.claimed_order;
     if (!o.reason.empty() && !told) line += "\n           " + o.reason;
     return line + "\n";
@@ -58,7 +58,7 @@ std::string ladder_table(const Verification& v) {
     return text;
 }
 
-// What inf in the table means; nothing where there is none.
+// Explains inf in the table; "" if there is none.
 std::string unanswered(const Verification& v) {
     std::vector<double> eps;
     if (!v.outputs.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of results: what it says, apart from how HTML or Markdown spell it.
+// A page of results: its content, independent of HTML or Markdown.
 #pragma once
 
 #include <string>

@@ -32,7 +32,7 @@ struct Plot {
 // "" if gnuplot is there, and draws SVG.
 std::string why_no_plots();
 
-// An <svg> element without width and height: it fills what holds it. `scratch` is a folder for the
+// An <svg> element without width and height: it fills its container. `scratch` is a folder for the
 // script of gnuplot, made if absent. Errors (bad_input): gnuplot cannot be run, or takes a minute.
 std::string to_svg(const Plot& plot, const std::filesystem::path& scratch);
 

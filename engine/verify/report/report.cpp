@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t curve_points = 1500;
 
-// The scene with its two drift outputs only, oscillation left out; nothing if there is none to leave out, or
-// no plane in which they move.
+// The scene with its two drift outputs only, oscillation left out; nullopt if it has no oscillation, or not
+// exactly two drift outputs.
 std::optional<Scene> mean_scene(const Scene& scene) {
     if (!scene.oscillating) return std::nullopt;
     Scene mean = scene;
@@ -36,7 +36,7 @@ std::optional<Scene> mean_scene(const Scene& scene) {
     return mean;
 }
 
-// The same scene with all that is constant at eps = 0 and has a start value: slow variables and drifts.
+// The scene with the variables constant at eps = 0, slow ones and drifts, that have a start value as outputs.
 std::optional<Scene> former_scene(const Scene& scene) {
     Scene former = scene;
     former.name += "_former";

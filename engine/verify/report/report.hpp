@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report of a scene: what was derived, how accurate it is, how fast, how stable.
+// The report of a scene: its derivation, accuracy, speed and stability.
 #pragma once
 
 #include "verify/judging/ladder.hpp"
@@ -12,7 +12,7 @@
 
 namespace resonform::report {
 
-// All that was found out about one scene.
+// All results for one scene.
 struct Findings {
     std::shared_ptr<const FirstOrderSystem> system;
     const Scene* scene = nullptr;

@@ -7,7 +7,7 @@ namespace resonform {
 
 namespace {
 
-// What was swept, of what was to be.
+// The range over which an input was swept, and the share of decades of the whole range.
 std::string line_of(const SweptInput& input, const SweptInput& whole) {
     std::string text = fmt::format("  {:<12} ", input.name);
     if (input.high > 0)

@@ -17,7 +17,7 @@ std::string content_hash(std::string_view bytes);
 // Errors: bad_input, the folder or the file cannot be written.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
-// That error; `file` is in the folder.
+// Throws the error of write_atomically(); `file` is in the folder.
 [[noreturn]] void cache_not_writable(const std::filesystem::path& file, const std::error_code& error);
 
 // Tries to write a megabyte more beside the file, and leaves nothing. Error: why it cannot be.

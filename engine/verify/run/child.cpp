@@ -67,7 +67,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// What a child does not live to see the end of.
+// Why a child was ended early: a signal, or its time was over.
 struct Cut {
     int signal = 0;
     bool late = false;

@@ -20,7 +20,7 @@ public:
     Uninterrupted& operator=(const Uninterrupted&) = delete;
 
     [[nodiscard]] const sigset_t& held() const { return held_; }
-    // What was blocked before.
+    // The signals that were blocked before.
     [[nodiscard]] const sigset_t& before() const { return before_; }
 
 private:

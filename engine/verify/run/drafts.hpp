@@ -15,8 +15,8 @@ namespace resonform {
 // <file>.<pid>.part
 std::filesystem::path draft_of(const std::filesystem::path& file);
 
-// Nobody ever sees half a file, or some of these without the others; an interruption waits. What was not put
-// in place is gone with the object.
+// Nobody ever sees half a file, or some of these without the others; an interruption waits. Drafts that
+// were not put in place are removed with the object.
 class Drafts {
 public:
     Drafts() = default;

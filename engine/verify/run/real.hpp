@@ -40,8 +40,8 @@ template <class Real> Parts to_parts(const Real& x) {
 }
 template <> inline Parts to_parts(const DoubleDouble& x) { return {x.x[0], x.x[1], 0.0}; }
 
-// The leading double of an exact number, then of what is left, twice. Errors: refused, beyond 1e308 or below
-// 1e-270 (but 0).
+// The leading double of an exact number, of the remainder, and of the next remainder. Errors: refused, beyond
+// 1e308 or below 1e-270 (but 0).
 Parts to_parts(const Rational& value);
 
 template <class Real> Real from_parts(const Parts& p) { return Real(p[2]) + Real(p[1]) + Real(p[0]); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// C++ text at work: compiled by the system's compiler into a shared object of the cache, and loaded.
+// C++ text as running code: compiled by the system's compiler into a shared object of the cache, and loaded.
 #pragma once
 
 #include <filesystem>

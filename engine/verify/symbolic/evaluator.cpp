@@ -24,8 +24,8 @@ bool turns(const SymbolicVariable& v) { return v.kind == Of::mode || v.kind == O
 } // namespace
 
 struct SymbolicEvaluator::Impl {
-    // A phase that the flow moves: theta with a frequency that is computed, or what the flow adds to it, as
-    // the argument of a mode or as a shift of an angle.
+    // A phase that the flow moves: theta with a computed frequency, or a contribution of the flow to it, the
+    // argument of a mode or the shift of an angle.
     struct MovedPhase {
         std::size_t variable;
         bool of_all; // that turn with this theta; else of the variable itself
@@ -76,7 +76,7 @@ struct SymbolicEvaluator::Impl {
         if (has_layers) {
             const Status clear = margins.keep_clear(*integral, reach);
             if (!goes_on(clear, reach)) return clear;
-            if (clear != Status::ok) tabulated = inputs.slow_time_end; // behind a layer no table is missed
+            if (clear != Status::ok) tabulated = inputs.slow_time_end; // no tables are needed beyond a layer
             reach = std::min(reach, wanted);
         }
         if (const Status built = integral->build_along(reach); !tabulate(built)) return built;
@@ -87,12 +87,12 @@ struct SymbolicEvaluator::Impl {
         return Status::ok;
     }
 
-    // False: there is no time that can be answered.
+    // Returns false if there is no time at which it has an answer.
     bool goes_on(Status built, const Wide& reach) {
         return interval.shorten({built, ""}, reach).status == Status::ok;
     }
 
-    // Of the conditions those that move, or those that do not.
+    // Do the conditions that move hold, or (moving = false) those that do not?
     [[nodiscard]] bool conditions_hold(const SymbolicValues<Wide>& values, bool moving) const {
         for (std::size_t k = 0; k < solution().conditions().size(); ++k)
             if (frame.any_moves(solution().conditions()[k].sum) == moving && !holds(k, values)) return false;
@@ -156,8 +156,8 @@ struct SymbolicEvaluator::Impl {
         }
     }
 
-    // What the flow leaves open of functions of the moment at T: sum |df/dy| (scale of y - |y|) over its
-    // variables. Angles have their own part, as phases.
+    // The uncertainty that the flow leaves in functions f of the moment at T: sum |df/dy| (scale of y - |y|)
+    // over its variables. Angles have their own part, as phases.
     template <class Functions>
     [[nodiscard]] Numbers left_open(const Moment& at, const Wide& T, const Functions& functions) const {
         Numbers result, here;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The variables of a symbolic solution that have no law of their own, integrated in slow time: first the slow
-// flow, whose variables see each other, then what is integrated along it.
+// flow, whose variables are coupled, then the quadratures along it.
 #pragma once
 
 #include "runtime/interval.hpp"
@@ -26,7 +26,7 @@ struct SymbolicFrame {
         WideComplex start, speed; // uniform: start + speed T
     };
     std::vector<Variable> variables;      // one for each of the solution's
-    std::vector<std::size_t> flow, along; // which are computed
+    std::vector<std::size_t> flow, along; // indices of those that are integrated
 
     SymbolicFrame(std::shared_ptr<const SymbolicSolution> s, const SymbolicInputs& inputs);
     [[nodiscard]] bool any_moves(const SymbolicSum& sum) const;
@@ -39,7 +39,7 @@ template <class Number> struct SymbolicMoment {
     std::vector<Complex> now; // of each variable
 
     explicit SymbolicMoment(const SymbolicFrame& frame);
-    // Sets what moves uniformly, then all generators; `now` of what is computed is set.
+    // Sets the variables that move uniformly, then all generators. Precondition: `now` of the others is set.
     void move_to(const SymbolicFrame& frame, const Number& T);
     // The generators of a mode that has the value a: eps^weight a.
     void put_mode(const SymbolicFrame& frame, const SymbolicVariable& variable, const Complex& a);
@@ -52,10 +52,10 @@ public:
     using GoesOn = std::function<bool(const SymbolicMoment<Wide>&)>;
     virtual Status build_flow(const GoesOn& goes_on, Wide& reach) = 0;
     virtual Status build_along(Wide& reach) = 0;
-    // Sets what is computed so far, then everything else.
+    // Sets the variables integrated so far, then everything else.
     virtual void move_to(const Wide& T, SymbolicMoment<Wide>& moment) const = 0;
-    // How well the variables of the flow can be known up to `reach`, after build_flow: at T, what
-    // SymbolicPropagation says beyond the absolute value, real and imaginary parts of modes apart.
+    // After build_flow: computes how well the variables of the flow can be known up to `reach`. beyond(): the
+    // excess of SymbolicPropagation over |value| at T, real and imaginary parts of modes apart.
     virtual void propagate(const Wide& reach) = 0;
     struct Beyond {
         std::size_t variable;

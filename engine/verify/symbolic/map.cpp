@@ -59,7 +59,7 @@ SymbolicMap::Shifts SymbolicMap::shifts(const NearIdentityMap& map) const {
         return result;
     };
     Shifts result{sums(map.mode), sums(map.angle), sums(map.slow), {}};
-    for (const Series& series : map.drift) // of which a scale is asked for
+    for (const Series& series : map.drift) // written out, because their scale is needed
         result.drift.push_back(ring_.fixed().written_out(series.total(truncation_)));
     return result;
 }

@@ -29,7 +29,7 @@ public:
 
     // False: a radicand is not positive.
     bool set(SymbolicValues<Wide>& values, const Wide& eps, const SymbolicStartValues& at) const;
-    // `from` plus or minus what is added where `values` stands.
+    // `from` plus or minus the shifts `by`, evaluated at `values`.
     [[nodiscard]] SymbolicStartValues moved(const SymbolicStartValues& from, const Shifts& by,
                                             const SymbolicValues<Wide>& values, const Wide& eps,
                                             int sign) const;
@@ -45,10 +45,10 @@ public:
         std::vector<Drift> drift; // or empty
         bool from_constants = false;
     };
-    // The conditions of solve/near_identity.hpp. What depends on start values that the evaluator does not
-    // take is not asked about: these are not numbers in `pair`.
+    // The conditions of solve/near_identity.hpp. Variables that depend on start values not taken by
+    // the evaluator, which are NaN in `pair`, are not checked.
     [[nodiscard]] bool leads_back(const Pair& pair, const SymbolicInputs& inputs) const;
-    // The same of a factor of an amplitude.
+    // The same condition for a factor of an amplitude.
     [[nodiscard]] static bool is_close_to_one(const Wide& factor, const SymbolicInputs& inputs);
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 using Numbers = std::vector<Wide>;
 
-// What margin_of computes with.
+// The algebra of margin_of in 50 digits.
 struct MarginAlgebra {
     [[nodiscard]] static Wide rational(const Rational& x) {
         return Wide(to_string(cln::numerator(x))) / Wide(to_string(cln::denominator(x)));

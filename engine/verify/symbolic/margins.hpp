@@ -13,7 +13,7 @@ class SymbolicMargins {
 public:
     explicit SymbolicMargins(const SymbolicFrame& frame); // must outlive it
 
-    [[nodiscard]] bool empty() const; // nothing moves that a margin is made of
+    [[nodiscard]] bool empty() const; // no margin moves
     [[nodiscard]] std::vector<Wide> at(const SymbolicValues<Wide>& values) const;
     [[nodiscard]] Wide of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const;
     // Draws `reach` back to before a margin fails; its status then.

@@ -60,7 +60,7 @@ SymbolicPropagation::SymbolicPropagation(const Flow& flow, const Float128& end) 
     for (int i = 0; i < pieces; ++i) {
         const Float128 left = piece_ * i, middle = left + piece_ / 2;
         const Values terms = flow.terms(middle, flow.solution(middle));
-        // What a piece adds comes half at its beginning and half at its end.
+        // The contribution of a piece is added half at its beginning, half at its end.
         for (std::size_t k = 0; k < start.size(); ++k)
             for (std::size_t j = 0; j < start.size(); ++j)
                 differences_[k].push_back(j == k ? static_cast<long double>(piece_ * terms[k] / 2) : 0);
@@ -99,7 +99,7 @@ void SymbolicPropagation::carry_on(const Flow& flow, const Float128& left) {
     }
 }
 
-// df/dy from differences of a millionth of a billionth of what the variables are known to.
+// df/dy by difference quotients with steps of 2^-50 of the scales of the variables.
 SymbolicPropagation::Matrix SymbolicPropagation::slopes(const Flow& flow, const Float128& T,
                                                         const Row& sizes) {
     Values y = flow.solution(T);

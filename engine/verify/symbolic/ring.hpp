@@ -13,7 +13,7 @@
 
 namespace resonform {
 
-// What an evaluator is given. Start values by canonical name ("xi", "psi'", "amplitude.psi", "constant.x");
+// The inputs of an evaluator. Start values by canonical name ("xi", "psi'", "amplitude.psi", "constant.x");
 // parameters only where the scene does not fix them.
 struct SymbolicInputs {
     Wide eps;
@@ -23,7 +23,7 @@ struct SymbolicInputs {
 
     // 0 where it is not given, as in emitted code.
     [[nodiscard]] Wide start_of(const std::string& canonical) const;
-    // The same, with no number for what is not taken.
+    // The same with NaN for start values that are not taken.
     [[nodiscard]] SymbolicInputs blind() const;
 };
 
@@ -46,7 +46,7 @@ public:
         SymbolicSum radicand;
     };
     [[nodiscard]] const std::vector<Root>& roots() const { return roots_; } // those without a fixed value
-    // Precondition: what is under them is set. False: a radicand that has to be positive is not.
+    // Precondition: the generators in radicands are set. False: a radicand that has to be positive is not.
     bool set_roots(SymbolicValues<Wide>& values) const;
 
     template <class Number>

@@ -234,7 +234,7 @@ void SymbolicSolution::add_conditions() {
     for (const Declaration& declared : system.positive) {
         SymbolicCondition condition{SymbolicCondition::Kind::declared, {}, expressions.size()};
         std::size_t next = 0;
-        for (const SymbolicVariable& v : variables_) // for what it needs
+        for (const SymbolicVariable& v : variables_) // for the generators it needs
             if (v.kind == Of::slow && declared.value.has(slow_symbols_[next++]))
                 condition.sum.push_back({1, {{v.id, 1}}});
         conditions_.push_back(std::move(condition));
@@ -269,7 +269,7 @@ void SymbolicSolution::keep_what_is_needed() {
         use(variables_[*output.drift].rate, use);
     }
     std::erase_if(primitives_, [&](const SymbolicPrimitive& p) { return used.count(p.id) == 0; });
-    // What moves and is not known is not asked about.
+    // Drops conditions and layers with moving generators that are not computed.
     const auto unknown = [&](const SymbolicSum& sum, const auto& again) -> bool {
         for (const GeneratorId id : generators_in(sum)) {
             if (used.count(id) > 0) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene's evaluator is to compute, taken from the exact polynomials of its solution: before lowering,
+// The task of a scene's evaluator, taken from the exact polynomials of its solution: before lowering,
 // pruning and the choice of a form. Closed solutions and slow flows are one thing here: variables that move
 // in slow time T, phases that turn, and outputs as polynomials of them.
 #pragma once
@@ -28,8 +28,8 @@ struct SymbolicVariable { // d/dT = rate/eps^power
     Kind kind;
     GeneratorId id = -1, conjugate = -1;
     int power = 0, weight = 0;
-    std::size_t phase = 0; // mode, angle: which of the variables theta is
-    std::size_t start = 0; // which of SymbolicStart
+    std::size_t phase = 0; // mode, angle: index of the variable theta
+    std::size_t start = 0; // index into SymbolicStart
     SymbolicSum rate = {}; // with the phases left out of modes and angles
     bool needed = false;   // by an output
 };
@@ -46,7 +46,7 @@ struct SymbolicOutput {
     std::optional<std::size_t> drift; // a variable to be added, and its constant
 };
 
-// Each needs what it refers to, and is left out where no output does.
+// A condition that needs variables which no output needs is left out.
 struct SymbolicCondition { // > 0
     enum class Kind {
         radicand,   // of roots and logarithms
@@ -88,7 +88,7 @@ public:
     [[nodiscard]] const std::vector<SymbolicCorrection>& corrections() const { return corrections_; }
     // |a| of each mode.
     [[nodiscard]] std::vector<Wide> moduli(const SymbolicValues<Wide>& values, const Wide& eps) const;
-    // What is declared positive, where the slow variables, in the order of `variables`, have these values.
+    // The expressions declared positive, at these values of the slow variables, in the order of `variables`.
     [[nodiscard]] std::vector<Float128> declared_at(const std::vector<Wide>& slow,
                                                     const SymbolicInputs& inputs) const;
     [[nodiscard]] const SymbolicStartFinder& start() const { return *start_; }

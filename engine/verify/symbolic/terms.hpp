@@ -3,7 +3,7 @@
 //
 //   sum_k c_k prod_j x_j^(e_kj)      and beside it its scale      sum_k |c_k| prod_j |x_j|^(e_kj)
 //
-// Nothing is factored, shared or reordered: this is what emitted code is held against.
+// Nothing is factored, shared or reordered: emitted code is compared with this.
 #pragma once
 
 #include "algebra/ring/ring.hpp"
@@ -49,7 +49,7 @@ template <class Number> ComplexNumber<Number> unit(const Number& angle) {
     return {cos(angle), sin(angle)};
 }
 
-// 0 of a number that is 1 but for rounding: what vanishes at the start does so exactly.
+// 0 for a number that is 1 up to rounding, so that logarithms vanishing at the start are exactly 0.
 template <class Number> Number logarithm(const Number& x) {
     using math::log;
     const Number off = math::magnitude(Number(x - Number(1)));
@@ -130,7 +130,7 @@ public:
         }
     }
 
-    // scale: what counts in scales, |value| unless said otherwise.
+    // scale: the size used in scales, |value| by default.
     void set(GeneratorId id, const Complex& value, const Number& scale) {
         entries_[static_cast<std::size_t>(id)] = {value, scale, {}, {}, {}, {}};
     }
@@ -139,7 +139,7 @@ public:
     [[nodiscard]] const Complex& operator[](GeneratorId id) const { return at(id).value; }
     [[nodiscard]] const Number& scale(GeneratorId id) const { return at(id).scale; }
     [[nodiscard]] const Complex& power(GeneratorId id, int exponent) const;
-    // In a denominator it is the value that counts.
+    // In a denominator the value itself is used.
     [[nodiscard]] const Number& scale_power(GeneratorId id, int exponent) const;
 
 private:
@@ -157,7 +157,7 @@ template <class Number>
 ComplexNumber<Number> value_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
 Wide scale_of(const SymbolicSum& sum, const SymbolicValues<Wide>& values);
 
-// A sum with what does not move put in: terms that differ only by constants are one.
+// A sum with the values of constants put in: terms that differ only by constants are merged.
 template <class Number> class MovingSum {
 public:
     using Complex = ComplexNumber<Number>;

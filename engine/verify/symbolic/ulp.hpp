@@ -10,7 +10,7 @@
 
 namespace resonform {
 
-// Of the points that were drawn: where fewer are answered in numbers there is no verdict.
+// The share of the points drawn that must have numbers: with fewer there is no verdict.
 inline constexpr double compared_share = 0.1;
 
 // |value - exact| over the spacing of Real at the scale of an output (docs/theory.md); infinite if there is
