@@ -27,7 +27,7 @@ Normalization normalize_in_numbers(const std::shared_ptr<const GradedField>& fie
 
 // The second route over numbers: `n` is substituted into the original equations at random complex points, in
 // balls. The residual of each equation and weight is smaller than 10^-(D + spare_digits/2) times the sum of
-// the magnitudes of its terms; and the scan of certificate_scan.hpp, with the divisors of `field`, which is
+// the magnitudes of its terms; and the scan of certify/scan.hpp, with the divisors of `field`, which is
 // that of normalize_in_numbers. There is no probability of an error: a residual is small, not zero.
 Certificate certify_numbers(const Normalization& n, const std::shared_ptr<const GradedField>& field,
                             std::uint64_t seed = 1);
