@@ -12,6 +12,7 @@ enum class Status : unsigned char {
     bad_argument = 3,     // NaN or infinite t, eps <= 0, NaN parameter
     low_precision = 4,    // the phase exceeds 10^14 or is estimated to be off by more than 10^-9 radians
     overflow = 5,         // a result is not finite
+    no_memory = 6,        // for the tables
 };
 
 constexpr const char* to_string(Status s) {
@@ -22,6 +23,7 @@ constexpr const char* to_string(Status s) {
     case Status::bad_argument: return "bad_argument";
     case Status::low_precision: return "low_precision";
     case Status::overflow: return "overflow";
+    case Status::no_memory: return "no_memory";
     }
     return "unknown";
 }

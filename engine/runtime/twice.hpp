@@ -34,7 +34,7 @@ template <class Real> struct Twice {
         return {s, (a - (s - part)) + (b - part)};
     }
     static Twice product(Real a, Real b) {
-        const Real p = a * b;
+        const Real p = rounded_product(a, b);
 #ifdef FP_FAST_FMA
         if constexpr (std::is_same_v<Real, double>) return {p, std::fma(a, b, -p)};
 #endif
@@ -77,6 +77,14 @@ template <class Real> struct Twice {
     friend bool operator>(const Twice& a, const Twice& b) { return b < a; }
 
 private:
+    // A compiler may fuse a product with the sum that follows, and then its error is another one.
+    static Real rounded_product(Real a, Real b) {
+        Real p = a * b;
+#if defined(__FMA__) && defined(__GNUC__)
+        if constexpr (std::is_same_v<Real, double>) __asm__("" : "+x"(p));
+#endif
+        return p;
+    }
     struct Halves {
         Real upper, lower;
     };

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The amplitudes of all rows on [0, root]: interpolated in panels, rows that do not matter dropped, the
+// others cut in Chebyshev coefficients, eight of about one length side by side, halved on to the pieces, and
+// turned to powers.
+#ifndef RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
+#define RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
+
+#include "runtime/kernel/chebyshev.hpp"
+#include "runtime/kernel/view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace resonform::kernel {
+
+inline constexpr double negligible = 1.5e-17; // of the scale of an output
+
+template <std::size_t Rows> class AmplitudeFit {
+    static constexpr std::size_t sides = (Rows + group - 1) / group;
+
+public:
+    struct Piece { // of eight rows
+        std::size_t first, size, base;
+    };
+    std::vector<std::size_t> kept;  // rows, in the order of their places
+    std::vector<unsigned> degree;   // of each place
+    std::vector<Piece> piece;       // [index * groups + g]
+    std::vector<Side> coefficients; // Chebyshev, of all pieces
+    std::size_t groups = 0;
+    Status status = Status::ok;
+    bool resolved = true;
+    int deepest = 0;
+
+    // amplitudes(t); scale of each row's output
+    template <class Amplitudes>
+    void fit(const Amplitudes& amplitudes, double root, const std::array<double, Rows>& scale, int most) {
+        scale_ = scale;
+        most_ = most;
+        divide(amplitudes, root, 0, 0, -1);
+        if (status == Status::ok) choose();
+    }
+
+    void pieces(int levels) {
+        piece.assign((std::size_t{1} << levels) * groups, {});
+        coefficients.clear();
+        coefficients.reserve(piece.size() * 10);
+        degree.assign(kept.size(), 0);
+        std::array<Side, nodes> c;
+        base_.clear();
+        for (const Panel& p : panels_) {
+            const std::size_t base = base_.size();
+            base_.resize(base + groups);
+            for (std::size_t place = 0; place < kept.size(); ++place)
+                base_[base + place / group].at[place % group] = p.base[kept[place]];
+            for (std::size_t g = 0; g < groups; ++g) {
+                for (std::size_t j = 0; j < nodes; ++j)
+                    for (std::size_t l = 0; l < group; ++l) {
+                        const std::size_t place = g * group + l;
+                        c[j].at[l] = place < kept.size() ? p.at(j, kept[place]) : 0;
+                    }
+                descend(c.data(), nodes, g, p.level, p.index, levels, base);
+            }
+        }
+    }
+
+    // The powers of middle*x of a group in one piece; those beyond the degree of each row are 0.
+    void powers(std::size_t index, std::size_t g, double middle, std::array<Side, nodes>& c) const {
+        const Piece& p = piece[index * groups + g];
+        c.fill(Side{});
+        std::copy_n(coefficients.begin() + static_cast<std::ptrdiff_t>(p.first), p.size, c.begin());
+        for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l)
+            for (std::size_t j = degree[g * group + l] + 1; j < p.size; ++j) c[j].at[l] = 0;
+        to_powers(c.data(), p.size);
+        double power = 1;
+        for (std::size_t j = 1; j < p.size; ++j) c[j] = c[j] * (power /= middle);
+        for (std::size_t l = 0; l < group; ++l) c[0].at[l] += base_[p.base + g].at[l];
+    }
+
+    unsigned group_degree(std::size_t g) const {
+        unsigned most = 0;
+        for (std::size_t i = g * group; i < std::min((g + 1) * group, kept.size()); ++i)
+            most = std::max(most, degree[i]);
+        return most;
+    }
+
+private:
+    struct Panel {
+        int level;
+        std::size_t index;
+        std::array<std::array<Side, sides>, nodes> c;
+        std::array<double, Rows> base; // a value of each row: c is what is left, and rounds less
+        double at(std::size_t j, std::size_t row) const { return c[j][row / group].at[row % group]; }
+    };
+
+    template <class Amplitudes>
+    void divide(const Amplitudes& amplitudes, double root, int level, std::size_t index, double parent) {
+        const double width = std::ldexp(root, -level), left = width * static_cast<double>(index);
+        std::array<std::array<Side, nodes>, sides> values{};
+        for (std::size_t j = 0; j < nodes; ++j) {
+            const std::array<double, Rows> at = amplitudes(left + width / 2 * (1 + node<double>(j)));
+            for (std::size_t r = 0; r < Rows; ++r) {
+                if (!math::finite(at[r])) {
+                    status = math::is_not_a_number(at[r]) ? Status::outside_domain : Status::overflow;
+                    return;
+                }
+                values[r / group][j].at[r % group] = at[r];
+            }
+        }
+        panels_.push_back({level, index, {}, {}});
+        Panel& p = panels_.back();
+        for (std::size_t r = 0; r < Rows; ++r) {
+            p.base[r] = values[r / group][nodes / 2].at[r % group];
+            for (std::size_t j = 0; j < nodes; ++j) values[r / group][j].at[r % group] -= p.base[r];
+        }
+        for (std::size_t s = 0; s < sides; ++s) {
+            const auto c = interpolated<double>(values[s]);
+            for (std::size_t k = 0; k < nodes; ++k) p.c[k][s] = c[k];
+        }
+        double worst = 0; // last coefficients, in units of what is allowed
+        for (std::size_t r = 0; r < Rows; ++r) {
+            double most = std::abs(p.base[r]);
+            for (std::size_t k = 0; k < nodes; ++k) most = std::max(most, std::abs(p.at(k, r)));
+            const double tail = std::max(std::abs(p.at(nodes - 1, r)), std::abs(p.at(nodes - 2, r)));
+            worst = std::max(worst, tail / std::max(2e-16 * most, negligible * scale_[r]));
+        }
+        if (worst <= 1 || (worst < 1e3 && parent >= 0 && parent < 4 * worst)) {
+            deepest = std::max(deepest, level);
+            return;
+        }
+        if (level == most_) {
+            resolved = false;
+            return;
+        }
+        panels_.pop_back();
+        divide(amplitudes, root, level + 1, 2 * index, worst);
+        if (status == Status::ok) divide(amplitudes, root, level + 1, 2 * index + 1, worst);
+    }
+
+    void choose() {
+        std::array<std::size_t, Rows> length{};
+        for (std::size_t r = 0; r < Rows; ++r)
+            for (Panel& p : panels_) {
+                double most = std::abs(p.base[r]), sum = most;
+                for (std::size_t k = 0; k < nodes; ++k) {
+                    most = std::max(most, std::abs(p.at(k, r)));
+                    sum += std::abs(p.at(k, r));
+                }
+                if (!(sum > negligible * scale_[r])) continue;
+                std::size_t size = nodes; // the rounding of a row is not worth a coefficient
+                const double allowed = std::max(negligible / 2 * scale_[r], 3e-17 * most);
+                while (size > 1 && std::abs(p.at(size - 1, r)) < allowed) --size;
+                for (std::size_t k = size; k < nodes; ++k) p.c[k][r / group].at[r % group] = 0;
+                length[r] = std::max(length[r], size);
+            }
+        for (std::size_t r = 0; r < Rows; ++r)
+            if (length[r] > 0) kept.push_back(r);
+        std::stable_sort(kept.begin(), kept.end(),
+                         [&](std::size_t a, std::size_t b) { return length[a] > length[b]; });
+        groups = (kept.size() + group - 1) / group;
+    }
+
+    void descend(const Side* c, std::size_t size, std::size_t g, int level, std::size_t index, int levels,
+                 std::size_t base) {
+        size = cut(c, size, g);
+        if (level == levels) {
+            piece[index * groups + g] = {coefficients.size(), size, base};
+            coefficients.insert(coefficients.end(), c, c + size);
+            for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l) {
+                const double allowed = negligible * scale_[kept[g * group + l]];
+                double rest = 0;
+                std::size_t d = size;
+                while (d > 1 && rest + std::abs(c[d - 1].at[l]) <= allowed) rest += std::abs(c[--d].at[l]);
+                degree[g * group + l] = std::max(degree[g * group + l], static_cast<unsigned>(d - 1));
+            }
+            return;
+        }
+        std::array<Side, nodes> left, right;
+        halve(c, size, left.data(), right.data());
+        descend(left.data(), size, g, level + 1, 2 * index, levels, base);
+        descend(right.data(), size, g, level + 1, 2 * index + 1, levels, base);
+    }
+    std::size_t cut(const Side* c, std::size_t size, std::size_t g) const {
+        for (; size > 1; --size)
+            for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l)
+                if (std::abs(c[size - 1].at[l]) > 0.02 * negligible * scale_[kept[g * group + l]])
+                    return size;
+        return size;
+    }
+
+    std::vector<Side> base_;
+    std::array<double, Rows> scale_{};
+    int most_ = 0;
+    std::vector<Panel> panels_;
+};
+
+} // namespace resonform::kernel
+
+#endif

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// V vectors of points of one piece. Each number comes from the same operations in the same order whatever V
+// is.
+#ifndef RESONFORM_RUNTIME_KERNEL_BLOCK
+#define RESONFORM_RUNTIME_KERNEL_BLOCK
+
+#include "runtime/kernel/lanes.hpp"
+#include "runtime/kernel/view.hpp"
+
+namespace resonform::kernel {
+inline namespace RESONFORM_WIDTH {
+
+// Cosine and sine of (f + whole) quarter turns, |f| <= 1/2 and a little; `whole` in the last bits of
+// `turned`. Chebyshev fits in f^2, errors 4e-18 and 1e-19.
+template <int N>
+[[gnu::always_inline]] inline void
+cosine_and_sine(typename Lanes<N>::Vector f, typename Lanes<N>::Vector turned,
+                typename Lanes<N>::Vector& cosine, typename Lanes<N>::Vector& sine) {
+    using L = Lanes<N>;
+    using Vector = typename L::Vector;
+    using Bits = typename L::Bits;
+    const Vector z = L::product(f, f);
+    Vector s = L::all(5.633912950662773e-08), c = L::all(-6.329375614927176e-09);
+    s = L::multiply_add(s, z, L::all(-3.5986432112080418e-06));
+    c = L::multiply_add(c, z, L::all(4.710678264238564e-07));
+    s = L::multiply_add(s, z, L::all(0.00016044115070638467));
+    c = L::multiply_add(c, z, L::all(-2.5202039024455834e-05));
+    s = L::multiply_add(s, z, L::all(-0.004681754132336862));
+    c = L::multiply_add(c, z, L::all(0.0009192602745464332));
+    s = L::multiply_add(s, z, L::all(0.0796926262460428));
+    c = L::multiply_add(c, z, L::all(-0.020863480763340752));
+    s = L::multiply_add(s, z, L::all(-0.6459640975062443));
+    c = L::multiply_add(c, z, L::all(0.2536695079010478));
+    s = L::multiply_add(s, z, L::all(1.5707963267948966));
+    c = L::multiply_add(c, z, L::all(-1.2337005501361697));
+    s = L::product(s, f);
+    c = L::multiply_add(c, z, L::all(1.0));
+    const Bits quadrant = L::bits(turned), odd = -(quadrant & 1);
+    const Bits x = (L::bits(s) & odd) | (L::bits(c) & ~odd), y = (L::bits(c) & odd) | (L::bits(s) & ~odd);
+    cosine = L::number(x ^ (((quadrant + 1) & 2) << 62));
+    sine = L::number(y ^ ((quadrant & 2) << 62));
+}
+
+inline constexpr double magic =
+    6755399441055744; // 1.5*2^52: what is added to it is rounded to a whole number
+
+// Where V vectors of points stand in a piece.
+template <int N, int V> struct Place {
+    typename Lanes<N>::Vector d[V], v[V], low[V]; // low: what t lacks to the time that is meant
+};
+
+// A phase in quarter turns: f[i] + whole, `turned` holds the whole. Products of halves are exact, so that no
+// contraction changes them.
+template <int N, int V, bool Low>
+[[gnu::always_inline]] inline void phase_of(const View& w, const PhaseRow& p, const double* piece,
+                                            const Place<N, V>& at, typename Lanes<N>::Vector* f,
+                                            typename Lanes<N>::Vector* turned) {
+    using L = Lanes<N>;
+    using Vector = typename L::Vector;
+    const double* c = piece + p.offset;
+    Vector large[V] = {}, rest[V] = {};
+    if (p.wide == 0) {
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) rest[i] = L::all(c[0]);
+        for (unsigned j = 1; j <= p.degree; ++j) {
+            const Vector next = L::all(c[j]);
+            RESONFORM_UNROLL for (int i = 0; i < V; ++i) rest[i] = L::multiply_add(rest[i], at.v[i], next);
+        }
+        c += p.degree + 1;
+        const Vector high = L::all(c[0]), low = L::all(c[1]);
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+            const Vector d1 = L::upper(at.d[i]), d2 = at.d[i] - d1;
+            if constexpr (Low) rest[i] = L::multiply_add(high, at.low[i], rest[i]);
+            rest[i] = L::multiply_add(low, at.d[i], rest[i]);
+            rest[i] = L::multiply_add(high, d2, rest[i]);
+            large[i] = high * d1; // exact
+        }
+        c += 2;
+    } else {
+        Vector u[V], x[V], y[V];
+        const Vector unit = L::all(w.to_local / 2);
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+            u[i] = at.d[i] * unit; // exact
+            y[i] = L::all(c[0]);
+        }
+        for (unsigned j = 1; j <= p.degree; ++j) {
+            const Vector next = L::all(c[j]);
+            RESONFORM_UNROLL for (int i = 0; i < V; ++i) y[i] = L::multiply_add(y[i], u[i], next);
+        }
+        c += p.degree + 1;
+        const Vector high = L::all(c[0]), low = L::all(c[1]);
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+            x[i] = high;
+            y[i] = L::multiply_add(y[i], u[i], low);
+        }
+        c += 2;
+        for (unsigned j = p.wide; j > 0; c += j == 1 ? 1 : 2, --j) {
+            const Vector above = L::all(c[0]), below = L::all(c[1]);
+            RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+                Vector error;
+                const Vector product = L::product(x[i], u[i]);
+#if defined(__FMA__)
+                error = L::multiply_add(x[i], u[i], -product);
+#else
+                const Vector x1 = L::upper(x[i]), x2 = x[i] - x1, u1 = L::upper(u[i]), u2 = u[i] - u1;
+                error = ((x1 * u1 - product) + x1 * u2 + x2 * u1) + x2 * u2;
+#endif
+                error = L::multiply_add(y[i], u[i], error);
+                if constexpr (Low)
+                    if (j == 1) error = L::multiply_add(x[i], at.low[i] * unit, error);
+                if (j == 1) { // nothing more is multiplied: the constant is small
+                    large[i] = product;
+                    rest[i] = error + above;
+                } else {
+                    const Vector sum = product + above, part = sum - product;
+                    x[i] = sum;
+                    y[i] = error + (below + ((product - (sum - part)) + (above - part)));
+                }
+            }
+        }
+    }
+    const Vector shift = L::all(c[0]); // magic + whole quarter turns
+    RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+        turned[i] = (large[i] + rest[i]) + shift;
+        f[i] = (large[i] - (turned[i] - shift)) + rest[i];
+    }
+}
+
+template <int N, int V> struct Factors { typename Lanes<N>::Vector at[most_factors][V]; };
+
+template <int N, int V> [[gnu::always_inline]] inline void turn(const Step& s, Factors<N, V>& g) {
+    using L = Lanes<N>;
+    using Vector = typename L::Vector;
+    const Vector sign = L::all(s.sign);
+    RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+        const Vector a = g.at[2 * s.from][i], b = g.at[2 * s.from + 1][i];
+        const Vector c = g.at[2 * s.by][i], d = sign * g.at[2 * s.by + 1][i]; // exact
+        g.at[2 * s.to][i] = L::multiply_add(a, c, -L::product(b, d));
+        g.at[2 * s.to + 1][i] = L::multiply_add(b, c, L::product(a, d));
+    }
+}
+
+// The outputs `wanted` (bits) of V*N points of one piece.
+template <int N, int V, bool Low>
+[[gnu::always_inline]] inline void block(const View& w, const double* piece, const double* t,
+                                         const double* low, unsigned long long wanted, double* const* to,
+                                         std::size_t first) {
+    using L = Lanes<N>;
+    using Vector = typename L::Vector;
+    Place<N, V> at;
+    Factors<N, V> g;
+    const Vector left = L::all(piece[0]), to_local = L::all(w.to_local), middle = L::all(w.middle);
+    RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+        at.d[i] = L::load(t + i * N) - left;
+        at.v[i] = at.d[i] * to_local - middle; // the product is exact
+        if constexpr (Low) at.low[i] = L::load(low + i * N);
+    }
+    for (unsigned k = 0; k < w.phases; ++k) {
+        const PhaseRow& p = w.phase[k];
+        if ((p.outputs & wanted) == 0) continue;
+        Vector f[V], turned[V];
+        phase_of<N, V, Low>(w, p, piece, at, f, turned);
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i)
+            cosine_and_sine<N>(f[i], turned[i], g.at[2 * p.harmonic][i], g.at[2 * p.harmonic + 1][i]);
+    }
+    for (unsigned k = 0; k < w.steps; ++k)
+        if ((w.step[k].outputs & wanted) != 0) turn<N, V>(w.step[k], g);
+    for (unsigned o = 0; o < w.outputs; ++o) {
+        if ((wanted >> o & 1) == 0) continue;
+        const Output& output = w.output[o];
+        Vector sum[V];
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) sum[i] = Vector{};
+        for (unsigned r = output.first; r < output.first + output.count; ++r) {
+            const Row& row = w.row[r];
+            const double* c = piece + row.offset;
+            Vector value[V];
+            RESONFORM_UNROLL for (int i = 0; i < V; ++i) value[i] = L::all(c[0]);
+            for (unsigned j = row.degree; j > 0; --j) {
+                c += group;
+                const Vector next = L::all(*c);
+                RESONFORM_UNROLL for (int i = 0; i < V; ++i) value[i] =
+                    L::multiply_add(value[i], at.v[i], next);
+            }
+            if (row.factor == no_factor) {
+                RESONFORM_UNROLL for (int i = 0; i < V; ++i) sum[i] = value[i] + sum[i];
+            } else {
+                RESONFORM_UNROLL for (int i = 0; i < V; ++i) sum[i] =
+                    L::multiply_add(value[i], g.at[row.factor][i], sum[i]);
+            }
+        }
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) L::store(to[o] + first + i * N, sum[i]);
+    }
+}
+
+} // namespace RESONFORM_WIDTH
+} // namespace resonform::kernel
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The times t0 + i dt, exactly. Where many lie within a part of the shortest period, the outputs are
+// interpolated there: windows of a power of two, nodes that are exact doubles, one polynomial for each
+// output.
+#ifndef RESONFORM_RUNTIME_KERNEL_GRID
+#define RESONFORM_RUNTIME_KERNEL_GRID
+
+#include "runtime/kernel/batch.hpp"
+
+namespace resonform::kernel {
+inline namespace RESONFORM_WIDTH {
+
+inline constexpr int window_nodes = 12;
+inline constexpr std::size_t windows_at_once = 32, least_in_window = 24;
+
+// Chebyshev nodes, ascending, rounded to 2^-20; and from the values there to Chebyshev coefficients.
+struct WindowRule {
+    static constexpr long node[window_nodes] = {-1039605, -968758, -831891, -638333, -401273, -136867,
+                                                136867,   401273,  638333,  831891,  968758,  1039605};
+    double to_series[window_nodes][window_nodes] = {}; // [node][coefficient]
+    double powers[window_nodes][window_nodes] = {};    // T_k = sum_j powers[k][j] x^j
+    constexpr WindowRule() {
+        constexpr int n = window_nodes;
+        long double a[n][2 * n] = {}; // T_k(x_j) | 1, by Gauss and Jordan
+        for (int j = 0; j < n; ++j) {
+            const long double x = static_cast<long double>(node[j]) / 1048576;
+            a[j][0] = 1;
+            a[j][1] = x;
+            for (int k = 2; k < n; ++k) a[j][k] = 2 * x * a[j][k - 1] - a[j][k - 2];
+            a[j][n + j] = 1;
+        }
+        for (int k = 0; k < n; ++k) {
+            int best = k;
+            for (int j = k; j < n; ++j)
+                if (a[j][k] * a[j][k] > a[best][k] * a[best][k]) best = j;
+            for (int i = 0; i < 2 * n; ++i) {
+                const long double kept = a[k][i];
+                a[k][i] = a[best][i];
+                a[best][i] = kept;
+            }
+            const long double pivot = a[k][k];
+            for (int i = 0; i < 2 * n; ++i) a[k][i] /= pivot;
+            for (int j = 0; j < n; ++j) {
+                const long double factor = a[j][k];
+                for (int i = 0; i < 2 * n; ++i)
+                    if (j != k) a[j][i] -= factor * a[k][i];
+            }
+        }
+        for (int k = 0; k < n; ++k)
+            for (int j = 0; j < n; ++j) to_series[j][k] = static_cast<double>(a[k][n + j]);
+        powers[0][0] = powers[1][1] = 1;
+        for (int k = 2; k < n; ++k)
+            for (int j = 0; j < n; ++j)
+                powers[k][j] = (j > 0 ? 2 * powers[k - 1][j - 1] : 0) - powers[k - 2][j];
+    }
+};
+inline constexpr WindowRule window_rule{};
+
+// t0 + i dt as a rounded number and what it lacks.
+struct ExactTimes {
+    double t0, dt;
+    [[gnu::always_inline]] void at(std::size_t i, double& high, double& low) const {
+        using L = Lanes<2>;
+        const L::Vector n = L::all(static_cast<double>(i)), step = L::all(dt), p = L::product(n, step);
+#if defined(__FMA__)
+        const L::Vector error = L::multiply_add(n, step, -p);
+#else
+        const L::Vector n1 = L::upper(n), n2 = n - n1, s1 = L::upper(step), s2 = step - s1;
+        const L::Vector error = ((n1 * s1 - p) + n1 * s2 + n2 * s1) + n2 * s2;
+#endif
+        const L::Vector a = L::all(t0), s = a + p, part = s - a;
+        const L::Vector rest = ((a - (s - part)) + (p - part)) + error, sum = s + rest;
+        high = sum[0];
+        low = ((s - sum) + rest)[0];
+    }
+};
+
+// Up to `chunk` points one by one.
+inline void point_by_point(const View& w, const ExactTimes& times, std::size_t from, std::size_t n,
+                           const Target& target, Status* status, BatchReport& report) {
+    double t[chunk], used[chunk], low[chunk], *to[most_outputs];
+    double last = 0, last_low = 0;
+    bool ok = true;
+    for (std::size_t i = 0; i < n; ++i) {
+        double rest = 0;
+        times.at(from + i, t[i], rest);
+        const Status s = status_of(w, t[i]);
+        ok = ok && s == Status::ok;
+        if (answers(s)) {
+            last = t[i];
+            last_low = rest;
+        }
+        used[i] = last;
+        low[i] = last_low;
+    }
+    for (unsigned o = 0; o < w.outputs; ++o) to[o] = target.to[o] == nullptr ? nullptr : target.to[o] + from;
+    values_at<true>(w, used, low, n, look(w, used, n).ascend, target.wanted, to);
+    if (ok)
+        all_fine(status == nullptr ? nullptr : status + from, n);
+    else
+        repair(
+            from, n, [&](std::size_t i) { return status_of(w, t[i]); }, w, target, status, report);
+}
+
+// The polynomial of one output in a window at the points u0 + j du.
+inline void in_window(const double* values, double u0, double du, std::size_t n, double* to) {
+    using L = Lanes<lanes>;
+    double series[window_nodes] = {}, c[window_nodes] = {};
+    const double base = values[window_nodes / 2];
+    for (int j = 0; j < window_nodes; ++j)
+        for (int k = 0; k < window_nodes; ++k) series[k] += (values[j] - base) * window_rule.to_series[j][k];
+    for (int k = window_nodes - 1; k >= 0; --k)
+        for (int j = 0; j < window_nodes; ++j) c[j] += series[k] * window_rule.powers[k][j];
+    c[0] += base;
+    L::Vector steps{};
+    for (int j = 0; j < lanes; ++j) steps[j] = j;
+    const L::Vector origin = L::all(u0), step = L::all(du);
+    constexpr std::size_t many = lanes * at_once;
+    for (std::size_t i = 0; i < n; i += many) {
+        L::Vector u[at_once], x[at_once];
+        RESONFORM_UNROLL for (int k = 0; k < at_once; ++k) {
+            const L::Vector j = steps + L::all(static_cast<double>(i + static_cast<std::size_t>(k * lanes)));
+            u[k] = L::multiply_add(j, step, origin);
+            x[k] = L::all(c[window_nodes - 1]);
+        }
+        for (int j = window_nodes - 1; j > 0; --j) {
+            const L::Vector next = L::all(c[j - 1]);
+            RESONFORM_UNROLL for (int k = 0; k < at_once; ++k) x[k] = L::multiply_add(x[k], u[k], next);
+        }
+        if (i + many <= n) {
+            RESONFORM_UNROLL for (int k = 0; k < at_once; ++k) L::store(to + i + k * lanes, x[k]);
+        } else {
+            for (std::size_t k = 0; i + k < n; ++k) to[i + k] = x[k / lanes][k % lanes];
+        }
+    }
+}
+
+struct Window {
+    std::size_t first, count;
+    double centre;
+};
+
+inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, double* const* outputs,
+                        Status* status) noexcept {
+    BatchReport report{Status::ok, 0, n};
+    const Target target(w, outputs);
+    const ExactTimes times{t0, dt};
+    const double highest = w.precise < w.reach ? w.precise : w.reach;
+    // half a window: 0.4 radians of the fastest harmonic, a quarter of a piece
+    double longest = 0.25 / w.per_width, half = 1;
+    if (w.shortest_period > 0 && 0.06 * w.shortest_period < longest) longest = 0.06 * w.shortest_period;
+    while (half > longest) half /= 2;
+    while (2 * half <= longest) half *= 2;
+    const double size = dt < 0 ? -dt : dt, in_one = 2 * half / size;
+    const bool windows = t0 - t0 == 0 && in_one >= static_cast<double>(least_in_window) && size > 0x1p-900;
+    Window window[windows_at_once];
+    double at[windows_at_once * window_nodes], values[most_outputs][windows_at_once * window_nodes];
+    double* to[most_outputs];
+    for (unsigned o = 0; o < w.outputs && o < most_outputs; ++o) to[o] = values[o];
+    for (std::size_t i = 0; i < n;) {
+        std::size_t count = 0, next = i;
+        while (windows && next < n && count < windows_at_once) {
+            double t = 0, low = 0;
+            times.at(next, t, low);
+            if (!(t >= 0 && t <= highest)) break;
+            const double k = static_cast<double>(static_cast<long long>(t / (2 * half)));
+            const double left = 2 * half * k, right = left + 2 * half;
+            if (right > highest || (dt < 0 && k == 0)) break;
+            const double inside = (dt > 0 ? right - t : t - left) / size;
+            std::size_t points = inside < 1e15 ? static_cast<std::size_t>(inside) + 1 : n;
+            if (points > n - next) points = n - next;
+            window[count] = {next, points, left + half};
+            for (int j = 0; j < window_nodes; ++j)
+                at[count * window_nodes + static_cast<std::size_t>(j)] =
+                    left + half + half * (static_cast<double>(WindowRule::node[j]) / 1048576);
+            ++count;
+            next += points;
+        }
+        if (count == 0) { // near an end, outside, or few points in a window
+            std::size_t points = windows ? least_in_window : chunk;
+            if (windows) {
+                double t = 0, low = 0;
+                times.at(i, t, low);
+                if (!(t >= 0 && t <= highest)) points = chunk / 4;
+            }
+            if (points > n - i) points = n - i;
+            point_by_point(w, times, i, points, target, status, report);
+            i += points;
+            continue;
+        }
+        values_at<false>(w, at, nullptr, count * window_nodes, dt > 0, target.wanted, to);
+        for (unsigned o = 0; o < w.outputs; ++o) {
+            if ((target.wanted >> o & 1) == 0) continue;
+            for (std::size_t k = 0; k < count; ++k) {
+                double t = 0, low = 0;
+                times.at(window[k].first, t, low);
+                in_window(values[o] + k * window_nodes, ((t - window[k].centre) + low) / half, dt / half,
+                          window[k].count, target.to[o] + window[k].first);
+            }
+        }
+        all_fine(status == nullptr ? nullptr : status + i, next - i);
+        i = next;
+    }
+    return report;
+}
+
+} // namespace RESONFORM_WIDTH
+} // namespace resonform::kernel
+
+#endif

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// The tables of a scene (runtime/kernel/scene.hpp): built once, read by the loops of every width.
+#ifndef RESONFORM_RUNTIME_KERNEL_TABLES
+#define RESONFORM_RUNTIME_KERNEL_TABLES
+
+#include "runtime/kernel/amplitude_rows.hpp"
+#include "runtime/kernel/phase_rows.hpp"
+#include "runtime/kernel/scene.hpp"
+
+#include <memory>
+#include <new>
+
+namespace resonform::kernel {
+
+// x rounded up to 20 bits: multiples up to 2^33 of it are exact.
+inline double round_up(double x) {
+    int exponent = 0;
+    const double part = std::frexp(x, &exponent);
+    return std::ldexp(std::ceil(std::ldexp(part, 20)), exponent - 20);
+}
+
+// The largest t with eps t <= end as the processor multiplies.
+inline double last_time(double eps, double end) {
+    double t = end / eps;
+    while (eps * t > end) t = std::nextafter(t, 0.0);
+    for (double next = std::nextafter(t, 2 * t); eps * next <= end; next = std::nextafter(t, 2 * t)) t = next;
+    return t;
+}
+
+struct Options {
+    int levels = 5;        // 2^levels pieces at least
+    int most_straight = 9; // beyond, phases are curved within a piece
+    double resolution = 0; // relative error of the rates, if it is more than that of their type
+    double end = 0;        // slow time up to which is asked, if the scene ends before; and what is then said
+    Status beyond = Status::ok;
+};
+
+class Tables {
+public:
+    Tables() = default;
+    Tables(const Tables&) = delete;
+    Tables& operator=(const Tables&) = delete;
+
+    const View& view() const { return view_; }
+    // no_memory; outside_domain: not resolved by 4096 pieces, or too many harmonics.
+    template <class Scene> Status build(const Scene& scene, const Options& options = {}) noexcept {
+        try {
+            return construct(scene, options);
+        } catch (const std::bad_alloc&) {
+            return Status::no_memory;
+        }
+    }
+    std::size_t bytes() const { return numbers_.size() * sizeof(double); }
+
+private:
+    template <class Scene> Status construct(const Scene& scene, const Options& options) {
+        constexpr std::size_t count = Scene::terms.size();
+        const double eps = scene.eps;
+        view_ = {};
+        view_.reach = last_time(eps, scene.end * (1 + 0x1p-50));
+        view_.end = options.end > 0 ? last_time(eps, options.end * (1 + 0x1p-50)) : view_.reach;
+        view_.beyond = options.beyond;
+        const double root = round_up(view_.reach);
+        std::array<double, count> scale;
+        for (std::size_t r = 0; r < count; ++r) scale[r] = scene.scale[Scene::terms[r].output];
+        const auto rows = std::make_unique<AmplitudeFit<count>>();
+        rows->fit([&](double t) { return scene.amplitudes(eps * t); }, root, scale, most_levels);
+        if (rows->status != Status::ok) return rows->status;
+        if (!rows->resolved) return Status::outside_domain;
+        if constexpr (Scene::phases == 0) {
+            lay_out<Scene>(*rows, std::max(options.levels, rows->deepest), root);
+            fill(*rows, root);
+            return Status::ok;
+        } else {
+            // Long double is good enough, and much faster, as long as there are not many turns.
+            double turns = 0;
+            for (const double rate : scene.template rates<double>(0.5 * scene.end))
+                turns = std::max(turns, std::abs(rate) * scene.end);
+            if (turns < 1500 && math::digits < long double >> 60)
+                return with_phases<long double>(scene, options, *rows, root);
+            return with_phases<Twice<double>>(scene, options, *rows, root);
+        }
+    }
+
+    template <class Wide, class Scene, class Rows>
+    Status with_phases(const Scene& scene, const Options& options, Rows& rows, double root) {
+        const Wide per_quarter = Wide(2) / math::pi<Wide>(), eps(scene.eps), scaled = eps * per_quarter;
+        std::array<PhaseFit<Wide>, Scene::phases> fits;
+        int levels = std::max(options.levels, rows.deepest), straight = 0;
+        bool steep = false;
+        for (std::size_t p = 0; p < Scene::phases; ++p) {
+            const Wide start = (Wide(scene.start[p].high) + Wide(scene.start[p].low)) * per_quarter;
+            fits[p].fit([&](const Wide& t) { return Wide(scene.rates(Wide(eps * t))[p] * scaled); }, root,
+                        start);
+            if (!fits[p].resolved) return Status::outside_domain;
+            levels = std::max(levels, fits[p].deepest());
+            straight = std::max(straight, fits[p].straight_at());
+            steep = steep || std::ldexp(fits[p].steepest(), -std::max(levels, straight)) > 0x1p21;
+        }
+        const bool curved = steep || straight > options.most_straight;
+        levels = curved ? std::max(levels, 8) : std::max(levels, straight);
+        if (levels > most_levels) return Status::outside_domain;
+        const double width = std::ldexp(root, -levels);
+        set_pieces(levels, width);
+        const std::size_t pieces = std::size_t{1} << levels;
+        std::vector<PhasePiece> phases(pieces * Scene::phases);
+        for (std::size_t p = 0; p < Scene::phases; ++p)
+            fits[p].pieces(levels, [&](std::size_t index, const Wide* c, std::size_t size) {
+                phases[index * Scene::phases + p] = curved ? curved_piece(c, size, width, view_.to_local / 2)
+                                                           : straight_piece(c, size, width, view_.middle);
+            });
+        for (std::size_t p = 0; p < Scene::phases; ++p)
+            phase_.push_back(shape(phases, p, Scene::phases, curved));
+        lay_out<Scene>(rows, levels, root);
+        fill(rows, root);
+        fill_phases(phases);
+        const double resolution = std::max(options.resolution, static_cast<double>(math::epsilon<Wide>()));
+        const double most = std::min(1e-9 / resolution, 1e14) * (2 / 3.141592653589793);
+        for (std::size_t i = 0; i < pieces; ++i)
+            for (std::size_t p = 0; p < Scene::phases; ++p)
+                if (phases[i * Scene::phases + p].largest > most)
+                    view_.precise = std::min(view_.precise, width * static_cast<double>(i));
+        double fastest = 0;
+        for (const PhaseFit<Wide>& fit : fits) fastest = std::max(fastest, fit.steepest() / root);
+        const auto made = harmonics_of<Scene>();
+        int highest = 1;
+        for (std::size_t h = 0; h < made.count; ++h) {
+            int sum = 0;
+            for (const int k : made.made[h].k) sum += k < 0 ? -k : k;
+            if (needed_[h] != 0) highest = std::max(highest, sum);
+        }
+        view_.shortest_period = 4 / (fastest * highest);
+        return Status::ok;
+    }
+
+    void set_pieces(int levels, double width) {
+        int exponent = 0;
+        view_.middle = std::frexp(width, &exponent);
+        view_.to_local = std::ldexp(2.0, -exponent);
+        view_.last = (1 << levels) - 1;
+        view_.per_width = 1 / width;
+        view_.precise = view_.reach;
+    }
+
+    // How many coefficients of phase p have to be kept in all pieces.
+    static PhaseRow shape(const std::vector<PhasePiece>& pieces, std::size_t p, std::size_t phases,
+                          bool curved) {
+        unsigned size = 2, wide = curved ? 1 : 0;
+        for (std::size_t i = p; i < pieces.size(); i += phases) {
+            const PhasePiece& piece = pieces[i];
+            double rest = 0;
+            unsigned used = piece.size;
+            while (used > 2 && rest + std::abs(piece.high[used - 1]) < 0x1p-57)
+                rest += std::abs(piece.high[--used]);
+            size = std::max(size, used);
+            rest = 0;
+            unsigned plain = piece.size;
+            while (plain > 2 && rest + std::abs(piece.high[plain - 1]) < 0.5)
+                rest += std::abs(piece.high[--plain]);
+            if (curved) wide = std::max(wide, plain - 1);
+        }
+        // plain: q of degree size - 1. wide: what is above d^wide
+        const unsigned degree = wide == 0 ? size - 1 : size > wide + 2 ? size - wide - 2 : 0;
+        return {0, degree, wide, static_cast<unsigned>(p), 0};
+    }
+
+    template <class Scene, class Rows> void lay_out(Rows& rows, int levels, double root) {
+        rows.pieces(levels);
+        constexpr std::size_t most = Harmonics<Scene::phases>::most;
+        static constexpr auto harmonics = harmonics_of<Scene>();
+        static_assert(harmonics.fits && Scene::outputs <= most_outputs);
+        set_pieces(levels, std::ldexp(root, -levels));
+        unsigned offset = 1;
+        for (PhaseRow& p : phase_) {
+            p.offset = offset;
+            offset += p.degree + 1 + (p.wide == 0 ? 2 : 2 * p.wide + 1) + 1;
+        }
+        offset = (offset + 7) / 8 * 8;
+        for (std::size_t g = 0; g < rows.groups; ++g) {
+            groups_.push_back({offset, rows.group_degree(g)});
+            offset += group * (groups_.back().degree + 1);
+        }
+        view_.stride = offset;
+        needed_.assign(most, 0);
+        for (unsigned o = 0; o < Scene::outputs; ++o) {
+            Output output{static_cast<unsigned>(row_.size()), 0};
+            for (const bool mean : {false, true})
+                for (std::size_t place = 0; place < rows.kept.size(); ++place) {
+                    const auto& term = Scene::terms[rows.kept[place]];
+                    if (term.output != o || (term.wave == Wave::one) != mean) continue;
+                    ++output.count;
+                    const Group& g = groups_[place / group];
+                    Row row{0, rows.degree[place], no_factor, static_cast<unsigned>(place)};
+                    row.offset =
+                        g.offset + (g.degree - row.degree) * group + static_cast<unsigned>(place % group);
+                    if (!mean) {
+                        const unsigned h = harmonics.index(term.k);
+                        row.factor = 2 * h + (term.wave == Wave::sine ? 1 : 0);
+                        needed_[h] |= 1ULL << o;
+                    }
+                    row_.push_back(row);
+                }
+            output_.push_back(output);
+        }
+        for (std::size_t h = harmonics.count; h-- > Scene::phases;) {
+            const auto& m = harmonics.made[h];
+            needed_[m.from] |= needed_[h];
+            needed_[m.by] |= needed_[h];
+        }
+        for (std::size_t h = Scene::phases; h < harmonics.count; ++h) {
+            const auto& m = harmonics.made[h];
+            if (needed_[h] == 0) continue;
+            step_.push_back(
+                {static_cast<unsigned>(h), m.from, m.by, static_cast<double>(m.sign), needed_[h]});
+        }
+        for (PhaseRow& p : phase_) p.outputs = needed_[p.harmonic];
+        view_.phases = static_cast<unsigned>(phase_.size());
+        view_.steps = static_cast<unsigned>(step_.size());
+        view_.rows = static_cast<unsigned>(row_.size());
+        view_.outputs = static_cast<unsigned>(output_.size());
+        view_.groups = static_cast<unsigned>(groups_.size());
+        view_.phase = phase_.data();
+        view_.step = step_.data();
+        view_.row = row_.data();
+        view_.output = output_.data();
+        view_.groups_of_rows = groups_.data();
+    }
+
+    template <class Rows> void fill(Rows& rows, double root) {
+        const auto pieces = static_cast<std::size_t>(view_.last) + 1;
+        int levels = 0;
+        while ((std::size_t{1} << levels) < pieces) ++levels;
+        numbers_.assign(pieces * view_.stride, 0);
+        view_.pieces = numbers_.data();
+        const double width = std::ldexp(root, -levels);
+        std::array<Side, nodes> c;
+        for (std::size_t i = 0; i < pieces; ++i) {
+            double* piece = numbers_.data() + i * view_.stride;
+            piece[0] = width * static_cast<double>(i);
+            for (std::size_t g = 0; g < groups_.size(); ++g) {
+                rows.powers(i, g, view_.middle, c);
+                for (unsigned j = 0; j <= groups_[g].degree; ++j)
+                    std::copy_n(c[groups_[g].degree - j].at, group, piece + groups_[g].offset + j * group);
+            }
+        }
+    }
+
+    void fill_phases(const std::vector<PhasePiece>& phases) {
+        constexpr double whole = 6755399441055744; // 1.5*2^52
+        for (std::size_t i = 0; i < phases.size(); ++i) {
+            const PhaseRow& p = phase_[i % phase_.size()];
+            const PhasePiece& from = phases[i];
+            double* to = numbers_.data() + i / phase_.size() * view_.stride + p.offset;
+            const unsigned lowest = p.wide == 0 ? 0 : p.wide + 1;
+            for (unsigned j = p.degree + 1; j-- > 0;) *to++ = from.high[lowest + j];
+            if (p.wide == 0) {
+                *to++ = from.w[0];
+                *to++ = from.w[1];
+            } else {
+                for (unsigned j = p.wide; j > 0; --j) {
+                    *to++ = from.high[j];
+                    *to++ = from.low[j];
+                }
+                *to++ = from.high[0];
+            }
+            *to = whole + from.shift;
+        }
+    }
+
+    View view_;
+    std::vector<double> numbers_;
+    std::vector<PhaseRow> phase_;
+    std::vector<Step> step_;
+    std::vector<Row> row_;
+    std::vector<Output> output_;
+    std::vector<Group> groups_;
+    std::vector<unsigned long long> needed_;
+};
+
+} // namespace resonform::kernel
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The tables of a solution as the loops see them: plain numbers, the same for every width.
+//
+//   u_o(t) = sum_r P_r(v) g_r(theta_1, ..., theta_p),   g = 1, cos(k.theta), sin(k.theta)
+//
+// Times are cut into pieces of equal width; edges are exact doubles, and so is d = t - left. v = 2^n d - m
+// lies within -m ... m, where m = 2^n width/2 is exact and between 1/2 and 1, and so is v but for its last
+// place. In quarter turns each phase is  w d + q(v)  with |q| of about 1, or, where many turns are curved in
+// one piece, a polynomial in d whose first coefficients are pairs of doubles (`wide` of them).
+#ifndef RESONFORM_RUNTIME_KERNEL_VIEW
+#define RESONFORM_RUNTIME_KERNEL_VIEW
+
+#include "runtime/status.hpp"
+
+#include <cstddef>
+
+namespace resonform {
+
+// What a call for many points answers: the worst status, how many are not ok, the first with the worst one
+// (the number of points if all are ok).
+struct BatchReport {
+    Status worst = Status::ok;
+    std::size_t count = 0, first = 0;
+};
+
+// ok < low_precision < outside_interval < outside_domain < overflow < bad_argument < no_memory
+constexpr int badness(Status s) {
+    switch (s) {
+    case Status::ok: return 0;
+    case Status::low_precision: return 1;
+    case Status::outside_interval: return 2;
+    case Status::outside_domain: return 3;
+    case Status::overflow: return 4;
+    case Status::bad_argument: return 5;
+    case Status::no_memory: return 6;
+    }
+    return 6;
+}
+
+namespace kernel {
+
+inline constexpr unsigned group = 8;          // rows side by side in a piece, whatever the width
+inline constexpr unsigned most_outputs = 16;  // of one table
+inline constexpr unsigned most_factors = 512; // cosines and sines
+inline constexpr unsigned most_rows = 4096;
+inline constexpr unsigned no_factor = 0xffff; // of a row without a phase
+
+struct Row {                                // coefficients, highest power first, are `group` numbers apart
+    unsigned offset, degree, factor, place; // place: among the rows of all groups
+};
+// e^{i a} e^{+-i b}: the angles are those of factors 2a, 2a + 1 (cosine, sine).
+struct Step {
+    unsigned to, from, by;
+    double sign;                // of the angle that is added
+    unsigned long long outputs; // which need it
+};
+struct Output {
+    unsigned first,
+        count; // rows; one without a factor is the last, so that its size rounds as little as may be
+};
+// Offsets in a piece. wide = 0: q (degree + 1 coefficients), w by halves, whole quarter turns. Else the plain
+// coefficients of d^wide+1 ..., the pairs from d^wide to d, the constant, whole quarter turns.
+struct PhaseRow {
+    unsigned offset, degree, wide, harmonic;
+    unsigned long long outputs;
+};
+struct Group {
+    unsigned offset, degree;
+};
+
+struct View {
+    const double* pieces = nullptr; // the left edge is the first number of each
+    std::size_t stride = 0;
+    int last = 0;                                   // piece
+    double per_width = 0, to_local = 0, middle = 0; // v = to_local d - middle; to_local is a power of two
+    double reach = 0, end = 0, precise = 0;         // in t
+    Status beyond = Status::ok;                     // between reach and end
+    unsigned phases = 0, steps = 0, rows = 0, outputs = 0, groups = 0;
+    const PhaseRow* phase = nullptr;
+    const Step* step = nullptr;
+    const Row* row = nullptr;
+    const Output* output = nullptr;
+    const Group* groups_of_rows = nullptr;
+    double shortest_period = 0; // of any harmonic, in t
+};
+
+} // namespace kernel
+} // namespace resonform
+
+#endif

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// The loops compiled for avx2.
+#include "runtime/widths/unit.hpp"

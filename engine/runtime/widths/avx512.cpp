@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// The loops compiled for avx512.
+#include "runtime/widths/unit.hpp"

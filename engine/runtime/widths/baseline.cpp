@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// The loops compiled for baseline.
+#include "runtime/widths/unit.hpp"

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes for the evaluator kernel in any real type, and their values by the formula.
+#pragma once
+
+#include "runtime/kernel/scene.hpp"
+#include "runtime/table.hpp"
+#include "runtime/twice.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace resonform::test {
+
+using kernel::Term;
+using kernel::Wave;
+using Fifty = boost::multiprecision::cpp_bin_float_50;
+
+// The pendulum at order 3, as emitted into generated/almost_holonomic_pendulum/third_order.hpp.
+template <class Real> struct Pendulum {
+    static constexpr std::size_t phases = 1, outputs = 3;
+    static constexpr std::array<Term<1>, 12> terms{{{0, Wave::one, {0}},
+                                                    {0, Wave::cosine, {1}},
+                                                    {0, Wave::sine, {1}},
+                                                    {0, Wave::cosine, {3}},
+                                                    {1, Wave::one, {0}},
+                                                    {1, Wave::cosine, {1}},
+                                                    {1, Wave::sine, {1}},
+                                                    {1, Wave::sine, {2}},
+                                                    {2, Wave::one, {0}},
+                                                    {2, Wave::cosine, {1}},
+                                                    {2, Wave::sine, {1}},
+                                                    {2, Wave::sine, {2}}}};
+    Real eps, end;
+    std::array<double, 3> scale;
+    std::array<Twice<double>, 1> start{};
+    PrimitiveTable<Real, 1> drift{};
+
+    explicit Pendulum(double e, double last = 1) : eps(e), end(last), scale{e, 2, 2.5} {
+        Real reach = end;
+        drift.build(
+            [](const Real& T) {
+                const Powers<Real> p(T);
+                return std::array<Real, 1>{T * T * p.per * p.per + p.quarter * p.per / Real(4)};
+            },
+            reach);
+    }
+    template <class Number> struct Powers { // of s = 1 + T^2
+        Number s, per, half, quarter, eighth;
+        explicit Powers(const Number& T) {
+            using math::sqrt;
+            s = T * T + Number(1);
+            per = Number(1) / s;
+            half = sqrt(s);
+            quarter = sqrt(half);
+            eighth = sqrt(quarter);
+        }
+    };
+    std::array<Real, 12> amplitudes(const Real& T) const {
+        using math::asinh;
+        const Powers<Real> p(T);
+        const Real e2 = eps * eps, e3 = e2 * eps;
+        const Real m12 = p.half * p.per, m38 = p.half * p.eighth * p.per, m78 = p.eighth * p.per;
+        const Real m98 = p.half * p.quarter * p.eighth * p.per * p.per,
+                   m138 = p.quarter * p.eighth * p.per * p.per;
+        const Real q = -drift(T)[0] * e2;
+        return {e2 * T * p.half * p.per * p.per,
+                eps * (p.half * p.quarter * p.eighth * p.per +
+                       e2 * (m138 * (Real(1) / Real(16) - Real(3) / Real(128) * T * T) + m38 / Real(32))),
+                e2 * T * m78 / Real(8),
+                -e3 * m38 / Real(192),
+                asinh(T) + q + Real(1),
+                -e3 * m98 * (T * T / Real(8) + Real(1)),
+                -e2 * T * m38,
+                -e3 * m12 / Real(8),
+                p.half + Real(1) - e2 / Real(2) * (p.per + p.quarter),
+                -e3 * Real(7) / Real(8) * T * m98,
+                e2 * m38,
+                -e3 * T * m12 / Real(8)};
+    }
+    template <class Wide> std::array<Wide, 1> rates(const Wide& T) const {
+        const Powers<Wide> p(T);
+        const Wide e(eps);
+        return {(p.half * p.quarter * p.per -
+                 e * e * (T * T * p.quarter * p.per * p.per / Wide(32) + p.half * p.per / Wide(16))) /
+                e};
+    }
+};
+
+// Two phases with 20 rows, three with 31: amplitudes fall with the size of the harmonic.
+template <class Real, std::size_t Phases> struct Many {
+    static constexpr std::size_t phases = Phases, outputs = 3, count = Phases == 2 ? 20 : 31;
+    static constexpr std::array<Term<Phases>, count> terms = [] {
+        std::array<Term<Phases>, count> result{};
+        std::size_t n = 0;
+        for (unsigned o = 0; o < outputs; ++o) result[n++].output = o;
+        for (int size = 1; n < count; ++size)
+            for (int i = 0; i <= size && n < count; ++i)
+                for (int sign : {1, -1}) {
+                    if (n >= count || (i == 0 && sign < 0)) continue;
+                    Term<Phases> t;
+                    t.output = static_cast<unsigned>(n % outputs);
+                    t.wave = n % 2 == 0 ? Wave::cosine : Wave::sine;
+                    if (i > 0) t.k[0] = i;
+                    t.k[size % 2 == 1 && i == 1 ? Phases - 1 : 1] += i == 0 ? size : sign * (size - i);
+                    if (i == size && sign < 0) continue;
+                    result[n++] = t;
+                }
+        return result;
+    }();
+    Real eps, end;
+    std::array<double, 3> scale{1, 1, 1};
+    std::array<Twice<double>, Phases> start{};
+
+    explicit Many(double e, double last = 1) : eps(e), end(last) {
+        for (std::size_t p = 0; p < Phases; ++p) start[p] = Twice<double>(0.25 * static_cast<double>(p));
+    }
+    std::array<Real, count> amplitudes(const Real& T) const {
+        std::array<Real, count> result;
+        for (std::size_t r = 0; r < count; ++r) {
+            int size = 0;
+            for (const int k : terms[r].k) size += k < 0 ? -k : k;
+            Real x = Real(1) / (Real(2) + T * Real(static_cast<int>(r % 5)) / Real(7));
+            for (int i = 1; i < size; ++i) x = x * eps;
+            result[r] = x;
+        }
+        return result;
+    }
+    template <class Wide> std::array<Wide, Phases> rates(const Wide& T) const {
+        std::array<Wide, Phases> result;
+        for (std::size_t p = 0; p < Phases; ++p)
+            result[p] = (Wide(1) + Wide(static_cast<int>(p)) / Wide(3) + T / (Wide(5) + T)) / Wide(eps);
+        return result;
+    }
+};
+
+// No phase at all.
+template <class Real> struct Mean {
+    static constexpr std::size_t phases = 0, outputs = 1;
+    static constexpr std::array<Term<0>, 1> terms{{{0, Wave::one, {}}}};
+    Real eps, end;
+    std::array<double, 1> scale{1};
+    std::array<Twice<double>, 0> start{};
+    explicit Mean(double e, double last = 1) : eps(e), end(last) {}
+    std::array<Real, 1> amplitudes(const Real& T) const { return {Real(1) / (Real(1) + T * T)}; }
+    template <class Wide> std::array<Wide, 0> rates(const Wide&) const { return {}; }
+};
+
+// The outputs by the formula in 50 digits.
+template <template <class> class Scene> class Exact {
+public:
+    explicit Exact(double eps, double last = 1) : scene_(eps, last) {
+        Fifty end(last);
+        if constexpr (Scene<Fifty>::phases > 0)
+            theta_.build([this](const Fifty& T) { return scene_.template rates<Fifty>(T); }, end);
+    }
+    std::array<Fifty, Scene<Fifty>::outputs> operator()(const Fifty& t) const {
+        const Fifty T = t * scene_.eps;
+        const auto a = scene_.amplitudes(T);
+        std::array<Fifty, Scene<Fifty>::phases> theta{};
+        if constexpr (Scene<Fifty>::phases > 0) {
+            theta = theta_(T);
+            for (std::size_t p = 0; p < theta.size(); ++p)
+                theta[p] += Fifty(scene_.start[p].high) + Fifty(scene_.start[p].low);
+        }
+        std::array<Fifty, Scene<Fifty>::outputs> result{};
+        for (std::size_t r = 0; r < a.size(); ++r) {
+            const auto& term = Scene<Fifty>::terms[r];
+            Fifty angle(0);
+            for (std::size_t p = 0; p < theta.size(); ++p) angle += term.k[p] * theta[p];
+            result[term.output] +=
+                term.wave == Wave::one
+                    ? a[r]
+                    : Fifty(term.wave == Wave::cosine ? Fifty(a[r] * cos(angle)) : Fifty(a[r] * sin(angle)));
+        }
+        return result;
+    }
+
+private:
+    Scene<Fifty> scene_;
+    PrimitiveTable<Fifty, Scene<Fifty>::phases == 0 ? 1 : Scene<Fifty>::phases> theta_;
+};
+
+template <class Real> using TwoPhases = Many<Real, 2>;
+template <class Real> using ThreePhases = Many<Real, 3>;
+
+} // namespace resonform::test
