@@ -49,6 +49,35 @@ template <int N, int V> struct Place {
     typename Lanes<N>::Vector d[V], v[V], low[V]; // low: what t lacks to the time that is meant
 };
 
+// A polynomial, highest power first, coefficients `stride` apart. One jump instead of a loop whose end would
+// be mispredicted for each row.
+template <int N, int V>
+[[gnu::always_inline]] inline void polynomial(const double* c, std::size_t stride, unsigned degree,
+                                              const typename Lanes<N>::Vector* x,
+                                              typename Lanes<N>::Vector* value) {
+    using L = Lanes<N>;
+    using Vector = typename L::Vector;
+    RESONFORM_UNROLL for (int i = 0; i < V; ++i) value[i] = L::all(c[0]);
+    const auto step = [&]() __attribute__((always_inline)) {
+        c += stride;
+        const Vector next = L::all(*c);
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) value[i] = L::multiply_add(value[i], x[i], next);
+    };
+    for (; degree > 9; --degree) step();
+    switch (degree) {
+    case 9: step(); [[fallthrough]];
+    case 8: step(); [[fallthrough]];
+    case 7: step(); [[fallthrough]];
+    case 6: step(); [[fallthrough]];
+    case 5: step(); [[fallthrough]];
+    case 4: step(); [[fallthrough]];
+    case 3: step(); [[fallthrough]];
+    case 2: step(); [[fallthrough]];
+    case 1: step(); [[fallthrough]];
+    default: break;
+    }
+}
+
 // A phase in quarter turns: f[i] + whole, `turned` holds the whole. Products of halves are exact, so that no
 // contraction changes them.
 template <int N, int V, bool Low>
@@ -60,11 +89,7 @@ template <int N, int V, bool Low>
     const double* c = piece + p.offset;
     Vector large[V] = {}, rest[V] = {};
     if (p.wide == 0) {
-        RESONFORM_UNROLL for (int i = 0; i < V; ++i) rest[i] = L::all(c[0]);
-        for (unsigned j = 1; j <= p.degree; ++j) {
-            const Vector next = L::all(c[j]);
-            RESONFORM_UNROLL for (int i = 0; i < V; ++i) rest[i] = L::multiply_add(rest[i], at.v[i], next);
-        }
+        polynomial<N, V>(c, 1, p.degree, at.v, rest);
         c += p.degree + 1;
         const Vector high = L::all(c[0]), low = L::all(c[1]);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
@@ -171,15 +196,8 @@ template <int N, int V, bool Low>
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) sum[i] = Vector{};
         for (unsigned r = output.first; r < output.first + output.count; ++r) {
             const Row& row = w.row[r];
-            const double* c = piece + row.offset;
             Vector value[V];
-            RESONFORM_UNROLL for (int i = 0; i < V; ++i) value[i] = L::all(c[0]);
-            for (unsigned j = row.degree; j > 0; --j) {
-                c += group;
-                const Vector next = L::all(*c);
-                RESONFORM_UNROLL for (int i = 0; i < V; ++i) value[i] =
-                    L::multiply_add(value[i], at.v[i], next);
-            }
+            polynomial<N, V>(piece + row.offset, group, row.degree, at.v, value);
             if (row.factor == no_factor) {
                 RESONFORM_UNROLL for (int i = 0; i < V; ++i) sum[i] = value[i] + sum[i];
             } else {

@@ -120,23 +120,27 @@ template <class Number> void halve(const Number* c, std::size_t size, Number* le
     }
 }
 
+// T_k(x) = sum_j at[k][j] x^j; whole numbers, all exact.
+struct Powers {
+    double at[nodes + 1][nodes + 1] = {};
+    constexpr Powers() {
+        at[0][0] = at[1][1] = 1;
+        for (std::size_t k = 2; k <= nodes; ++k)
+            for (std::size_t j = 0; j <= k; ++j) at[k][j] = (j > 0 ? 2 * at[k - 1][j - 1] : 0) - at[k - 2][j];
+    }
+};
+inline constexpr Powers powers_of_chebyshev{};
+
 // The same by powers, in place.
 template <class Number> void to_powers(Number* c, std::size_t size) {
-    // sum_k c_k T_k by Clenshaw's recurrence with polynomials: b_k = c_k + 2x b_{k+1} - b_{k+2}
-    std::array<Number, nodes + 2> first{}, second{}; // b_{k+1}, b_{k+2}
-    for (std::size_t k = size; k-- > 1;) {
-        std::array<Number, nodes + 2> next{};
-        for (std::size_t i = 0; i + k < size; ++i) next[i] = next[i] - second[i];
-        for (std::size_t i = 0; i + k + 1 < size; ++i) add_product(next[i + 1], first[i], 2.0);
-        next[0] = next[0] + c[k];
-        second = first;
-        first = next;
-    }
-    for (std::size_t i = 0; i < size; ++i) {
-        Number sum{};
-        if (i == 0) sum = c[0];
-        if (i > 0) sum = first[i - 1];
-        c[i] = sum - second[i];
+    for (std::size_t j = 0; j < size; ++j) {
+        Number sum{}; // small terms first
+        const std::size_t last = size - 1 - (size - 1 - j) % 2;
+        for (std::size_t k = last;; k -= 2) {
+            add_product(sum, c[k], powers_of_chebyshev.at[k][j]);
+            if (k == j) break;
+        }
+        c[j] = sum;
     }
 }
 

@@ -36,7 +36,8 @@
 #endif
 
 // Vectors of points side by side: enough to fill the pipelines, few enough for the registers.
-#if RESONFORM_LANES == 8
+#ifdef RESONFORM_VECTORS
+#elif RESONFORM_LANES == 8
 #define RESONFORM_VECTORS 4
 #elif RESONFORM_LANES == 4
 #define RESONFORM_VECTORS 4

@@ -109,7 +109,7 @@ private:
     }
     static std::size_t cut(const Wide* c, std::size_t size) {
         double rest = 0;
-        while (size > 2 && rest + std::abs(static_cast<double>(c[size - 1])) < 0x1p-60)
+        while (size > 2 && rest + std::abs(static_cast<double>(c[size - 1])) < 0x1p-58)
             rest += std::abs(static_cast<double>(c[--size]));
         return size;
     }
