@@ -12,11 +12,9 @@
 #include <random>
 #include <vector>
 
-namespace resonform {
+namespace resonform::test {
 
 namespace {
-
-using namespace test;
 
 // Every test runs in each width that the processor has.
 class Kernel : public ::testing::TestWithParam<Simd> {
@@ -194,4 +192,4 @@ TEST(KernelWidths, AreNeverRaised) {
     EXPECT_EQ(simd(), Simd::baseline);
 }
 
-} // namespace resonform
+} // namespace resonform::test
