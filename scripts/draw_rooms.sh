@@ -8,7 +8,7 @@ export LC_ALL=C.UTF-8
 
 grep -rhoH '^#include "[^"]*"' --include='*.?pp' . | sed -e 's|^\./||' -e 's|:#include "| |' -e 's|"$||' |
     awk '
-    function room(path) { sub(/\/[^\/]*$/, "", path); return path }
+    function room(path) { sub(/\/[^\/]*$/, "", path); sub(/^runtime\/.*/, "runtime", path); return path }
     { from = room($1); to = room($2); if (to !~ /\./ && from != to) { arrow[from, to] = 1; rooms[from]; rooms[to] } }
     END {
         for (a in rooms) for (b in rooms) reach[a, b] = (a, b) in arrow
