@@ -30,7 +30,8 @@ bool has(Simd width) {
 #ifdef RESONFORM_X86_WIDTHS
     if (width == Simd::avx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     if (width == Simd::avx512)
-        return has(Simd::avx2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+        return has(Simd::avx2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+               __builtin_cpu_supports("avx512vl");
 #endif
     return width == Simd::baseline;
 }
