@@ -223,7 +223,7 @@ TEST(HamiltonianRefusals, ModesThatAreNotIndependent) {
 
 TEST(HamiltonianRefusals, ForceAtTheOrigin) {
     EXPECT_EQ(message(test::one_degree("px^2/2 + exp(x)")),
-              "2 test/system.toml:8:11: hamiltonian.energy: the origin of the fast variables is an "
+              "2 test/system.toml:8:11: hamiltonian.energy: the origin of the fast variables is not an "
               "equilibrium at eps = 0\n"
               "    energy = \"px^2/2 + exp(x)\"\n"
               "              ^\n"
