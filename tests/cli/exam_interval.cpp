@@ -66,8 +66,9 @@ TEST_F(IntervalCommand, OneThatIsNoneIsBadInput) {
     for (const auto& [interval, found, rule] :
          {std::tuple("1e-300", "1e-300 at eps = 1/5: 1e-300", "is 1e-200 or longer"),
           std::tuple("exp(-1000/eps)", "exp(-1000/eps) at eps = 1/5: 0", "is 1e-200 or longer"),
-          std::tuple("1/(eps - 1/20)", "1/(eps - 1/20) at eps = 1/20: it is none", "is a positive number"),
-          std::tuple("1 - 8*eps", "1 - 8*eps at eps = 1/5: it is none", "is a positive number")}) {
+          std::tuple("1/(eps - 1/20)", "1/(eps - 1/20) at eps = 1/20: it is none",
+                     "is not a positive number"),
+          std::tuple("1 - 8*eps", "1 - 8*eps at eps = 1/5: it is none", "is not a positive number")}) {
         scene(std::string("interval = \"") + interval + "\"\neps = [0.2, 0.1, 0.05]\n");
         for (const char* command : {"verify", "stability", "generate"}) {
             const Outcome outcome = of(command);
