@@ -6,6 +6,7 @@
 #define RESONFORM_RUNTIME_KERNEL_BATCH
 
 #include "runtime/kernel/block.hpp"
+#include "runtime/kernel/view.hpp"
 
 namespace resonform::kernel {
 inline namespace RESONFORM_WIDTH {
