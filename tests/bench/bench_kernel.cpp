@@ -49,7 +49,7 @@ void sines(const double* t, std::size_t n, double* c, double* s) {
         for (int k = 0; k < V; ++k) {
             const auto x =
                 L::product(L::load(t + i + static_cast<std::size_t>(k * lanes)), L::all(0.6366197723675814));
-            const auto turned = x + L::all(magic), f = x - (turned - L::all(magic));
+            const auto turned = x + L::all(rounding_shift), f = x - (turned - L::all(rounding_shift));
             L::Vector cosine, sine;
             cosine_and_sine<lanes>(f, turned, cosine, sine);
             L::store(c + i + static_cast<std::size_t>(k * lanes), cosine);

@@ -89,7 +89,8 @@ private:
         int level;
         std::size_t index;
         std::array<std::array<Side, sides>, nodes> c;
-        std::array<double, Rows> base; // a value of each row: c is what is left, and rounds less
+        std::array<double, Rows>
+            base; // of each row its value in the middle, which is not in c: the small rest rounds less
         double at(std::size_t j, std::size_t row) const { return c[j][row / group].at[row % group]; }
     };
 
@@ -117,7 +118,7 @@ private:
             const auto c = interpolated<double>(values[s]);
             for (std::size_t k = 0; k < nodes; ++k) p.c[k][s] = c[k];
         }
-        double worst = 0; // last coefficients, in units of what is allowed
+        double worst = 0; // the last coefficients over their tolerance
         for (std::size_t r = 0; r < Rows; ++r) {
             double most = std::abs(p.base[r]);
             for (std::size_t k = 0; k < nodes; ++k) most = std::max(most, std::abs(p.at(k, r)));

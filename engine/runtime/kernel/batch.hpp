@@ -15,13 +15,20 @@ inline constexpr std::size_t chunk = 4096;
 inline constexpr int at_once = RESONFORM_VECTORS; // vectors of points in a block
 
 struct Target {
-    double* to[most_outputs];
+    double* to[most_outputs] = {};
     unsigned long long wanted = 0;
     Target(const View& w, double* const* outputs) {
         for (unsigned o = 0; o < w.outputs; ++o) {
             to[o] = outputs[o];
             if (outputs[o] != nullptr) wanted |= 1ULL << o;
         }
+    }
+    // The same from point `first` on.
+    [[nodiscard]] Target from(std::size_t first) const {
+        Target shifted = *this;
+        for (unsigned o = 0; o < most_outputs; ++o)
+            if ((wanted >> o & 1) != 0) shifted.to[o] += first;
+        return shifted;
     }
 };
 
@@ -156,13 +163,16 @@ inline void note(BatchReport& report, Status s, std::size_t i) {
     report.first = i;
 }
 
+// The largest time that is answered with ok.
+inline double highest_ok(const View& w) { return w.precise < w.reach ? w.precise : w.reach; }
+
 // Are all ok; do they ascend.
 struct Seen {
     bool ok, ascend;
 };
 inline Seen look(const View& w, const double* t, std::size_t n) {
     using L = Lanes<lanes>;
-    const double highest = w.precise < w.reach ? w.precise : w.reach;
+    const double highest = highest_ok(w);
     const typename L::Vector zero{}, most = L::all(highest);
     typename L::Bits ok = ~typename L::Bits{}, ascend = ok;
     std::size_t i = 0;
@@ -183,7 +193,7 @@ inline Seen look(const View& w, const double* t, std::size_t n) {
     return {all_ok, all_ascend};
 }
 
-// At most `chunk` times (and what they lack).
+// The outputs at n <= chunk answered times t, or at t + low.
 template <bool Low>
 inline void values_at(const View& w, const double* t, const double* low, std::size_t n, bool ascend,
                       unsigned long long wanted, double* const* to) {
@@ -218,21 +228,19 @@ inline BatchReport batch(const View& w, const double* t, std::size_t n, double* 
     const Target target(w, outputs);
     for (std::size_t from = 0; from < n; from += chunk) {
         const std::size_t size = n - from < chunk ? n - from : chunk;
-        double* to[most_outputs];
-        for (unsigned o = 0; o < w.outputs; ++o)
-            to[o] = target.to[o] == nullptr ? nullptr : target.to[o] + from;
+        const Target here = target.from(from);
         const Seen seen = look(w, t + from, size);
         if (seen.ok) {
             all_fine(status == nullptr ? nullptr : status + from, size);
-            values_at<false>(w, t + from, nullptr, size, seen.ascend, target.wanted, to);
+            values_at<false>(w, t + from, nullptr, size, seen.ascend, here.wanted, here.to);
             continue;
         }
-        double kept[chunk], last = 0; // in place of what is not answered: the time before
+        double kept[chunk], last = 0; // the times, with the last answered one in place of each unanswered
         for (std::size_t i = 0; i < size; ++i) {
             if (answers(status_of(w, t[from + i]))) last = t[from + i];
             kept[i] = last;
         }
-        values_at<false>(w, kept, nullptr, size, look(w, kept, size).ascend, target.wanted, to);
+        values_at<false>(w, kept, nullptr, size, look(w, kept, size).ascend, here.wanted, here.to);
         repair(
             from, size, [&](std::size_t i) { return status_of(w, t[from + i]); }, w, target, status, report);
     }

@@ -41,12 +41,9 @@ cosine_and_sine(typename Lanes<N>::Vector f, typename Lanes<N>::Vector turned,
     sine = L::number(y ^ ((quadrant & 2) << 62));
 }
 
-inline constexpr double magic =
-    6755399441055744; // 1.5*2^52: what is added to it is rounded to a whole number
-
 // Where V vectors of points stand in a piece.
 template <int N, int V> struct Place {
-    typename Lanes<N>::Vector d[V], v[V], low[V]; // low: what t lacks to the time that is meant
+    typename Lanes<N>::Vector d[V], v[V], low[V]; // low: the exact time less its rounded value t
 };
 
 // A polynomial, highest power first, coefficients `stride` apart. One jump instead of a loop whose end would
@@ -103,14 +100,8 @@ template <int N, int V, bool Low>
     } else {
         Vector u[V], x[V], y[V];
         const Vector unit = L::all(w.to_local / 2);
-        RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
-            u[i] = at.d[i] * unit; // exact
-            y[i] = L::all(c[0]);
-        }
-        for (unsigned j = 1; j <= p.degree; ++j) {
-            const Vector next = L::all(c[j]);
-            RESONFORM_UNROLL for (int i = 0; i < V; ++i) y[i] = L::multiply_add(y[i], u[i], next);
-        }
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) u[i] = at.d[i] * unit; // exact
+        polynomial<N, V>(c, 1, p.degree, u, y);
         c += p.degree + 1;
         const Vector high = L::all(c[0]), low = L::all(c[1]);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
@@ -121,15 +112,8 @@ template <int N, int V, bool Low>
         for (unsigned j = p.wide; j > 0; c += j == 1 ? 1 : 2, --j) {
             const Vector above = L::all(c[0]), below = L::all(c[1]);
             RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
-                Vector error;
                 const Vector product = L::product(x[i], u[i]);
-#if defined(__FMA__)
-                error = L::multiply_add(x[i], u[i], -product);
-#else
-                const Vector x1 = L::upper(x[i]), x2 = x[i] - x1, u1 = L::upper(u[i]), u2 = u[i] - u1;
-                error = ((x1 * u1 - product) + x1 * u2 + x2 * u1) + x2 * u2;
-#endif
-                error = L::multiply_add(y[i], u[i], error);
+                Vector error = L::multiply_add(y[i], u[i], L::product_error(x[i], u[i], product));
                 if constexpr (Low)
                     if (j == 1) error = L::multiply_add(x[i], at.low[i] * unit, error);
                 if (j == 1) { // nothing more is multiplied: the constant is small
@@ -143,7 +127,7 @@ template <int N, int V, bool Low>
             }
         }
     }
-    const Vector shift = L::all(c[0]); // magic + whole quarter turns
+    const Vector shift = L::all(c[0]); // rounding_shift + whole quarter turns
     RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
         turned[i] = (large[i] + rest[i]) + shift;
         f[i] = (large[i] - (turned[i] - shift)) + rest[i];

@@ -4,6 +4,7 @@
 #ifndef RESONFORM_RUNTIME_KERNEL_CHEBYSHEV
 #define RESONFORM_RUNTIME_KERNEL_CHEBYSHEV
 
+#include "runtime/kernel/chebyshev_powers.hpp"
 #include "runtime/math.hpp"
 
 #include <array>
@@ -120,16 +121,7 @@ template <class Number> void halve(const Number* c, std::size_t size, Number* le
     }
 }
 
-// T_k(x) = sum_j at[k][j] x^j; whole numbers, all exact.
-struct Powers {
-    double at[nodes + 1][nodes + 1] = {};
-    constexpr Powers() {
-        at[0][0] = at[1][1] = 1;
-        for (std::size_t k = 2; k <= nodes; ++k)
-            for (std::size_t j = 0; j <= k; ++j) at[k][j] = (j > 0 ? 2 * at[k - 1][j - 1] : 0) - at[k - 2][j];
-    }
-};
-inline constexpr Powers powers_of_chebyshev{};
+inline constexpr ChebyshevPowers<nodes> powers_of_chebyshev{};
 
 // The same by powers, in place.
 template <class Number> void to_powers(Number* c, std::size_t size) {

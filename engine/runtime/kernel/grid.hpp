@@ -6,6 +6,7 @@
 #define RESONFORM_RUNTIME_KERNEL_GRID
 
 #include "runtime/kernel/batch.hpp"
+#include "runtime/kernel/chebyshev_powers.hpp"
 
 namespace resonform::kernel {
 inline namespace RESONFORM_WIDTH {
@@ -18,7 +19,6 @@ struct WindowRule {
     static constexpr long node[window_nodes] = {-1039605, -968758, -831891, -638333, -401273, -136867,
                                                 136867,   401273,  638333,  831891,  968758,  1039605};
     double to_series[window_nodes][window_nodes] = {}; // [node][coefficient]
-    double powers[window_nodes][window_nodes] = {};    // T_k = sum_j powers[k][j] x^j
     constexpr WindowRule() {
         constexpr int n = window_nodes;
         long double a[n][2 * n] = {}; // T_k(x_j) | 1, by Gauss and Jordan
@@ -48,28 +48,19 @@ struct WindowRule {
         }
         for (int k = 0; k < n; ++k)
             for (int j = 0; j < n; ++j) to_series[j][k] = static_cast<double>(a[k][n + j]);
-        powers[0][0] = powers[1][1] = 1;
-        for (int k = 2; k < n; ++k)
-            for (int j = 0; j < n; ++j)
-                powers[k][j] = (j > 0 ? 2 * powers[k - 1][j - 1] : 0) - powers[k - 2][j];
     }
 };
 inline constexpr WindowRule window_rule{};
+inline constexpr ChebyshevPowers<window_nodes - 1> window_powers{};
 
-// t0 + i dt as a rounded number and what it lacks.
+// t0 + i dt as an unevaluated sum high + low, high rounded.
 struct ExactTimes {
     double t0, dt;
     [[gnu::always_inline]] void at(std::size_t i, double& high, double& low) const {
         using L = Lanes<2>;
         const L::Vector n = L::all(static_cast<double>(i)), step = L::all(dt), p = L::product(n, step);
-#if defined(__FMA__)
-        const L::Vector error = L::multiply_add(n, step, -p);
-#else
-        const L::Vector n1 = L::upper(n), n2 = n - n1, s1 = L::upper(step), s2 = step - s1;
-        const L::Vector error = ((n1 * s1 - p) + n1 * s2 + n2 * s1) + n2 * s2;
-#endif
         const L::Vector a = L::all(t0), s = a + p, part = s - a;
-        const L::Vector rest = ((a - (s - part)) + (p - part)) + error, sum = s + rest;
+        const L::Vector rest = ((a - (s - part)) + (p - part)) + L::product_error(n, step, p), sum = s + rest;
         high = sum[0];
         low = ((s - sum) + rest)[0];
     }
@@ -78,7 +69,7 @@ struct ExactTimes {
 // Up to `chunk` points one by one.
 inline void point_by_point(const View& w, const ExactTimes& times, std::size_t from, std::size_t n,
                            const Target& target, Status* status, BatchReport& report) {
-    double t[chunk], used[chunk], low[chunk], *to[most_outputs];
+    double t[chunk], used[chunk], low[chunk];
     double last = 0, last_low = 0;
     bool ok = true;
     for (std::size_t i = 0; i < n; ++i) {
@@ -93,8 +84,7 @@ inline void point_by_point(const View& w, const ExactTimes& times, std::size_t f
         used[i] = last;
         low[i] = last_low;
     }
-    for (unsigned o = 0; o < w.outputs; ++o) to[o] = target.to[o] == nullptr ? nullptr : target.to[o] + from;
-    values_at<true>(w, used, low, n, look(w, used, n).ascend, target.wanted, to);
+    values_at<true>(w, used, low, n, look(w, used, n).ascend, target.wanted, target.from(from).to);
     if (ok)
         all_fine(status == nullptr ? nullptr : status + from, n);
     else
@@ -110,7 +100,7 @@ inline void in_window(const double* values, double u0, double du, std::size_t n,
     for (int j = 0; j < window_nodes; ++j)
         for (int k = 0; k < window_nodes; ++k) series[k] += (values[j] - base) * window_rule.to_series[j][k];
     for (int k = window_nodes - 1; k >= 0; --k)
-        for (int j = 0; j < window_nodes; ++j) c[j] += series[k] * window_rule.powers[k][j];
+        for (int j = 0; j < window_nodes; ++j) c[j] += series[k] * window_powers.at[k][j];
     c[0] += base;
     L::Vector steps{};
     for (int j = 0; j < lanes; ++j) steps[j] = j;
@@ -145,7 +135,7 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
     BatchReport report{Status::ok, 0, n};
     const Target target(w, outputs);
     const ExactTimes times{t0, dt};
-    const double highest = w.precise < w.reach ? w.precise : w.reach;
+    const double highest = highest_ok(w);
     // half a window: 0.4 radians of the fastest harmonic, a quarter of a piece
     double longest = 0.25 / w.per_width, half = 1;
     if (w.shortest_period > 0 && 0.06 * w.shortest_period < longest) longest = 0.06 * w.shortest_period;

@@ -36,12 +36,7 @@
 #endif
 
 // Vectors of points side by side: enough to fill the pipelines, few enough for the registers.
-#ifdef RESONFORM_VECTORS
-#elif RESONFORM_LANES == 8
-#define RESONFORM_VECTORS 4
-#elif RESONFORM_LANES == 4
-#define RESONFORM_VECTORS 4
-#else
+#ifndef RESONFORM_VECTORS
 #define RESONFORM_VECTORS 4
 #endif
 
@@ -104,13 +99,22 @@ template <int N> struct Lanes {
         return a * b + c;
 #endif
     }
-    // A product that is rounded for itself: what is known of its error must not be fused away.
+    // A rounded product that the compiler cannot fuse with the sum that follows.
     [[gnu::always_inline]] static Vector product(Vector a, Vector b) {
         Vector p = a * b;
 #if defined(__FMA__)
         __asm__("" : "+v"(p));
 #endif
         return p;
+    }
+    // a b - p exactly, for p = product(a, b) (Dekker).
+    [[gnu::always_inline]] static Vector product_error(Vector a, Vector b, Vector p) {
+#if defined(__FMA__)
+        return VectorOf<N>::fused(a, b, -p);
+#else
+        const Vector a1 = upper(a), a2 = a - a1, b1 = upper(b), b2 = b - b1;
+        return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2;
+#endif
     }
     // The upper 26 bits: the product of two such numbers, or with what the mask has left, is exact.
     [[gnu::always_inline]] static Vector upper(Vector x) { return number(bits(x) & (-1LL << 27)); }

@@ -7,6 +7,7 @@
 
 #include "runtime/kernel/chebyshev.hpp"
 #include "runtime/kernel/view.hpp"
+#include "runtime/panels.hpp"
 #include "runtime/twice.hpp"
 
 #include <algorithm>
@@ -180,8 +181,7 @@ PhasePiece curved_piece(const Wide* series, std::size_t size, double width, doub
     std::array<Wide, nodes + 1> c{};
     std::copy(series, series + size, c.begin());
     to_powers(c.data(), size);
-    for (std::size_t from = 0; from + 1 < size; ++from)
-        for (std::size_t j = size - 1; j > from; --j) c[j - 1] = c[j - 1] - c[j];
+    c = recentred(c, Wide(-1), size);
     const Wide unit = Wide(2) / (Wide(width) * Wide(to_unit));
     Wide power = unit;
     for (std::size_t j = 1; j < size; ++j, power = power * unit) c[j] = c[j] * power;

@@ -104,6 +104,8 @@ template <class Scene> constexpr auto harmonics_of() {
     return result;
 }
 
+template <class Scene> inline constexpr auto harmonics = harmonics_of<Scene>();
+
 } // namespace resonform::kernel
 
 #endif

@@ -68,8 +68,11 @@ private:
         if (rows->status != Status::ok) return rows->status;
         if (!rows->resolved) return Status::outside_domain;
         if constexpr (Scene::phases == 0) {
-            lay_out<Scene>(*rows, std::max(options.levels, rows->deepest), root);
-            fill(*rows, root);
+            const int levels = std::max(options.levels, rows->deepest);
+            const double width = std::ldexp(root, -levels);
+            set_pieces(levels, width);
+            lay_out<Scene>(*rows, levels);
+            fill(*rows, width);
             return Status::ok;
         } else {
             // Long double is good enough, and much faster, as long as there are not many turns.
@@ -111,8 +114,8 @@ private:
             });
         for (std::size_t p = 0; p < Scene::phases; ++p)
             phase_.push_back(shape(phases, p, Scene::phases, curved));
-        lay_out<Scene>(rows, levels, root);
-        fill(rows, root);
+        lay_out<Scene>(rows, levels);
+        fill(rows, width);
         fill_phases(phases);
         const double resolution = std::max(options.resolution, static_cast<double>(math::epsilon<Wide>()));
         const double most = std::min(1e-9 / resolution, 1e14) * (2 / 3.141592653589793);
@@ -122,7 +125,7 @@ private:
                     view_.precise = std::min(view_.precise, width * static_cast<double>(i));
         double fastest = 0;
         for (const PhaseFit<Wide>& fit : fits) fastest = std::max(fastest, fit.steepest() / root);
-        const auto made = harmonics_of<Scene>();
+        constexpr const auto& made = harmonics<Scene>;
         int highest = 1;
         for (std::size_t h = 0; h < made.count; ++h) {
             int sum = 0;
@@ -164,12 +167,11 @@ private:
         return {0, degree, wide, static_cast<unsigned>(p), 0};
     }
 
-    template <class Scene, class Rows> void lay_out(Rows& rows, int levels, double root) {
+    template <class Scene, class Rows> void lay_out(Rows& rows, int levels) {
         rows.pieces(levels);
         constexpr std::size_t most = Harmonics<Scene::phases>::most;
-        static constexpr auto harmonics = harmonics_of<Scene>();
-        static_assert(harmonics.fits && Scene::outputs <= most_outputs);
-        set_pieces(levels, std::ldexp(root, -levels));
+        constexpr const auto& made = harmonics<Scene>;
+        static_assert(made.fits && Scene::outputs <= most_outputs);
         unsigned offset = 1;
         for (PhaseRow& p : phase_) {
             p.offset = offset;
@@ -194,7 +196,7 @@ private:
                     row.offset =
                         g.offset + (g.degree - row.degree) * group + static_cast<unsigned>(place % group);
                     if (!mean) {
-                        const unsigned h = harmonics.index(term.k);
+                        const unsigned h = made.index(term.k);
                         row.factor = 2 * h + (term.wave == Wave::sine ? 1 : 0);
                         needed_[h] |= 1ULL << o;
                     }
@@ -202,13 +204,13 @@ private:
                 }
             output_.push_back(output);
         }
-        for (std::size_t h = harmonics.count; h-- > Scene::phases;) {
-            const auto& m = harmonics.made[h];
+        for (std::size_t h = made.count; h-- > Scene::phases;) {
+            const auto& m = made.made[h];
             needed_[m.from] |= needed_[h];
             needed_[m.by] |= needed_[h];
         }
-        for (std::size_t h = Scene::phases; h < harmonics.count; ++h) {
-            const auto& m = harmonics.made[h];
+        for (std::size_t h = Scene::phases; h < made.count; ++h) {
+            const auto& m = made.made[h];
             if (needed_[h] == 0) continue;
             step_.push_back(
                 {static_cast<unsigned>(h), m.from, m.by, static_cast<double>(m.sign), needed_[h]});
@@ -226,13 +228,10 @@ private:
         view_.groups_of_rows = groups_.data();
     }
 
-    template <class Rows> void fill(Rows& rows, double root) {
+    template <class Rows> void fill(Rows& rows, double width) {
         const auto pieces = static_cast<std::size_t>(view_.last) + 1;
-        int levels = 0;
-        while ((std::size_t{1} << levels) < pieces) ++levels;
         numbers_.assign(pieces * view_.stride, 0);
         view_.pieces = numbers_.data();
-        const double width = std::ldexp(root, -levels);
         std::array<Side, nodes> c;
         for (std::size_t i = 0; i < pieces; ++i) {
             double* piece = numbers_.data() + i * view_.stride;
@@ -246,7 +245,6 @@ private:
     }
 
     void fill_phases(const std::vector<PhasePiece>& phases) {
-        constexpr double whole = 6755399441055744; // 1.5*2^52
         for (std::size_t i = 0; i < phases.size(); ++i) {
             const PhaseRow& p = phase_[i % phase_.size()];
             const PhasePiece& from = phases[i];
@@ -263,7 +261,7 @@ private:
                 }
                 *to++ = from.high[0];
             }
-            *to = whole + from.shift;
+            *to = rounding_shift + from.shift;
         }
     }
 

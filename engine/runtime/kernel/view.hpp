@@ -44,6 +44,9 @@ inline constexpr unsigned most_outputs = 16;  // of one table
 inline constexpr unsigned most_factors = 512; // cosines and sines
 inline constexpr unsigned most_rows = 4096;
 inline constexpr unsigned no_factor = 0xffff; // of a row without a phase
+// 1.5*2^52: adding it to a double below 2^51 rounds that to a whole number, which stands in the last bits of
+// the sum.
+inline constexpr double rounding_shift = 6755399441055744;
 
 struct Row {                                // coefficients, highest power first, are `group` numbers apart
     unsigned offset, degree, factor, place; // place: among the rows of all groups
