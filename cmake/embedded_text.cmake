@@ -6,7 +6,9 @@
 #   frames   each file of emit/cpp/frames by its name
 function(add_embedded_text target)
     set(runtime "")
-    foreach(header status float128 math scaled twice panels table flow interval layer phase)
+    foreach(header status float128 math scaled twice panels table flow interval layer phase report points
+            kernel/view kernel/chebyshev_powers kernel/chebyshev kernel/amplitude_rows kernel/phase_rows kernel/scene
+            kernel/tables kernel/lanes kernel/block kernel/batch kernel/grid batch tabulated)
         set(file ${CMAKE_SOURCE_DIR}/engine/runtime/${header}.hpp)
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
         file(READ ${file} text)

@@ -171,7 +171,7 @@ SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watc
 Program program_of(const SceneLine& line, Watch& watch) {
     watch.go_on_with("the evaluator, from the start values on,");
     Laps laps;
-    Program program = build_program(line.solution, line.scene);
+    Program program = build_program(line.solution, line.scene, {true, false, true});
     laps.done("evaluator");
     return program;
 }

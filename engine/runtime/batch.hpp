@@ -18,10 +18,10 @@ bool force_simd(Simd width) noexcept; // false: the processor lacks it, or this 
 namespace kernel {
 
 struct Loops {
-    BatchReport (*batch)(const View&, const double* t, std::size_t n, double* const* outputs,
-                         Status*) noexcept;
-    BatchReport (*grid)(const View&, double t0, double dt, std::size_t n, double* const* outputs,
-                        Status*) noexcept;
+    BatchReport (*batch)(const View&, const double* t, std::size_t n, double* const* outputs, Status*,
+                         const Direct*) noexcept;
+    BatchReport (*grid)(const View&, double t0, double dt, std::size_t n, double* const* outputs, Status*,
+                        const Direct*) noexcept;
     Status (*one)(const View&, double t, double* values) noexcept;
 };
 

@@ -52,6 +52,9 @@ public:
         return reach_ < T ? beyond_.status : Status::ok;
     }
 
+    // The last slow time that is answered.
+    [[nodiscard]] const Real& reach() const noexcept { return reach_; }
+
 private:
     Real eps_{}, end_{}, reach_{};
     Cause beyond_;

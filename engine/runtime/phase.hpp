@@ -12,20 +12,12 @@
 
 namespace resonform {
 
-// In which type the rate is evaluated and the phase is kept. Multiprecision has digits to spare.
-template <class Real> struct PhaseNumber {
-    using type = std::conditional_t<std::is_floating_point_v<Real>, Twice<Real>, Real>;
-};
-#ifdef RESONFORM_FLOAT128
-template <> struct PhaseNumber<Float128> { using type = Twice<Float128>; };
-#endif
-
 // What a phase is known to in radians, or it ends.
 inline constexpr double known_radians = 1e-3;
 
 template <class Real> class Phase {
 public:
-    using Wide = typename PhaseNumber<Real>::type;
+    using Wide = WideNumber<Real>;
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
     // Real only (it contains tables). Status as fit_panels, or outside_interval: the phase gets so large that
@@ -56,12 +48,15 @@ public:
 
     // low_precision: theta may exceed 10^14, or be wrong by more than 10^-9 radians, as estimated from
     // |theta| at t and the precision of its rate; the numbers are set all the same.
-    // Precondition: build() left an end > 0.
+    // Precondition: build() left an end > 0. low: for t + low, |low| below the last place of t.
     Status operator()(const Real& t, Real& cosine, Real& sine) const noexcept {
+        return (*this)(t, Real(0), cosine, sine);
+    }
+    Status operator()(const Real& t, const Real& low, Real& cosine, Real& sine) const noexcept {
         using math::cos;
         using math::floor;
         using math::sin;
-        const Wide T = exact_product(eps_, t);
+        const Wide T = slow_time(t, low);
         const Row& r = rows_[index_.find(narrow(T))];
         const Wide y = local(T, r);
         const Real rough = narrow(y);
@@ -98,11 +93,13 @@ private:
     };
 
     static Real narrow(const Wide& x) { return static_cast<Real>(x); }
-    static Wide exact_product(const Real& a, const Real& b) {
-        if constexpr (std::is_same_v<Wide, Real>)
-            return a * b;
-        else
-            return Wide::product(a, b);
+    [[nodiscard]] Wide slow_time(const Real& t, const Real& low) const noexcept {
+        if constexpr (std::is_same_v<Wide, Real>) {
+            return eps_ * (t + low);
+        } else {
+            const Wide T = Wide::product(eps_, t);
+            return {T.high, T.low + eps_ * low};
+        }
     }
     static Wide multiply_add(const Wide& a, const Wide& b, const Wide& c) {
         if constexpr (std::is_same_v<Wide, Real>)

@@ -101,6 +101,15 @@ namespace math {
 template <class Real> inline constexpr int digits<Twice<Real>> = 2 * digits<Real>;
 } // namespace math
 
+// The number for phases and times that must not be rounded to Real. Multiprecision has digits to spare.
+template <class Real> struct WideNumberOf {
+    using type = std::conditional_t<std::is_floating_point_v<Real>, Twice<Real>, Real>;
+};
+#ifdef RESONFORM_FLOAT128
+template <> struct WideNumberOf<Float128> { using type = Twice<Float128>; };
+#endif
+template <class Real> using WideNumber = typename WideNumberOf<Real>::type;
+
 // Elementary functions: a result of Real, corrected by Newton's method in twice the precision.
 
 template <class Real> Twice<Real> sqrt(const Twice<Real>& x) {

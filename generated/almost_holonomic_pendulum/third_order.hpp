@@ -36,10 +36,12 @@
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::almost_holonomic_pendulum::third_order {
 
@@ -48,6 +50,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -105,26 +108,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none, none, none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* psi, Real* x, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{psi, x, y}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* psi, Real* x, Real* y, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            psi[i] = values.psi;
-            x[i] = values.x;
-            y[i] = values.y;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* psi, Real* x, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{psi, x, y}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -155,6 +156,14 @@ private:
         Number c_17{};
         Number c_18{};
         Number c_19{};
+        Number c_20{};
+        Number c_21{};
+        Number c_22{};
+        Number c_23{};
+        Number c_24{};
+        Number c_25{};
+        Number c_26{};
+        Number c_27{};
     };
 
     template <class Number> static void compute_constants(
@@ -181,12 +190,20 @@ private:
         c.c_12 = Number(1) / Number(2);
         c.c_13 = c.c_12 * k_1;
         c.c_14 = Number(7) / Number(8) * c.C_delta;
-        c.c_15 = c.c_12 * c.eps;
+        c.c_15 = c.c_2 * c.eps;
+        c.c_16 = c.eps * c.C_delta;
+        c.c_17 = Number(1) / Number(8) * c.C_delta * c.c_2;
+        c.c_18 = -Number(1) / Number(192) * k_2 * c.c_15;
+        c.c_19 = -c.C_delta * c.c_2;
+        c.c_20 = -Number(1) / Number(8) * k_1 * c.c_15;
+        c.c_21 = -Number(7) / Number(8) * c.C_delta * c.c_15;
+        c.c_22 = c.C_delta * c.c_2;
+        c.c_23 = c.c_12 * c.eps;
         const Number k_3 = hypot(c.C_delta, Number(0));
-        c.c_16 = Number(5) / Number(12) * c.eps * k_3;
-        c.c_17 = Number(3) / Number(64) * (k_3 * k_3);
-        c.c_18 = Number(2) * c.c_2;
-        c.c_19 = Number(1) / Number(64) * c.c_2;
+        c.c_24 = Number(5) / Number(12) * c.eps * k_3;
+        c.c_25 = Number(3) / Number(64) * (k_3 * k_3);
+        c.c_26 = Number(2) * c.c_2;
+        c.c_27 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -296,10 +313,10 @@ private:
         const Number s_m3_2 = s_2 * q_1;
         const Number s_m13_8 = s_4 * s_8 * q_1;
         const Number s_m5_4 = s_2 * s_4 * q_1;
-        const Number q_2 = c.c_15 * s_m5_4 * xi;
+        const Number q_2 = c.c_23 * s_m5_4 * xi;
         const Number q_3 = hypot(xi, Number(0));
-        const Number q_4 = Number(1) - c.c_18 * (c.c_16 * s_m13_8 * q_3 + c.c_17 * theta_dot_0);
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(Number(1) - c.c_19 * s_m3_2 * (q_3 * q_3))};
+        const Number q_4 = Number(1) - c.c_26 * (c.c_24 * s_m13_8 * q_3 + c.c_25 * theta_dot_0);
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(Number(1) - c.c_27 * s_m3_2 * (q_3 * q_3))};
     }
 
     // dQ_x/dT
@@ -371,6 +388,29 @@ private:
         return finite(values.psi) && finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 12> amplitudes(
+            const Constants<Number>& c, const Number& T, const std::array<Number, 1>& tables) {
+        const Number xi = T + c.xi_0;
+        const Number q_1 = xi * xi;
+        const Number s = q_1 + Number(1);
+        const Number per_s = per(s);
+        const Number q_2 = per_s * per_s;
+        const Number s_2 = sqrt(s);
+        const Number s_4 = sqrt(s_2);
+        const Number s_m1_2 = s_2 * per_s;
+        const Number s_8 = sqrt(s_4);
+        const Number s_m1_8 = s_2 * s_4 * s_8 * per_s;
+        const Number s_m3_2 = s_2 * q_2;
+        const Number s_m7_8 = s_8 * per_s;
+        const Number s_m13_8 = s_4 * s_8 * q_2;
+        const Number s_m3_8 = s_2 * s_8 * per_s;
+        const Number Q_x = tables[0];
+        const Number s_m9_8 = s_2 * s_4 * s_8 * q_2;
+        const Number q_3 = c.c_15 * (s_m13_8 * (c.c_9 - c.c_8 * q_1) + c.c_10 * s_m3_8) + c.c_16 * s_m1_8;
+        return {Number(c.c_2 * s_m3_2 * xi), Number(q_3), Number(c.c_17 * s_m7_8 * xi), Number(c.c_18 * s_m3_8), Number(asinh(xi) + Q_x + c.C_X), Number(c.c_15 * s_m9_8 * (-c.c_7 * q_1 - c.C_delta)), Number(c.c_19 * s_m3_8 * xi), Number(c.c_20 * s_m1_2), Number(s_2 + c.c_2 * (-c.c_12 * per_s - c.c_13 * s_4) + c.C_Y), Number(c.c_21 * s_m9_8 * xi), Number(c.c_22 * s_m3_8), Number(c.c_20 * s_m1_2 * xi)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
@@ -379,15 +419,80 @@ private:
         return tables_0_(T);
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none, none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.psi;
+        numbers[1] = values.x;
+        numbers[2] = values.y;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 3;
+        static constexpr std::array<resonform::kernel::Term<1>, 12> terms{{
+            {0, resonform::kernel::Wave::one, {0}},
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+            {1, resonform::kernel::Wave::one, {0}},
+            {1, resonform::kernel::Wave::cosine, {1}},
+            {1, resonform::kernel::Wave::sine, {1}},
+            {1, resonform::kernel::Wave::sine, {2}},
+            {2, resonform::kernel::Wave::one, {0}},
+            {2, resonform::kernel::Wave::cosine, {1}},
+            {2, resonform::kernel::Wave::sine, {1}},
+            {2, resonform::kernel::Wave::sine, {2}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 12> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                compute_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.theta_0};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -397,9 +502,12 @@ private:
         if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};
         if (!finite(start.C_X)) return {Status::bad_argument, "C_X"};
         if (!finite(start.C_Y)) return {Status::bad_argument, "C_Y"};
-        if (!within(eps, 0x1p222)) return {Status::overflow, "eps"};
-        if (!within(start.C_delta, 0x1p222)) return {Status::overflow, "C_delta"};
+        if (!within(eps, 0x1p148)) return {Status::overflow, "eps"};
+        if (!within(start.C_delta, 0x1p148)) return {Status::overflow, "C_delta"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
@@ -429,6 +537,10 @@ private:
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

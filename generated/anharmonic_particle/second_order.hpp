@@ -77,10 +77,12 @@
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::anharmonic_particle::second_order {
 
@@ -89,6 +91,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -146,26 +149,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none, none, none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Real* y, Real* z, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, y, z}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Real* y, Real* z, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-            y[i] = values.y;
-            z[i] = values.z;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* y, Real* z, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, y, z}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -205,6 +206,21 @@ private:
         Number c_27{};
         Number c_28{};
         Number c_29{};
+        Number c_30{};
+        Number c_31{};
+        Number c_32{};
+        Number c_33{};
+        Number c_34{};
+        Number c_35{};
+        Number c_36{};
+        Number c_37{};
+        Number c_38{};
+        Number c_39{};
+        Number c_40{};
+        Number c_41{};
+        Number c_42{};
+        Number c_43{};
+        Number c_44{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -449,6 +465,25 @@ private:
         w.k_71 = c.v_x * c.v_y * (c.c_24 * w.k_61 + c.c_25 * w.k_59 - c.c_25 * w.k_58);
         w.k_72 = c.eps * w.k_69 + c.u_x * (c.u_y * w.k_70 - c.c_24 * c.u_x * c.v_x * c.v_y) + w.k_71;
         c.c_26 = w.z_0 - c.c_3 * w.k_72;
+        c.c_27 = Number(1) / Number(2);
+        c.c_28 = Number(69) / Number(1024) * c.c_3;
+        c.c_29 = Number(69) / Number(512) * c.c_3;
+        c.c_30 = Number(3) / Number(32) * c.eps;
+        c.c_31 = Number(39) / Number(2048) * c.c_3;
+        c.c_32 = Number(1) / Number(64) * c.eps;
+        c.c_33 = Number(117) / Number(2048) * c.c_3;
+        c.c_34 = Number(3) / Number(64) * c.eps;
+        c.c_35 = Number(1) / Number(2048) * c.c_3;
+        c.c_36 = Number(5) / Number(1024) * c.c_3;
+        c.c_37 = Number(5) / Number(2048) * c.c_3;
+        c.c_38 = Number(1) / Number(32) * c.c_3;
+    }
+
+    template <class Number> static void compute_constants_2(
+            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
+        c.c_39 = Number(3) / Number(32) * c.c_3;
+        c.c_40 = Number(1) / Number(256) * c.c_3;
+        c.c_41 = Number(3) / Number(256) * c.c_3;
         w.k_73 = c.c_3 * c.eps;
         w.k_74 = w.k_73 * w.k_73;
         w.k_75 = -Number(2781) / Number(32768) * w.k_57 - Number(13767) / Number(32768) * w.k_58;
@@ -461,10 +496,6 @@ private:
         w.k_82 = Number(1) / Number(4) * w.k_59;
         w.k_83 = Number(5) / Number(96) * w.k_64;
         w.k_84 = c.u_x * (c.u_x * w.k_78 + w.k_79) + w.k_58 * w.k_81 + w.k_61 * (-w.k_76 - w.k_82) - w.k_83;
-    }
-
-    template <class Number> static void compute_constants_2(
-            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
         w.k_85 = Number(5) / Number(48) * w.k_58 - Number(1) / Number(6) * w.k_61 - Number(5) / Number(24) * w.k_59;
         w.k_86 = c.u_x * (w.k_57 * (c.c_20 * w.k_57 + c.c_21 * w.k_58) + c.c_22 * w.k_63);
         w.k_87 = c.eps * (c.u_x * w.k_84 + c.v_x * c.u_y * c.v_y * w.k_85) + w.k_86;
@@ -482,7 +513,7 @@ private:
         w.k_99 = c.eps * w.k_97 + c.v_x * w.k_98;
         w.k_100 = w.k_21 + c.eps * w.k_88;
         w.k_101 = w.k_33 + c.eps * w.k_99;
-        c.c_27 = w.k_1 + w.k_2 + w.k_74 + c.c_3 * (w.k_88 * w.k_88) + c.c_3 * (w.k_99 * w.k_99) - Number(4) * (w.k_100 * w.k_100 + w.k_101 * w.k_101);
+        c.c_42 = w.k_1 + w.k_2 + w.k_74 + c.c_3 * (w.k_88 * w.k_88) + c.c_3 * (w.k_99 * w.k_99) - Number(4) * (w.k_100 * w.k_100 + w.k_101 * w.k_101);
         w.k_102 = -Number(2781) / Number(32768) * w.k_61 - Number(13767) / Number(32768) * w.k_59;
         w.k_103 = Number(11) / Number(96) * w.k_57;
         w.k_104 = w.k_61 * w.k_102 + w.k_103 + Number(1) / Number(24) * w.k_58 - Number(20279) / Number(32768) * w.k_64;
@@ -506,8 +537,8 @@ private:
         w.k_122 = c.eps * w.k_120 + c.v_y * w.k_121;
         w.k_123 = w.k_47 + c.eps * w.k_114;
         w.k_124 = w.k_56 + c.eps * w.k_122;
-        c.c_28 = w.k_5 + w.k_7 + w.k_74 + c.c_3 * (w.k_114 * w.k_114) + c.c_3 * (w.k_122 * w.k_122) - Number(4) * (w.k_123 * w.k_123 + w.k_124 * w.k_124);
-        c.c_29 = Number(9) / Number(16) * c.eps;
+        c.c_43 = w.k_5 + w.k_7 + w.k_74 + c.c_3 * (w.k_114 * w.k_114) + c.c_3 * (w.k_122 * w.k_122) - Number(4) * (w.k_123 * w.k_123 + w.k_124 * w.k_124);
+        c.c_44 = Number(9) / Number(16) * c.eps;
     }
 
     template <class Number> static void compute_constants(
@@ -538,7 +569,7 @@ private:
         keep(scaled.u_y, c.u_y, "u_y");
         keep(scaled.v_y, c.v_y, "v_y");
         keep(scaled.c_15, c.c_15, "c_15 in Q_z");
-        keep(scaled.c_16, c.c_16, "c_16 in Q_z");
+        keep(scaled.c_16, c.c_16, "c_16 in x");
         keep(scaled.c_17, c.c_17, "c_17 in Q_z");
         keep(scaled.c_18, c.c_18, "c_18");
         keep(scaled.c_19, c.c_19, "c_19 in theta");
@@ -549,7 +580,22 @@ private:
         keep(scaled.c_24, c.c_24, "c_24 in z_2");
         keep(scaled.c_25, c.c_25, "c_25 in z_2");
         keep(scaled.c_26, c.c_26, "c_26 in z");
+        keep(scaled.c_27, c.c_27, "c_27 in y");
+        keep(scaled.c_28, c.c_28, "c_28 in y");
         keep(scaled.c_29, c.c_29, "c_29 in y");
+        keep(scaled.c_30, c.c_30, "c_30 in y");
+        keep(scaled.c_31, c.c_31, "c_31 in y");
+        keep(scaled.c_32, c.c_32, "c_32 in y");
+        keep(scaled.c_33, c.c_33, "c_33 in y");
+        keep(scaled.c_34, c.c_34, "c_34 in y");
+        keep(scaled.c_35, c.c_35, "c_35 in y");
+        keep(scaled.c_36, c.c_36, "c_36 in y");
+        keep(scaled.c_37, c.c_37, "c_37 in y");
+        keep(scaled.c_38, c.c_38, "c_38 in z");
+        keep(scaled.c_39, c.c_39, "c_39 in z");
+        keep(scaled.c_40, c.c_40, "c_40 in z");
+        keep(scaled.c_41, c.c_41, "c_41 in z");
+        keep(scaled.c_44, c.c_44, "c_44 in y");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -557,8 +603,8 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_27 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_28 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        if (!(scaled.c_42 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_43 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -620,7 +666,7 @@ private:
         const Number v_y = flow[3];
         const Number q_1 = hypot(u_x, v_x);
         const Number q_2 = hypot(u_y, v_y);
-        return {Number(Number(1) - c.c_29 * (q_1 * q_1)), Number(Number(1) - c.c_29 * (q_2 * q_2))};
+        return {Number(Number(1) - c.c_44 * (q_1 * q_1)), Number(Number(1) - c.c_44 * (q_2 * q_2))};
     }
 
     // dQ_z/dT
@@ -682,6 +728,45 @@ private:
         return finite(values.x) && finite(values.y) && finite(values.z) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 17> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 5>& tables) {
+        const Number v_x = tables[1];
+        const Number u_x = tables[0];
+        const Number q_1 = u_x * u_x;
+        const Number q_2 = v_x * v_x;
+        const Number u_y = tables[2];
+        const Number q_3 = u_y * u_y;
+        const Number v_y = tables[3];
+        const Number q_4 = v_y * v_y;
+        const Number q_5 = q_4 * q_4;
+        const Number q_6 = q_2 * q_2;
+        const Number q_7 = c.c_16 * q_4;
+        const Number Q_z = tables[4];
+        const Number q_8 = q_1 * (c.c_28 * q_1 + c.c_29 * q_2 - c.c_30) + q_2 * (c.c_28 * q_2 - c.c_30) + c.c_27;
+        const Number q_9 = c.c_16 * q_2;
+        const Number q_10 = q_1 * (q_9 + c.c_32 - c.c_31 * q_1) + q_2 * (c.c_33 * q_2 - c.c_34);
+        const Number q_11 = q_1 * (c.c_34 - c.c_33 * q_1 - q_9) + q_2 * (c.c_31 * q_2 - c.c_32);
+        const Number q_12 = c.c_36 * q_2;
+        const Number q_13 = q_3 * (c.c_28 * q_3 + c.c_29 * q_4 - c.c_30) + q_4 * (c.c_28 * q_4 - c.c_30) + c.c_27;
+        const Number q_14 = q_3 * (q_7 + c.c_32 - c.c_31 * q_3) + q_4 * (c.c_33 * q_4 - c.c_34);
+        const Number q_15 = q_3 * (c.c_34 - q_7 - c.c_33 * q_3) + q_4 * (c.c_31 * q_4 - c.c_32);
+        const Number q_16 = c.c_36 * q_4;
+        const Number q_17 = u_x * u_y * (c.c_11 * q_1 - c.c_11 * q_3) + v_x * v_y * (c.c_11 * q_4 - c.c_11 * q_2);
+        const Number q_18 = v_y * (c.c_38 * q_1 + c.c_39 * q_2 - c.c_39 * q_3 - c.c_38 * q_4);
+        const Number q_19 = u_x * (q_18 + c.c_39 * u_x * v_x * u_y) + v_x * u_y * (c.c_38 * q_2 - c.c_38 * q_3 - c.c_39 * q_4);
+        const Number q_20 = c.c_40 * q_1;
+        const Number q_21 = c.c_41 * q_2;
+        const Number q_22 = c.c_40 * q_3;
+        const Number q_23 = c.c_41 * q_4;
+        const Number q_24 = u_x * (u_y * (q_20 + q_23 - q_21 - q_22) - c.c_41 * u_x * v_x * v_y);
+        const Number q_25 = c.c_40 * q_2;
+        const Number q_26 = c.c_41 * q_3;
+        const Number q_27 = c.c_40 * q_4;
+        const Number q_28 = u_x * (v_y * (q_20 + q_27 - q_21 - q_26) + c.c_41 * u_x * v_x * u_y);
+        return {Number(Number(2) * u_x * q_8), Number(-Number(2) * v_x * q_8), Number(Number(2) * u_x * q_10), Number(-Number(2) * v_x * q_11), Number(Number(2) * u_x * (q_1 * (c.c_35 * q_1 - q_12) + c.c_37 * q_6)), Number(-Number(2) * v_x * (q_1 * (c.c_37 * q_1 - q_12) + c.c_35 * q_6)), Number(Number(2) * u_y * q_13), Number(-Number(2) * v_y * q_13), Number(Number(2) * u_y * q_14), Number(-Number(2) * v_y * q_15), Number(Number(2) * u_y * (q_3 * (c.c_35 * q_3 - q_16) + c.c_37 * q_5)), Number(-Number(2) * v_y * (q_3 * (c.c_37 * q_3 - q_16) + c.c_35 * q_5)), Number(Q_z + c.c_26), Number(Number(2) * q_17), Number(-Number(2) * q_19), Number(Number(2) * (q_24 + v_x * v_y * (q_25 + q_26 - q_27))), Number(-Number(2) * (q_28 + v_x * u_y * (q_23 - q_22 - q_25)))};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
@@ -699,15 +784,85 @@ private:
         return all;
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_2(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none, none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+        numbers[1] = values.y;
+        numbers[2] = values.z;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 3;
+        static constexpr std::array<resonform::kernel::Term<1>, 17> terms{{
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+            {0, resonform::kernel::Wave::sine, {3}},
+            {0, resonform::kernel::Wave::cosine, {5}},
+            {0, resonform::kernel::Wave::sine, {5}},
+            {1, resonform::kernel::Wave::cosine, {1}},
+            {1, resonform::kernel::Wave::sine, {1}},
+            {1, resonform::kernel::Wave::cosine, {3}},
+            {1, resonform::kernel::Wave::sine, {3}},
+            {1, resonform::kernel::Wave::cosine, {5}},
+            {1, resonform::kernel::Wave::sine, {5}},
+            {2, resonform::kernel::Wave::one, {0}},
+            {2, resonform::kernel::Wave::cosine, {2}},
+            {2, resonform::kernel::Wave::sine, {2}},
+            {2, resonform::kernel::Wave::cosine, {4}},
+            {2, resonform::kernel::Wave::sine, {4}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 17> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_2(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_18};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -718,6 +873,9 @@ private:
         if (!finite(start.y_dot_0)) return {Status::bad_argument, "y_dot_0"};
         if (!finite(start.z_0)) return {Status::bad_argument, "z_0"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
             return lost;
         Real reach = end; // less where the domain ends before
@@ -752,6 +910,10 @@ private:
     resonform::FlowTable<std::array<Real, 4>> tables_0_;
     resonform::PrimitiveTable<Real, 1> tables_1_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

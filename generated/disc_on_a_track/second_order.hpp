@@ -44,10 +44,12 @@
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::disc_on_a_track::second_order {
 
@@ -56,6 +58,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -116,27 +119,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none, none, none, none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Real* theta, Real* y, Real* R, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, theta, y, R}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Real* theta, Real* y, Real* R, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-            theta[i] = values.theta;
-            y[i] = values.y;
-            R[i] = values.R;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* theta, Real* y, Real* R, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, theta, y, R}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -161,11 +161,22 @@ private:
         Number c_13{};
         Number c_14{};
         Number c_15{};
+        Number constant_R{};
         Number c_16{};
         Number c_17{};
         Number c_18{};
         Number c_19{};
         Number c_20{};
+        Number c_21{};
+        Number c_22{};
+        Number c_23{};
+        Number c_24{};
+        Number c_25{};
+        Number c_26{};
+        Number c_27{};
+        Number c_28{};
+        Number c_29{};
+        Number c_30{};
     };
 
     template <class Number> static void compute_constants(
@@ -195,33 +206,46 @@ private:
         const Number k_12 = c.c_1 * k_11;
         c.v_x = k_12 - x_dot_0 * k_6;
         c.c_6 = Number(2) / Number(3) * c.eps * k_6 * (-k_7 - k_8);
-        c.c_7 = theta_dot_0 * (Number(1) / Number(2) + c.c_1 * (k_2 + k_10));
+        const Number k_13 = Number(1) / Number(2) + c.c_1 * (k_2 + k_10);
+        c.c_7 = theta_dot_0 * k_13;
         c.c_8 = Number(2) / Number(3) * c.theta_0 * k_6 * (c.c_1 * (-k_2 - k_10) - Number(1) / Number(2));
         c.c_9 = Number(0);
         c.c_10 = Number(2) / Number(3) * k_6 * (Number(1) / c.eps);
         c.c_11 = theta_dot_0 * k_6;
         c.c_12 = Number(1) / Number(8);
         const Number y_0 = Number(start.y_0);
-        const Number k_13 = c.u_x * (Number(45) / Number(256) * k_3 - Number(7) / Number(384) * k_1);
-        const Number k_14 = k_13 + Number(5) / Number(128) * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        const Number k_15 = c.theta_0 * k_14 + Number(3) / Number(256) * k_6 * c.v_x * (k_3 * theta_dot_0);
-        const Number k_16 = c.c_1 * k_15 + c.c_4 * c.theta_0 * c.u_x + c.c_4 * theta_dot_0 * k_6 * c.v_x;
-        c.c_13 = y_0 - c.eps * k_16;
+        const Number k_14 = c.u_x * (Number(45) / Number(256) * k_3 - Number(7) / Number(384) * k_1);
+        const Number k_15 = k_14 + Number(5) / Number(128) * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        const Number k_16 = c.theta_0 * k_15 + Number(3) / Number(256) * k_6 * c.v_x * (k_3 * theta_dot_0);
+        const Number k_17 = c.c_1 * k_16 + c.c_4 * c.theta_0 * c.u_x + c.c_4 * theta_dot_0 * k_6 * c.v_x;
+        c.c_13 = y_0 - c.eps * k_17;
         const Number R_0 = Number(start.R_0);
         c.c_14 = Number(1) / Number(6);
         c.c_15 = Number(1) / Number(3);
-        const Number k_17 = c.u_x * (c.c_14 * k_1 + Number(1) / Number(2) * k_3) + c.c_15 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        c.c_16 = R_0 - c.c_1 * k_17;
-        const Number k_18 = c.c_1 * c.eps;
-        const Number k_19 = c.c_1 * c.c_1;
-        const Number k_20 = c.u_x * (k_2 + k_4) - c.c_12 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        const Number k_21 = c.v_x * (k_10 - k_9) + Number(3) / Number(8) * c.theta_0 * theta_dot_0 * k_6 * c.u_x;
-        const Number k_22 = k_5 + c.c_1 * k_20;
-        const Number k_23 = k_12 + c.c_1 * k_21;
-        c.c_17 = k_18 * k_18 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_19 * (k_20 * k_20) + k_19 * (k_21 * k_21) - Number(4) * (k_22 * k_22 + k_23 * k_23);
-        c.c_18 = hypot(c.theta_0, Number(-theta_dot_0 * k_6));
-        c.c_19 = resonform::math::number<Number>({7.888609052210118e-31});
-        c.c_20 = Number(5) / Number(8) * c.c_1 * (c.c_18 * c.c_18);
+        const Number k_18 = c.u_x * (c.c_14 * k_1 + Number(1) / Number(2) * k_3) + c.c_15 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        c.constant_R = R_0 - c.c_1 * k_18;
+        c.c_16 = Number(2) * k_13;
+        c.c_17 = -Number(2) * k_13;
+        c.c_18 = c.c_1 * (Number(3) / Number(64) * k_3 - Number(1) / Number(32) * k_1);
+        c.c_19 = c.c_2 * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
+        c.c_20 = c.c_12 * c.eps * c.theta_0;
+        c.c_21 = c.c_12 * c.eps * theta_dot_0 * k_6;
+        const Number k_19 = k_2 + k_4;
+        c.c_22 = c.c_1 * k_19;
+        c.c_23 = c.c_12 * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
+        c.c_24 = c.c_1 * (k_10 + c.c_3 * k_1);
+        c.c_25 = c.c_1 * (Number(1) / Number(48) * k_1 - Number(1) / Number(32) * k_3);
+        c.c_26 = Number(1) / Number(24) * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
+        const Number k_20 = c.c_1 * c.eps;
+        const Number k_21 = c.c_1 * c.c_1;
+        const Number k_22 = c.u_x * k_19 - c.c_12 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        const Number k_23 = c.v_x * (k_10 - k_9) + Number(3) / Number(8) * c.theta_0 * theta_dot_0 * k_6 * c.u_x;
+        const Number k_24 = k_5 + c.c_1 * k_22;
+        const Number k_25 = k_12 + c.c_1 * k_23;
+        c.c_27 = k_20 * k_20 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_21 * (k_22 * k_22) + k_21 * (k_23 * k_23) - Number(4) * (k_24 * k_24 + k_25 * k_25);
+        c.c_28 = hypot(c.theta_0, Number(-theta_dot_0 * k_6));
+        c.c_29 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_30 = Number(5) / Number(8) * c.c_1 * (c.c_28 * c.c_28);
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -239,15 +263,26 @@ private:
         keep(scaled.c_8, c.c_8, "c_8 in Q_y");
         keep(scaled.c_9, c.c_9, "c_9");
         keep(scaled.c_10, c.c_10, "c_10 in theta");
-        keep(scaled.c_11, c.c_11, "c_11 in im_theta");
+        keep(scaled.c_11, c.c_11, "c_11 in theta");
         keep(scaled.c_12, c.c_12, "c_12 in x_2");
         keep(scaled.c_13, c.c_13, "c_13 in y");
         keep(scaled.c_14, c.c_14, "c_14 in R_2");
         keep(scaled.c_15, c.c_15, "c_15 in R_2");
-        keep(scaled.c_16, c.c_16, "c_16 in R");
+        keep(scaled.constant_R, c.constant_R, "constant_R");
+        keep(scaled.c_16, c.c_16, "c_16 in x");
+        keep(scaled.c_17, c.c_17, "c_17 in x");
         keep(scaled.c_18, c.c_18, "c_18 in x");
         keep(scaled.c_19, c.c_19, "c_19 in x");
-        keep(scaled.c_20, c.c_20, "c_20 in x");
+        keep(scaled.c_20, c.c_20, "c_20 in y");
+        keep(scaled.c_21, c.c_21, "c_21 in y");
+        keep(scaled.c_22, c.c_22, "c_22 in R");
+        keep(scaled.c_23, c.c_23, "c_23 in R");
+        keep(scaled.c_24, c.c_24, "c_24 in R");
+        keep(scaled.c_25, c.c_25, "c_25 in R");
+        keep(scaled.c_26, c.c_26, "c_26 in R");
+        keep(scaled.c_28, c.c_28, "c_28 in x");
+        keep(scaled.c_29, c.c_29, "c_29 in x");
+        keep(scaled.c_30, c.c_30, "c_30 in x");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -255,7 +290,7 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_27 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -276,7 +311,7 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
-        return {Number(hypot(q_1, c.c_18) + c.c_19 - c.c_20 * q_1)};
+        return {Number(hypot(q_1, c.c_28) + c.c_29 - c.c_30 * q_1)};
     }
 
     // dQ_y/dT
@@ -318,8 +353,17 @@ private:
         values.x = q_1 + c.c_1 * x_2 - q_2;
         values.theta = re_theta;
         values.y = Q_y + c.eps * y_1 + c.c_13;
-        values.R = c.c_1 * R_2 + c.c_16;
+        values.R = c.c_1 * R_2 + c.constant_R;
         return finite(values.x) && finite(values.theta) && finite(values.y) && finite(values.R) ? Status::ok : Status::overflow;
+    }
+
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 14> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 3>& tables) {
+        const Number v_x = tables[1];
+        const Number u_x = tables[0];
+        const Number Q_y = tables[2];
+        return {Number(c.c_16 * u_x), Number(c.c_17 * v_x), Number(Number(2) * (c.c_18 * u_x - c.c_19 * v_x)), Number(-Number(2) * (c.c_18 * v_x + c.c_19 * u_x)), Number(c.theta_0), Number(c.c_11), Number(Q_y + c.c_13), Number(Number(2) * (c.c_20 * u_x + c.c_21 * v_x)), Number(-Number(2) * (c.c_20 * v_x - c.c_21 * u_x)), Number(c.constant_R), Number(Number(2) * (c.c_22 * u_x + c.c_23 * v_x)), Number(-Number(2) * (c.c_24 * v_x + c.c_23 * u_x)), Number(Number(2) * (c.c_25 * u_x + c.c_26 * v_x)), Number(-Number(2) * (c.c_25 * v_x - c.c_26 * u_x))};
     }
 
     using Cause = resonform::Cause;
@@ -339,15 +383,83 @@ private:
         return all;
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_2(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none, none, none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+        numbers[1] = values.theta;
+        numbers[2] = values.y;
+        numbers[3] = values.R;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 4;
+        static constexpr std::array<resonform::kernel::Term<1>, 14> terms{{
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+            {0, resonform::kernel::Wave::sine, {3}},
+            {1, resonform::kernel::Wave::cosine, {1}},
+            {1, resonform::kernel::Wave::sine, {1}},
+            {2, resonform::kernel::Wave::one, {0}},
+            {2, resonform::kernel::Wave::cosine, {2}},
+            {2, resonform::kernel::Wave::sine, {2}},
+            {3, resonform::kernel::Wave::one, {0}},
+            {3, resonform::kernel::Wave::cosine, {1}},
+            {3, resonform::kernel::Wave::sine, {1}},
+            {3, resonform::kernel::Wave::cosine, {3}},
+            {3, resonform::kernel::Wave::sine, {3}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 14> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_2(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_9};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -359,6 +471,9 @@ private:
         if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};
         if (!finite(start.R_0)) return {Status::bad_argument, "R_0"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
             return lost;
         Real reach = end; // less where the domain ends before
@@ -393,6 +508,10 @@ private:
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::PrimitiveTable<Real, 1> tables_1_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

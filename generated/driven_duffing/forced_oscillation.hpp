@@ -31,10 +31,12 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::driven_duffing::forced_oscillation {
 
@@ -43,6 +45,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -93,24 +96,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -139,6 +142,7 @@ private:
         Number c_18{};
         Number c_19{};
         Number c_20{};
+        Number c_21{};
     };
 
     template <class Number> static void compute_constants(
@@ -196,6 +200,7 @@ private:
         const Number k_29 = Number(1) / Number(40) * v_phi * k_1 - Number(1) / Number(2) * u_phi;
         c.c_15 = c.eps * k_29;
         c.c_16 = Number(0);
+        c.c_17 = -c.eps;
         const Number k_30 = k_2 * k_3;
         const Number k_31 = k_2 * k_4;
         const Number k_32 = k_1 * k_1;
@@ -216,10 +221,10 @@ private:
         const Number k_47 = k_1 * (c.u_x * (c.u_x * k_43 + c.v_x * k_44) + k_35 * k_45) + k_46 + Number(3) / Number(32) * k_38 - k_26;
         const Number k_48 = k_16 + k_1 * k_41;
         const Number k_49 = k_28 + k_1 * k_47;
-        c.c_17 = k_30 + k_31 + k_33 * k_33 + k_32 * (k_41 * k_41) + k_32 * (k_47 * k_47) - Number(4) * (k_48 * k_48 + k_49 * k_49);
-        c.c_18 = Number(4) + Number(4) * (k_30 + k_31) - Number(1) / Number(16) * k_32;
-        c.c_19 = Number(81) / Number(256) * k_1;
-        c.c_20 = Number(2) * k_1;
+        c.c_18 = k_30 + k_31 + k_33 * k_33 + k_32 * (k_41 * k_41) + k_32 * (k_47 * k_47) - Number(4) * (k_48 * k_48 + k_49 * k_49);
+        c.c_19 = Number(4) + Number(4) * (k_30 + k_31) - Number(1) / Number(16) * k_32;
+        c.c_20 = Number(81) / Number(256) * k_1;
+        c.c_21 = Number(2) * k_1;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -242,8 +247,9 @@ private:
         keep(scaled.c_14, c.c_14, "c_14 in v_x");
         keep(scaled.c_15, c.c_15, "c_15 in v_x");
         keep(scaled.c_16, c.c_16, "c_16");
-        keep(scaled.c_19, c.c_19, "c_19 in x");
+        keep(scaled.c_17, c.c_17, "c_17 in x");
         keep(scaled.c_20, c.c_20, "c_20 in x");
+        keep(scaled.c_21, c.c_21, "c_21 in x");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -251,8 +257,8 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         if (!(scaled.c_18 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -279,7 +285,7 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
-        return {Number(Number(1) - c.c_20 * (c.c_19 * q_1 + c.c_2 * (q_1 * q_1)))};
+        return {Number(Number(1) - c.c_21 * (c.c_20 * q_1 + c.c_2 * (q_1 * q_1)))};
     }
 
     // dtheta/dT
@@ -303,6 +309,14 @@ private:
         return finite(values.x) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 2> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
+        const Number v_x = tables[1];
+        const Number u_x = tables[0];
+        return {Number(c.eps * u_x), Number(c.c_17 * v_x)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
@@ -311,15 +325,68 @@ private:
         return tables_0_(T);
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 1;
+        static constexpr std::array<resonform::kernel::Term<1>, 2> terms{{
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 2> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_16};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -328,6 +395,9 @@ private:
         if (!finite(start.x_0)) return {Status::bad_argument, "x_0"};
         if (!finite(start.x_dot_0)) return {Status::bad_argument, "x_dot_0"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
             return lost;
         Real reach = end; // less where the domain ends before
@@ -357,6 +427,10 @@ private:
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

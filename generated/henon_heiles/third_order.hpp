@@ -51,10 +51,12 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::henon_heiles::third_order {
 
@@ -63,6 +65,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -116,25 +119,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none, none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, y}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Real* y, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-            y[i] = values.y;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, y}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -165,6 +167,17 @@ private:
         Number c_18{};
         Number c_19{};
         Number c_20{};
+        Number c_21{};
+        Number c_22{};
+        Number c_23{};
+        Number c_24{};
+        Number c_25{};
+        Number c_26{};
+        Number c_27{};
+        Number c_28{};
+        Number c_29{};
+        Number c_30{};
+        Number c_31{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -320,8 +333,19 @@ private:
         c.c_10 = Number(13) / Number(144);
         c.c_11 = Number(9) / Number(16);
         c.c_12 = Number(47) / Number(72);
-        w.k_42 = c.eps * c.eps;
-        w.k_43 = w.k_42 * w.k_42;
+        c.c_13 = c.eps * c.eps;
+        w.k_42 = c.c_13 * c.eps;
+        c.c_14 = Number(11) / Number(144) * w.k_42;
+        c.c_15 = Number(13) / Number(48) * w.k_42;
+        c.c_16 = Number(1) / Number(2) * c.eps;
+        c.c_17 = Number(25) / Number(72) * w.k_42;
+        c.c_18 = Number(1) / Number(6) * c.c_13;
+        c.c_19 = Number(1) / Number(96) * w.k_42;
+        c.c_20 = Number(1) / Number(32) * w.k_42;
+        c.c_21 = Number(1) / Number(48) * w.k_42;
+        c.c_22 = Number(1) / Number(2) * c.c_13;
+        c.c_23 = Number(1) / Number(12) * c.c_13;
+        w.k_43 = c.c_13 * c.c_13;
         w.k_44 = w.k_43 * w.k_43;
         w.k_45 = c.u_x * c.u_x;
         w.k_46 = c.v_x * c.v_x;
@@ -337,9 +361,9 @@ private:
         w.k_56 = c.eps * w.k_55 - c.c_2 * c.u_x * c.u_y - c.c_3 * c.v_x * c.v_y;
         w.k_57 = Number(217) / Number(90) * w.k_45 + Number(64) / Number(135) * w.k_46 + Number(121) / Number(90) * w.k_48 - Number(188) / Number(135) * w.k_47;
         w.k_58 = c.eps * (c.u_y * w.k_57 - Number(7) / Number(90) * c.u_x * c.v_x * c.v_y);
-        c.c_13 = Number(47) / Number(144);
-        w.k_59 = c.c_13 * w.k_46;
-        w.k_60 = c.c_13 * w.k_48;
+        c.c_24 = Number(47) / Number(144);
+        w.k_59 = c.c_24 * w.k_46;
+        w.k_60 = c.c_24 * w.k_48;
         w.k_61 = w.k_58 + Number(13) / Number(48) * w.k_47 - Number(11) / Number(144) * w.k_45 - w.k_59 - w.k_60;
         w.k_62 = Number(329) / Number(90) * w.k_47 + Number(128) / Number(135) * w.k_48 - Number(244) / Number(135) * w.k_45;
         w.k_63 = Number(25) / Number(72) * c.u_y;
@@ -347,7 +371,7 @@ private:
         w.k_65 = w.k_64 + c.c_2 * c.u_x * c.v_y + c.c_2 * c.v_x * c.u_y;
         w.k_66 = w.k_15 + c.eps * w.k_56;
         w.k_67 = w.k_25 + c.eps * w.k_65;
-        c.c_14 = w.k_1 * w.k_2 + w.k_1 * w.k_3 + w.k_44 + w.k_42 * (w.k_56 * w.k_56) + w.k_42 * (w.k_65 * w.k_65) - Number(4) * (w.k_66 * w.k_66 + w.k_67 * w.k_67);
+        c.c_25 = w.k_1 * w.k_2 + w.k_1 * w.k_3 + w.k_44 + c.c_13 * (w.k_56 * w.k_56) + c.c_13 * (w.k_65 * w.k_65) - Number(4) * (w.k_66 * w.k_66 + w.k_67 * w.k_67);
         w.k_68 = Number(443) / Number(1080) * w.k_45 + Number(79) / Number(360) * w.k_46 - Number(86) / Number(45) * w.k_47 - Number(63) / Number(40) * w.k_48;
         w.k_69 = c.u_x * (c.u_x * w.k_68 - Number(32) / Number(15) * c.v_x * c.u_y * c.v_y);
         w.k_70 = Number(61) / Number(120) * w.k_47 - Number(101) / Number(540) * w.k_46 - Number(56) / Number(45) * w.k_48;
@@ -363,18 +387,23 @@ private:
         w.k_80 = w.k_79 + c.c_2 * c.u_x * c.v_x - c.c_2 * c.u_y * c.v_y;
         w.k_81 = w.k_34 + c.eps * w.k_74;
         w.k_82 = w.k_41 + c.eps * w.k_80;
-        c.c_15 = w.k_1 * w.k_4 + w.k_1 * w.k_5 + w.k_44 + w.k_42 * (w.k_74 * w.k_74) + w.k_42 * (w.k_80 * w.k_80) - Number(4) * (w.k_81 * w.k_81 + w.k_82 * w.k_82);
-        c.c_16 = resonform::math::number<Number>({7.888609052210118e-31});
-        c.c_17 = Number(29) / Number(48);
-        c.c_18 = Number(5) / Number(3);
-        c.c_19 = Number(2) * c.eps;
-        c.c_20 = Number(5) / Number(6);
+        c.c_26 = w.k_1 * w.k_4 + w.k_1 * w.k_5 + w.k_44 + c.c_13 * (w.k_74 * w.k_74) + c.c_13 * (w.k_80 * w.k_80) - Number(4) * (w.k_81 * w.k_81 + w.k_82 * w.k_82);
+        c.c_27 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_28 = Number(29) / Number(48);
+        c.c_29 = Number(5) / Number(3);
+    }
+
+    template <class Number> static void compute_constants_2(
+            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, [[maybe_unused]] compute_constants_quantities<Number>& w) {
+        c.c_30 = Number(2) * c.eps;
+        c.c_31 = Number(5) / Number(6);
     }
 
     template <class Number> static void compute_constants(
             const Real& given_eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         compute_constants_quantities<Number> w;
         compute_constants_1(given_eps, parameters, start, c, w);
+        compute_constants_2(given_eps, parameters, start, c, w);
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -395,12 +424,23 @@ private:
         keep(scaled.c_10, c.c_10, "c_10 in y_3");
         keep(scaled.c_11, c.c_11, "c_11 in y_3");
         keep(scaled.c_12, c.c_12, "c_12 in y_3");
-        keep(scaled.c_13, c.c_13, "c_13 in y");
+        keep(scaled.c_13, c.c_13, "c_13 in x");
+        keep(scaled.c_14, c.c_14, "c_14 in y");
+        keep(scaled.c_15, c.c_15, "c_15 in y");
         keep(scaled.c_16, c.c_16, "c_16 in y");
         keep(scaled.c_17, c.c_17, "c_17 in y");
-        keep(scaled.c_18, c.c_18, "c_18 in x");
+        keep(scaled.c_18, c.c_18, "c_18 in y");
         keep(scaled.c_19, c.c_19, "c_19 in y");
         keep(scaled.c_20, c.c_20, "c_20 in y");
+        keep(scaled.c_21, c.c_21, "c_21 in y");
+        keep(scaled.c_22, c.c_22, "c_22 in y");
+        keep(scaled.c_23, c.c_23, "c_23 in y");
+        keep(scaled.c_24, c.c_24, "c_24 in y");
+        keep(scaled.c_27, c.c_27, "c_27 in y");
+        keep(scaled.c_28, c.c_28, "c_28 in y");
+        keep(scaled.c_29, c.c_29, "c_29 in x");
+        keep(scaled.c_30, c.c_30, "c_30 in y");
+        keep(scaled.c_31, c.c_31, "c_31 in y");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -408,8 +448,8 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_15 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -446,9 +486,9 @@ private:
         const Number q_3 = hypot(q_1, q_2);
         const Number q_4 = q_1 * q_1;
         const Number q_5 = q_2 * q_2;
-        const Number q_6 = c.eps * (c.c_13 * (q_4 * q_1) + c.c_17 * q_1 * q_5) + c.c_18 * q_1 * q_2;
-        const Number q_7 = c.eps * (c.c_13 * (q_5 * q_2) + c.c_17 * q_2 * q_4) + c.c_20 * q_5 + c.c_20 * q_4;
-        return {Number(q_3 + c.c_16 - c.c_19 * q_6), Number(q_3 + c.c_16 - c.c_19 * q_7)};
+        const Number q_6 = c.eps * (c.c_24 * (q_4 * q_1) + c.c_28 * q_1 * q_5) + c.c_29 * q_1 * q_2;
+        const Number q_7 = c.eps * (c.c_24 * (q_5 * q_2) + c.c_28 * q_2 * q_4) + c.c_31 * q_5 + c.c_31 * q_4;
+        return {Number(q_3 + c.c_27 - c.c_30 * q_6), Number(q_3 + c.c_27 - c.c_30 * q_7)};
     }
 
     // dtheta/dT
@@ -492,6 +532,37 @@ private:
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 14> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& tables) {
+        const Number v_x = tables[1];
+        const Number u_x = tables[0];
+        const Number q_1 = u_x * u_x;
+        const Number q_2 = v_x * v_x;
+        const Number u_y = tables[2];
+        const Number q_3 = u_y * u_y;
+        const Number v_y = tables[3];
+        const Number q_4 = v_y * v_y;
+        const Number q_5 = c.c_14 * q_1;
+        const Number q_6 = c.c_14 * q_2;
+        const Number q_7 = c.c_14 * q_3;
+        const Number q_8 = u_x * (q_5 + q_6 + q_7 + c.c_16 - c.c_15 * q_4) + c.c_17 * v_x * u_y * v_y;
+        const Number q_9 = c.c_14 * q_4;
+        const Number q_10 = v_x * (q_5 + q_6 + q_9 + c.c_16 - c.c_15 * q_3) + c.c_17 * u_x * u_y * v_y;
+        const Number q_11 = c.c_19 * q_1;
+        const Number q_12 = c.c_19 * q_3;
+        const Number q_13 = c.c_19 * q_4;
+        const Number q_14 = u_x * (q_11 + q_12 - c.c_20 * q_2 - q_13) - c.c_21 * v_x * u_y * v_y;
+        const Number q_15 = c.c_19 * q_2;
+        const Number q_16 = v_x * (q_12 + c.c_20 * q_1 - q_13 - q_15) + c.c_21 * u_x * u_y * v_y;
+        const Number q_17 = u_y * (q_5 + q_7 + q_9 + c.c_16 - c.c_15 * q_2) + c.c_17 * u_x * v_x * v_y;
+        const Number q_18 = v_y * (q_6 + q_7 + q_9 + c.c_16 - c.c_15 * q_1) + c.c_17 * u_x * v_x * u_y;
+        const Number q_19 = Number(2) * (c.c_23 * q_1 + c.c_23 * q_4 - c.c_23 * q_2 - c.c_23 * q_3);
+        const Number q_20 = u_y * (q_11 + q_12 - q_15 - c.c_20 * q_4) - c.c_21 * u_x * v_x * v_y;
+        const Number q_21 = v_y * (q_11 + c.c_20 * q_3 - q_13 - q_15) + c.c_21 * u_x * v_x * u_y;
+        return {Number(-c.c_13 * u_x * u_y - c.c_13 * v_x * v_y), Number(Number(2) * q_8), Number(-Number(2) * q_10), Number(Number(2) * (c.c_18 * u_x * u_y - c.c_18 * v_x * v_y)), Number(-Number(2) * (c.c_18 * u_x * v_y + c.c_18 * v_x * u_y)), Number(Number(2) * q_14), Number(-Number(2) * q_16), Number(c.c_22 * q_3 + c.c_22 * q_4 - c.c_22 * q_1 - c.c_22 * q_2), Number(Number(2) * q_17), Number(-Number(2) * q_18), Number(q_19), Number(-Number(2) * (c.c_18 * u_x * v_x - c.c_18 * u_y * v_y)), Number(Number(2) * q_20), Number(-Number(2) * q_21)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
@@ -500,15 +571,81 @@ private:
         return tables_0_(T);
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+        numbers[1] = values.y;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 2;
+        static constexpr std::array<resonform::kernel::Term<1>, 14> terms{{
+            {0, resonform::kernel::Wave::one, {0}},
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {2}},
+            {0, resonform::kernel::Wave::sine, {2}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+            {0, resonform::kernel::Wave::sine, {3}},
+            {1, resonform::kernel::Wave::one, {0}},
+            {1, resonform::kernel::Wave::cosine, {1}},
+            {1, resonform::kernel::Wave::sine, {1}},
+            {1, resonform::kernel::Wave::cosine, {2}},
+            {1, resonform::kernel::Wave::sine, {2}},
+            {1, resonform::kernel::Wave::cosine, {3}},
+            {1, resonform::kernel::Wave::sine, {3}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 14> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_8};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -518,6 +655,9 @@ private:
         if (!finite(start.px_0)) return {Status::bad_argument, "px_0"};
         if (!finite(start.py_0)) return {Status::bad_argument, "py_0"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
             return lost;
         Real reach = end; // less where the domain ends before
@@ -547,6 +687,10 @@ private:
     Interval interval_;
     resonform::FlowTable<std::array<Real, 4>> tables_0_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

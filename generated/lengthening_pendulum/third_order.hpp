@@ -23,10 +23,12 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::lengthening_pendulum::third_order {
 
@@ -35,6 +37,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -86,24 +89,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* phi, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{phi}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* phi, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            phi[i] = values.phi;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* phi, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{phi}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -123,6 +126,10 @@ private:
         Number c_8{};
         Number c_9{};
         Number c_10{};
+        Number c_11{};
+        Number c_12{};
+        Number c_13{};
+        Number c_14{};
     };
 
     template <class Number> static void compute_constants(
@@ -141,9 +148,13 @@ private:
         c.c_6 = Number(1) / Number(32) * k_2;
         c.c_7 = Number(3) / Number(128) * c.amplitude_phi;
         c.c_8 = Number(1) / Number(192) * k_2;
+        c.c_9 = c.c_3 * c.eps;
+        c.c_10 = c.eps * c.amplitude_phi;
+        c.c_11 = Number(3) / Number(8) * c.amplitude_phi * c.c_3;
+        c.c_12 = -Number(1) / Number(192) * k_2 * c.c_9;
         const Number k_3 = hypot(c.amplitude_phi, Number(0));
-        c.c_9 = Number(3) / Number(32) * c.c_3 * (k_3 * k_3);
-        c.c_10 = Number(9) / Number(64) * c.c_3;
+        c.c_13 = Number(3) / Number(32) * c.c_3 * (k_3 * k_3);
+        c.c_14 = Number(9) / Number(64) * c.c_3;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -217,7 +228,7 @@ private:
         const Number l_2 = sqrt(l);
         const Number per_l = per(l);
         const Number l_m3_2 = l_2 * (per_l * per_l);
-        return {Number(Number(4) * per_l - c.eps * l_m3_2), Number(Number(1) - c.c_9 * l_m3_2), Number(Number(1) - c.c_10 * per_l)};
+        return {Number(Number(4) * per_l - c.eps * l_m3_2), Number(Number(1) - c.c_13 * l_m3_2), Number(Number(1) - c.c_14 * per_l)};
     }
 
     // dtheta/dT
@@ -259,18 +270,90 @@ private:
         return finite(values.phi) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 3> amplitudes(
+            const Constants<Number>& c, const Number& T) {
+        const Number l = T + c.l_0;
+        const Number l_2 = sqrt(l);
+        const Number per_l = per(l);
+        const Number q_1 = per_l * per_l;
+        const Number l_4 = sqrt(l_2);
+        const Number l_m3_4 = l_4 * per_l;
+        const Number l_m5_4 = l_2 * l_4 * q_1;
+        const Number l_m9_4 = l_2 * l_4 * (q_1 * per_l);
+        const Number l_m7_4 = l_4 * q_1;
+        std::array<Number, 3> none;
+        none.fill(resonform::math::not_a_number<Number>());
+        if (!(l > Number(0))) return none;
+        return {Number(c.c_9 * (c.c_6 * l_m9_4 - c.c_7 * l_m7_4) + c.c_10 * l_m3_4), Number(c.c_11 * l_m5_4), Number(c.c_12 * l_m9_4)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.phi;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 1;
+        static constexpr std::array<resonform::kernel::Term<1>, 3> terms{{
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 3> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                compute_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.phase_phi};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -281,6 +364,9 @@ private:
         if (!within(eps, 0x1p148)) return {Status::overflow, "eps"};
         if (!within(start.amplitude_phi, 0x1p148)) return {Status::overflow, "amplitude_phi"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "phi"};
@@ -304,6 +390,10 @@ private:
     Constants<Real> c_;
     Interval interval_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

@@ -21,10 +21,12 @@
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::rotating_pendulum::fast_rotation {
 
@@ -33,6 +35,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -82,24 +85,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* J, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{J}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* J, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            J[i] = values.J;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* J, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{J}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -120,6 +123,10 @@ private:
         Number c_8{};
         Number c_9{};
         Number c_10{};
+        Number c_11{};
+        Number c_12{};
+        Number c_13{};
+        Number c_14{};
     };
 
     template <class Number> static void compute_constants(
@@ -160,56 +167,60 @@ private:
         const Number k_25 = c.per_J_mean * c.per_J_mean;
         const Number k_26 = k_25 * c.per_J_mean;
         c.c_3 = Number(1) / Number(4) * k_26;
-        const Number k_27 = c.J_mean * c.J_mean;
-        const Number k_28 = c.eps * c.eps;
-        c.c_4 = k_27 - Number(1) / Number(100000000) * k_28;
-        c.c_5 = Number(1) - Number(2) * c.eps * k_25;
-        c.c_6 = J_0 + k_17 - Number(2) * c.eps * c.per_J_mean;
-        const Number k_29 = k_28 * k_28;
-        const Number k_30 = k_29 * k_29;
-        const Number k_31 = k_26 * k_26;
-        const Number k_32 = k_31 * c.per_J_mean;
-        const Number k_33 = k_32 * k_32;
-        const Number k_34 = c.u_phi * c.u_phi;
-        const Number k_35 = c.v_phi * c.v_phi;
-        const Number k_36 = Number(1) / Number(64) * k_35;
-        const Number k_37 = c.eps * (k_36 - Number(1) / Number(8) - Number(3) / Number(32) * k_34);
-        const Number k_38 = Number(1) / Number(16) * c.v_phi * k_27;
-        const Number k_39 = c.v_phi * (k_37 + k_38) + k_27 * (-Number(3) / Number(16) * k_34 - Number(5) / Number(16));
-        const Number k_40 = Number(1) / Number(64) * k_34;
-        const Number k_41 = c.eps * (c.v_phi * k_39 + c.eps * k_34 * (k_40 + Number(1) / Number(8)));
-        const Number k_42 = k_27 * k_27;
-        const Number k_43 = k_42 * (Number(1) / Number(4) * k_35 - Number(1) / Number(4) * k_34);
-        const Number k_44 = k_27 * c.J_mean;
+        c.c_4 = c.eps * c.v_phi * c.per_J_mean;
+        c.c_5 = c.eps * c.u_phi * c.per_J_mean;
+        const Number k_27 = c.eps * c.eps;
+        const Number k_28 = c.u_phi * c.u_phi;
+        const Number k_29 = c.v_phi * c.v_phi;
+        c.c_6 = Number(2) * k_27 * k_26 * (Number(1) / Number(8) * k_29 - Number(1) / Number(8) * k_28);
+        c.c_7 = Number(1) / Number(2) * c.u_phi * c.v_phi * k_27 * k_26;
+        const Number k_30 = c.J_mean * c.J_mean;
+        c.c_8 = k_30 - Number(1) / Number(100000000) * k_27;
+        c.c_9 = Number(1) - Number(2) * c.eps * k_25;
+        c.c_10 = J_0 + k_17 - Number(2) * c.eps * c.per_J_mean;
+        const Number k_31 = k_27 * k_27;
+        const Number k_32 = k_31 * k_31;
+        const Number k_33 = k_26 * k_26;
+        const Number k_34 = k_33 * c.per_J_mean;
+        const Number k_35 = k_34 * k_34;
+        const Number k_36 = Number(1) / Number(64) * k_29;
+        const Number k_37 = c.eps * (k_36 - Number(1) / Number(8) - Number(3) / Number(32) * k_28);
+        const Number k_38 = Number(1) / Number(16) * c.v_phi * k_30;
+        const Number k_39 = c.v_phi * (k_37 + k_38) + k_30 * (-Number(3) / Number(16) * k_28 - Number(5) / Number(16));
+        const Number k_40 = Number(1) / Number(64) * k_28;
+        const Number k_41 = c.eps * (c.v_phi * k_39 + c.eps * k_28 * (k_40 + Number(1) / Number(8)));
+        const Number k_42 = k_30 * k_30;
+        const Number k_43 = k_42 * (Number(1) / Number(4) * k_29 - Number(1) / Number(4) * k_28);
+        const Number k_44 = k_30 * c.J_mean;
         const Number k_45 = k_44 * k_44;
         const Number k_46 = c.eps * (k_41 + k_43) + c.v_phi * k_45;
         const Number k_47 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
-        const Number k_48 = k_17 + c.eps * k_32 * k_46;
-        c.c_7 = k_30 + Number(1) / Number(64) * k_28 * k_33 * (k_46 * k_46) + k_47 * k_10 - Number(4) * (k_48 * k_48);
+        const Number k_48 = k_17 + c.eps * k_34 * k_46;
+        c.c_11 = k_32 + Number(1) / Number(64) * k_27 * k_35 * (k_46 * k_46) + k_47 * k_10 - Number(4) * (k_48 * k_48);
         const Number k_49 = k_25 * k_25;
         const Number k_50 = k_49 * c.per_J_mean;
         const Number k_51 = k_50 * k_50;
-        const Number k_52 = Number(5) / Number(32) * k_28;
+        const Number k_52 = Number(5) / Number(32) * k_27;
         const Number k_53 = Number(1) / Number(2) * k_42;
         const Number k_54 = k_52 - k_53;
         const Number k_55 = k_54 * k_54;
         const Number k_56 = k_53 - k_52;
-        const Number k_57 = Number(1) / Number(16) * k_28 - Number(1) / Number(8) * k_42;
-        const Number k_58 = k_28 * c.eps;
+        const Number k_57 = Number(1) / Number(16) * k_27 - Number(1) / Number(8) * k_42;
+        const Number k_58 = k_27 * c.eps;
         const Number k_59 = k_58 * k_58;
-        c.c_8 = Number(4) + Number(4) * k_10 - k_28 * k_51 * k_55 - k_28 * k_51 * (k_56 * k_56) - Number(2) * k_29 * k_33 * (k_57 * k_57) - Number(1) / Number(512) * k_51 * k_59 - Number(1) / Number(8192) * k_30 * k_33;
+        c.c_12 = Number(4) + Number(4) * k_10 - k_27 * k_51 * k_55 - k_27 * k_51 * (k_56 * k_56) - Number(2) * k_31 * k_35 * (k_57 * k_57) - Number(1) / Number(512) * k_51 * k_59 - Number(1) / Number(8192) * k_32 * k_35;
         const Number k_60 = k_49 * k_49;
-        const Number k_61 = c.v_phi * (c.eps * (k_40 + Number(1) / Number(8) - k_36) - k_38) + k_27 * (Number(1) / Number(48) * k_34 + Number(5) / Number(16));
+        const Number k_61 = c.v_phi * (c.eps * (k_40 + Number(1) / Number(8) - k_36) - k_38) + k_30 * (Number(1) / Number(48) * k_28 + Number(5) / Number(16));
         const Number k_62 = c.eps * (c.eps * k_61 - Number(1) / Number(4) * c.v_phi * k_42) - k_45;
         const Number k_63 = k_22 + c.eps * c.u_phi * k_60 * k_62;
-        c.c_9 = Number(1) - Number(4) * (k_63 * k_63);
+        c.c_13 = Number(1) - Number(4) * (k_63 * k_63);
         const Number k_64 = k_60 * k_60;
-        const Number k_65 = Number(1) / Number(32) * k_28;
+        const Number k_65 = Number(1) / Number(32) * k_27;
         const Number k_66 = Number(1) / Number(16) * k_42;
         const Number k_67 = k_66 - k_65;
         const Number k_68 = k_65 - k_66;
-        const Number k_69 = k_31 * k_31;
-        c.c_10 = Number(4) - k_29 * k_64 * (k_67 * k_67) - k_29 * k_64 * (k_68 * k_68) - Number(2) * k_28 * k_55 * k_69 - Number(1) / Number(4608) * k_59 * k_69 - Number(1) / Number(131072) * k_30 * k_64;
+        const Number k_69 = k_33 * k_33;
+        c.c_14 = Number(4) - k_31 * k_64 * (k_67 * k_67) - k_31 * k_64 * (k_68 * k_68) - Number(2) * k_27 * k_55 * k_69 - Number(1) / Number(4608) * k_59 * k_69 - Number(1) / Number(131072) * k_32 * k_64;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -221,6 +232,10 @@ private:
         keep(scaled.v_phi, c.v_phi, "v_phi");
         keep(scaled.per_J_mean, c.per_J_mean, "per_J_mean");
         keep(scaled.c_3, c.c_3, "c_3 in J_2");
+        keep(scaled.c_4, c.c_4, "c_4 in J");
+        keep(scaled.c_5, c.c_5, "c_5 in J");
+        keep(scaled.c_6, c.c_6, "c_6 in J");
+        keep(scaled.c_7, c.c_7, "c_7 in J");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -229,13 +244,13 @@ private:
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
         if (!(scaled.J_mean > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_4 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
-        if (!(scaled.c_6 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_7 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
         if (!(scaled.c_8 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
         if (!(scaled.c_9 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
-        if (!(scaled.c_10 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
+        if (!(scaled.c_10 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_11 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_12 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
+        if (!(scaled.c_13 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
+        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -262,18 +277,80 @@ private:
         return finite(values.J) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 5> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+        return {Number(c.J_mean), Number(c.c_4), Number(c.c_5), Number(c.c_6), Number(c.c_7)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.J;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 1;
+        static constexpr std::array<resonform::kernel::Term<1>, 5> terms{{
+            {0, resonform::kernel::Wave::one, {0}},
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {2}},
+            {0, resonform::kernel::Wave::sine, {2}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 5> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_1};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -281,6 +358,9 @@ private:
         if (!finite(start.J_0)) return {Status::bad_argument, "J_0"};
         if (!finite(start.phi_0)) return {Status::bad_argument, "phi_0"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
             return lost;
         Real reach = end; // less where the domain ends before
@@ -298,6 +378,10 @@ private:
     Constants<Real> c_;
     Interval interval_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

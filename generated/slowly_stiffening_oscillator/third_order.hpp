@@ -21,10 +21,12 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::slowly_stiffening_oscillator::third_order {
 
@@ -33,6 +35,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -84,24 +87,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -126,6 +129,9 @@ private:
         Number c_13{};
         Number c_14{};
         Number c_15{};
+        Number c_16{};
+        Number c_17{};
+        Number c_18{};
     };
 
     template <class Number> static void compute_constants(
@@ -146,12 +152,15 @@ private:
         c.c_8 = c.c_7 * k_2;
         c.c_9 = Number(1) / Number(32);
         c.c_10 = c.c_9 * k_2;
-        c.c_11 = Number(2) * c.eps;
-        c.c_12 = Number(1) / Number(16);
+        c.c_11 = c.c_3 * c.eps;
+        c.c_12 = c.eps * c.C;
+        c.c_13 = Number(1) / Number(4) * c.C * c.c_3;
+        c.c_14 = Number(2) * c.eps;
+        c.c_15 = Number(1) / Number(16);
         const Number k_3 = hypot(c.C, Number(0));
-        c.c_13 = k_3 * k_3;
-        c.c_14 = Number(2) * c.c_3;
-        c.c_15 = c.c_12 * c.c_3;
+        c.c_16 = k_3 * k_3;
+        c.c_17 = Number(2) * c.c_3;
+        c.c_18 = c.c_15 * c.c_3;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -437,12 +446,12 @@ private:
         const Number q_1 = per_s * per_s;
         const Number q_2 = Number(4) * s;
         const Number s_m1_2 = s_2 * per_s;
-        const Number q_3 = c.c_11 * s_m1_2 * tau;
+        const Number q_3 = c.c_14 * s_m1_2 * tau;
         const Number s_m3_2 = s_2 * q_1;
-        const Number q_4 = c.c_13 * s_m3_2 * hypot(Number(c.c_12 * tau + c.c_12), Number(0));
-        const Number q_5 = q_4 + c.c_13 * s_m3_2 * hypot(Number(-c.c_7 * tau - c.c_7), Number(0)) + c.c_13 * s_m3_2 * hypot(Number(-c.c_9 * tau - c.c_9), Number(0));
+        const Number q_4 = c.c_16 * s_m3_2 * hypot(Number(c.c_15 * tau + c.c_15), Number(0));
+        const Number q_5 = q_4 + c.c_16 * s_m3_2 * hypot(Number(-c.c_7 * tau - c.c_7), Number(0)) + c.c_16 * s_m3_2 * hypot(Number(-c.c_9 * tau - c.c_9), Number(0));
         const Number q_6 = hypot(tau, Number(0));
-        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_14 * q_5), Number(Number(1) - c.c_15 * (q_1 * per_s) * (q_6 * q_6))};
+        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_17 * q_5), Number(Number(1) - c.c_18 * (q_1 * per_s) * (q_6 * q_6))};
     }
 
     // dtheta/dT
@@ -485,18 +494,89 @@ private:
         return finite(values.x) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 3> amplitudes(
+            const Constants<Number>& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number q_1 = tau * tau;
+        const Number s = q_1 + Number(2);
+        const Number s_2 = sqrt(s);
+        const Number per_s = per(s);
+        const Number q_2 = per_s * per_s;
+        const Number s_4 = sqrt(s_2);
+        const Number s_m1_4 = s_2 * s_4 * per_s;
+        const Number s_m7_4 = s_4 * q_2;
+        const Number s_m13_4 = s_2 * s_4 * (q_2 * q_2);
+        const Number q_3 = s_m13_4 * (c.c_5 - c.c_6 * q_1) + s_m7_4 * (-c.c_8 * tau - c.c_8);
+        return {Number(c.c_11 * q_3 + c.c_12 * s_m1_4), Number(c.c_13 * s_m7_4 * tau), Number(c.c_11 * s_m7_4 * (c.c_10 * tau + c.c_10))};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 1;
+        static constexpr std::array<resonform::kernel::Term<1>, 3> terms{{
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 3> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                compute_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.theta_0};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -507,6 +587,9 @@ private:
         if (!within(eps, 0x1p224)) return {Status::overflow, "eps"};
         if (!within(start.C, 0x1p224)) return {Status::overflow, "C"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
@@ -530,6 +613,10 @@ private:
     Constants<Real> c_;
     Interval interval_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

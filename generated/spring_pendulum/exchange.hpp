@@ -33,10 +33,12 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::spring_pendulum::exchange {
 
@@ -45,6 +47,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -99,25 +102,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none, none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, y}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Real* y, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-            y[i] = values.y;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, y}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -150,6 +152,12 @@ private:
         Number c_20{};
         Number c_21{};
         Number c_22{};
+        Number c_23{};
+        Number c_24{};
+        Number c_25{};
+        Number c_26{};
+        Number c_27{};
+        Number c_28{};
     };
 
     template <class Number> static void compute_constants(
@@ -180,12 +188,19 @@ private:
         c.c_14 = Number(3) / Number(8);
         c.c_15 = Number(5) / Number(32);
         c.c_16 = Number(3) / Number(32);
-        c.c_17 = Number(11) / Number(48);
-        c.c_18 = Number(5) / Number(8);
-        c.c_19 = resonform::math::number<Number>({7.888609052210118e-31});
-        c.c_20 = Number(15) / Number(128);
-        c.c_21 = Number(2) * c.eps;
-        c.c_22 = Number(19) / Number(192) * c.eps;
+        const Number k_2 = c.eps * c.eps;
+        c.c_17 = c.c_2 * k_2;
+        c.c_18 = Number(1) / Number(2) * c.eps;
+        c.c_19 = Number(1) / Number(16) * k_2;
+        c.c_20 = c.eps * c.c_3;
+        c.c_21 = Number(1) / Number(64) * k_2;
+        c.c_22 = Number(1) / Number(32) * k_2;
+        c.c_23 = Number(11) / Number(48);
+        c.c_24 = Number(5) / Number(8);
+        c.c_25 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_26 = Number(15) / Number(128);
+        c.c_27 = Number(2) * c.eps;
+        c.c_28 = Number(19) / Number(192) * c.eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -204,40 +219,40 @@ private:
         const Number u_y = amplitude_y * k_3;
         const Number k_4 = sin(phase_y);
         const Number v_y = amplitude_y * k_4;
-        const Number k_5 = amplitude_x * amplitude_x;
-        const Number k_6 = k_1 * k_1;
-        const Number k_7 = k_5 * k_6;
-        const Number k_8 = k_2 * k_2;
-        const Number k_9 = k_5 * k_8;
-        const Number k_10 = amplitude_y * amplitude_y;
-        const Number k_11 = k_4 * k_4;
-        const Number k_12 = k_10 * k_11;
-        const Number k_13 = eps * eps;
-        const Number k_14 = k_13 * eps;
+        const Number k_5 = eps * eps;
+        const Number k_6 = amplitude_x * amplitude_x;
+        const Number k_7 = k_1 * k_1;
+        const Number k_8 = k_6 * k_7;
+        const Number k_9 = k_2 * k_2;
+        const Number k_10 = k_6 * k_9;
+        const Number k_11 = amplitude_y * amplitude_y;
+        const Number k_12 = k_4 * k_4;
+        const Number k_13 = k_11 * k_12;
+        const Number k_14 = k_5 * eps;
         const Number k_15 = k_14 * k_14;
         const Number k_16 = Number(1) / Number(16) - Number(5) / Number(48) * amplitude_y * k_3;
-        const Number k_17 = amplitude_y * k_3 * k_16 + Number(9) / Number(128) * k_5 * k_6 + Number(17) / Number(128) * k_5 * k_8 + Number(1) / Number(24) * k_10 * k_11;
+        const Number k_17 = amplitude_y * k_3 * k_16 + Number(9) / Number(128) * k_6 * k_7 + Number(17) / Number(128) * k_6 * k_9 + Number(1) / Number(24) * k_11 * k_12;
         const Number k_18 = Number(1) / Number(6) * amplitude_y * k_3;
         const Number k_19 = amplitude_x * k_2 * amplitude_y * k_4 * (Number(5) / Number(16) - k_18);
         const Number k_20 = eps * (amplitude_x * k_1 * k_17 + k_19) - Number(1) / Number(8) * amplitude_x * k_1 * amplitude_y * k_3 - Number(3) / Number(8) * amplitude_x * k_2 * amplitude_y * k_4;
-        const Number k_21 = k_13 * (k_20 * k_20);
+        const Number k_21 = k_5 * (k_20 * k_20);
         const Number k_22 = Number(11) / Number(48) * amplitude_y * k_3 - Number(1) / Number(16);
-        const Number k_23 = amplitude_y * k_3 * k_22 - Number(23) / Number(128) * k_5 * k_6 - Number(7) / Number(128) * k_5 * k_8 - Number(1) / Number(6) * k_10 * k_11;
+        const Number k_23 = amplitude_y * k_3 * k_22 - Number(23) / Number(128) * k_6 * k_7 - Number(7) / Number(128) * k_6 * k_9 - Number(1) / Number(6) * k_11 * k_12;
         const Number k_24 = -Number(7) / Number(24) * amplitude_y * k_3 - Number(7) / Number(16);
         const Number k_25 = amplitude_x * k_2 * k_23 + amplitude_x * k_1 * amplitude_y * k_4 * k_24;
         const Number k_26 = eps * k_25 + Number(5) / Number(8) * amplitude_x * k_1 * amplitude_y * k_4 + Number(1) / Number(8) * amplitude_x * k_2 * amplitude_y * k_3;
-        const Number k_27 = k_13 * (k_26 * k_26);
-        const Number k_28 = k_10 * (k_3 * k_3);
+        const Number k_27 = k_5 * (k_26 * k_26);
+        const Number k_28 = k_11 * (k_3 * k_3);
         const Number k_29 = Number(17) / Number(192) * amplitude_y * k_3 + Number(9) / Number(64);
         const Number k_30 = amplitude_x * k_1 * k_29 + Number(5) / Number(48) * amplitude_x * k_2 * amplitude_y * k_4;
         const Number k_31 = Number(7) / Number(64) - Number(11) / Number(192) * amplitude_y * k_3;
-        const Number k_32 = amplitude_x * k_1 * k_30 + k_5 * k_8 * k_31 + Number(1) / Number(16) * amplitude_y * k_3;
-        const Number k_33 = eps * k_32 - Number(5) / Number(32) * k_5 * k_6 - Number(3) / Number(32) * k_5 * k_8 - Number(1) / Number(4) * amplitude_y * k_3;
-        const Number k_34 = k_13 * (k_33 * k_33);
+        const Number k_32 = amplitude_x * k_1 * k_30 + k_6 * k_9 * k_31 + Number(1) / Number(16) * amplitude_y * k_3;
+        const Number k_33 = eps * k_32 - Number(5) / Number(32) * k_6 * k_7 - Number(3) / Number(32) * k_6 * k_9 - Number(1) / Number(4) * amplitude_y * k_3;
+        const Number k_34 = k_5 * (k_33 * k_33);
         const Number k_35 = amplitude_x * k_2 * (k_18 - Number(1) / Number(32)) - Number(11) / Number(192) * amplitude_x * k_1 * amplitude_y * k_4;
-        const Number k_36 = amplitude_y * k_4 * (Number(5) / Number(192) * k_5 * k_8 - Number(1) / Number(16));
-        const Number k_37 = eps * (amplitude_x * k_1 * k_35 + k_36) + Number(1) / Number(16) * k_1 * k_2 * k_5 + Number(1) / Number(4) * amplitude_y * k_4;
-        const Number k_38 = k_13 * (k_37 * k_37);
+        const Number k_36 = amplitude_y * k_4 * (Number(5) / Number(192) * k_6 * k_9 - Number(1) / Number(16));
+        const Number k_37 = eps * (amplitude_x * k_1 * k_35 + k_36) + Number(1) / Number(16) * k_1 * k_2 * k_6 + Number(1) / Number(4) * amplitude_y * k_4;
+        const Number k_38 = k_5 * (k_37 * k_37);
         const Number k_39 = eps * k_20;
         const Number k_40 = u_x + k_39;
         const Number k_41 = eps * k_33;
@@ -258,7 +273,7 @@ private:
         const Number k_56 = k_40 * k_48 * (-Number(7) / Number(16) - Number(7) / Number(24) * k_42);
         const Number k_57 = eps * (k_45 * k_55 + k_56) + Number(5) / Number(8) * k_40 * k_48 + Number(1) / Number(8) * k_45 * k_42;
         const Number k_58 = eps * k_57 - k_44;
-        const Number k_59 = k_7 + k_9 + k_12 + k_15 + k_21 + k_27 + k_28 + k_34 + k_38 - Number(4) * (k_54 * k_54 + k_58 * k_58);
+        const Number k_59 = k_8 + k_10 + k_13 + k_15 + k_21 + k_27 + k_28 + k_34 + k_38 - Number(4) * (k_54 * k_54 + k_58 * k_58);
         const Number k_60 = k_40 * (Number(9) / Number(64) + Number(17) / Number(192) * k_42);
         const Number k_61 = k_46 * (Number(7) / Number(64) - Number(11) / Number(192) * k_42);
         const Number k_62 = k_40 * (k_60 + Number(5) / Number(48) * k_45 * k_48) + k_61 + Number(1) / Number(16) * k_42;
@@ -268,7 +283,7 @@ private:
         const Number k_66 = k_40 * k_65 + k_48 * (Number(5) / Number(192) * k_46 - Number(1) / Number(16));
         const Number k_67 = eps * k_66 + Number(1) / Number(16) * k_40 * k_45 + Number(1) / Number(4) * k_48;
         const Number k_68 = eps * k_67 - k_47;
-        const Number k_69 = k_7 + k_9 + k_12 + k_15 + k_21 + k_27 + k_28 + k_34 + k_38 - Number(4) * (k_64 * k_64 + k_68 * k_68);
+        const Number k_69 = k_8 + k_10 + k_13 + k_15 + k_21 + k_27 + k_28 + k_34 + k_38 - Number(4) * (k_64 * k_64 + k_68 * k_68);
         return {Number(k_59), Number(k_69)};
     }
 
@@ -304,8 +319,8 @@ private:
         const Number q_2 = hypot(u_y, v_y);
         const Number q_3 = hypot(q_1, q_2);
         const Number q_4 = q_1 * q_1;
-        const Number q_5 = c.eps * (c.c_20 * (q_4 * q_1) + c.c_17 * q_1 * (q_2 * q_2)) + c.c_18 * q_1 * q_2;
-        return {Number(q_3 + c.c_19 - c.c_21 * q_5), Number(q_3 + c.c_19 - c.c_21 * (c.c_22 * q_2 * q_4 + c.c_15 * q_4))};
+        const Number q_5 = c.eps * (c.c_26 * (q_4 * q_1) + c.c_23 * q_1 * (q_2 * q_2)) + c.c_24 * q_1 * q_2;
+        return {Number(q_3 + c.c_25 - c.c_27 * q_5), Number(q_3 + c.c_25 - c.c_27 * (c.c_28 * q_2 * q_4 + c.c_15 * q_4))};
     }
 
     // dtheta_1/dT
@@ -348,6 +363,19 @@ private:
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 7> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& tables) {
+        const Number v_x = tables[1];
+        const Number u_y = tables[2];
+        const Number u_x = tables[0];
+        const Number q_1 = u_x * u_x;
+        const Number q_2 = v_x * v_x;
+        const Number v_y = tables[3];
+        const Number q_3 = c.c_17 * u_y;
+        return {Number(Number(2) * (u_x * (c.c_18 - q_3) - c.c_17 * v_x * v_y)), Number(-Number(2) * (v_x * (q_3 + c.c_18) - c.c_17 * u_x * v_y)), Number(Number(2) * (c.c_19 * u_x * u_y - c.c_19 * v_x * v_y)), Number(-Number(2) * (c.c_19 * u_x * v_y + c.c_19 * v_x * u_y)), Number(-c.c_17 * q_1 - c.c_17 * q_2), Number(Number(2) * (c.c_20 * u_y + c.c_21 * q_2 - c.c_21 * q_1)), Number(-Number(2) * (c.c_20 * v_y - c.c_22 * u_x * v_x))};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
@@ -356,16 +384,75 @@ private:
         return tables_0_(T);
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_1_(t, a.cos_theta_1, a.sin_theta_1); seen != Status::ok) status = seen;
-        if (const Status seen = theta_2_(t, a.cos_theta_2, a.sin_theta_2); seen != Status::ok) status = seen;
+        if (const Status seen = theta_1_(t, low, a.cos_theta_1, a.sin_theta_1); seen != Status::ok) status = seen;
+        if (const Status seen = theta_2_(t, low, a.cos_theta_2, a.sin_theta_2); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+        numbers[1] = values.y;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 2, outputs = 2;
+        static constexpr std::array<resonform::kernel::Term<2>, 7> terms{{
+            {0, resonform::kernel::Wave::cosine, {1, 0}},
+            {0, resonform::kernel::Wave::sine, {1, 0}},
+            {0, resonform::kernel::Wave::cosine, {1, 1}},
+            {0, resonform::kernel::Wave::sine, {1, 1}},
+            {1, resonform::kernel::Wave::one, {0, 0}},
+            {1, resonform::kernel::Wave::cosine, {0, 1}},
+            {1, resonform::kernel::Wave::sine, {0, 1}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 7> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 2> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                compute_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_11, c.c_11};
+            }
+            std::array<Wide, 2> operator()(const Wide& T) const {
+                return {theta_1_rate(c, T), theta_2_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -380,6 +467,9 @@ private:
         if (!within(start.amplitude_y, 0x1p386)) return {Status::overflow, "amplitude_y"};
         if (!within(start.phase_y, 0x1p386)) return {Status::overflow, "phase_y"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
@@ -416,6 +506,10 @@ private:
     resonform::FlowTable<std::array<Real, 4>> tables_0_;
     resonform::Phase<Real> theta_1_;
     resonform::Phase<Real> theta_2_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

@@ -35,10 +35,12 @@
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::steered_knife_edge::second_order {
 
@@ -47,6 +49,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -104,26 +107,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none, none, none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Real* theta, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, theta, y}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Real* theta, Real* y, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-            theta[i] = values.theta;
-            y[i] = values.y;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* theta, Real* y, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, theta, y}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -150,6 +151,12 @@ private:
         Number c_14{};
         Number c_15{};
         Number c_16{};
+        Number c_17{};
+        Number c_18{};
+        Number c_19{};
+        Number c_20{};
+        Number c_21{};
+        Number c_22{};
     };
 
     template <class Number> static void compute_constants(
@@ -179,26 +186,33 @@ private:
         const Number k_11 = c.c_1 * k_10;
         c.v_x = k_11 - x_dot_0;
         c.c_7 = c.eps * (-k_6 - k_7);
-        c.c_8 = c.theta_dot_0 * (c.c_1 * (k_2 + k_9) + Number(1) / Number(2));
+        const Number k_12 = c.c_1 * (k_2 + k_9) + Number(1) / Number(2);
+        c.c_8 = c.theta_dot_0 * k_12;
         c.c_9 = c.theta_0 * (c.c_1 * (-k_2 - k_9) - Number(1) / Number(2));
         c.c_10 = Number(0);
         c.c_11 = Number(1) / c.eps;
         const Number y_0 = Number(start.y_0);
-        const Number k_12 = c.u_x * (Number(15) / Number(128) * k_3 - Number(7) / Number(384) * k_1);
-        const Number k_13 = k_12 + Number(5) / Number(128) * c.theta_0 * c.theta_dot_0 * c.v_x;
-        const Number k_14 = c.theta_0 * k_13 + Number(1) / Number(128) * c.v_x * (k_3 * c.theta_dot_0);
-        const Number k_15 = c.c_1 * k_14 + c.c_5 * c.theta_0 * c.u_x + c.c_5 * c.theta_dot_0 * c.v_x;
-        c.c_12 = y_0 - c.eps * k_15;
-        const Number k_16 = c.c_1 * c.eps;
-        const Number k_17 = c.c_1 * c.c_1;
-        const Number k_18 = c.u_x * (k_2 + k_4) - c.c_4 * c.theta_0 * c.theta_dot_0 * c.v_x;
-        const Number k_19 = c.v_x * (k_9 - k_8) + Number(3) / Number(8) * c.theta_0 * c.theta_dot_0 * c.u_x;
-        const Number k_20 = k_5 + c.c_1 * k_18;
-        const Number k_21 = k_11 + c.c_1 * k_19;
-        c.c_13 = k_16 * k_16 + x_0 * x_0 + x_dot_0 * x_dot_0 + k_17 * (k_18 * k_18) + k_17 * (k_19 * k_19) - Number(4) * (k_20 * k_20 + k_21 * k_21);
-        c.c_14 = hypot(c.theta_0, Number(-c.theta_dot_0));
-        c.c_15 = resonform::math::number<Number>({7.888609052210118e-31});
-        c.c_16 = Number(5) / Number(8) * c.c_1 * (c.c_14 * c.c_14);
+        const Number k_13 = c.u_x * (Number(15) / Number(128) * k_3 - Number(7) / Number(384) * k_1);
+        const Number k_14 = k_13 + Number(5) / Number(128) * c.theta_0 * c.theta_dot_0 * c.v_x;
+        const Number k_15 = c.theta_0 * k_14 + Number(1) / Number(128) * c.v_x * (k_3 * c.theta_dot_0);
+        const Number k_16 = c.c_1 * k_15 + c.c_5 * c.theta_0 * c.u_x + c.c_5 * c.theta_dot_0 * c.v_x;
+        c.c_12 = y_0 - c.eps * k_16;
+        c.c_13 = Number(2) * k_12;
+        c.c_14 = -Number(2) * k_12;
+        c.c_15 = c.c_1 * (Number(1) / Number(32) * k_3 - Number(1) / Number(32) * k_1);
+        c.c_16 = c.c_2 * c.theta_0 * c.theta_dot_0 * c.c_1;
+        c.c_17 = c.c_4 * c.eps * c.theta_0;
+        c.c_18 = c.c_4 * c.eps * c.theta_dot_0;
+        const Number k_17 = c.c_1 * c.eps;
+        const Number k_18 = c.c_1 * c.c_1;
+        const Number k_19 = c.u_x * (k_2 + k_4) - c.c_4 * c.theta_0 * c.theta_dot_0 * c.v_x;
+        const Number k_20 = c.v_x * (k_9 - k_8) + Number(3) / Number(8) * c.theta_0 * c.theta_dot_0 * c.u_x;
+        const Number k_21 = k_5 + c.c_1 * k_19;
+        const Number k_22 = k_11 + c.c_1 * k_20;
+        c.c_19 = k_17 * k_17 + x_0 * x_0 + x_dot_0 * x_dot_0 + k_18 * (k_19 * k_19) + k_18 * (k_20 * k_20) - Number(4) * (k_21 * k_21 + k_22 * k_22);
+        c.c_20 = hypot(c.theta_0, Number(-c.theta_dot_0));
+        c.c_21 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_22 = Number(5) / Number(8) * c.c_1 * (c.c_20 * c.c_20);
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -219,9 +233,15 @@ private:
         keep(scaled.c_10, c.c_10, "c_10");
         keep(scaled.c_11, c.c_11, "c_11 in theta");
         keep(scaled.c_12, c.c_12, "c_12 in y");
+        keep(scaled.c_13, c.c_13, "c_13 in x");
         keep(scaled.c_14, c.c_14, "c_14 in x");
         keep(scaled.c_15, c.c_15, "c_15 in x");
         keep(scaled.c_16, c.c_16, "c_16 in x");
+        keep(scaled.c_17, c.c_17, "c_17 in y");
+        keep(scaled.c_18, c.c_18, "c_18 in y");
+        keep(scaled.c_20, c.c_20, "c_20 in x");
+        keep(scaled.c_21, c.c_21, "c_21 in x");
+        keep(scaled.c_22, c.c_22, "c_22 in x");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -229,7 +249,7 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_13 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -250,7 +270,7 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
-        return {Number(hypot(q_1, c.c_14) + c.c_15 - c.c_16 * q_1)};
+        return {Number(hypot(q_1, c.c_20) + c.c_21 - c.c_22 * q_1)};
     }
 
     // dQ_y/dT
@@ -293,6 +313,15 @@ private:
         return finite(values.x) && finite(values.theta) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 9> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 3>& tables) {
+        const Number v_x = tables[1];
+        const Number u_x = tables[0];
+        const Number Q_y = tables[2];
+        return {Number(c.c_13 * u_x), Number(c.c_14 * v_x), Number(Number(2) * (c.c_15 * u_x - c.c_16 * v_x)), Number(-Number(2) * (c.c_15 * v_x + c.c_16 * u_x)), Number(c.theta_0), Number(c.theta_dot_0), Number(Q_y + c.c_12), Number(Number(2) * (c.c_17 * u_x + c.c_18 * v_x)), Number(-Number(2) * (c.c_17 * v_x - c.c_18 * u_x))};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
@@ -310,15 +339,77 @@ private:
         return all;
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_2(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none, none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+        numbers[1] = values.theta;
+        numbers[2] = values.y;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 3;
+        static constexpr std::array<resonform::kernel::Term<1>, 9> terms{{
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+            {0, resonform::kernel::Wave::sine, {3}},
+            {1, resonform::kernel::Wave::cosine, {1}},
+            {1, resonform::kernel::Wave::sine, {1}},
+            {2, resonform::kernel::Wave::one, {0}},
+            {2, resonform::kernel::Wave::cosine, {2}},
+            {2, resonform::kernel::Wave::sine, {2}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 9> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_2(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_10};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -329,6 +420,9 @@ private:
         if (!finite(start.theta_dot_0)) return {Status::bad_argument, "theta_dot_0"};
         if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
             return lost;
         Real reach = end; // less where the domain ends before
@@ -363,6 +457,10 @@ private:
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::PrimitiveTable<Real, 1> tables_1_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

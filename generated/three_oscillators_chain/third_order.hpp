@@ -173,10 +173,12 @@
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::three_oscillators_chain::third_order {
 
@@ -185,6 +187,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -243,26 +246,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none, none, none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Real* y, Real* w_, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, y, w_}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Real* y, Real* w_, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-            y[i] = values.y;
-            w_[i] = values.w_;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* y, Real* w_, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, y, w_}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -336,6 +337,78 @@ private:
         Number c_59{};
         Number c_60{};
         Number c_61{};
+        Number c_62{};
+        Number c_63{};
+        Number c_64{};
+        Number c_65{};
+        Number c_66{};
+        Number c_67{};
+        Number c_68{};
+        Number c_69{};
+        Number c_70{};
+        Number c_71{};
+        Number c_72{};
+        Number c_73{};
+        Number c_74{};
+        Number c_75{};
+        Number c_76{};
+        Number c_77{};
+        Number c_78{};
+        Number c_79{};
+        Number c_80{};
+        Number c_81{};
+        Number c_82{};
+        Number c_83{};
+        Number c_84{};
+        Number c_85{};
+        Number c_86{};
+        Number c_87{};
+        Number c_88{};
+        Number c_89{};
+        Number c_90{};
+        Number c_91{};
+        Number c_92{};
+        Number c_93{};
+        Number c_94{};
+        Number c_95{};
+        Number c_96{};
+        Number c_97{};
+        Number c_98{};
+        Number c_99{};
+        Number c_100{};
+        Number c_101{};
+        Number c_102{};
+        Number c_103{};
+        Number c_104{};
+        Number c_105{};
+        Number c_106{};
+        Number c_107{};
+        Number c_108{};
+        Number c_109{};
+        Number c_110{};
+        Number c_111{};
+        Number c_112{};
+        Number c_113{};
+        Number c_114{};
+        Number c_115{};
+        Number c_116{};
+        Number c_117{};
+        Number c_118{};
+        Number c_119{};
+        Number c_120{};
+        Number c_121{};
+        Number c_122{};
+        Number c_123{};
+        Number c_124{};
+        Number c_125{};
+        Number c_126{};
+        Number c_127{};
+        Number c_128{};
+        Number c_129{};
+        Number c_130{};
+        Number c_131{};
+        Number c_132{};
+        Number c_133{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -539,6 +612,185 @@ private:
         Number k_191{};
         Number k_192{};
         Number k_193{};
+        Number k_194{};
+        Number k_195{};
+        Number k_196{};
+        Number k_197{};
+        Number k_198{};
+        Number k_199{};
+        Number k_200{};
+        Number k_201{};
+        Number k_202{};
+        Number k_203{};
+        Number k_204{};
+        Number k_205{};
+        Number k_206{};
+        Number k_207{};
+        Number k_208{};
+        Number k_209{};
+        Number k_210{};
+        Number k_211{};
+        Number k_212{};
+        Number k_213{};
+        Number k_214{};
+        Number k_215{};
+        Number k_216{};
+        Number k_217{};
+        Number k_218{};
+        Number k_219{};
+        Number k_220{};
+        Number k_221{};
+        Number k_222{};
+        Number k_223{};
+        Number k_224{};
+        Number k_225{};
+        Number k_226{};
+        Number k_227{};
+        Number k_228{};
+        Number k_229{};
+        Number k_230{};
+        Number k_231{};
+        Number k_232{};
+        Number k_233{};
+        Number k_234{};
+        Number k_235{};
+        Number k_236{};
+        Number k_237{};
+        Number k_238{};
+        Number k_239{};
+        Number k_240{};
+        Number k_241{};
+        Number k_242{};
+        Number k_243{};
+        Number k_244{};
+        Number k_245{};
+        Number k_246{};
+        Number k_247{};
+        Number k_248{};
+        Number k_249{};
+        Number k_250{};
+        Number k_251{};
+        Number k_252{};
+        Number k_253{};
+        Number k_254{};
+        Number k_255{};
+        Number k_256{};
+        Number k_257{};
+        Number k_258{};
+        Number k_259{};
+        Number k_260{};
+        Number k_261{};
+        Number k_262{};
+        Number k_263{};
+        Number k_264{};
+        Number k_265{};
+        Number k_266{};
+        Number k_267{};
+        Number k_268{};
+        Number k_269{};
+        Number k_270{};
+        Number k_271{};
+        Number k_272{};
+        Number k_273{};
+        Number k_274{};
+        Number k_275{};
+        Number k_276{};
+        Number k_277{};
+        Number k_278{};
+        Number k_279{};
+        Number k_280{};
+        Number k_281{};
+        Number k_282{};
+        Number k_283{};
+        Number k_284{};
+        Number k_285{};
+        Number k_286{};
+        Number k_287{};
+        Number k_288{};
+        Number k_289{};
+        Number k_290{};
+        Number k_291{};
+        Number k_292{};
+        Number k_293{};
+        Number k_294{};
+        Number k_295{};
+        Number k_296{};
+        Number k_297{};
+        Number k_298{};
+        Number k_299{};
+        Number k_300{};
+        Number k_301{};
+        Number k_302{};
+        Number k_303{};
+        Number k_304{};
+        Number k_305{};
+        Number k_306{};
+        Number k_307{};
+        Number k_308{};
+        Number k_309{};
+        Number k_310{};
+        Number k_311{};
+        Number k_312{};
+        Number k_313{};
+        Number k_314{};
+        Number k_315{};
+        Number k_316{};
+        Number k_317{};
+        Number k_318{};
+        Number k_319{};
+        Number k_320{};
+        Number k_321{};
+        Number k_322{};
+        Number k_323{};
+        Number k_324{};
+        Number k_325{};
+        Number k_326{};
+        Number k_327{};
+        Number k_328{};
+        Number k_329{};
+        Number k_330{};
+        Number k_331{};
+        Number k_332{};
+        Number k_333{};
+        Number k_334{};
+        Number k_335{};
+        Number k_336{};
+        Number k_337{};
+        Number k_338{};
+        Number k_339{};
+        Number k_340{};
+        Number k_341{};
+        Number k_342{};
+        Number k_343{};
+        Number k_344{};
+        Number k_345{};
+        Number k_346{};
+        Number k_347{};
+        Number k_348{};
+        Number k_349{};
+        Number k_350{};
+        Number k_351{};
+        Number k_352{};
+        Number k_353{};
+        Number k_354{};
+        Number k_355{};
+        Number k_356{};
+        Number k_357{};
+        Number k_358{};
+        Number k_359{};
+        Number k_360{};
+        Number k_361{};
+        Number k_362{};
+        Number k_363{};
+        Number k_364{};
+        Number k_365{};
+        Number k_366{};
+        Number k_367{};
+        Number k_368{};
+        Number k_369{};
+        Number k_370{};
+        Number k_371{};
+        Number k_372{};
     };
 
     template <class Number> static void compute_constants_1(
@@ -688,34 +940,36 @@ private:
         c.c_5 = w.k_5 * w.theta_2_dot;
         w.k_121 = Number(9) / Number(8) * w.k_80;
         w.k_122 = Number(3) / Number(8) * w.k_111;
-        w.k_123 = Number(9) / Number(16) * w.k_67 + Number(9) / Number(16) * w.k_80 - w.k_122 - Number(3) / Number(8) * w.k_46;
-        w.k_124 = w.k_94 + w.k_100 + w.k_121 + c.c_2 * w.k_123 + Number(3) / Number(4) * w.k_111 + Number(3) / Number(4) * w.k_46 + Number(9) / Number(8) * w.k_67;
-        c.c_6 = w.k_2 * w.k_5 * (Number(1) + c.c_3 * w.k_124);
+        w.k_123 = Number(3) / Number(8) * w.k_46;
+        w.k_124 = Number(9) / Number(16) * w.k_67;
+        w.k_125 = Number(9) / Number(16) * w.k_80;
+        w.k_126 = w.k_94 + w.k_100 + w.k_121 + c.c_2 * (w.k_124 + w.k_125 - w.k_122 - w.k_123) + Number(3) / Number(4) * w.k_111 + Number(3) / Number(4) * w.k_46 + Number(9) / Number(8) * w.k_67;
+        c.c_6 = w.k_2 * w.k_5 * (Number(1) + c.c_3 * w.k_126);
         c.c_7 = w.k_3 * (Number(57) / Number(112) * c.c_2 + Number(39) / Number(112));
-        w.k_125 = Number(3) / Number(4) + w.k_42;
-        c.c_8 = w.k_3 * w.k_125;
+        w.k_127 = Number(3) / Number(4) + w.k_42;
+        c.c_8 = w.k_3 * w.k_127;
         c.c_9 = w.k_3 * (-Number(193) / Number(112) * c.c_2 - Number(571) / Number(224));
         c.c_10 = w.k_3 * (-Number(6) / Number(7) * c.c_2 - Number(3) / Number(56));
-        w.k_126 = Number(3) / Number(2) * c.c_2;
-        c.c_11 = w.k_4 * (Number(3) + w.k_126);
+        w.k_128 = Number(3) / Number(2) * c.c_2;
+        c.c_11 = w.k_4 * (Number(3) + w.k_128);
         c.c_12 = w.k_3 * (-Number(261) / Number(112) * c.c_2 - Number(807) / Number(224));
-        w.k_127 = Number(93) / Number(112) * c.c_2;
-        c.c_13 = w.k_3 * (-w.k_127 - Number(111) / Number(112));
-        c.c_14 = w.k_3 * (w.k_127 + Number(195) / Number(112));
-        w.k_128 = -w.k_126 - Number(9) / Number(4);
-        c.c_15 = w.k_3 * w.k_128;
-        w.k_129 = w.k_42 - Number(3) / Number(4);
-        c.c_16 = w.k_4 * w.k_129;
-        w.k_130 = Number(9) / Number(32) * c.c_2;
-        c.c_17 = w.k_3 * (-Number(9) / Number(16) - w.k_130);
-        c.c_18 = w.k_4 * w.k_128;
+        w.k_129 = Number(93) / Number(112) * c.c_2;
+        c.c_13 = w.k_3 * (-w.k_129 - Number(111) / Number(112));
+        c.c_14 = w.k_3 * (w.k_129 + Number(195) / Number(112));
+        w.k_130 = -w.k_128 - Number(9) / Number(4);
+        c.c_15 = w.k_3 * w.k_130;
+        w.k_131 = w.k_42 - Number(3) / Number(4);
+        c.c_16 = w.k_4 * w.k_131;
+        w.k_132 = Number(9) / Number(32) * c.c_2;
+        c.c_17 = w.k_3 * (-Number(9) / Number(16) - w.k_132);
+        c.c_18 = w.k_4 * w.k_130;
         c.c_19 = w.k_3 * w.k_43;
         c.c_20 = Number(3) / Number(4) * w.k_3;
-        c.c_21 = w.k_3 * w.k_129;
-        w.k_131 = Number(5) / Number(32) * c.c_2;
-        c.c_22 = w.k_3 * (-w.k_131 - Number(5) / Number(16));
-        w.k_132 = Number(15) / Number(4) * c.c_2;
-        c.c_23 = w.k_3 * (-w.k_132 - Number(21) / Number(4));
+        c.c_21 = w.k_3 * w.k_131;
+        w.k_133 = Number(5) / Number(32) * c.c_2;
+        c.c_22 = w.k_3 * (-w.k_133 - Number(5) / Number(16));
+        w.k_134 = Number(15) / Number(4) * c.c_2;
+        c.c_23 = w.k_3 * (-w.k_134 - Number(21) / Number(4));
         c.c_24 = w.k_3 * (-Number(3) / Number(14) * c.c_2 - Number(333) / Number(224));
         c.c_25 = w.k_3 * (-Number(69) / Number(28) * c.c_2 - Number(183) / Number(56));
         c.c_26 = w.k_4 * (Number(3) / Number(2)) * c.c_2;
@@ -725,8 +979,8 @@ private:
         c.c_30 = w.k_3 * (-Number(183) / Number(56) - Number(249) / Number(112) * c.c_2);
         c.c_31 = w.k_3 * (Number(237) / Number(112) * c.c_2 + Number(51) / Number(56));
         c.c_32 = w.k_3 * (Number(12) / Number(7) + Number(45) / Number(56) * c.c_2);
-        w.k_133 = Number(3) + Number(9) / Number(4) * c.c_2;
-        c.c_33 = w.k_3 * w.k_133;
+        w.k_135 = Number(3) + Number(9) / Number(4) * c.c_2;
+        c.c_33 = w.k_3 * w.k_135;
         c.c_34 = w.k_3 * (-w.k_42 - Number(3) / Number(2));
         c.c_35 = w.k_3 * (Number(59) / Number(224) * c.c_2 + Number(17) / Number(56));
         c.c_36 = w.k_3 * (Number(327) / Number(224) * c.c_2 + Number(117) / Number(56));
@@ -736,89 +990,346 @@ private:
         c.c_40 = w.k_3 * (-Number(507) / Number(112) * c.c_2 - Number(321) / Number(56));
         c.c_41 = Number(3) / Number(4) * c.c_2 * w.k_3;
         c.c_42 = w.k_4 * (Number(3) / Number(2) - w.k_42);
-        c.c_43 = w.k_4 * w.k_133;
-        c.c_44 = w.k_4 * (-Number(3) - w.k_126);
-        c.c_45 = w.k_3 * (Number(9) / Number(16) + w.k_130);
+        c.c_43 = w.k_4 * w.k_135;
+        c.c_44 = w.k_4 * (-Number(3) - w.k_128);
+        c.c_45 = w.k_3 * (Number(9) / Number(16) + w.k_132);
         c.c_46 = w.k_3 * w.k_108;
-        c.c_47 = w.k_3 * (w.k_131 + Number(5) / Number(16));
-        c.c_48 = w.k_3 * (w.k_132 + Number(21) / Number(4));
-        w.k_134 = -Number(1) / Number(100000000) * c.c_2 - Number(1) / Number(50000000);
-        w.k_135 = c.c_3 * w.k_134;
-        c.c_49 = w.k_3 * (Number(24) * c.c_2 + Number(44) + w.k_135);
-        c.c_50 = w.k_3 * (w.k_135 + Number(4));
-        w.k_136 = Number(8) * c.c_2;
-        c.c_51 = w.k_3 * (w.k_135 + w.k_136 + Number(12));
-        c.c_52 = w.k_3 * (w.k_135 + Number(48) * c.c_2 + Number(68));
-        c.c_53 = w.k_3 * (w.k_135 + Number(8));
-        w.k_137 = Number(16) * w.k_2;
-        c.c_54 = w.k_3 * (Number(24) + w.k_135 + w.k_136 + w.k_137);
-        c.c_55 = w.k_3 * (w.k_135 + Number(12) - w.k_136);
-        c.c_56 = w.k_3 * (w.k_135 + Number(16) * c.c_2 + Number(36));
-        c.c_57 = w.k_3 * (Number(24) + w.k_135 + w.k_136 - w.k_137);
-        c.c_58 = Number(16) + c.c_2 * (Number(4) - Number(8) * w.k_2) - Number(1) / Number(100000000) * c.c_3;
-        w.k_138 = c.c_3 * c.c_3;
-        w.k_139 = w.k_138 * w.k_138;
-        w.k_140 = w.k_3 * w.k_3;
-        w.k_141 = Number(9) / Number(14) * c.u_x;
-        w.k_142 = Number(9) / Number(16) * c.u_x_;
-        w.k_143 = Number(15) / Number(16) * c.v_x_;
-        w.k_144 = c.u_x_ * (-w.k_141 - w.k_142) + c.v_x_ * (-Number(12) / Number(7) * c.v_x - w.k_143) - w.k_94;
-        w.k_145 = Number(3) / Number(7) * c.u_x_;
-        w.k_146 = -Number(27) / Number(32) * c.v_x - Number(15) / Number(7) * c.v_x_;
-        w.k_147 = Number(15) / Number(16) * w.k_67;
-        w.k_148 = Number(21) / Number(16) * w.k_80;
-        w.k_149 = c.c_2 * w.k_144 + c.u_x * (-Number(15) / Number(32) * c.u_x - w.k_145) + c.v_x * w.k_146 - w.k_94 - w.k_100 - w.k_147 - w.k_148;
-        w.k_150 = Number(9) / Number(14) * w.k_46;
-        w.k_151 = w.k_150 - Number(11) / Number(14) * w.k_67 - Number(9) / Number(14) * w.k_80;
-        w.k_152 = Number(3) / Number(8) * c.v_x_;
-        w.k_153 = c.c_2 * w.k_151 + c.v_x * (Number(27) / Number(14) * c.v_x + w.k_152) - Number(8) / Number(7) * w.k_67 - Number(15) / Number(14) * w.k_80;
-        w.k_154 = c.u_x * w.k_149 + c.u_x_ * w.k_153 + w.k_2 * c.v_x * c.u_x_2 * c.v_x_2 * w.k_129;
-        w.k_155 = c.u_x_ * (Number(9) / Number(7) * c.u_x + w.k_142) + c.v_x_ * (Number(6) / Number(7) * c.v_x + w.k_143) + w.k_94;
-        w.k_156 = Number(6) / Number(7) * c.u_x_;
-        w.k_157 = Number(9) / Number(32) * c.v_x;
-        w.k_158 = w.k_94 + c.c_2 * w.k_155 + c.u_x * (Number(45) / Number(32) * c.u_x + w.k_156) + c.v_x * (w.k_157 + Number(15) / Number(14) * c.v_x_) + w.k_100 + w.k_147 + w.k_148;
-        w.k_159 = c.u_x * (w.k_141 + Number(3) / Number(2) * c.u_x_) - Number(33) / Number(14) * w.k_67 - Number(12) / Number(7) * w.k_80;
-        w.k_160 = c.u_x * (Number(3) / Number(7) * c.u_x + Number(15) / Number(8) * c.u_x_);
-        w.k_161 = c.c_2 * w.k_159 + w.k_160 - Number(24) / Number(7) * w.k_67 - Number(33) / Number(14) * w.k_80;
-        w.k_162 = c.v_x * w.k_158 + c.v_x_ * w.k_161 + w.k_2 * c.u_x * c.u_x_2 * c.v_x_2 * w.k_125;
-        w.k_163 = w.k_110 + w.k_3 * c.c_3 * w.k_154;
-        w.k_164 = w.k_45 + w.k_3 * c.c_3 * w.k_162;
-        c.c_59 = w.k_9 * w.k_73 + w.k_9 * w.k_60 + w.k_139 + w.k_138 * w.k_140 * (w.k_154 * w.k_154) + w.k_138 * w.k_140 * (w.k_162 * w.k_162) - Number(4) * (w.k_163 * w.k_163 + w.k_164 * w.k_164);
-        w.k_165 = Number(3) / Number(8) * w.k_67;
-        w.k_166 = c.c_2 * (w.k_47 + w.k_165 - w.k_122 - w.k_121) - w.k_114 - Number(5) / Number(32) * w.k_99 - Number(9) / Number(32) * w.k_93 - w.k_115;
-        w.k_167 = Number(3) / Number(2) * c.u_x * c.v_x;
+        c.c_47 = w.k_3 * (w.k_133 + Number(5) / Number(16));
+        c.c_48 = w.k_3 * (w.k_134 + Number(21) / Number(4));
+        w.k_136 = Number(15) / Number(32) * w.k_67;
+        w.k_137 = Number(3) / Number(16) * w.k_99;
+        w.k_138 = Number(3) / Number(16) * w.k_93;
+        w.k_139 = Number(3) / Number(16) * w.k_111;
+        w.k_140 = Number(3) / Number(16) * w.k_46;
+        w.k_141 = Number(15) / Number(64) * w.k_67;
+        w.k_142 = Number(3) / Number(32) * w.k_111;
+        w.k_143 = Number(3) / Number(32) * w.k_46;
+        w.k_144 = c.c_2 * (-w.k_141 - w.k_142 - w.k_143 - Number(15) / Number(64) * w.k_80);
+        w.k_145 = w.k_139 + w.k_140 + w.k_144 - w.k_136 - w.k_137 - w.k_138 - Number(15) / Number(32) * w.k_80;
+        w.k_146 = Number(1) / Number(2) + c.c_3 * w.k_145;
+        c.c_49 = Number(2) * c.eps * c.u_x_ * w.k_146;
+        c.c_50 = -Number(2) * c.eps * c.v_x_ * w.k_146;
+        w.k_147 = c.c_3 * c.eps;
+        w.k_148 = Number(9) / Number(896) * w.k_67 - Number(27) / Number(896) * w.k_80;
+        w.k_149 = Number(75) / Number(448) * w.k_80;
+        c.c_51 = Number(2) * c.u_x_ * w.k_147 * (c.c_2 * w.k_148 + Number(25) / Number(448) * w.k_67 - w.k_149);
+        w.k_150 = Number(27) / Number(896) * w.k_67 - Number(9) / Number(896) * w.k_80;
+        w.k_151 = Number(75) / Number(448) * w.k_67;
+        c.c_52 = -Number(2) * c.v_x_ * w.k_147 * (c.c_2 * w.k_150 + w.k_151 - Number(25) / Number(448) * w.k_80);
+        w.k_152 = Number(3) / Number(8) * w.k_67;
+        w.k_153 = Number(3) / Number(8) * w.k_80;
+        w.k_154 = Number(3) / Number(16) * w.k_67;
+        w.k_155 = Number(3) / Number(16) * w.k_80;
+        w.k_156 = w.k_154 - w.k_155;
+        w.k_157 = w.k_2 * w.k_156;
+        w.k_158 = w.k_152 + w.k_157 + c.c_2 * (w.k_154 + w.k_157 - w.k_155) - w.k_153;
+        w.k_159 = Number(3) / Number(8) * w.k_2;
+        w.k_160 = Number(3) / Number(4) + w.k_159 + c.c_2 * (Number(3) / Number(8) + w.k_159);
+        c.c_53 = w.k_4 * Number(2) * w.k_147 * (c.u_x_2 * w.k_158 + c.v_x_2 * c.u_x_ * c.v_x_ * w.k_160);
+        w.k_161 = c.c_2 * (-Number(3) / Number(8) - w.k_159) - Number(3) / Number(4) - w.k_159;
+        c.c_54 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x_2 * w.k_158 + c.u_x_2 * c.u_x_ * c.v_x_ * w.k_161);
+        w.k_162 = Number(3) / Number(32) * w.k_99;
+        w.k_163 = Number(3) / Number(32) * w.k_93;
+        w.k_164 = c.c_2 * (w.k_139 + w.k_140 - w.k_154 - w.k_155) - w.k_122 - w.k_152 - w.k_123 - w.k_162 - w.k_163 - w.k_153;
+        w.k_165 = Number(1) / Number(2) + c.c_3 * w.k_164;
+        c.c_55 = Number(2) * c.eps * c.u_x_2 * w.k_165;
+        c.c_56 = -Number(2) * c.eps * c.v_x_2 * w.k_165;
+        w.k_166 = w.k_157 + c.c_2 * (w.k_155 + w.k_157 - w.k_154) + w.k_153 - w.k_152;
+        w.k_167 = Number(3) / Number(4) + c.c_2 * (Number(3) / Number(8) - w.k_159) - w.k_159;
+        c.c_57 = w.k_4 * Number(2) * w.k_147 * (c.u_x_2 * w.k_166 + c.v_x_2 * c.u_x_ * c.v_x_ * w.k_167);
+        w.k_168 = w.k_159 + c.c_2 * (w.k_159 - Number(3) / Number(8)) - Number(3) / Number(4);
+        c.c_58 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x_2 * w.k_166 + c.u_x_2 * c.u_x_ * c.v_x_ * w.k_168);
     }
 
     template <class Number> static void compute_constants_3(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_168 = c.c_2 * (Number(3) / Number(2) * c.u_x_ * c.v_x_ - w.k_167) + Number(3) * c.u_x_ * c.v_x_;
-        w.k_169 = w.k_2 * c.u_x_2 * w.k_166 + c.v_x_2 * w.k_168;
-        w.k_170 = c.c_2 * (w.k_122 + w.k_121 - w.k_47 - w.k_165) + w.k_114 + Number(15) / Number(32) * w.k_99 + Number(3) / Number(32) * w.k_93 + w.k_115;
-        w.k_171 = c.c_2 * (Number(9) / Number(2) * c.u_x_ * c.v_x_ - w.k_167) + Number(3) * c.u_x * c.v_x + Number(6) * c.u_x_ * c.v_x_;
-        w.k_172 = w.k_2 * c.v_x_2 * w.k_170 + c.u_x_2 * w.k_171;
-        w.k_173 = w.k_98 + w.k_4 * c.c_3 * w.k_169;
-        w.k_174 = w.k_92 + w.k_4 * c.c_3 * w.k_172;
-        c.c_60 = w.k_9 * w.k_11 + w.k_9 * w.k_29 + w.k_139 + w.k_3 * w.k_138 * (w.k_169 * w.k_169) + w.k_3 * w.k_138 * (w.k_172 * w.k_172) - Number(4) * (w.k_173 * w.k_173 + w.k_174 * w.k_174);
-        w.k_175 = Number(3) / Number(32) * c.u_x;
-        w.k_176 = c.u_x * (w.k_175 + w.k_145) + c.v_x * (w.k_157 - Number(9) / Number(14) * c.v_x_) + w.k_117 - w.k_118 - Number(15) / Number(64) * w.k_67 - Number(27) / Number(64) * w.k_80;
-        w.k_177 = Number(3) / Number(8) * c.u_x;
-        w.k_178 = Number(3) / Number(8) * c.v_x;
-        w.k_179 = c.c_2 * w.k_176 + c.u_x * (Number(3) / Number(14) * c.u_x_ - w.k_177) + c.v_x * (Number(3) / Number(7) * c.v_x_ - w.k_178) - w.k_100 - Number(15) / Number(32) * w.k_67 - Number(27) / Number(32) * w.k_80;
-        w.k_180 = c.v_x * (Number(3) / Number(28) * c.v_x - Number(3) / Number(16) * c.v_x_);
-        w.k_181 = w.k_180 + Number(3) / Number(14) * w.k_111 + Number(9) / Number(28) * w.k_80;
-        w.k_182 = c.c_2 * w.k_181 + c.v_x * (-Number(3) / Number(7) * c.v_x - w.k_152) + Number(9) / Number(7) * w.k_80 - Number(5) / Number(14) * w.k_111;
-        w.k_183 = w.k_2 * c.u_x_2 * c.v_x_2 * c.v_x_ * (-Number(3) / Number(4) - w.k_64);
-        w.k_184 = c.u_x_ * w.k_179 + c.u_x * w.k_182 + w.k_183;
-        w.k_185 = c.u_x * (-w.k_175 - w.k_156) + c.v_x * (Number(9) / Number(28) * c.v_x_ - w.k_157) + w.k_118 + Number(45) / Number(64) * w.k_67 + Number(9) / Number(64) * w.k_80 - w.k_117;
-        w.k_186 = w.k_100 + c.c_2 * w.k_185 + c.u_x * (w.k_177 - w.k_145) + c.v_x * (w.k_178 - Number(3) / Number(14) * c.v_x_) + Number(45) / Number(32) * w.k_67 + Number(9) / Number(32) * w.k_80;
-        w.k_187 = c.u_x * (w.k_142 - w.k_141) + Number(3) / Number(7) * w.k_67 - Number(15) / Number(28) * w.k_46;
-        w.k_188 = c.u_x * (Number(15) / Number(14) * c.u_x - Number(3) / Number(8) * c.u_x_);
-        w.k_189 = w.k_150 + c.c_2 * w.k_187 + w.k_188 + Number(3) / Number(14) * w.k_67;
-        w.k_190 = w.k_2 * c.u_x_2 * c.v_x_2 * c.u_x_ * (w.k_64 - Number(3) / Number(4));
-        w.k_191 = c.v_x_ * w.k_186 + c.v_x * w.k_189 + w.k_190;
-        w.k_192 = w.k_66 + c.c_3 * w.k_184;
-        w.k_193 = w.k_79 + c.c_3 * w.k_191;
-        c.c_61 = w.k_9 * w.k_31 + w.k_9 * w.k_33 + w.k_139 + w.k_138 * (w.k_184 * w.k_184) + w.k_138 * (w.k_191 * w.k_191) - Number(4) * (w.k_192 * w.k_192 + w.k_193 * w.k_193);
+        w.k_169 = Number(3) / Number(32) * c.u_x_2 * c.u_x_;
+        w.k_170 = Number(3) / Number(16) * c.v_x_2 * c.v_x_;
+        w.k_171 = Number(3) / Number(32) * c.v_x_2 * c.v_x_;
+        w.k_172 = Number(3) / Number(64) * c.u_x_2 * c.u_x_;
+        w.k_173 = c.c_2 * (w.k_2 * (-w.k_171 - w.k_172) - w.k_169 - w.k_170) + w.k_2 * (-w.k_169 - w.k_170) - w.k_169 - w.k_170;
+        w.k_174 = Number(3) / Number(64) * w.k_2;
+        w.k_175 = Number(3) / Number(32) * w.k_2;
+        w.k_176 = Number(3) / Number(32) + c.c_2 * (Number(3) / Number(32) + w.k_174) + w.k_175;
+        c.c_59 = Number(2) * w.k_147 * (c.u_x_2 * w.k_173 + c.u_x_ * w.k_93 * w.k_176);
+        w.k_177 = Number(3) / Number(16) * c.v_x_2 * c.u_x_;
+        w.k_178 = Number(3) / Number(32) * c.u_x_2 * c.v_x_;
+        w.k_179 = Number(3) / Number(64) * c.u_x_2 * c.v_x_;
+        w.k_180 = Number(3) / Number(32) * c.v_x_2 * c.u_x_;
+        w.k_181 = w.k_178 + c.c_2 * (w.k_178 + w.k_2 * (w.k_179 - w.k_180) - w.k_177) + w.k_2 * (w.k_178 - w.k_177) - w.k_177;
+        w.k_182 = c.c_2 * (-Number(3) / Number(32) - w.k_174) - Number(3) / Number(32) - w.k_175;
+        c.c_60 = -Number(2) * w.k_147 * (c.u_x_2 * w.k_181 + c.v_x_ * w.k_93 * w.k_182);
+        w.k_183 = w.k_170 + c.c_2 * (w.k_2 * (w.k_172 - w.k_171) + w.k_170 - w.k_169) + w.k_2 * (w.k_169 - w.k_170) - w.k_169;
+        w.k_184 = Number(3) / Number(32) + c.c_2 * (Number(3) / Number(32) - w.k_174) - w.k_175;
+        c.c_61 = Number(2) * w.k_147 * (c.u_x_2 * w.k_183 + c.u_x_ * w.k_93 * w.k_184);
+        w.k_185 = c.c_2 * (w.k_2 * (w.k_179 + w.k_180) - w.k_178 - w.k_177) + w.k_2 * (w.k_178 + w.k_177) - w.k_178 - w.k_177;
+        c.c_62 = -Number(2) * w.k_147 * (c.u_x_2 * w.k_185 + c.v_x_ * w.k_93 * w.k_184);
+        w.k_186 = Number(1) / Number(64) * w.k_99;
+        w.k_187 = Number(3) / Number(64) * w.k_93;
+        c.c_63 = Number(2) * c.u_x_2 * w.k_147 * (w.k_186 - w.k_187);
+        w.k_188 = Number(3) / Number(64) * w.k_99;
+        w.k_189 = Number(1) / Number(64) * w.k_93;
+        c.c_64 = -Number(2) * c.v_x_2 * w.k_147 * (w.k_188 - w.k_189);
+        w.k_190 = w.k_2 * (w.k_163 - w.k_162);
+        w.k_191 = w.k_2 * (w.k_162 - w.k_163);
+        w.k_192 = w.k_163 + w.k_190 + c.c_2 * (w.k_162 + w.k_191 - w.k_163) - w.k_162;
+        w.k_193 = Number(3) / Number(16) * w.k_2;
+        w.k_194 = c.c_2 * (Number(3) / Number(16) + w.k_193);
+        w.k_195 = w.k_194 - Number(3) / Number(16) - w.k_193;
+        c.c_65 = w.k_4 * Number(2) * w.k_147 * (c.u_x * w.k_192 + c.v_x * c.u_x_2 * c.v_x_2 * w.k_195);
+        w.k_196 = c.c_2 * (-Number(3) / Number(16) - w.k_193);
+        w.k_197 = Number(3) / Number(16) + w.k_193 + w.k_196;
+        c.c_66 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x * w.k_192 + c.u_x * c.u_x_2 * c.v_x_2 * w.k_197);
+        w.k_198 = c.c_2 * (w.k_149 - w.k_151) + Number(45) / Number(224) * w.k_80 - Number(45) / Number(224) * w.k_67;
+        w.k_199 = Number(75) / Number(224) * c.c_2;
+        w.k_200 = c.u_x * w.k_198 + c.v_x * c.u_x_ * c.v_x_ * (-w.k_199 - Number(45) / Number(112));
+        c.c_67 = Number(2) * w.k_3 * w.k_147 * w.k_200;
+        w.k_201 = c.v_x * w.k_198 + c.u_x * c.u_x_ * c.v_x_ * (w.k_199 + Number(45) / Number(112));
+        c.c_68 = -Number(2) * w.k_3 * w.k_147 * w.k_201;
+        w.k_202 = Number(3) / Number(32) * w.k_67;
+        w.k_203 = Number(3) / Number(32) * w.k_80;
+        w.k_204 = Number(15) / Number(64) * w.k_111 + Number(15) / Number(64) * w.k_46 + w.k_202 + w.k_203;
+        w.k_205 = c.c_2 * w.k_204 + w.k_154 + w.k_155 - Number(15) / Number(32) * w.k_111 - Number(15) / Number(32) * w.k_46 - w.k_137 - w.k_138;
+        w.k_206 = Number(1) / Number(2) + c.c_3 * w.k_205;
+        c.c_69 = Number(2) * c.eps * c.u_x * w.k_206;
+        c.c_70 = -Number(2) * c.eps * c.v_x * w.k_206;
+        w.k_207 = Number(3) / Number(64) * w.k_67 - Number(3) / Number(64) * w.k_80;
+        w.k_208 = w.k_155 + c.c_2 * w.k_207 - w.k_154;
+        w.k_209 = Number(3) / Number(32) * c.c_2;
+        w.k_210 = c.u_x * w.k_208 + c.v_x * c.u_x_ * c.v_x_ * (Number(3) / Number(8) - w.k_209);
+        c.c_71 = Number(2) * w.k_3 * w.k_147 * w.k_210;
+        w.k_211 = c.v_x * w.k_208 + c.u_x * c.u_x_ * c.v_x_ * (w.k_209 - Number(3) / Number(8));
+        c.c_72 = -Number(2) * w.k_3 * w.k_147 * w.k_211;
+        w.k_212 = w.k_162 + c.c_2 * (w.k_163 + w.k_191 - w.k_162) + w.k_190 - w.k_163;
+        w.k_213 = c.c_2 * (Number(3) / Number(16) - w.k_193);
+        w.k_214 = w.k_213 + w.k_193 - Number(3) / Number(16);
+        c.c_73 = w.k_4 * Number(2) * w.k_147 * (c.u_x * w.k_212 + c.v_x * c.u_x_2 * c.v_x_2 * w.k_214);
+        w.k_215 = c.c_2 * (w.k_193 - Number(3) / Number(16));
+        w.k_216 = Number(3) / Number(16) + w.k_215 - w.k_193;
+        c.c_74 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x * w.k_212 + c.u_x * c.u_x_2 * c.v_x_2 * w.k_216);
+        w.k_217 = Number(3) / Number(16) * c.u_x * c.u_x_2;
+        w.k_218 = Number(3) / Number(8) * c.v_x * c.v_x_2;
+        w.k_219 = w.k_2 * (-w.k_218 - w.k_217);
+        w.k_220 = w.k_2 * (w.k_217 + w.k_218);
+        w.k_221 = w.k_217 + w.k_218 + c.c_2 * (w.k_219 - w.k_218 - w.k_217) + w.k_220;
+        c.c_75 = Number(2) * w.k_147 * (c.u_x * w.k_221 + c.u_x_2 * w.k_46 * w.k_195);
+        w.k_222 = Number(3) / Number(8) * c.v_x * c.u_x_2;
+        w.k_223 = Number(3) / Number(16) * c.u_x * c.v_x_2;
+        w.k_224 = w.k_2 * (w.k_223 - w.k_222);
+        w.k_225 = w.k_2 * (w.k_222 - w.k_223);
+        w.k_226 = w.k_222 + c.c_2 * (w.k_223 + w.k_224 - w.k_222) + w.k_225 - w.k_223;
+        c.c_76 = -Number(2) * w.k_147 * (c.u_x * w.k_226 + c.v_x_2 * w.k_46 * w.k_197);
+        w.k_227 = -Number(9) / Number(64) * c.u_x * c.u_x_ - Number(9) / Number(32) * c.v_x * c.v_x_;
+        w.k_228 = c.c_2 * w.k_227;
+        w.k_229 = w.k_228 - Number(15) / Number(64) * c.u_x * c.u_x_ - Number(15) / Number(32) * c.v_x * c.v_x_;
+        w.k_230 = Number(9) / Number(64) * c.c_2;
+        w.k_231 = c.u_x * w.k_229 + c.u_x_ * w.k_46 * (Number(15) / Number(64) + w.k_230);
+        c.c_77 = Number(2) * w.k_147 * w.k_231;
+        w.k_232 = Number(9) / Number(64) * c.u_x * c.v_x_ - Number(9) / Number(32) * c.v_x * c.u_x_;
+        w.k_233 = c.c_2 * w.k_232;
+        w.k_234 = w.k_233 + Number(15) / Number(64) * c.u_x * c.v_x_ - Number(15) / Number(32) * c.v_x * c.u_x_;
+        w.k_235 = c.u_x * w.k_234 + c.v_x_ * w.k_46 * (-Number(15) / Number(64) - w.k_230);
+        c.c_78 = -Number(2) * w.k_147 * w.k_235;
+        w.k_236 = Number(15) / Number(224) * c.u_x * c.u_x_ - Number(15) / Number(112) * c.v_x * c.v_x_;
+        w.k_237 = c.c_2 * w.k_236 + Number(15) / Number(224) * c.v_x * c.v_x_ - Number(15) / Number(448) * c.u_x * c.u_x_;
+        w.k_238 = Number(15) / Number(448) - Number(15) / Number(224) * c.c_2;
+        c.c_79 = Number(2) * w.k_147 * (c.u_x * w.k_237 + c.u_x_ * w.k_46 * w.k_238);
+        w.k_239 = Number(15) / Number(224) * c.u_x * c.v_x_ + Number(15) / Number(112) * c.v_x * c.u_x_;
+        w.k_240 = c.c_2 * w.k_239 - Number(15) / Number(448) * c.u_x * c.v_x_ - Number(15) / Number(224) * c.v_x * c.u_x_;
+        c.c_80 = -Number(2) * w.k_147 * (c.u_x * w.k_240 + c.v_x_ * w.k_46 * w.k_238);
+        w.k_241 = w.k_2 * (w.k_217 - w.k_218);
+        w.k_242 = w.k_2 * (w.k_218 - w.k_217);
+        w.k_243 = w.k_217 + c.c_2 * (w.k_241 + w.k_218 - w.k_217) + w.k_242 - w.k_218;
+        c.c_81 = Number(2) * w.k_147 * (c.u_x * w.k_243 + c.u_x_2 * w.k_46 * w.k_214);
+        w.k_244 = w.k_2 * (w.k_223 + w.k_222);
+        w.k_245 = w.k_2 * (-w.k_223 - w.k_222);
+        w.k_246 = w.k_223 + w.k_222 + c.c_2 * (w.k_244 - w.k_223 - w.k_222) + w.k_245;
+        c.c_82 = -Number(2) * w.k_147 * (c.u_x * w.k_246 + c.v_x_2 * w.k_46 * w.k_214);
+        w.k_247 = Number(27) / Number(896) * w.k_46 - Number(9) / Number(896) * w.k_111;
+        w.k_248 = c.c_2 * w.k_247 + Number(25) / Number(448) * w.k_111 - Number(75) / Number(448) * w.k_46;
+        c.c_83 = Number(2) * c.u_x * w.k_147 * w.k_248;
+        w.k_249 = Number(9) / Number(896) * w.k_46 - Number(27) / Number(896) * w.k_111;
+        w.k_250 = c.c_2 * w.k_249 + Number(75) / Number(448) * w.k_111 - Number(25) / Number(448) * w.k_46;
+        c.c_84 = -Number(2) * c.v_x * w.k_147 * w.k_250;
+        w.k_251 = Number(9) / Number(16) * w.k_111;
+        w.k_252 = Number(9) / Number(16) * w.k_46;
+        w.k_253 = c.c_2 * (w.k_202 + w.k_203 + w.k_251 + w.k_252 + w.k_137 + w.k_138);
+        w.k_254 = Number(1) / Number(2) * c.c_2;
+        w.k_255 = c.c_3 * (w.k_202 + w.k_203 + w.k_253 - w.k_251 - w.k_252) - w.k_254;
+        c.c_85 = Number(2) * c.eps * c.u_x_ * w.k_255;
+        c.c_86 = -Number(2) * c.eps * c.v_x_ * w.k_255;
+        w.k_256 = Number(51) / Number(448) * w.k_80 - Number(17) / Number(448) * w.k_67;
+        w.k_257 = c.c_2 * w.k_256 + Number(99) / Number(448) * w.k_80 - Number(33) / Number(448) * w.k_67;
+        c.c_87 = Number(2) * c.u_x_ * w.k_147 * w.k_257;
+        w.k_258 = Number(17) / Number(448) * w.k_80 - Number(51) / Number(448) * w.k_67;
+        w.k_259 = c.c_2 * w.k_258 + Number(33) / Number(448) * w.k_80 - Number(99) / Number(448) * w.k_67;
+    }
+
+    template <class Number> static void compute_constants_4(
+            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
+        c.c_88 = -Number(2) * c.v_x_ * w.k_147 * w.k_259;
+        w.k_260 = Number(3) / Number(16) * c.u_x_2 * c.u_x_;
+        w.k_261 = w.k_2 * (w.k_170 + w.k_169);
+        w.k_262 = Number(3) / Number(8) * c.v_x_2 * c.v_x_;
+        w.k_263 = w.k_260 + w.k_261 + c.c_2 * (w.k_170 + w.k_169 + w.k_261) + w.k_262;
+        w.k_264 = c.c_2 * (-Number(3) / Number(32) - w.k_175) - Number(3) / Number(16) - w.k_175;
+        c.c_89 = Number(2) * w.k_147 * (c.u_x_2 * w.k_263 + c.u_x_ * w.k_93 * w.k_264);
+        w.k_265 = Number(3) / Number(8) * c.v_x_2 * c.u_x_;
+        w.k_266 = w.k_2 * (w.k_177 - w.k_178);
+        w.k_267 = Number(3) / Number(16) * c.u_x_2 * c.v_x_;
+        w.k_268 = w.k_265 + w.k_266 + c.c_2 * (w.k_177 + w.k_266 - w.k_178) - w.k_267;
+        w.k_269 = Number(3) / Number(16) + w.k_175 + c.c_2 * (Number(3) / Number(32) + w.k_175);
+        c.c_90 = -Number(2) * w.k_147 * (c.u_x_2 * w.k_268 + c.v_x_ * w.k_93 * w.k_269);
+        w.k_270 = w.k_2 * (w.k_170 - w.k_169);
+        w.k_271 = w.k_270 + c.c_2 * (w.k_169 + w.k_270 - w.k_170) + w.k_260 - w.k_262;
+        w.k_272 = w.k_175 + c.c_2 * (w.k_175 - Number(3) / Number(32)) - Number(3) / Number(16);
+        c.c_91 = Number(2) * w.k_147 * (c.u_x_2 * w.k_271 + c.u_x_ * w.k_93 * w.k_272);
+        w.k_273 = w.k_2 * (-w.k_178 - w.k_177);
+        w.k_274 = w.k_273 + c.c_2 * (w.k_178 + w.k_177 + w.k_273) + w.k_267 + w.k_265;
+        c.c_92 = -Number(2) * w.k_147 * (c.u_x_2 * w.k_274 + c.v_x_ * w.k_93 * w.k_272);
+        w.k_275 = w.k_2 * (w.k_137 - w.k_138);
+        w.k_276 = w.k_137 + w.k_275 + c.c_2 * (w.k_163 + w.k_190 - w.k_162) - w.k_138;
+        w.k_277 = c.v_x * c.u_x_2 * c.v_x_2 * (Number(3) / Number(8) + w.k_196 + w.k_159);
+        c.c_93 = w.k_4 * Number(2) * w.k_147 * (c.u_x * w.k_276 + w.k_277);
+        w.k_278 = c.u_x * c.u_x_2 * c.v_x_2 * (w.k_194 - Number(3) / Number(8) - w.k_159);
+        c.c_94 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x * w.k_276 + w.k_278);
+        w.k_279 = Number(87) / Number(224) * w.k_67 - Number(87) / Number(224) * w.k_80;
+        w.k_280 = c.c_2 * w.k_279 + Number(117) / Number(224) * w.k_67 - Number(117) / Number(224) * w.k_80;
+        w.k_281 = Number(87) / Number(112) * c.c_2;
+        w.k_282 = c.u_x * w.k_280 + c.v_x * c.u_x_ * c.v_x_ * (w.k_281 + Number(117) / Number(112));
+        c.c_95 = Number(2) * w.k_3 * w.k_147 * w.k_282;
+        w.k_283 = c.v_x * w.k_280 + c.u_x * c.u_x_ * c.v_x_ * (-w.k_281 - Number(117) / Number(112));
+        c.c_96 = -Number(2) * w.k_3 * w.k_147 * w.k_283;
+        w.k_284 = c.c_2 * (-w.k_137 - w.k_138 - w.k_142 - w.k_143 - w.k_124 - w.k_125);
+        w.k_285 = c.c_3 * (w.k_284 + w.k_142 + w.k_143 - w.k_124 - w.k_125) + w.k_254;
+        c.c_97 = Number(2) * c.eps * c.u_x * w.k_285;
+        c.c_98 = -Number(2) * c.eps * c.v_x * w.k_285;
+        w.k_286 = w.k_202 + c.c_2 * w.k_156 - w.k_203;
+        w.k_287 = c.u_x * w.k_286 + c.v_x * c.u_x_ * c.v_x_ * (-w.k_64 - Number(3) / Number(16));
+        c.c_99 = Number(2) * w.k_3 * w.k_147 * w.k_287;
+        w.k_288 = c.v_x * w.k_286 + c.u_x * c.u_x_ * c.v_x_ * (Number(3) / Number(16) + w.k_64);
+        c.c_100 = -Number(2) * w.k_3 * w.k_147 * w.k_288;
+        w.k_289 = w.k_138 + c.c_2 * (w.k_162 + w.k_190 - w.k_163) + w.k_275 - w.k_137;
+        w.k_290 = c.v_x * c.u_x_2 * c.v_x_2 * (Number(3) / Number(8) + w.k_215 - w.k_159);
+        c.c_101 = w.k_4 * Number(2) * w.k_147 * (c.u_x * w.k_289 + w.k_290);
+        w.k_291 = c.u_x * c.u_x_2 * c.v_x_2 * (w.k_213 + w.k_159 - Number(3) / Number(8));
+        c.c_102 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x * w.k_289 + w.k_291);
+        w.k_292 = w.k_228 - Number(3) / Number(32) * c.u_x * c.u_x_ - Number(3) / Number(16) * c.v_x * c.v_x_;
+        w.k_293 = c.u_x * w.k_292 + c.u_x_ * w.k_46 * (Number(3) / Number(32) + w.k_230);
+        c.c_103 = Number(2) * w.k_147 * w.k_293;
+        w.k_294 = w.k_233 + Number(3) / Number(32) * c.u_x * c.v_x_ - Number(3) / Number(16) * c.v_x * c.u_x_;
+        w.k_295 = c.u_x * w.k_294 + c.v_x_ * w.k_46 * (-Number(3) / Number(32) - w.k_230);
+        c.c_104 = -Number(2) * w.k_147 * w.k_295;
+        w.k_296 = Number(57) / Number(224) * c.v_x * c.v_x_ - Number(57) / Number(448) * c.u_x * c.u_x_;
+        w.k_297 = c.c_2 * w.k_296 + Number(15) / Number(112) * c.u_x * c.u_x_ - Number(15) / Number(56) * c.v_x * c.v_x_;
+        w.k_298 = Number(57) / Number(448) * c.c_2 - Number(15) / Number(112);
+        c.c_105 = Number(2) * w.k_147 * (c.u_x * w.k_297 + c.u_x_ * w.k_46 * w.k_298);
+        w.k_299 = -Number(57) / Number(448) * c.u_x * c.v_x_ - Number(57) / Number(224) * c.v_x * c.u_x_;
+        w.k_300 = c.c_2 * w.k_299 + Number(15) / Number(112) * c.u_x * c.v_x_ + Number(15) / Number(56) * c.v_x * c.u_x_;
+        c.c_106 = -Number(2) * w.k_147 * (c.u_x * w.k_300 + c.v_x_ * w.k_46 * w.k_298);
+        w.k_301 = Number(17) / Number(448) * w.k_111 - Number(51) / Number(448) * w.k_46;
+        w.k_302 = c.c_2 * w.k_301 + Number(99) / Number(448) * w.k_46 - Number(33) / Number(448) * w.k_111;
+        c.c_107 = Number(2) * c.u_x * w.k_147 * w.k_302;
+        w.k_303 = Number(51) / Number(448) * w.k_111 - Number(17) / Number(448) * w.k_46;
+        w.k_304 = c.c_2 * w.k_303 + Number(33) / Number(448) * w.k_46 - Number(99) / Number(448) * w.k_111;
+        c.c_108 = -Number(2) * c.v_x * w.k_147 * w.k_304;
+        w.k_305 = w.k_2 * (w.k_155 - w.k_154);
+        w.k_306 = w.k_153 + w.k_305 + c.c_2 * (w.k_155 + w.k_305 - w.k_154) - w.k_152;
+        c.c_109 = w.k_4 * Number(2) * w.k_147 * (c.u_x_2 * w.k_306 + c.v_x_2 * c.u_x_ * c.v_x_ * w.k_161);
+        c.c_110 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x_2 * w.k_306 + c.u_x_2 * c.u_x_ * c.v_x_ * w.k_160);
+        w.k_307 = w.k_152 + w.k_122 + w.k_163 + w.k_162 + w.k_153 + c.c_2 * (w.k_154 + w.k_155 - w.k_139 - w.k_140) + w.k_123;
+        w.k_308 = c.c_3 * w.k_307 - Number(1) / Number(2);
+        c.c_111 = Number(2) * c.eps * c.u_x_2 * w.k_308;
+        c.c_112 = -Number(2) * c.eps * c.v_x_2 * w.k_308;
+        w.k_309 = w.k_152 + w.k_305 + c.c_2 * (w.k_154 + w.k_305 - w.k_155) - w.k_153;
+        c.c_113 = w.k_4 * Number(2) * w.k_147 * (c.u_x_2 * w.k_309 + c.v_x_2 * c.u_x_ * c.v_x_ * w.k_168);
+        c.c_114 = w.k_4 * (-Number(2)) * w.k_147 * (c.v_x_2 * w.k_309 + c.u_x_2 * c.u_x_ * c.v_x_ * w.k_167);
+        c.c_115 = Number(2) * c.u_x_2 * w.k_147 * (w.k_187 - w.k_186);
+        c.c_116 = -Number(2) * c.v_x_2 * w.k_147 * (w.k_189 - w.k_188);
+        w.k_310 = w.k_219 + c.c_2 * (w.k_217 + w.k_218 + w.k_220) - w.k_218 - w.k_217;
+        c.c_117 = Number(2) * w.k_147 * (c.u_x * w.k_310 + c.u_x_2 * w.k_46 * w.k_197);
+        w.k_311 = w.k_223 + w.k_224 + c.c_2 * (w.k_222 + w.k_225 - w.k_223) - w.k_222;
+        c.c_118 = -Number(2) * w.k_147 * (c.u_x * w.k_311 + c.v_x_2 * w.k_46 * w.k_195);
+        w.k_312 = w.k_241 + w.k_218 + c.c_2 * (w.k_217 + w.k_242 - w.k_218) - w.k_217;
+        c.c_119 = Number(2) * w.k_147 * (c.u_x * w.k_312 + c.u_x_2 * w.k_46 * w.k_216);
+        w.k_313 = w.k_244 + c.c_2 * (w.k_223 + w.k_222 + w.k_245) - w.k_223 - w.k_222;
+        c.c_120 = -Number(2) * w.k_147 * (c.u_x * w.k_313 + c.v_x_2 * w.k_46 * w.k_216);
+        w.k_314 = -Number(1) / Number(100000000) * c.c_2 - Number(1) / Number(50000000);
+        w.k_315 = c.c_3 * w.k_314;
+        c.c_121 = w.k_3 * (Number(24) * c.c_2 + Number(44) + w.k_315);
+        c.c_122 = w.k_3 * (w.k_315 + Number(4));
+        w.k_316 = Number(8) * c.c_2;
+        c.c_123 = w.k_3 * (w.k_315 + w.k_316 + Number(12));
+        c.c_124 = w.k_3 * (w.k_315 + Number(48) * c.c_2 + Number(68));
+        c.c_125 = w.k_3 * (w.k_315 + Number(8));
+        w.k_317 = Number(16) * w.k_2;
+        c.c_126 = w.k_3 * (Number(24) + w.k_315 + w.k_316 + w.k_317);
+        c.c_127 = w.k_3 * (w.k_315 + Number(12) - w.k_316);
+        c.c_128 = w.k_3 * (w.k_315 + Number(16) * c.c_2 + Number(36));
+        c.c_129 = w.k_3 * (Number(24) + w.k_315 + w.k_316 - w.k_317);
+        c.c_130 = Number(16) + c.c_2 * (Number(4) - Number(8) * w.k_2) - Number(1) / Number(100000000) * c.c_3;
+        w.k_318 = c.c_3 * c.c_3;
+        w.k_319 = w.k_318 * w.k_318;
+        w.k_320 = w.k_3 * w.k_3;
+        w.k_321 = Number(9) / Number(14) * c.u_x;
+        w.k_322 = Number(9) / Number(16) * c.u_x_;
+        w.k_323 = Number(15) / Number(16) * c.v_x_;
+        w.k_324 = c.u_x_ * (-w.k_321 - w.k_322) + c.v_x_ * (-Number(12) / Number(7) * c.v_x - w.k_323) - w.k_94;
+        w.k_325 = Number(3) / Number(7) * c.u_x_;
+        w.k_326 = -Number(27) / Number(32) * c.v_x - Number(15) / Number(7) * c.v_x_;
+        w.k_327 = Number(15) / Number(16) * w.k_67;
+        w.k_328 = Number(21) / Number(16) * w.k_80;
+        w.k_329 = c.c_2 * w.k_324 + c.u_x * (-Number(15) / Number(32) * c.u_x - w.k_325) + c.v_x * w.k_326 - w.k_94 - w.k_100 - w.k_327 - w.k_328;
+        w.k_330 = Number(9) / Number(14) * w.k_46;
+        w.k_331 = w.k_330 - Number(11) / Number(14) * w.k_67 - Number(9) / Number(14) * w.k_80;
+        w.k_332 = Number(3) / Number(8) * c.v_x_;
+        w.k_333 = c.c_2 * w.k_331 + c.v_x * (Number(27) / Number(14) * c.v_x + w.k_332) - Number(8) / Number(7) * w.k_67 - Number(15) / Number(14) * w.k_80;
+        w.k_334 = c.u_x * w.k_329 + c.u_x_ * w.k_333 + w.k_2 * c.v_x * c.u_x_2 * c.v_x_2 * w.k_131;
+        w.k_335 = c.u_x_ * (Number(9) / Number(7) * c.u_x + w.k_322) + c.v_x_ * (Number(6) / Number(7) * c.v_x + w.k_323) + w.k_94;
+        w.k_336 = Number(6) / Number(7) * c.u_x_;
+    }
+
+    template <class Number> static void compute_constants_5(
+            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
+        w.k_337 = Number(9) / Number(32) * c.v_x;
+        w.k_338 = w.k_94 + c.c_2 * w.k_335 + c.u_x * (Number(45) / Number(32) * c.u_x + w.k_336) + c.v_x * (w.k_337 + Number(15) / Number(14) * c.v_x_) + w.k_100 + w.k_327 + w.k_328;
+        w.k_339 = c.u_x * (w.k_321 + Number(3) / Number(2) * c.u_x_) - Number(33) / Number(14) * w.k_67 - Number(12) / Number(7) * w.k_80;
+        w.k_340 = c.u_x * (Number(3) / Number(7) * c.u_x + Number(15) / Number(8) * c.u_x_);
+        w.k_341 = c.c_2 * w.k_339 + w.k_340 - Number(24) / Number(7) * w.k_67 - Number(33) / Number(14) * w.k_80;
+        w.k_342 = c.v_x * w.k_338 + c.v_x_ * w.k_341 + w.k_2 * c.u_x * c.u_x_2 * c.v_x_2 * w.k_127;
+        w.k_343 = w.k_110 + w.k_3 * c.c_3 * w.k_334;
+        w.k_344 = w.k_45 + w.k_3 * c.c_3 * w.k_342;
+        c.c_131 = w.k_9 * w.k_73 + w.k_9 * w.k_60 + w.k_319 + w.k_318 * w.k_320 * (w.k_334 * w.k_334) + w.k_318 * w.k_320 * (w.k_342 * w.k_342) - Number(4) * (w.k_343 * w.k_343 + w.k_344 * w.k_344);
+        w.k_345 = c.c_2 * (w.k_47 + w.k_152 - w.k_122 - w.k_121) - w.k_114 - Number(5) / Number(32) * w.k_99 - Number(9) / Number(32) * w.k_93 - w.k_115;
+        w.k_346 = Number(3) / Number(2) * c.u_x * c.v_x;
+        w.k_347 = c.c_2 * (Number(3) / Number(2) * c.u_x_ * c.v_x_ - w.k_346) + Number(3) * c.u_x_ * c.v_x_;
+        w.k_348 = w.k_2 * c.u_x_2 * w.k_345 + c.v_x_2 * w.k_347;
+        w.k_349 = c.c_2 * (w.k_122 + w.k_121 - w.k_47 - w.k_152) + w.k_114 + Number(15) / Number(32) * w.k_99 + w.k_163 + w.k_115;
+        w.k_350 = c.c_2 * (Number(9) / Number(2) * c.u_x_ * c.v_x_ - w.k_346) + Number(3) * c.u_x * c.v_x + Number(6) * c.u_x_ * c.v_x_;
+        w.k_351 = w.k_2 * c.v_x_2 * w.k_349 + c.u_x_2 * w.k_350;
+        w.k_352 = w.k_98 + w.k_4 * c.c_3 * w.k_348;
+        w.k_353 = w.k_92 + w.k_4 * c.c_3 * w.k_351;
+        c.c_132 = w.k_9 * w.k_11 + w.k_9 * w.k_29 + w.k_319 + w.k_3 * w.k_318 * (w.k_348 * w.k_348) + w.k_3 * w.k_318 * (w.k_351 * w.k_351) - Number(4) * (w.k_352 * w.k_352 + w.k_353 * w.k_353);
+        w.k_354 = Number(3) / Number(32) * c.u_x;
+        w.k_355 = c.u_x * (w.k_354 + w.k_325) + c.v_x * (w.k_337 - Number(9) / Number(14) * c.v_x_) + w.k_117 - w.k_118 - w.k_141 - Number(27) / Number(64) * w.k_80;
+        w.k_356 = Number(3) / Number(8) * c.u_x;
+        w.k_357 = Number(3) / Number(8) * c.v_x;
+        w.k_358 = c.c_2 * w.k_355 + c.u_x * (Number(3) / Number(14) * c.u_x_ - w.k_356) + c.v_x * (Number(3) / Number(7) * c.v_x_ - w.k_357) - w.k_100 - w.k_136 - Number(27) / Number(32) * w.k_80;
+        w.k_359 = c.v_x * (Number(3) / Number(28) * c.v_x - Number(3) / Number(16) * c.v_x_);
+        w.k_360 = w.k_359 + Number(3) / Number(14) * w.k_111 + Number(9) / Number(28) * w.k_80;
+        w.k_361 = c.c_2 * w.k_360 + c.v_x * (-Number(3) / Number(7) * c.v_x - w.k_332) + Number(9) / Number(7) * w.k_80 - Number(5) / Number(14) * w.k_111;
+        w.k_362 = w.k_2 * c.u_x_2 * c.v_x_2 * c.v_x_ * (-Number(3) / Number(4) - w.k_64);
+        w.k_363 = c.u_x_ * w.k_358 + c.u_x * w.k_361 + w.k_362;
+        w.k_364 = c.u_x * (-w.k_354 - w.k_336) + c.v_x * (Number(9) / Number(28) * c.v_x_ - w.k_337) + w.k_118 + Number(45) / Number(64) * w.k_67 + Number(9) / Number(64) * w.k_80 - w.k_117;
+        w.k_365 = w.k_100 + c.c_2 * w.k_364 + c.u_x * (w.k_356 - w.k_325) + c.v_x * (w.k_357 - Number(3) / Number(14) * c.v_x_) + Number(45) / Number(32) * w.k_67 + Number(9) / Number(32) * w.k_80;
+        w.k_366 = c.u_x * (w.k_322 - w.k_321) + Number(3) / Number(7) * w.k_67 - Number(15) / Number(28) * w.k_46;
+        w.k_367 = c.u_x * (Number(15) / Number(14) * c.u_x - Number(3) / Number(8) * c.u_x_);
+        w.k_368 = w.k_330 + c.c_2 * w.k_366 + w.k_367 + Number(3) / Number(14) * w.k_67;
+        w.k_369 = w.k_2 * c.u_x_2 * c.v_x_2 * c.u_x_ * (w.k_64 - Number(3) / Number(4));
+        w.k_370 = c.v_x_ * w.k_365 + c.v_x * w.k_368 + w.k_369;
+        w.k_371 = w.k_66 + c.c_3 * w.k_363;
+        w.k_372 = w.k_79 + c.c_3 * w.k_370;
+        c.c_133 = w.k_9 * w.k_31 + w.k_9 * w.k_33 + w.k_319 + w.k_318 * (w.k_363 * w.k_363) + w.k_318 * (w.k_370 * w.k_370) - Number(4) * (w.k_371 * w.k_371 + w.k_372 * w.k_372);
     }
 
     template <class Number> static void compute_constants(
@@ -827,6 +1338,8 @@ private:
         compute_constants_1(given_eps, parameters, start, c, w);
         compute_constants_2(given_eps, parameters, start, c, w);
         compute_constants_3(given_eps, parameters, start, c, w);
+        compute_constants_4(given_eps, parameters, start, c, w);
+        compute_constants_5(given_eps, parameters, start, c, w);
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -885,6 +1398,78 @@ private:
         keep(scaled.c_46, c.c_46, "c_46 in w_3");
         keep(scaled.c_47, c.c_47, "c_47 in w_3");
         keep(scaled.c_48, c.c_48, "c_48 in w_3");
+        keep(scaled.c_49, c.c_49, "c_49 in w_");
+        keep(scaled.c_50, c.c_50, "c_50 in w_");
+        keep(scaled.c_51, c.c_51, "c_51 in w_");
+        keep(scaled.c_52, c.c_52, "c_52 in w_");
+        keep(scaled.c_53, c.c_53, "c_53 in x");
+        keep(scaled.c_54, c.c_54, "c_54 in x");
+        keep(scaled.c_55, c.c_55, "c_55 in x");
+        keep(scaled.c_56, c.c_56, "c_56 in x");
+        keep(scaled.c_57, c.c_57, "c_57 in x");
+        keep(scaled.c_58, c.c_58, "c_58 in x");
+        keep(scaled.c_59, c.c_59, "c_59 in w_");
+        keep(scaled.c_60, c.c_60, "c_60 in w_");
+        keep(scaled.c_61, c.c_61, "c_61 in w_");
+        keep(scaled.c_62, c.c_62, "c_62 in w_");
+        keep(scaled.c_63, c.c_63, "c_63 in x");
+        keep(scaled.c_64, c.c_64, "c_64 in x");
+        keep(scaled.c_65, c.c_65, "c_65 in w_");
+        keep(scaled.c_66, c.c_66, "c_66 in w_");
+        keep(scaled.c_67, c.c_67, "c_67 in w_");
+        keep(scaled.c_68, c.c_68, "c_68 in w_");
+        keep(scaled.c_69, c.c_69, "c_69 in w_");
+        keep(scaled.c_70, c.c_70, "c_70 in w_");
+        keep(scaled.c_71, c.c_71, "c_71 in w_");
+        keep(scaled.c_72, c.c_72, "c_72 in w_");
+        keep(scaled.c_73, c.c_73, "c_73 in w_");
+        keep(scaled.c_74, c.c_74, "c_74 in w_");
+        keep(scaled.c_75, c.c_75, "c_75 in x");
+        keep(scaled.c_76, c.c_76, "c_76 in x");
+        keep(scaled.c_77, c.c_77, "c_77 in w_");
+        keep(scaled.c_78, c.c_78, "c_78 in w_");
+        keep(scaled.c_79, c.c_79, "c_79 in w_");
+        keep(scaled.c_80, c.c_80, "c_80 in w_");
+        keep(scaled.c_81, c.c_81, "c_81 in x");
+        keep(scaled.c_82, c.c_82, "c_82 in x");
+        keep(scaled.c_83, c.c_83, "c_83 in w_");
+        keep(scaled.c_84, c.c_84, "c_84 in w_");
+        keep(scaled.c_85, c.c_85, "c_85 in y");
+        keep(scaled.c_86, c.c_86, "c_86 in y");
+        keep(scaled.c_87, c.c_87, "c_87 in y");
+        keep(scaled.c_88, c.c_88, "c_88 in y");
+        keep(scaled.c_89, c.c_89, "c_89 in y");
+        keep(scaled.c_90, c.c_90, "c_90 in y");
+        keep(scaled.c_91, c.c_91, "c_91 in y");
+        keep(scaled.c_92, c.c_92, "c_92 in y");
+        keep(scaled.c_93, c.c_93, "c_93 in y");
+        keep(scaled.c_94, c.c_94, "c_94 in y");
+        keep(scaled.c_95, c.c_95, "c_95 in y");
+        keep(scaled.c_96, c.c_96, "c_96 in y");
+        keep(scaled.c_97, c.c_97, "c_97 in y");
+        keep(scaled.c_98, c.c_98, "c_98 in y");
+        keep(scaled.c_99, c.c_99, "c_99 in y");
+        keep(scaled.c_100, c.c_100, "c_100 in y");
+        keep(scaled.c_101, c.c_101, "c_101 in y");
+        keep(scaled.c_102, c.c_102, "c_102 in y");
+        keep(scaled.c_103, c.c_103, "c_103 in y");
+        keep(scaled.c_104, c.c_104, "c_104 in y");
+        keep(scaled.c_105, c.c_105, "c_105 in y");
+        keep(scaled.c_106, c.c_106, "c_106 in y");
+        keep(scaled.c_107, c.c_107, "c_107 in y");
+        keep(scaled.c_108, c.c_108, "c_108 in y");
+        keep(scaled.c_109, c.c_109, "c_109 in w_");
+        keep(scaled.c_110, c.c_110, "c_110 in w_");
+        keep(scaled.c_111, c.c_111, "c_111 in w_");
+        keep(scaled.c_112, c.c_112, "c_112 in w_");
+        keep(scaled.c_113, c.c_113, "c_113 in w_");
+        keep(scaled.c_114, c.c_114, "c_114 in w_");
+        keep(scaled.c_115, c.c_115, "c_115 in w_");
+        keep(scaled.c_116, c.c_116, "c_116 in w_");
+        keep(scaled.c_117, c.c_117, "c_117 in w_");
+        keep(scaled.c_118, c.c_118, "c_118 in w_");
+        keep(scaled.c_119, c.c_119, "c_119 in w_");
+        keep(scaled.c_120, c.c_120, "c_120 in w_");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -892,19 +1477,19 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_49 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_50 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_51 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_52 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_53 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_54 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_55 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt..."};
-        if (!(scaled.c_56 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_57 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) - 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_58 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(k)*sqrt(sqrt(2) + 2)/sqrt(m)"};
-        if (!(scaled.c_59 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_60 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_61 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_121 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_122 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_123 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_124 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_125 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_126 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_127 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt..."};
+        if (!(scaled.c_128 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(scaled.c_129 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) - 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(scaled.c_130 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(k)*sqrt(sqrt(2) + 2)/sqrt(m)"};
+        if (!(scaled.c_131 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_132 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_133 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -987,20 +1572,175 @@ private:
         return finite(values.x) && finite(values.y) && finite(values.w_) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 96> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+        return {Number(c.c_49), Number(c.c_50), Number(c.c_51), Number(c.c_52), Number(c.c_53), Number(c.c_54), Number(c.c_55), Number(c.c_56), Number(c.c_57), Number(c.c_58), Number(c.c_59), Number(c.c_60), Number(c.c_61), Number(c.c_62), Number(c.c_63), Number(c.c_64), Number(c.c_65), Number(c.c_66), Number(c.c_67), Number(c.c_68), Number(c.c_69), Number(c.c_70), Number(c.c_71), Number(c.c_72), Number(c.c_73), Number(c.c_74), Number(c.c_75), Number(c.c_76), Number(c.c_77), Number(c.c_78), Number(c.c_79), Number(c.c_80), Number(c.c_81), Number(c.c_82), Number(c.c_83), Number(c.c_84), Number(c.c_85), Number(c.c_86), Number(c.c_87), Number(c.c_88), Number(c.c_89), Number(c.c_90), Number(c.c_91), Number(c.c_92), Number(c.c_93), Number(c.c_94), Number(c.c_95), Number(c.c_96), Number(c.c_97), Number(c.c_98), Number(c.c_99), Number(c.c_100), Number(c.c_101), Number(c.c_102), Number(c.c_103), Number(c.c_104), Number(c.c_105), Number(c.c_106), Number(c.c_107), Number(c.c_108), Number(c.c_49), Number(c.c_50), Number(c.c_51), Number(c.c_52), Number(c.c_109), Number(c.c_110), Number(c.c_111), Number(c.c_112), Number(c.c_113), Number(c.c_114), Number(c.c_59), Number(c.c_60), Number(c.c_61), Number(c.c_62), Number(c.c_115), Number(c.c_116), Number(c.c_65), Number(c.c_66), Number(c.c_67), Number(c.c_68), Number(c.c_69), Number(c.c_70), Number(c.c_71), Number(c.c_72), Number(c.c_73), Number(c.c_74), Number(c.c_117), Number(c.c_118), Number(c.c_77), Number(c.c_78), Number(c.c_79), Number(c.c_80), Number(c.c_119), Number(c.c_120), Number(c.c_83), Number(c.c_84)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         Status status = Status::ok;
-        if (const Status seen = theta_1_(t, a.cos_theta_1, a.sin_theta_1); seen != Status::ok) status = seen;
-        if (const Status seen = theta_2_(t, a.cos_theta_2, a.sin_theta_2); seen != Status::ok) status = seen;
-        if (const Status seen = theta_3_(t, a.cos_theta_3, a.sin_theta_3); seen != Status::ok) status = seen;
+        if (const Status seen = theta_1_(t, low, a.cos_theta_1, a.sin_theta_1); seen != Status::ok) status = seen;
+        if (const Status seen = theta_2_(t, low, a.cos_theta_2, a.sin_theta_2); seen != Status::ok) status = seen;
+        if (const Status seen = theta_3_(t, low, a.cos_theta_3, a.sin_theta_3); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none, none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+        numbers[1] = values.y;
+        numbers[2] = values.w_;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 3, outputs = 3;
+        static constexpr std::array<resonform::kernel::Term<3>, 96> terms{{
+            {0, resonform::kernel::Wave::cosine, {0, 0, 1}},
+            {0, resonform::kernel::Wave::sine, {0, 0, 1}},
+            {0, resonform::kernel::Wave::cosine, {0, 0, 3}},
+            {0, resonform::kernel::Wave::sine, {0, 0, 3}},
+            {0, resonform::kernel::Wave::cosine, {0, 1, -2}},
+            {0, resonform::kernel::Wave::sine, {0, 1, -2}},
+            {0, resonform::kernel::Wave::cosine, {0, 1, 0}},
+            {0, resonform::kernel::Wave::sine, {0, 1, 0}},
+            {0, resonform::kernel::Wave::cosine, {0, 1, 2}},
+            {0, resonform::kernel::Wave::sine, {0, 1, 2}},
+            {0, resonform::kernel::Wave::cosine, {0, 2, -1}},
+            {0, resonform::kernel::Wave::sine, {0, 2, -1}},
+            {0, resonform::kernel::Wave::cosine, {0, 2, 1}},
+            {0, resonform::kernel::Wave::sine, {0, 2, 1}},
+            {0, resonform::kernel::Wave::cosine, {0, 3, 0}},
+            {0, resonform::kernel::Wave::sine, {0, 3, 0}},
+            {0, resonform::kernel::Wave::cosine, {1, -2, 0}},
+            {0, resonform::kernel::Wave::sine, {1, -2, 0}},
+            {0, resonform::kernel::Wave::cosine, {1, 0, -2}},
+            {0, resonform::kernel::Wave::sine, {1, 0, -2}},
+            {0, resonform::kernel::Wave::cosine, {1, 0, 0}},
+            {0, resonform::kernel::Wave::sine, {1, 0, 0}},
+            {0, resonform::kernel::Wave::cosine, {1, 0, 2}},
+            {0, resonform::kernel::Wave::sine, {1, 0, 2}},
+            {0, resonform::kernel::Wave::cosine, {1, 2, 0}},
+            {0, resonform::kernel::Wave::sine, {1, 2, 0}},
+            {0, resonform::kernel::Wave::cosine, {2, -1, 0}},
+            {0, resonform::kernel::Wave::sine, {2, -1, 0}},
+            {0, resonform::kernel::Wave::cosine, {2, 0, -1}},
+            {0, resonform::kernel::Wave::sine, {2, 0, -1}},
+            {0, resonform::kernel::Wave::cosine, {2, 0, 1}},
+            {0, resonform::kernel::Wave::sine, {2, 0, 1}},
+            {0, resonform::kernel::Wave::cosine, {2, 1, 0}},
+            {0, resonform::kernel::Wave::sine, {2, 1, 0}},
+            {0, resonform::kernel::Wave::cosine, {3, 0, 0}},
+            {0, resonform::kernel::Wave::sine, {3, 0, 0}},
+            {1, resonform::kernel::Wave::cosine, {0, 0, 1}},
+            {1, resonform::kernel::Wave::sine, {0, 0, 1}},
+            {1, resonform::kernel::Wave::cosine, {0, 0, 3}},
+            {1, resonform::kernel::Wave::sine, {0, 0, 3}},
+            {1, resonform::kernel::Wave::cosine, {0, 2, -1}},
+            {1, resonform::kernel::Wave::sine, {0, 2, -1}},
+            {1, resonform::kernel::Wave::cosine, {0, 2, 1}},
+            {1, resonform::kernel::Wave::sine, {0, 2, 1}},
+            {1, resonform::kernel::Wave::cosine, {1, -2, 0}},
+            {1, resonform::kernel::Wave::sine, {1, -2, 0}},
+            {1, resonform::kernel::Wave::cosine, {1, 0, -2}},
+            {1, resonform::kernel::Wave::sine, {1, 0, -2}},
+            {1, resonform::kernel::Wave::cosine, {1, 0, 0}},
+            {1, resonform::kernel::Wave::sine, {1, 0, 0}},
+            {1, resonform::kernel::Wave::cosine, {1, 0, 2}},
+            {1, resonform::kernel::Wave::sine, {1, 0, 2}},
+            {1, resonform::kernel::Wave::cosine, {1, 2, 0}},
+            {1, resonform::kernel::Wave::sine, {1, 2, 0}},
+            {1, resonform::kernel::Wave::cosine, {2, 0, -1}},
+            {1, resonform::kernel::Wave::sine, {2, 0, -1}},
+            {1, resonform::kernel::Wave::cosine, {2, 0, 1}},
+            {1, resonform::kernel::Wave::sine, {2, 0, 1}},
+            {1, resonform::kernel::Wave::cosine, {3, 0, 0}},
+            {1, resonform::kernel::Wave::sine, {3, 0, 0}},
+            {2, resonform::kernel::Wave::cosine, {0, 0, 1}},
+            {2, resonform::kernel::Wave::sine, {0, 0, 1}},
+            {2, resonform::kernel::Wave::cosine, {0, 0, 3}},
+            {2, resonform::kernel::Wave::sine, {0, 0, 3}},
+            {2, resonform::kernel::Wave::cosine, {0, 1, -2}},
+            {2, resonform::kernel::Wave::sine, {0, 1, -2}},
+            {2, resonform::kernel::Wave::cosine, {0, 1, 0}},
+            {2, resonform::kernel::Wave::sine, {0, 1, 0}},
+            {2, resonform::kernel::Wave::cosine, {0, 1, 2}},
+            {2, resonform::kernel::Wave::sine, {0, 1, 2}},
+            {2, resonform::kernel::Wave::cosine, {0, 2, -1}},
+            {2, resonform::kernel::Wave::sine, {0, 2, -1}},
+            {2, resonform::kernel::Wave::cosine, {0, 2, 1}},
+            {2, resonform::kernel::Wave::sine, {0, 2, 1}},
+            {2, resonform::kernel::Wave::cosine, {0, 3, 0}},
+            {2, resonform::kernel::Wave::sine, {0, 3, 0}},
+            {2, resonform::kernel::Wave::cosine, {1, -2, 0}},
+            {2, resonform::kernel::Wave::sine, {1, -2, 0}},
+            {2, resonform::kernel::Wave::cosine, {1, 0, -2}},
+            {2, resonform::kernel::Wave::sine, {1, 0, -2}},
+            {2, resonform::kernel::Wave::cosine, {1, 0, 0}},
+            {2, resonform::kernel::Wave::sine, {1, 0, 0}},
+            {2, resonform::kernel::Wave::cosine, {1, 0, 2}},
+            {2, resonform::kernel::Wave::sine, {1, 0, 2}},
+            {2, resonform::kernel::Wave::cosine, {1, 2, 0}},
+            {2, resonform::kernel::Wave::sine, {1, 2, 0}},
+            {2, resonform::kernel::Wave::cosine, {2, -1, 0}},
+            {2, resonform::kernel::Wave::sine, {2, -1, 0}},
+            {2, resonform::kernel::Wave::cosine, {2, 0, -1}},
+            {2, resonform::kernel::Wave::sine, {2, 0, -1}},
+            {2, resonform::kernel::Wave::cosine, {2, 0, 1}},
+            {2, resonform::kernel::Wave::sine, {2, 0, 1}},
+            {2, resonform::kernel::Wave::cosine, {2, 1, 0}},
+            {2, resonform::kernel::Wave::sine, {2, 1, 0}},
+            {2, resonform::kernel::Wave::cosine, {3, 0, 0}},
+            {2, resonform::kernel::Wave::sine, {3, 0, 0}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 96> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 3> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_1, c.c_1, c.c_1};
+            }
+            std::array<Wide, 3> operator()(const Wide& T) const {
+                return {theta_1_rate(c, T), theta_2_rate(c, T), theta_3_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -1012,6 +1752,9 @@ private:
         if (!finite(start.w_0)) return {Status::bad_argument, "w_0"};
         if (!finite(start.w_dot_0)) return {Status::bad_argument, "w_dot_0"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
             return lost;
         Real reach = end; // less where the domain ends before
@@ -1041,6 +1784,10 @@ private:
     resonform::Phase<Real> theta_1_;
     resonform::Phase<Real> theta_2_;
     resonform::Phase<Real> theta_3_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

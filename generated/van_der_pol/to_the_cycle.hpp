@@ -36,10 +36,12 @@
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::generated::van_der_pol::to_the_cycle {
 
@@ -48,6 +50,7 @@ using namespace resonform::math; // elementary functions of every real type
 template <class Real = double> class Evaluator {
 public:
     using Status = resonform::Status;
+    using BatchReport = resonform::BatchReport;
 
     // Parameters that are not fixed.
     struct Parameters {
@@ -97,24 +100,24 @@ public:
     }
 
     // Anything but ok and low_precision: the values are not numbers.
-    Status operator()(const Real& t, Values& values) const noexcept {
-        Arguments a;
-        const Status prepared = prepare(t, a);
-        const bool answers = prepared == Status::ok || prepared == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : prepared;
-        if (status == Status::ok) return prepared;
-        const Real none = resonform::math::not_a_number<Real>();
-        values = {none};
-        return status;
+    Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    BatchReport batch(const Real* t, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::batch(*this, t, n, std::array{x}, status);
     }
 
-    // The same for `count` times; every array has that many elements.
-    void batch(const Real* t, std::size_t count, Real* x, Status* status) const noexcept {
-        for (std::size_t i = 0; i < count; ++i) {
-            Values values;
-            status[i] = (*this)(t[i], values);
-            x[i] = values.x;
-        }
+    // The same at the exact times t0 + i dt; dt of any sign.
+    BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x}, status);
+    }
+
+    // Builds now what the first call for many points would build: later calls allocate nothing.
+    Status prepare() const noexcept {
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 private:
@@ -142,6 +145,18 @@ private:
         Number c_17{};
         Number c_18{};
         Number c_19{};
+        Number c_20{};
+        Number c_21{};
+        Number c_22{};
+        Number c_23{};
+        Number c_24{};
+        Number c_25{};
+        Number c_26{};
+        Number c_27{};
+        Number c_28{};
+        Number c_29{};
+        Number c_30{};
+        Number c_31{};
     };
 
     template <class Number> static void compute_constants(
@@ -170,7 +185,19 @@ private:
         c.c_16 = Number(1) / Number(16);
         c.c_17 = Number(5) / Number(384);
         c.c_18 = Number(5) / Number(192);
-        c.c_19 = Number(5) / Number(16) * c.eps;
+        c.c_19 = Number(5) / Number(1024) * k_1;
+        c.c_20 = Number(5) / Number(512) * k_1;
+        c.c_21 = Number(1) / Number(64) * k_1;
+        c.c_22 = c.c_14 * c.eps;
+        c.c_23 = Number(5) / Number(2048) * k_1;
+        c.c_24 = Number(3) / Number(64) * c.eps;
+        c.c_25 = Number(15) / Number(2048) * k_1;
+        c.c_26 = Number(3) / Number(64) * k_1;
+        c.c_27 = Number(1) / Number(64) * c.eps;
+        c.c_28 = Number(5) / Number(6144) * k_1;
+        c.c_29 = Number(25) / Number(3072) * k_1;
+        c.c_30 = Number(25) / Number(6144) * k_1;
+        c.c_31 = Number(5) / Number(16) * c.eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -259,7 +286,7 @@ private:
         const Number u_x = flow[0];
         const Number v_x = flow[1];
         const Number q_1 = hypot(u_x, v_x);
-        return {Number(Number(1) - c.c_19 * (q_1 * q_1))};
+        return {Number(Number(1) - c.c_31 * (q_1 * q_1))};
     }
 
     // dtheta/dT
@@ -290,6 +317,27 @@ private:
         return finite(values.x) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 6> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
+        const Number u_x = tables[0];
+        const Number q_1 = u_x * u_x;
+        const Number v_x = tables[1];
+        const Number q_2 = v_x * v_x;
+        const Number q_3 = u_x * (c.c_19 * q_1 + c.c_20 * q_2 - c.c_21);
+        const Number q_4 = c.c_22 * v_x;
+        const Number q_5 = c.c_19 * q_2;
+        const Number q_6 = q_2 * (q_5 - c.c_21);
+        const Number q_7 = u_x * (u_x * (q_3 + q_4) + q_6 + c.c_1) + v_x * (c.c_22 * q_2 - c.c_10);
+        const Number q_8 = v_x * (q_6 + u_x * (q_3 - q_4) + c.c_1) + u_x * (c.c_10 - c.c_22 * q_1);
+        const Number q_9 = c.c_24 * v_x;
+        const Number q_10 = u_x * (u_x * (c.c_23 * q_1 - q_5 - c.c_21) - q_9) + q_2 * (c.c_26 - c.c_25 * q_2);
+        const Number q_11 = u_x * (u_x * (q_5 + c.c_25 * q_1 - c.c_26) - q_9) + q_2 * (c.c_21 - c.c_23 * q_2);
+        const Number q_12 = c.c_29 * q_2;
+        const Number q_13 = q_2 * q_2;
+        return {Number(Number(2) * q_7), Number(-Number(2) * q_8), Number(Number(2) * (u_x * q_10 + c.c_27 * (q_2 * v_x))), Number(-Number(2) * (v_x * q_11 + c.c_27 * (q_1 * u_x))), Number(Number(2) * u_x * (q_1 * (q_12 - c.c_28 * q_1) - c.c_30 * q_13)), Number(-Number(2) * v_x * (q_1 * (q_12 - c.c_30 * q_1) - c.c_28 * q_13))};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = typename resonform::Phase<Real>::Wide;
@@ -298,15 +346,72 @@ private:
         return tables_0_(T);
     }
 
-    // What the call needs beside the constants.
-    Status prepare(const Real& t, Arguments& a) const noexcept {
+    // The arguments at t + low.
+    Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
         Status status = Status::ok;
-        if (const Status seen = theta_(t, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
+        if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
         return status;
     }
+
+    friend struct resonform::Points;
+    friend struct resonform::Tabulated;
+
+    Status at(const Real& t, const Real& low, Values& values) const noexcept {
+        Arguments a;
+        const Status located = locate(t, low, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c_, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none};
+        return status;
+    }
+
+    static void list(const Values& values, Real* numbers) noexcept {
+        numbers[0] = values.x;
+    }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, outputs = 1;
+        static constexpr std::array<resonform::kernel::Term<1>, 6> terms{{
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::sine, {1}},
+            {0, resonform::kernel::Wave::cosine, {3}},
+            {0, resonform::kernel::Wave::sine, {3}},
+            {0, resonform::kernel::Wave::cosine, {5}},
+            {0, resonform::kernel::Wave::sine, {5}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 6> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                compute_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_11};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {theta_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
                      const Real& end) {
@@ -317,6 +422,9 @@ private:
         if (!within(start.amplitude_x, 0x1p386)) return {Status::overflow, "amplitude_x"};
         if (!within(start.phase_x, 0x1p386)) return {Status::overflow, "phase_x"};
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         compute_constants(eps, parameters, start, c_);
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
@@ -346,6 +454,10 @@ private:
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

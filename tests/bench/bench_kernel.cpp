@@ -81,7 +81,7 @@ template <class Scene> void rows(const char* name, double eps) {
     };
     const auto timed = [&](std::size_t n, bool sorted, double* const* to) {
         return least(n, end, sorted,
-                     [&](const std::vector<double>& t) { batch(w, t.data(), n, to, nullptr); });
+                     [&](const std::vector<double>& t) { batch(w, t.data(), n, to, nullptr, nullptr); });
     };
     print("sincos, 10^6; blocks of 4096 below", million, million);
     print("sincos, 4096", block, block);
@@ -102,7 +102,7 @@ template <class Scene> void rows(const char* name, double eps) {
     });
     const double dt = end / 1000000;
     const double in_grid = least(1000000, end, true, [&](const std::vector<double>& t) {
-        grid(w, t[0] * 1e-3, dt * 0.999, t.size(), all, nullptr);
+        grid(w, t[0] * 1e-3, dt * 0.999, t.size(), all, nullptr, nullptr);
     });
     std::printf("  %-42s %8.2f ns %7.2f x one read, three writes (%.2f ns)\n", "grid, 10^6", in_grid,
                 in_grid / copy, copy);

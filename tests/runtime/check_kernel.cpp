@@ -66,7 +66,7 @@ template <template <class> class Scene> void agrees(double eps) {
     const Exact<Scene> exact(eps);
     const auto t = times_of(w, 700);
     Outputs out(Scene<double>::outputs, t.size());
-    const BatchReport report = kernel::loops().batch(w, t.data(), t.size(), out.to.data(), nullptr);
+    const BatchReport report = kernel::loops().batch(w, t.data(), t.size(), out.to.data(), nullptr, nullptr);
     EXPECT_EQ(report.count, 0U);
     EXPECT_EQ(report.first, t.size());
     double most = 0;
@@ -78,7 +78,7 @@ template <template <class> class Scene> void agrees(double eps) {
     std::vector<double> sorted = t;
     std::sort(sorted.begin(), sorted.end());
     Outputs again(Scene<double>::outputs, t.size());
-    kernel::loops().batch(w, sorted.data(), t.size(), again.to.data(), nullptr);
+    kernel::loops().batch(w, sorted.data(), t.size(), again.to.data(), nullptr, nullptr);
     for (std::size_t i = 0; i < t.size(); ++i) {
         const auto at =
             static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), t[i]) - sorted.begin());
@@ -98,7 +98,7 @@ template <template <class> class Scene> void grid_agrees(double eps, double t0, 
     const Exact<Scene> exact(eps);
     Outputs out(Scene<double>::outputs, n);
     std::vector<Status> status(n, Status::no_memory);
-    const auto report = kernel::loops().grid(tables.view(), t0, dt, n, out.to.data(), status.data());
+    const auto report = kernel::loops().grid(tables.view(), t0, dt, n, out.to.data(), status.data(), nullptr);
     std::size_t bad = 0;
     for (std::size_t i = 0; i < n; i += 1 + (n > 1000 ? n / 701 : 0)) {
         const Fifty t = Fifty(t0) + Fifty(dt) * Fifty(i);
@@ -162,7 +162,7 @@ TEST_P(Kernel, SaysWhatItCannotAnswer) {
             Outputs out(3, n), all(3, n);
             std::vector<Status> status(n);
             const auto report =
-                kernel::loops().batch(tables.view(), t.data(), n, out.to.data(), status.data());
+                kernel::loops().batch(tables.view(), t.data(), n, out.to.data(), status.data(), nullptr);
             EXPECT_EQ(report.worst, Status::bad_argument);
             EXPECT_EQ(report.count, 4U);
             EXPECT_EQ(report.first, 5U);
@@ -175,12 +175,15 @@ TEST_P(Kernel, SaysWhatItCannotAnswer) {
             }
             // a null output is not computed, the others keep their bits; nothing at all is allowed, too
             std::array<double*, 3> some{nullptr, all.to[1], nullptr}, nothing{};
-            kernel::loops().batch(tables.view(), t.data(), n, some.data(), nullptr);
+            kernel::loops().batch(tables.view(), t.data(), n, some.data(), nullptr, nullptr);
             for (std::size_t i = 0; i < n; ++i)
                 EXPECT_TRUE(status[i] != Status::ok || same_bits(all.values[1][i], out.values[1][i]));
-            EXPECT_EQ(kernel::loops().batch(tables.view(), t.data(), n, nothing.data(), nullptr).count, 4U);
+            EXPECT_EQ(
+                kernel::loops().batch(tables.view(), t.data(), n, nothing.data(), nullptr, nullptr).count,
+                4U);
         }
-    const auto empty = kernel::loops().batch(tables.view(), nullptr, 0, Outputs(3, 1).to.data(), nullptr);
+    const auto empty =
+        kernel::loops().batch(tables.view(), nullptr, 0, Outputs(3, 1).to.data(), nullptr, nullptr);
     EXPECT_EQ(empty.worst, Status::ok);
     EXPECT_EQ(empty.count + empty.first, 0U);
 }

@@ -2,7 +2,7 @@
 // Scenes for the evaluator kernel in any real type, and their values by the formula.
 #pragma once
 
-#include "runtime/kernel/scene.hpp"
+#include "runtime/kernel/tables.hpp"
 #include "runtime/table.hpp"
 #include "runtime/twice.hpp"
 
@@ -17,6 +17,13 @@ namespace resonform::test {
 using kernel::Term;
 using kernel::Wave;
 using Fifty = boost::multiprecision::cpp_bin_float_50;
+
+// The phases of a scene in one type of number.
+template <class Wide, class Scene> struct PhasesOf {
+    const Scene& scene;
+    std::array<Wide, Scene::phases> start;
+    std::array<Wide, Scene::phases> operator()(const Wide& T) const { return scene.rate(T); }
+};
 
 // The pendulum at order 3, as emitted into generated/almost_holonomic_pendulum/third_order.hpp.
 template <class Real> struct Pendulum {
@@ -34,11 +41,12 @@ template <class Real> struct Pendulum {
                                                     {2, Wave::sine, {1}},
                                                     {2, Wave::sine, {2}}}};
     Real eps, end;
-    std::array<double, 3> scale;
-    std::array<Twice<double>, 1> start{};
+    double reach;                // in t
+    std::array<double, 3> scale; // what errors are judged by
     PrimitiveTable<Real, 1> drift{};
 
-    explicit Pendulum(double e, double last = 1) : eps(e), end(last), scale{e, 2, 2.5} {
+    explicit Pendulum(double e, double last = 1)
+        : eps(e), end(last), reach(kernel::last_time(e, last)), scale{e, 2, 2.5} {
         Real reach = end;
         drift.build(
             [](const Real& T) {
@@ -80,13 +88,14 @@ template <class Real> struct Pendulum {
                 e2 * m38,
                 -e3 * T * m12 / Real(8)};
     }
-    template <class Wide> std::array<Wide, 1> rates(const Wide& T) const {
+    template <class Wide> std::array<Wide, 1> rate(const Wide& T) const {
         const Powers<Wide> p(T);
         const Wide e(eps);
         return {(p.half * p.quarter * p.per -
                  e * e * (T * T * p.quarter * p.per * p.per / Wide(32) + p.half * p.per / Wide(16))) /
                 e};
     }
+    template <class Wide> PhasesOf<Wide, Pendulum> rates() const { return {*this, {}}; }
 };
 
 // Two phases with 20 rows, three with 31: amplitudes fall with the size of the harmonic.
@@ -111,12 +120,10 @@ template <class Real, std::size_t Phases> struct Many {
         return result;
     }();
     Real eps, end;
+    double reach;
     std::array<double, 3> scale{1, 1, 1};
-    std::array<Twice<double>, Phases> start{};
 
-    explicit Many(double e, double last = 1) : eps(e), end(last) {
-        for (std::size_t p = 0; p < Phases; ++p) start[p] = Twice<double>(0.25 * static_cast<double>(p));
-    }
+    explicit Many(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
     std::array<Real, count> amplitudes(const Real& T) const {
         std::array<Real, count> result;
         for (std::size_t r = 0; r < count; ++r) {
@@ -128,7 +135,12 @@ template <class Real, std::size_t Phases> struct Many {
         }
         return result;
     }
-    template <class Wide> std::array<Wide, Phases> rates(const Wide& T) const {
+    template <class Wide> PhasesOf<Wide, Many> rates() const {
+        PhasesOf<Wide, Many> result{*this, {}};
+        for (std::size_t p = 0; p < Phases; ++p) result.start[p] = Wide(static_cast<int>(p)) / Wide(4);
+        return result;
+    }
+    template <class Wide> std::array<Wide, Phases> rate(const Wide& T) const {
         std::array<Wide, Phases> result;
         for (std::size_t p = 0; p < Phases; ++p)
             result[p] = (Wide(1) + Wide(static_cast<int>(p)) / Wide(3) + T / (Wide(5) + T)) / Wide(eps);
@@ -141,11 +153,12 @@ template <class Real> struct Mean {
     static constexpr std::size_t phases = 0, outputs = 1;
     static constexpr std::array<Term<0>, 1> terms{{{0, Wave::one, {}}}};
     Real eps, end;
+    double reach;
     std::array<double, 1> scale{1};
-    std::array<Twice<double>, 0> start{};
-    explicit Mean(double e, double last = 1) : eps(e), end(last) {}
+    explicit Mean(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
     std::array<Real, 1> amplitudes(const Real& T) const { return {Real(1) / (Real(1) + T * T)}; }
-    template <class Wide> std::array<Wide, 0> rates(const Wide&) const { return {}; }
+    template <class Wide> PhasesOf<Wide, Mean> rates() const { return {*this, {}}; }
+    template <class Wide> std::array<Wide, 0> rate(const Wide&) const { return {}; }
 };
 
 // The outputs by the formula in 50 digits.
@@ -154,7 +167,7 @@ public:
     explicit Exact(double eps, double last = 1) : scene_(eps, last) {
         Fifty end(last);
         if constexpr (Scene<Fifty>::phases > 0)
-            theta_.build([this](const Fifty& T) { return scene_.template rates<Fifty>(T); }, end);
+            theta_.build([this](const Fifty& T) { return scene_.rate(T); }, end);
     }
     std::array<Fifty, Scene<Fifty>::outputs> operator()(const Fifty& t) const {
         const Fifty T = t * scene_.eps;
@@ -163,7 +176,7 @@ public:
         if constexpr (Scene<Fifty>::phases > 0) {
             theta = theta_(T);
             for (std::size_t p = 0; p < theta.size(); ++p)
-                theta[p] += Fifty(scene_.start[p].high) + Fifty(scene_.start[p].low);
+                theta[p] += scene_.template rates<Fifty>().start[p];
         }
         std::array<Fifty, Scene<Fifty>::outputs> result{};
         for (std::size_t r = 0; r < a.size(); ++r) {

@@ -17,11 +17,10 @@ std::string elements(const std::string& array, std::size_t count) {
     return "{" + text + "}";
 }
 
-std::string stores(const std::vector<CppResult>& results, const std::string& target,
-                   const std::string& suffix) {
+std::string stores(const std::vector<CppResult>& results, const std::string& target) {
     std::string text;
     for (std::size_t k = 0; k < results.size(); ++k)
-        text += fmt::format("    {}[{}]{} = values.{};\n", target, k, suffix, results[k].name);
+        text += fmt::format("    {}[{}] = values.{};\n", target, k, results[k].name);
     return text;
 }
 
@@ -29,15 +28,17 @@ std::string stores(const std::vector<CppResult>& results, const std::string& tar
 
 std::string cpp_c_interface(const Program& program, const std::string& evaluator) {
     const CppPlan plan(program);
+    std::string arrays;
+    for (std::size_t k = 0; k < plan.outputs.size(); ++k) arrays += fmt::format("outputs[{}], ", k);
     std::string text =
         "\n" + filled(frames::library, {{"Evaluator", evaluator},
                                         {"parameters", elements("parameters", program.parameters.size())},
                                         {"start", elements("start", program.start.size())},
-                                        {"outputs", stores(plan.outputs, "outputs", "")},
-                                        {"outputs_at_i", stores(plan.outputs, "outputs", "[i]")}});
+                                        {"outputs", stores(plan.outputs, "outputs")},
+                                        {"arrays", arrays}});
     if (!plan.state.empty())
         text += "\n" + filled(frames::library_state,
-                              {{"Evaluator", evaluator}, {"state", stores(plan.state, "state", "")}});
+                              {{"Evaluator", evaluator}, {"state", stores(plan.state, "state")}});
     text += "\nextern \"C\" {\n";
     for (const auto& [letter, real] :
          {std::pair("d", "double"), std::pair("l", "long double"), std::pair("q", "resonform::Float128")}) {

@@ -23,18 +23,24 @@ public:
     explicit CppFrame(const CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() const {
-        return aliases() + look_up() + widened() + prepare() + construct() + data_members();
+        return aliases() + look_up() + widened() + locate() + points() + rows() + construct() +
+               data_members();
     }
 
 private:
     std::string aliases() const;
     std::string look_up() const;
     std::string widened() const;
-    std::string prepare() const;
+    std::string locate() const;
+    std::string points() const;
+    std::string rows() const;
+    std::string terms() const;
+    std::string rates() const;
     std::string flow_starts() const;
     std::string flow(std::size_t level) const;
     std::string layers() const;
     std::string arguments() const;
+    std::string kept_arguments() const;
     std::string constants(const std::string& target) const;
     std::string conditions() const;
     std::string construct() const;
@@ -53,9 +59,7 @@ std::string CppFrame::aliases() const {
 
 // Tables are kept in Real; a phase that needs them takes them as they are.
 std::string CppFrame::widened() const {
-    if (std::none_of(plan_.phase_uses_tables.begin(), plan_.phase_uses_tables.end(),
-                     [](bool uses) { return uses; }))
-        return "";
+    if (!plan_.rounded_phases()) return "";
     return filled(frames::widened, {{"size", std::to_string(plan_.columns_before(plan_.levels.size()))}});
 }
 
@@ -74,9 +78,12 @@ std::string CppFrame::look_up() const {
     return text;
 }
 
-std::string CppFrame::prepare() const {
-    std::string text = "    // What the call needs beside the constants.\n"
-                       "    Status prepare(const Real& t, Arguments& a) const noexcept {\n"
+std::string CppFrame::locate() const {
+    const char* low = program_.phases.empty() ? "[[maybe_unused]] const Real& low" : "const Real& low";
+    std::string text = "    // The arguments at t + low.\n"
+                       "    Status locate(const Real& t, " +
+                       std::string(low) +
+                       ", Arguments& a) const noexcept {\n"
                        "        if (cause_.status != Status::ok) return cause_.status;\n";
     if (plan_.levels.empty() && program_.phases.empty())
         return text + "        return interval_.locate(t, a.T);\n    }\n\n";
@@ -87,10 +94,65 @@ std::string CppFrame::prepare() const {
     if (program_.phases.empty()) return text + "        return Status::ok;\n    }\n\n";
     text += "        Status status = Status::ok;\n";
     for (const std::string& name : plan_.phase_names)
-        text += fmt::format("        if (const Status seen = {0}_(t, a.cos_{0}, a.sin_{0}); seen != "
+        text += fmt::format("        if (const Status seen = {0}_(t, low, a.cos_{0}, a.sin_{0}); seen != "
                             "Status::ok) status = seen;\n",
                             name);
     return text + "        return status;\n    }\n\n";
+}
+
+// What Points and Tabulated call.
+std::string CppFrame::points() const {
+    std::string text = "    friend struct resonform::Points;\n";
+    if (!plan_.rows.empty()) text += "    friend struct resonform::Tabulated;\n";
+    const std::vector<std::string> none(plan_.outputs.size(), "none");
+    text += "\n" + filled(frames::call, {{"call", "at"},
+                                         {"Values", "Values"},
+                                         {"compute", "outputs"},
+                                         {"none", fmt::format("{}", fmt::join(none, ", "))}});
+    text += "    static void list(const Values& values, Real* numbers) noexcept {\n";
+    for (std::size_t k = 0; k < plan_.outputs.size(); ++k)
+        text += fmt::format("        numbers[{}] = values.{};\n", k, plan_.outputs[k].name);
+    return text + "    }\n\n";
+}
+
+// "{0, resonform::kernel::Wave::cosine, {1}}," for each row
+std::string CppFrame::terms() const {
+    static constexpr std::array waves{"one", "cosine", "sine"};
+    std::string text;
+    for (const ProgramRow& row : program_.rows)
+        text += fmt::format("            {{{}, resonform::kernel::Wave::{}, {{{}}}}},\n", row.output,
+                            waves[static_cast<std::size_t>(row.wave)], fmt::join(row.turns, ", "));
+    return text;
+}
+
+std::string CppFrame::rates() const {
+    if (program_.phases.empty()) return "";
+    std::vector<std::string> starts, list;
+    for (std::size_t k = 0; k < program_.phases.size(); ++k) {
+        starts.push_back("c." + plan_.members.at(plan_.phase_starts[k]));
+        const std::string tables =
+            plan_.phase_uses_tables[k]
+                ? fmt::format(", widened<Wide>(of.look_up_{}(static_cast<Real>(T)))", plan_.levels.size())
+                : "";
+        list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k], tables));
+    }
+    return filled(frames::rates, {{"phases", std::to_string(program_.phases.size())},
+                                  {"constants", plan_.range.native ? "compute_constants" : "keep_constants"},
+                                  {"starts", fmt::format("{}", fmt::join(starts, ", "))},
+                                  {"rates", fmt::format("{}", fmt::join(list, ", "))}});
+}
+
+std::string CppFrame::rows() const {
+    if (plan_.rows.empty()) return "";
+    return filled(
+        frames::rows,
+        {{"phases", std::to_string(program_.phases.size())},
+         {"outputs", std::to_string(plan_.outputs.size())},
+         {"rows", std::to_string(plan_.rows.size())},
+         {"terms", terms()},
+         {"tables", plan_.levels.empty() ? "" : fmt::format(", of.look_up_{}(T)", plan_.levels.size())},
+         {"rates", rates()},
+         {"rounded", plan_.rounded_phases() ? "true" : "false"}});
 }
 
 // Builds a table as far as it goes; if that is nowhere, the construction returns the failure.
@@ -158,6 +220,14 @@ std::string CppFrame::arguments() const {
     return text;
 }
 
+// For tables that are built later.
+std::string CppFrame::kept_arguments() const {
+    if (plan_.rows.empty()) return "";
+    std::string text = "        eps_ = eps;\n";
+    if (!program_.phases.empty()) text += "        parameters_ = parameters;\n        start_ = start;\n";
+    return text;
+}
+
 // The emitted call that computes the constants; the code before it has checked the arguments.
 std::string CppFrame::constants(const std::string& target) const {
     const std::string call = fmt::format("constants(eps, parameters, start, {})", target);
@@ -187,7 +257,7 @@ std::string CppFrame::construct() const {
     std::string text =
         "    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
         "                     const Real& end) {\n" +
-        arguments() + "        interval_ = Interval(eps, end);\n" + constants("c_");
+        arguments() + "        interval_ = Interval(eps, end);\n" + kept_arguments() + constants("c_");
     text += conditions();
     if (!plan_.levels.empty() || !program_.phases.empty() || !plan_.layers.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
@@ -209,7 +279,7 @@ std::string CppFrame::construct() const {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);
         if (plan_.phase_uses_tables[k])
-            rate = fmt::format("{}_rate(wide, T, widened(look_up_{}(static_cast<Real>(T))))", name,
+            rate = fmt::format("{}_rate(wide, T, widened<Wide>(look_up_{}(static_cast<Real>(T))))", name,
                                plan_.levels.size());
         text += fmt::format(
             "        const auto {}_rates = [&](const Wide& T) {{ return std::array<Wide, 1>{{{}}}; }};\n",
@@ -233,6 +303,11 @@ std::string CppFrame::data_members() const {
     }
     for (const std::string& name : plan_.phase_names)
         text += fmt::format("    resonform::Phase<Real> {}_;\n", name);
+    if (!plan_.rows.empty()) {
+        text += "    Real eps_{};\n";
+        if (!program_.phases.empty()) text += "    Parameters parameters_;\n    Start start_;\n";
+        text += "    resonform::SharedTables shared_;\n";
+    }
     return "    Constants<Real> c_;\n    Interval interval_;\n" + text + "    Cause cause_;\n";
 }
 
@@ -241,7 +316,7 @@ std::string CppFrame::data_members() const {
 std::string cpp_class(const Program& program) {
     CppPlan plan(program);
     return "template <class Real = double> class Evaluator {\npublic:\n    using Status = "
-           "resonform::Status;\n\n" +
+           "resonform::Status;\n    using BatchReport = resonform::BatchReport;\n\n" +
            cpp_interface(plan) + "private:\n" + cpp_stages(plan) + CppFrame(plan).print() + "};\n";
 }
 

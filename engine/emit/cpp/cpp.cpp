@@ -51,8 +51,10 @@ std::string runtime(const Program& program, bool inlined) {
         text += "#include \"runtime/interval.hpp\"\n";
         if (!program.layers.empty()) text += "#include \"runtime/layer.hpp\"\n";
         if (!program.phases.empty()) text += "#include \"runtime/phase.hpp\"\n";
+        if (program.rows.empty()) text += "#include \"runtime/points.hpp\"\n";
         if (CppPlan(program).uses_scaled()) text += "#include \"runtime/scaled.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
+        if (!program.rows.empty()) text += "#include \"runtime/tabulated.hpp\"\n";
         return text + "\n";
     }
     for (const std::string_view part : runtime_texts()) text.append(part) += '\n';
@@ -61,8 +63,9 @@ std::string runtime(const Program& program, bool inlined) {
 
 // Includes, namespace and class.
 std::string body(const Program& program, bool inline_runtime) {
-    std::string text =
-        runtime(program, inline_runtime) + "#include <algorithm>\n#include <array>\n#include <cstddef>\n\n";
+    std::string text = runtime(program, inline_runtime) +
+                       "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include "
+                       "<type_traits>\n\n";
     text += fmt::format("namespace {} {{\n\n", cpp_namespace(program.system, program.scene));
     text += "using namespace resonform::math; // elementary functions of every real type\n\n";
     return text + cpp_class(program) +
@@ -76,7 +79,8 @@ std::string emit_cpp(const Program& program, const CppOptions& options) {
 }
 
 std::string emit_library(const Program& program) {
-    return banner(program) + body(program, false) +
+    const bool tabulated = !program.rows.empty();
+    return banner(program) + (tabulated ? std::string(frames::library_loops) : "") + body(program, false) +
            cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator");
 }
 

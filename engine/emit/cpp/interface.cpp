@@ -34,8 +34,6 @@ private:
     std::string default_start();
     std::string default_slow_time_end();
     std::string calls() const;
-    static std::string call(const std::string& head, const std::string& type, const std::string& function,
-                            const std::vector<CppResult>& list);
     std::string batch() const;
     [[nodiscard]] std::string default_type() const;
     [[nodiscard]] std::string default_text(const CppFunction& function, Value v) const;
@@ -136,30 +134,40 @@ std::string CppInterface::default_slow_time_end() {
            "\n";
 }
 
-std::string CppInterface::call(const std::string& head, const std::string& type, const std::string& function,
-                               const std::vector<CppResult>& list) {
-    const std::vector<std::string> none(list.size(), "none");
-    return filled(frames::call, {{"call", head},
-                                 {"Values", type},
-                                 {"compute", function},
-                                 {"none", fmt::format("{}", fmt::join(none, ", "))}});
-}
-
 std::string CppInterface::batch() const {
-    std::vector<std::string> arrays;
-    std::string stores;
+    std::vector<std::string> arrays, names;
     for (const CppResult& output : plan_.outputs) {
-        arrays.push_back("Real* " + output.name);
-        stores += fmt::format("            {0}[i] = values.{0};\n", output.name);
+        const bool taken = output.name == "n" || output.name == "t0" || output.name == "dt";
+        names.push_back(taken ? output.name + "_" : output.name);
+        arrays.push_back("Real* " + names.back());
     }
-    return filled(frames::batch,
-                  {{"arrays", fmt::format("{}", fmt::join(arrays, ", "))}, {"stores", stores}});
+    const char* prepare = plan_.rows.empty()
+                              ? "        return cause_.status;\n"
+                              : "        if (cause_.status != Status::ok) return cause_.status;\n"
+                                "        if constexpr (std::is_same_v<Real, double>)\n"
+                                "            if (prepare_tables() == Status::no_memory) return "
+                                "Status::no_memory;\n"
+                                "        return Status::ok;\n";
+    return filled(frames::batch, {{"arrays", fmt::format("{}", fmt::join(arrays, ", "))},
+                                  {"names", fmt::format("{}", fmt::join(names, ", "))},
+                                  {"Points", plan_.rows.empty() ? "Points" : "Tabulated"},
+                                  {"prepare", prepare}});
 }
 
 std::string CppInterface::calls() const {
-    std::string text = "    // Anything but ok and low_precision: the values are not numbers.\n";
-    text += call("operator()", "Values", "outputs", plan_.outputs) + batch();
-    return plan_.state.empty() ? text : text + call("state", "State", "states", plan_.state);
+    std::string text = "    // Anything but ok and low_precision: the values are not numbers.\n"
+                       "    Status operator()(const Real& t, Values& values) const noexcept { return at(t, "
+                       "Real(0), values); }\n\n" +
+                       batch();
+    if (plan_.state.empty()) return text;
+    const std::vector<std::string> none(plan_.state.size(), "none");
+    return text +
+           "    Status state(const Real& t, State& values) const noexcept { return state_at(t, Real(0), "
+           "values); }\n" +
+           filled(frames::call, {{"call", "state_at"},
+                                 {"Values", "State"},
+                                 {"compute", "states"},
+                                 {"none", fmt::format("{}", fmt::join(none, ", "))}});
 }
 
 } // namespace

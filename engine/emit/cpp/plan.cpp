@@ -81,6 +81,10 @@ std::string CppPlan::conditions_text() const {
     return text;
 }
 
+bool CppPlan::rounded_phases() const {
+    return std::find(phase_uses_tables.begin(), phase_uses_tables.end(), true) != phase_uses_tables.end();
+}
+
 void CppPlan::lower_results() {
     const auto results = [this](const std::vector<ProgramOutput>& list) {
         CppNames names;
@@ -109,6 +113,7 @@ void CppPlan::lower_results() {
     }
     outputs = results(program->outputs);
     state = results(program->state);
+    for (const ProgramRow& row : program->rows) rows.push_back({&row, code.lower(row.amplitude)});
     for (const ProgramCondition& condition : program->positive) {
         const Value v = code.lower(condition.value);
         (code.at(v).varying ? varying_conditions : constant_conditions).push_back({v, condition.quantity});
@@ -133,6 +138,7 @@ std::vector<Value> CppPlan::roots() const {
         for (const CppCondition& condition : *conditions) all.push_back(condition.value);
     for (const std::vector<CppResult>* results : {&outputs, &state})
         for (const CppResult& result : *results) all.push_back(result.value);
+    for (const CppRow& row : rows) all.push_back(row.amplitude);
     return all;
 }
 
@@ -180,6 +186,7 @@ std::vector<std::string> CppPlan::users() const {
     for (std::size_t k = 0; k < integrands.size(); ++k) name(integrands[k], program->tables[k].name);
     for (std::size_t k = 0; k < flow_rates.size(); ++k)
         for (const Value v : {flow_rates[k], flow_starts[k]}) name(v, program->flow[k].name);
+    for (const CppRow& row : rows) name(row.amplitude, outputs[row.row->output].name);
     for (const std::vector<CppResult>* results : {&state, &outputs})
         for (const CppResult& result : *results) name(result.value, result.name);
     for (std::size_t v = code.size(); v > 0; --v) {

@@ -25,6 +25,11 @@ struct CppResult {
     StraightLine::Value value;
 };
 
+struct CppRow { // of program.rows
+    const ProgramRow* row;
+    StraightLine::Value amplitude;
+};
+
 struct CppCondition { // > 0
     StraightLine::Value value;
     std::string quantity;
@@ -43,6 +48,7 @@ struct CppPlan {
     std::vector<std::string> phase_names;
     std::vector<bool> phase_uses_tables; // or the flow
     std::vector<CppResult> outputs, state;
+    std::vector<CppRow> rows; // empty: many points are computed one by one
     std::vector<CppCondition> constant_conditions, varying_conditions;
     std::vector<CppCondition> layers; // of program.layers
     bool layers_use_flow = false, layers_are_broad = true;
@@ -66,6 +72,8 @@ struct CppPlan {
     [[nodiscard]] std::string conditions_text() const;
     [[nodiscard]] std::string results_text() const { return outputs.size() == 1 ? outputs[0].name : ""; }
     [[nodiscard]] std::size_t columns_before(std::size_t level) const;
+    // A phase is as exact as the tables or the flow in its rate.
+    [[nodiscard]] bool rounded_phases() const;
 
 private:
     void name_inputs();

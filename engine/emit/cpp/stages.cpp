@@ -22,7 +22,7 @@ public:
     std::string print() {
         return constants() + kept_constants() + start_conditions() + flow_rates() + layers() + integrands() +
                phase_rates() + arguments() + evaluation("outputs", "Values", plan_.outputs) +
-               evaluation("states", "State", plan_.state);
+               evaluation("states", "State", plan_.state) + amplitudes();
     }
 
 private:
@@ -37,6 +37,7 @@ private:
     std::string arguments() const;
     std::string evaluation(const std::string& name, const std::string& type,
                            const std::vector<CppResult>& list);
+    std::string amplitudes();
     void know_arguments(CppFunction& function);
     void know_members(CppFunction& function) const;
     void know_tables(CppFunction& function, const std::string& array);
@@ -290,6 +291,40 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
     frame.last.push_back(
         fmt::format("return {} ? Status::ok : Status::overflow;", fmt::join(finite, " && ")));
     return function.print(frame) + "\n";
+}
+
+std::string CppStages::amplitudes() {
+    if (plan_.rows.empty()) return "";
+    CppFunction function(plan_.code, "Number", "q");
+    know_members(function);
+    function.know(plan_.code.lower(program_.slow_time), "T");
+    know_tables(function, "tables");
+    std::vector<Value> roots;
+    for (const CppCondition& condition : plan_.varying_conditions) roots.push_back(condition.value);
+    for (const CppRow& row : plan_.rows) roots.push_back(row.amplitude);
+    function.compute(roots, false);
+    const std::string type = fmt::format("std::array<Number, {}>", plan_.rows.size());
+    std::vector<std::string> conditions, texts;
+    for (const CppCondition& condition : plan_.varying_conditions)
+        conditions.push_back(fmt::format("{} > Number(0)", function.text(condition.value)));
+    for (const CppRow& row : plan_.rows) texts.push_back("Number(" + function.text(row.amplitude) + ")");
+    CppFunction::Frame frame{"template <class Number> static",
+                             type,
+                             "amplitudes",
+                             {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
+                             {},
+                             {}};
+    if (!plan_.levels.empty())
+        frame.parameters.emplace_back(
+            fmt::format("const std::array<Number, {}>&", plan_.columns_before(plan_.levels.size())),
+            "tables");
+    if (!conditions.empty()) {
+        frame.last.push_back(type + " none;");
+        frame.last.emplace_back("none.fill(resonform::math::not_a_number<Number>());");
+        frame.last.push_back(fmt::format("if (!({})) return none;", fmt::join(conditions, " && ")));
+    }
+    frame.last.push_back(fmt::format("return {{{}}};", fmt::join(texts, ", ")));
+    return "    // Of the rows; NaN outside of the domain.\n" + function.print(frame) + "\n";
 }
 
 } // namespace

@@ -65,8 +65,15 @@ private:
     void define_slow_variables();
     void define_phase(Moment& call, Graph::Node start);
     void define_results(Moment& call);
-    Graph::Node lower(const Polynomial& p, Moment& call, const std::string& name, bool oscillating);
+    Graph::Node lower(const Polynomial& p, Moment& call, const std::string& name, bool oscillating,
+                      Amplitudes* rows = nullptr);
+    Graph::Node result(const SolutionOutput& output, Moment& call, bool oscillating,
+                       Amplitudes* rows = nullptr);
+    void define_output(const std::string& name, Moment& call);
     const SolutionOutput& output_of(const std::string& name) const;
+    [[nodiscard]] std::vector<int> no_turns() const {
+        return std::vector<int>(solution_.modes.size(), 0); // one phase for each
+    }
 
     Quadratures quadratures_;
     std::map<GeneratorId, Graph::Node> slow_starts_, slow_values_;
@@ -123,9 +130,10 @@ void ProgramBuilder::define_phase(Moment& call, Graph::Node start) {
 }
 
 Graph::Node ProgramBuilder::lower(const Polynomial& p, Moment& call, const std::string& name,
-                                  bool oscillating) {
-    return by_powers_of_eps(*solution_.ring, solution_.eps, p, name,
-                            [&](const Polynomial& part) { return call.harmonics.value(part, oscillating); });
+                                  bool oscillating, Amplitudes* rows) {
+    return by_powers_of_eps(*solution_.ring, solution_.eps, p, name, [&](const Polynomial& part, int power) {
+        return call.harmonics.value(part, oscillating, rows, power);
+    });
 }
 
 const SolutionOutput& ProgramBuilder::output_of(const std::string& name) const {
@@ -137,21 +145,31 @@ const SolutionOutput& ProgramBuilder::output_of(const std::string& name) const {
     return *found;
 }
 
+Graph::Node ProgramBuilder::result(const SolutionOutput& output, Moment& call, bool oscillating,
+                                   Amplitudes* rows) {
+    const Polynomial all = output.value.total(output.value.through());
+    const auto [rest, table] = quadratures_.extract(all, call, identifier(output.name));
+    if (rows != nullptr) rows->add(no_turns(), 0, table);
+    return program_.graph.add({lower(rest, call, output.name, oscillating, rows), table});
+}
+
+void ProgramBuilder::define_output(const std::string& name, Moment& call) {
+    const bool slow = std::any_of(program_.slow.begin(), program_.slow.end(),
+                                  [&](const ProgramOutput& variable) { return variable.name == name; });
+    Amplitudes amplitudes;
+    if (slow) amplitudes.add(no_turns(), 0, names_.at(name));
+    const Graph::Node value =
+        slow ? names_.at(name)
+             : result(output_of(name), call, scene_.oscillating, options_.rows ? &amplitudes : nullptr);
+    if (options_.rows) amplitudes.append_to(program_, program_.outputs.size());
+    program_.outputs.push_back({name, value});
+}
+
 void ProgramBuilder::define_results(Moment& call) {
-    const auto result = [&](const SolutionOutput& output, bool oscillating) {
-        const Polynomial all = output.value.total(output.value.through());
-        const auto [rest, table] = quadratures_.extract(all, call, identifier(output.name));
-        return program_.graph.add({this->lower(rest, call, output.name, oscillating), table});
-    };
-    for (const std::string& name : scene_.outputs) {
-        const bool slow = std::any_of(program_.slow.begin(), program_.slow.end(),
-                                      [&](const ProgramOutput& variable) { return variable.name == name; });
-        program_.outputs.push_back(
-            {name, slow ? names_.at(name) : result(output_of(name), scene_.oscillating)});
-    }
+    for (const std::string& name : scene_.outputs) define_output(name, call);
     if (options_.keep_state)
         for (const SolutionOutput& state : solution_.state)
-            program_.state.push_back({state.name, result(state, true)});
+            program_.state.push_back({state.name, result(state, call, true)});
     for (const auto& [k, pair] : call.harmonics.multiples()) {
         if (k == 1) continue;
         program_.names.push_back({fmt::format("cos_{}theta", k), pair.first});

@@ -8,9 +8,11 @@
 #include "emit/program/conditioning.hpp"
 #include "emit/program/flow_moment.hpp"
 #include "emit/program/flow_start.hpp"
+#include "emit/program/harmonics.hpp"
 #include "emit/program/layers.hpp"
 #include "emit/program/prune.hpp"
 #include "emit/program/scene_program.hpp"
+#include "solve/flow_harmonics.hpp"
 #include "solve/slow_flow.hpp"
 
 #include <fmt/format.h>
@@ -54,6 +56,7 @@ private:
     void turn();
     void define_results();
     Graph::Node result(const FlowOutput& output, bool oscillating);
+    void append_rows(const FlowOutput& output);
     const FlowOutput& output_of(const std::string& name) const;
 
     [[nodiscard]] static bool moves(const FlowMode& mode) {
@@ -221,9 +224,30 @@ Graph::Node FlowProgram::result(const FlowOutput& output, bool oscillating) {
     if (!oscillating) all = mean_part(field_, flow_, all);
     Graph::Node value =
         by_powers_of_eps(*real_.ring(), real_.eps(), real_(all).re, output.name,
-                         [&](const Polynomial& part) { return call.lowering.polynomial(part); });
+                         [&](const Polynomial& part, int) { return call.lowering.polynomial(part); });
     if (output.drift) value = program_.graph.add({drift_[*output.drift], value});
     return value;
+}
+
+// Of a harmonic A e^{i k.theta} + conjugate: 2 Re A cos k.theta - 2 Im A sin k.theta.
+void FlowProgram::append_rows(const FlowOutput& output) {
+    Graph& graph = program_.graph;
+    FlowMoment call(program_, real_, surroundings_, moving_, false);
+    Amplitudes rows;
+    if (output.drift) rows.add(std::vector<int>(flow_.phases.size(), 0), 0, drift_[*output.drift]);
+    for (const FlowHarmonic& harmonic :
+         flow_harmonics(field_, flow_, output.value.total(output.value.through()))) {
+        const bool mean =
+            std::all_of(harmonic.turns.begin(), harmonic.turns.end(), [](int n) { return n == 0; });
+        if (!mean && !scene_.oscillating) break;
+        const FlowMoment::Unit amplitude = call.value(harmonic.part, 0, mean);
+        if (mean)
+            rows.add(harmonic.turns, 0, amplitude.u);
+        else
+            rows.add(harmonic.turns, 0, graph.multiply({graph.rational(2), amplitude.u}),
+                     graph.multiply({graph.rational(-2), amplitude.v}));
+    }
+    rows.append_to(program_, program_.outputs.size());
 }
 
 const FlowOutput& FlowProgram::output_of(const std::string& name) const {
@@ -240,8 +264,11 @@ const FlowOutput& FlowProgram::output_of(const std::string& name) const {
 void FlowProgram::define_results() {
     for (std::size_t k = 0; k < field_.slow.size(); ++k)
         if (!field_.slow[k].driven) program_.slow.push_back({field_.slow[k].name, moving_.slow[k]});
-    for (const std::string& wanted : scene_.outputs)
-        program_.outputs.push_back({wanted, result(output_of(wanted), scene_.oscillating)});
+    for (const std::string& wanted : scene_.outputs) {
+        const FlowOutput& output = output_of(wanted);
+        if (options_.rows) append_rows(output);
+        program_.outputs.push_back({wanted, result(output, scene_.oscillating)});
+    }
     if (options_.keep_state)
         for (const FlowOutput& state : flow_.state)
             program_.state.push_back({state.name, result(state, true)});

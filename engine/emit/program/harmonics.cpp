@@ -13,6 +13,29 @@ Polynomial harmonic(const Ring& ring, GeneratorId phase, const Polynomial& p, in
     return Polynomial::from_terms(std::move(terms));
 }
 
+void Amplitudes::add(const std::vector<int>& turns, int power, Graph::Node cosine, Graph::Node sine) {
+    parts_[turns][0].emplace_back(power, cosine);
+    if (sine >= 0) parts_[turns][1].emplace_back(power, sine);
+}
+
+void Amplitudes::append_to(Program& program, std::size_t output) const {
+    Graph& graph = program.graph;
+    for (const auto& [turns, waves] : parts_)
+        for (const bool sine : {false, true}) {
+            std::vector<Graph::Node> sum;
+            for (const auto& [power, node] : waves[sine ? 1 : 0])
+                sum.push_back(graph.multiply({graph.power(program.eps, power), node}));
+            const Graph::Node amplitude = graph.add(std::move(sum));
+            if (graph.is_rational(amplitude, 0)) continue;
+            const bool mean = std::all_of(turns.begin(), turns.end(), [](int n) { return n == 0; });
+            program.rows.push_back({output,
+                                    mean   ? ProgramWave::one
+                                    : sine ? ProgramWave::sine
+                                           : ProgramWave::cosine,
+                                    turns, amplitude});
+        }
+}
+
 void Harmonics::set_angle(GeneratorId phase, Graph::Node cosine, Graph::Node sine) {
     phase_ = phase;
     multiples_ = {{1, {cosine, sine}}};
@@ -51,15 +74,20 @@ std::pair<Graph::Node, Graph::Node> Harmonics::multiple(int k) {
     return multiples_.emplace(k, std::pair{cosine, sine}).first->second;
 }
 
-Graph::Node Harmonics::value(const Polynomial& p, bool oscillating) {
+Graph::Node Harmonics::value(const Polynomial& p, bool oscillating, Amplitudes* rows, int power) {
+    const std::vector<int> phases(phase_ ? 1 : 0, 0);
     std::vector<Graph::Node> sum{lowering_->polynomial(part(coefficient(p, 0), false))};
+    if (rows != nullptr) rows->add(phases, power, sum.front());
     const int last = oscillating ? highest(p) : 0;
     for (int k = 1; k <= last; ++k) {
         const Polynomial a = coefficient(p, k);
         if (a.empty()) continue;
         const auto [cosine, sine] = multiple(k);
-        sum.push_back(graph_->multiply({lowering_->polynomial(Rational(2) * part(a, false)), cosine}));
-        sum.push_back(graph_->multiply({lowering_->polynomial(Rational(-2) * part(a, true)), sine}));
+        const Graph::Node of_cosine = lowering_->polynomial(Rational(2) * part(a, false));
+        const Graph::Node of_sine = lowering_->polynomial(Rational(-2) * part(a, true));
+        sum.push_back(graph_->multiply({of_cosine, cosine}));
+        sum.push_back(graph_->multiply({of_sine, sine}));
+        if (rows != nullptr) rows->add({k}, power, of_cosine, of_sine);
     }
     return graph_->add(std::move(sum));
 }

@@ -53,6 +53,15 @@ struct ProgramOutput {
     Graph::Node value;
 };
 
+// A part of an output: its amplitude times 1, cos k.theta or sin k.theta. The output is the sum of its rows.
+enum class ProgramWave { one, cosine, sine };
+struct ProgramRow {
+    std::size_t output = 0; // index into Program::outputs
+    ProgramWave wave = ProgramWave::one;
+    std::vector<int> turns;     // k, one for each phase; the first that is not 0 is positive
+    Graph::Node amplitude = -1; // in slow_time, construction values, the flow and tables
+};
+
 // A quantity that must be > 0, and its name for a reader: "xi", "r^2 - xi^2", a divisor.
 struct ProgramCondition {
     Graph::Node value;
@@ -79,6 +88,7 @@ struct Program {
     std::vector<ProgramPhase> phases;                // one per frequency that the outputs see
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
+    std::vector<ProgramRow> rows;                    // of the outputs, if ProgramOptions::rows
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
     std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first
     std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (layers.hpp); no tables
@@ -95,6 +105,7 @@ struct Program {
 struct ProgramOptions {
     bool fold_fixed = true;  // false: [fix] values become defaults of parameters (stability sweep)
     bool keep_state = false; // true: `state` is filled and its quadratures kept
+    bool rows = false;       // true: `rows` is filled, for evaluators that tabulate them
 };
 
 } // namespace resonform

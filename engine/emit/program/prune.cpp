@@ -35,6 +35,7 @@ std::vector<Graph::Node> results(const Program& program) {
     std::vector<Graph::Node> roots;
     for (const ProgramOutput& output : program.outputs) roots.push_back(output.value);
     for (const ProgramOutput& output : program.state) roots.push_back(output.value);
+    for (const ProgramRow& row : program.rows) roots.push_back(row.amplitude);
     return roots;
 }
 
@@ -65,6 +66,16 @@ std::vector<bool> needed_nodes(const Program& program) {
         }
     }
     return reachable(program.graph, roots);
+}
+
+// A row turns with no phase that goes: the outputs would see it.
+void keep_phases(Program& program, const std::vector<bool>& used) {
+    for (std::size_t p = program.phases.size(); p-- > 0;) {
+        if (is_seen(program.phases[p], used)) continue;
+        const auto place = static_cast<std::ptrdiff_t>(p);
+        program.phases.erase(program.phases.begin() + place);
+        for (ProgramRow& row : program.rows) row.turns.erase(row.turns.begin() + place);
+    }
 }
 
 } // namespace
@@ -103,7 +114,7 @@ void prune(Program& program) {
     const auto is_used = [&](Graph::Node n) { return used[static_cast<std::size_t>(n)]; };
     keep(program.flow, [&](const ProgramFlow& f) { return is_used(f.value); });
     keep(program.tables, [&](const ProgramTable& t) { return is_used(t.value); });
-    keep(program.phases, [&](const ProgramPhase& p) { return is_seen(p, used); });
+    keep_phases(program, used);
     keep(program.start, [&](const ProgramInput& i) { return is_used(i.symbol); });
     keep(program.slow, [&](const ProgramOutput& o) { return is_used(o.value); });
     keep(program.names, [&](const ProgramOutput& o) { return is_used(o.value); });

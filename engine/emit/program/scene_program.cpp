@@ -70,9 +70,10 @@ void SceneProgram::define_parameters() {
 }
 
 // c_0 + eps (c_1 + eps (c_2 + ...)), each c_n named
-Graph::Node SceneProgram::by_powers_of_eps(const Ring& ring, GeneratorId eps, const Polynomial& p,
-                                           const std::string& name,
-                                           const std::function<Graph::Node(const Polynomial&)>& value) {
+Graph::Node
+SceneProgram::by_powers_of_eps(const Ring& ring, GeneratorId eps, const Polynomial& p,
+                               const std::string& name,
+                               const std::function<Graph::Node(const Polynomial&, int power)>& value) {
     Graph& graph = program_.graph;
     std::map<int, Polynomial> parts;
     for (auto& [power, coefficient] : ring.collect(p, {eps}))
@@ -80,7 +81,7 @@ Graph::Node SceneProgram::by_powers_of_eps(const Ring& ring, GeneratorId eps, co
     Graph::Node sum = graph.rational(0);
     int above = 0;
     for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-        const Graph::Node node = value(part->second);
+        const Graph::Node node = value(part->second, part->first);
         program_.names.push_back({fmt::format("{}_{}", identifier(name), part->first), node});
         sum = graph.add({node, graph.multiply({graph.power(program_.eps, above - part->first), sum})});
         above = part->first;

@@ -25,10 +25,10 @@ protected:
 
     // An argument of the evaluator with its default from the scene (0 if it gives none).
     Graph::Node input(const std::string& name, const std::string& meaning, const std::string& canonical);
-    // c_0 + eps (c_1 + eps (c_2 + ...)), each c_n = value(part) named
+    // c_0 + eps (c_1 + eps (c_2 + ...)), each c_n = value(part, n) named
     Graph::Node by_powers_of_eps(const Ring& ring, GeneratorId eps, const Polynomial& p,
                                  const std::string& name,
-                                 const std::function<Graph::Node(const Polynomial&)>& value);
+                                 const std::function<Graph::Node(const Polynomial&, int power)>& value);
 
     const Solution& solution_;
     const Scene& scene_;

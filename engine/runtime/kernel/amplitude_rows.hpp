@@ -32,11 +32,11 @@ public:
     bool resolved = true;
     int deepest = 0;
 
-    // amplitudes(t); scale of each row's output
+    // amplitudes(t), with the output of each row
     template <class Amplitudes>
-    void fit(const Amplitudes& amplitudes, double root, const std::array<double, Rows>& scale, int most) {
-        scale_ = scale;
+    void fit(const Amplitudes& amplitudes, double root, const std::array<unsigned, Rows>& output, int most) {
         most_ = most;
+        output_ = output;
         divide(amplitudes, root, 0, 0, -1);
         if (status == Status::ok) choose();
     }
@@ -85,6 +85,7 @@ public:
     }
 
 private:
+    using Values = std::vector<std::array<Side, nodes>>; // of eight rows each
     struct Panel {
         int level;
         std::size_t index;
@@ -97,7 +98,7 @@ private:
     template <class Amplitudes>
     void divide(const Amplitudes& amplitudes, double root, int level, std::size_t index, double parent) {
         const double width = std::ldexp(root, -level), left = width * static_cast<double>(index);
-        std::array<std::array<Side, nodes>, sides> values{};
+        Values& values = values_;
         for (std::size_t j = 0; j < nodes; ++j) {
             const std::array<double, Rows> at = amplitudes(left + width / 2 * (1 + node<double>(j)));
             for (std::size_t r = 0; r < Rows; ++r) {
@@ -108,6 +109,7 @@ private:
                 values[r / group][j].at[r % group] = at[r];
             }
         }
+        if (level == 0) set_scale(values);
         panels_.push_back({level, index, {}, {}});
         Panel& p = panels_.back();
         for (std::size_t r = 0; r < Rows; ++r) {
@@ -136,6 +138,21 @@ private:
         panels_.pop_back();
         divide(amplitudes, root, level + 1, 2 * index, worst);
         if (status == Status::ok) divide(amplitudes, root, level + 1, 2 * index + 1, worst);
+    }
+
+    // The scale of an output: the largest sum of its amplitudes' sizes at the nodes of the whole interval.
+    void set_scale(const Values& values) {
+        std::array<double, most_outputs> most{};
+        for (std::size_t j = 0; j < nodes; ++j) {
+            std::array<double, most_outputs> sum{};
+            for (std::size_t r = 0; r < Rows; ++r)
+                sum[output_[r]] += std::abs(values[r / group][j].at[r % group]);
+            for (std::size_t o = 0; o < most_outputs; ++o) most[o] = std::max(most[o], sum[o]);
+        }
+        for (std::size_t r = 0; r < Rows; ++r) {
+            scale_[r] = most[output_[r]];
+            if (!(scale_[r] < 1e300)) status = Status::overflow; // and so might the sums in the loops
+        }
     }
 
     void choose() {
@@ -189,8 +206,10 @@ private:
         return size;
     }
 
+    Values values_ = Values(sides); // at the nodes of one panel
     std::vector<Side> base_;
-    std::array<double, Rows> scale_{};
+    std::array<double, Rows> scale_{}; // of each row's output
+    std::array<unsigned, Rows> output_{};
     int most_ = 0;
     std::vector<Panel> panels_;
 };

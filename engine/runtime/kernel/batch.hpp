@@ -56,7 +56,7 @@ template <bool Low>
             block<lanes, 1, Low>(w, piece, t + first + from, low_at(first + from), wanted, to, first + from);
             continue;
         }
-        double times[lanes], lows[lanes], values[most_outputs][lanes];
+        double times[lanes], lows[lanes] = {}, values[most_outputs][lanes];
         double* into[most_outputs];
         for (std::size_t j = 0; j < one; ++j) times[j] = t[first + (j < n ? j : 0)];
         if constexpr (Low)
@@ -106,7 +106,7 @@ inline void shuffled(const View& w, const double* t, const double* low, std::siz
     constexpr unsigned columns = 4; // outputs at once
     unsigned short key[chunk], place[chunk];
     unsigned count[buckets + 1] = {};
-    double times[chunk], lows[Low ? chunk : 1], values[columns][chunk];
+    double times[chunk], lows[Low ? chunk : 1] = {}, values[columns][chunk];
     int shift = 0;
     while ((w.last >> shift) >= buckets) ++shift;
     for (std::size_t i = 0; i < n; ++i) {
@@ -147,21 +147,11 @@ inline void shuffled(const View& w, const double* t, const double* low, std::siz
 
 inline Status status_of(const View& w, double t) {
     if (!(t - t == 0)) return Status::bad_argument;
-    if (t < 0 || t > w.end) return Status::outside_interval;
-    if (t > w.reach) return w.beyond;
+    if (t < 0 || t > w.reach) return Status::outside_interval;
     return t > w.precise ? Status::low_precision : Status::ok;
 }
 
 inline bool answers(Status s) { return s == Status::ok || s == Status::low_precision; }
-
-// One more point of a report; those of better times are not even looked at.
-inline void note(BatchReport& report, Status s, std::size_t i) {
-    if (s == Status::ok) return;
-    ++report.count;
-    if (badness(s) <= badness(report.worst)) return;
-    report.worst = s;
-    report.first = i;
-}
 
 // The largest time that is answered with ok.
 inline double highest_ok(const View& w) { return w.precise < w.reach ? w.precise : w.reach; }
@@ -204,17 +194,21 @@ inline void values_at(const View& w, const double* t, const double* low, std::si
         shuffled<Low>(w, t, low, n, wanted, to);
 }
 
-// Status of each of n <= chunk points by `status_at`, and those not answered made NaN.
-template <class StatusAt>
-inline void repair(std::size_t from, std::size_t n, const StatusAt& status_at, const View& w,
-                   const Target& target, Status* status, BatchReport& report) {
+// Points from + i, i < n <= chunk, at t[i], or t[i] + low[i]: those that are not ok are asked of `direct` if
+// there is one; numbers that nobody has are NaN.
+inline void repair(const View& w, const double* t, const double* low, std::size_t from, std::size_t n,
+                   const Target& target, Status* status, const Direct* direct, BatchReport& report) {
     for (std::size_t i = 0; i < n; ++i) {
-        const Status s = status_at(i);
+        Status s = status_of(w, t[i]);
+        double values[most_outputs];
+        const bool asked = s != Status::ok && direct != nullptr;
+        if (asked) s = direct->at(direct->evaluator, t[i], low == nullptr ? 0 : low[i], values);
         if (status != nullptr) status[from + i] = s;
         note(report, s, from + i);
-        if (answers(s)) continue;
+        if (answers(s) && !asked) continue;
         for (unsigned o = 0; o < w.outputs; ++o)
-            if ((target.wanted >> o & 1) != 0) target.to[o][from + i] = __builtin_nan("");
+            if ((target.wanted >> o & 1) != 0)
+                target.to[o][from + i] = answers(s) ? values[o] : __builtin_nan("");
     }
 }
 
@@ -223,7 +217,7 @@ inline void all_fine(Status* status, std::size_t n) {
 }
 
 inline BatchReport batch(const View& w, const double* t, std::size_t n, double* const* outputs,
-                         Status* status) noexcept {
+                         Status* status, const Direct* direct) noexcept {
     BatchReport report{Status::ok, 0, n};
     const Target target(w, outputs);
     for (std::size_t from = 0; from < n; from += chunk) {
@@ -241,8 +235,7 @@ inline BatchReport batch(const View& w, const double* t, std::size_t n, double* 
             kept[i] = last;
         }
         values_at<false>(w, kept, nullptr, size, look(w, kept, size).ascend, here.wanted, here.to);
-        repair(
-            from, size, [&](std::size_t i) { return status_of(w, t[from + i]); }, w, target, status, report);
+        repair(w, t + from, nullptr, from, size, target, status, direct, report);
     }
     return report;
 }

@@ -68,18 +68,17 @@ struct ExactTimes {
 
 // Up to `chunk` points one by one.
 inline void point_by_point(const View& w, const ExactTimes& times, std::size_t from, std::size_t n,
-                           const Target& target, Status* status, BatchReport& report) {
-    double t[chunk], used[chunk], low[chunk];
+                           const Target& target, Status* status, const Direct* direct, BatchReport& report) {
+    double t[chunk], exact_low[chunk], used[chunk], low[chunk];
     double last = 0, last_low = 0;
     bool ok = true;
     for (std::size_t i = 0; i < n; ++i) {
-        double rest = 0;
-        times.at(from + i, t[i], rest);
+        times.at(from + i, t[i], exact_low[i]);
         const Status s = status_of(w, t[i]);
         ok = ok && s == Status::ok;
         if (answers(s)) {
             last = t[i];
-            last_low = rest;
+            last_low = exact_low[i];
         }
         used[i] = last;
         low[i] = last_low;
@@ -88,8 +87,7 @@ inline void point_by_point(const View& w, const ExactTimes& times, std::size_t f
     if (ok)
         all_fine(status == nullptr ? nullptr : status + from, n);
     else
-        repair(
-            from, n, [&](std::size_t i) { return status_of(w, t[i]); }, w, target, status, report);
+        repair(w, t, exact_low, from, n, target, status, direct, report);
 }
 
 // The polynomial of one output in a window at the points u0 + j du.
@@ -131,7 +129,7 @@ struct Window {
 };
 
 inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, double* const* outputs,
-                        Status* status) noexcept {
+                        Status* status, const Direct* direct) noexcept {
     BatchReport report{Status::ok, 0, n};
     const Target target(w, outputs);
     const ExactTimes times{t0, dt};
@@ -174,7 +172,7 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
                 if (!(t >= 0 && t <= highest)) points = chunk / 4;
             }
             if (points > n - i) points = n - i;
-            point_by_point(w, times, i, points, target, status, report);
+            point_by_point(w, times, i, points, target, status, direct, report);
             i += points;
             continue;
         }

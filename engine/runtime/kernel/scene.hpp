@@ -4,11 +4,13 @@
 //   struct Scene {
 //       static constexpr std::size_t phases, outputs;
 //       static constexpr std::array<Term<phases>, R> terms;              // the rows
-//       double eps, end;                                                 // slow time T = eps t up to `end`
-//       std::array<double, outputs> scale;                               // of each output
-//       std::array<Twice<double>, phases> start;                         // theta at t = 0
+//       double eps, reach;                                               // T = eps t, 0 <= t <= reach
 //       std::array<double, R> amplitudes(double T) const;                // of all rows
-//       template <class Wide> std::array<Wide, phases> rates(const Wide& T) const;  // dtheta/dT
+//       template <class Wide> Phases<Wide> rates() const;
+//   };
+//   template <class Wide> struct Phases {
+//       std::array<Wide, phases> start;                                  // theta at t = 0
+//       std::array<Wide, phases> operator()(const Wide& T) const;        // dtheta/dT
 //   };
 #ifndef RESONFORM_RUNTIME_KERNEL_SCENE
 #define RESONFORM_RUNTIME_KERNEL_SCENE

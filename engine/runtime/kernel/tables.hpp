@@ -7,16 +7,15 @@
 #include "runtime/kernel/phase_rows.hpp"
 #include "runtime/kernel/scene.hpp"
 
-#include <memory>
 #include <new>
 
 namespace resonform::kernel {
 
-// x rounded up to 20 bits: multiples up to 2^33 of it are exact.
-inline double round_up(double x) {
+// x rounded to 20 bits, up or down: multiples up to 2^33 of it are exact.
+inline double to_20_bits(double x, bool up) {
     int exponent = 0;
-    const double part = std::frexp(x, &exponent);
-    return std::ldexp(std::ceil(std::ldexp(part, 20)), exponent - 20);
+    const double part = std::ldexp(std::frexp(x, &exponent), 20);
+    return std::ldexp(up ? std::ceil(part) : std::floor(part), exponent - 20);
 }
 
 // The largest t with eps t <= end as the processor multiplies.
@@ -31,21 +30,28 @@ struct Options {
     int levels = 5;        // 2^levels pieces at least
     int most_straight = 9; // beyond, phases are curved within a piece
     double resolution = 0; // relative error of the rates, if it is more than that of their type
-    double end = 0;        // slow time up to which is asked, if the scene ends before; and what is then said
-    Status beyond = Status::ok;
+    bool ends = false;     // the scene must not be asked beyond its reach
 };
 
 class Tables {
 public:
     Tables() = default;
     Tables(const Tables&) = delete;
-    Tables& operator=(const Tables&) = delete;
 
     const View& view() const { return view_; }
-    // no_memory; outside_domain: not resolved by 4096 pieces, or too many harmonics.
+    // For as much of the scene's reach as can be tabulated. no_memory; outside_domain, overflow: for nothing.
     template <class Scene> Status build(const Scene& scene, const Options& options = {}) noexcept {
         try {
-            return construct(scene, options);
+            Status status = options.ends
+                                ? Status::outside_domain
+                                : construct(scene, options, to_20_bits(scene.reach, true), scene.reach);
+            for (const double share : {1.0, 0.984375, 0.875, 0.5}) { // a singularity may stand at its end
+                if (status == Status::ok) break;
+                const double root = to_20_bits(share * scene.reach, false);
+                *this = Tables();
+                status = construct(scene, options, root, root);
+            }
+            return status;
         } catch (const std::bad_alloc&) {
             return Status::no_memory;
         }
@@ -53,48 +59,48 @@ public:
     std::size_t bytes() const { return numbers_.size() * sizeof(double); }
 
 private:
-    template <class Scene> Status construct(const Scene& scene, const Options& options) {
+    Tables& operator=(Tables&&) = default;
+
+    // Pieces of [0, root]; answers up to `reach`.
+    template <class Scene>
+    Status construct(const Scene& scene, const Options& options, double root, double reach) {
         constexpr std::size_t count = Scene::terms.size();
         const double eps = scene.eps;
-        view_ = {};
-        view_.reach = last_time(eps, scene.end * (1 + 0x1p-50));
-        view_.end = options.end > 0 ? last_time(eps, options.end * (1 + 0x1p-50)) : view_.reach;
-        view_.beyond = options.beyond;
-        const double root = round_up(view_.reach);
-        std::array<double, count> scale;
-        for (std::size_t r = 0; r < count; ++r) scale[r] = scene.scale[Scene::terms[r].output];
-        const auto rows = std::make_unique<AmplitudeFit<count>>();
-        rows->fit([&](double t) { return scene.amplitudes(eps * t); }, root, scale, most_levels);
-        if (rows->status != Status::ok) return rows->status;
-        if (!rows->resolved) return Status::outside_domain;
+        view_.reach = reach;
+        std::array<unsigned, count> output;
+        for (std::size_t r = 0; r < count; ++r) output[r] = Scene::terms[r].output;
+        AmplitudeFit<count> rows;
+        rows.fit([&](double t) { return scene.amplitudes(eps * t); }, root, output, most_levels);
+        if (rows.status != Status::ok) return rows.status;
+        if (!rows.resolved) return Status::outside_domain;
         if constexpr (Scene::phases == 0) {
-            const int levels = std::max(options.levels, rows->deepest);
+            const int levels = std::max(options.levels, rows.deepest);
             const double width = std::ldexp(root, -levels);
             set_pieces(levels, width);
-            lay_out<Scene>(*rows, levels);
-            fill(*rows, width);
+            lay_out<Scene>(rows, levels);
+            fill(rows, width);
             return Status::ok;
         } else {
             // Long double is good enough, and much faster, as long as there are not many turns.
             double turns = 0;
-            for (const double rate : scene.template rates<double>(0.5 * scene.end))
-                turns = std::max(turns, std::abs(rate) * scene.end);
+            for (const double rate : scene.template rates<double>()(0.5 * eps * reach))
+                turns = std::max(turns, std::abs(rate) * (eps * reach));
             if (turns < 1500 && math::digits < long double >> 60)
-                return with_phases<long double>(scene, options, *rows, root);
-            return with_phases<Twice<double>>(scene, options, *rows, root);
+                return with_phases<long double>(scene, options, rows, root);
+            return with_phases<Twice<double>>(scene, options, rows, root);
         }
     }
 
     template <class Wide, class Scene, class Rows>
     Status with_phases(const Scene& scene, const Options& options, Rows& rows, double root) {
         const Wide per_quarter = Wide(2) / math::pi<Wide>(), eps(scene.eps), scaled = eps * per_quarter;
+        const auto rates = scene.template rates<Wide>();
         std::array<PhaseFit<Wide>, Scene::phases> fits;
         int levels = std::max(options.levels, rows.deepest), straight = 0;
         bool steep = false;
         for (std::size_t p = 0; p < Scene::phases; ++p) {
-            const Wide start = (Wide(scene.start[p].high) + Wide(scene.start[p].low)) * per_quarter;
-            fits[p].fit([&](const Wide& t) { return Wide(scene.rates(Wide(eps * t))[p] * scaled); }, root,
-                        start);
+            fits[p].fit([&](const Wide& t) { return Wide(rates(Wide(eps * t))[p] * scaled); }, root,
+                        Wide(rates.start[p] * per_quarter));
             if (!fits[p].resolved) return Status::outside_domain;
             levels = std::max(levels, fits[p].deepest());
             straight = std::max(straight, fits[p].straight_at());

@@ -10,32 +10,12 @@
 #ifndef RESONFORM_RUNTIME_KERNEL_VIEW
 #define RESONFORM_RUNTIME_KERNEL_VIEW
 
+#include "runtime/report.hpp"
 #include "runtime/status.hpp"
 
 #include <cstddef>
 
 namespace resonform {
-
-// What a call for many points answers: the worst status, how many are not ok, the first with the worst one
-// (the number of points if all are ok).
-struct BatchReport {
-    Status worst = Status::ok;
-    std::size_t count = 0, first = 0;
-};
-
-// ok < low_precision < outside_interval < outside_domain < overflow < bad_argument < no_memory
-constexpr int badness(Status s) {
-    switch (s) {
-    case Status::ok: return 0;
-    case Status::low_precision: return 1;
-    case Status::outside_interval: return 2;
-    case Status::outside_domain: return 3;
-    case Status::overflow: return 4;
-    case Status::bad_argument: return 5;
-    case Status::no_memory: return 6;
-    }
-    return 6;
-}
 
 namespace kernel {
 
@@ -76,8 +56,7 @@ struct View {
     std::size_t stride = 0;
     int last = 0;                                   // piece
     double per_width = 0, to_local = 0, middle = 0; // v = to_local d - middle; to_local is a power of two
-    double reach = 0, end = 0, precise = 0;         // in t
-    Status beyond = Status::ok;                     // between reach and end
+    double reach = 0, precise = 0;                  // the last times that are answered, that are ok
     unsigned phases = 0, steps = 0, rows = 0, outputs = 0, groups = 0;
     const PhaseRow* phase = nullptr;
     const Step* step = nullptr;
@@ -85,6 +64,12 @@ struct View {
     const Output* output = nullptr;
     const Group* groups_of_rows = nullptr;
     double shortest_period = 0; // of any harmonic, in t
+};
+
+// Who answers for t + low where the tables do not: beyond their reach, or with less than full precision.
+struct Direct {
+    const void* evaluator;
+    Status (*at)(const void* evaluator, double t, double low, double* values) noexcept;
 };
 
 } // namespace kernel

@@ -2,6 +2,7 @@
 #include "verify/evaluate/evaluator.hpp"
 
 #include "emit/cpp/cpp.hpp"
+#include "runtime/batch.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -65,8 +66,10 @@ EvaluatorLibrary::build(const Program& program, const std::filesystem::path& cac
         if (progress)
             progress(fmt::format("compiling the emitted code of {}, order {}", program.scene, program.order));
     };
-    return std::make_shared<const EvaluatorLibrary>(
-        SharedObject::load(emit_library(program), cache, announce));
+    SharedObject object = SharedObject::load(emit_library(program), cache, announce);
+    using Loops = const kernel::Loops& (*)() noexcept;
+    if (const auto take = reinterpret_cast<void (*)(Loops)>(object.symbol("rf_loops"))) take(&kernel::loops);
+    return std::make_shared<const EvaluatorLibrary>(std::move(object));
 }
 
 std::shared_ptr<const EvaluatorLibrary>
@@ -93,7 +96,9 @@ void Evaluator<Real>::compiled(Real eps, const std::vector<Real>& parameters, co
     why_ = find<decltype(why_)>(object, "why", suffix<Real>);
     call_ = find<decltype(call_)>(object, "call", suffix<Real>);
     state_ = find<decltype(state_)>(object, "state", suffix<Real>);
+    prepare_ = find<decltype(prepare_)>(object, "prepare", suffix<Real>);
     batch_ = find<decltype(batch_)>(object, "batch", suffix<Real>);
+    grid_ = find<decltype(grid_)>(object, "grid", suffix<Real>);
     using New = void* (*)(const Real*, const Real*, const Real*, const Real*);
     const New make = find<New>(object, "new", suffix<Real>);
     object_ = {make(&eps, parameters.data(), start.data(), &slow_time_end),
@@ -128,6 +133,16 @@ template <class Real>
 void Evaluator<Real>::batch(const std::vector<Real>& t, const std::vector<Real*>& outputs,
                             std::vector<unsigned char>& status) const {
     batch_(object_.get(), t.data(), static_cast<long>(t.size()), outputs.data(), status.data());
+}
+
+template <class Real>
+void Evaluator<Real>::grid(Real t0, Real dt, const std::vector<Real*>& outputs,
+                           std::vector<unsigned char>& status) const {
+    grid_(object_.get(), &t0, &dt, static_cast<long>(status.size()), outputs.data(), status.data());
+}
+
+template <class Real> void Evaluator<Real>::prepare() const {
+    if (prepare_ != nullptr) prepare_(object_.get());
 }
 
 template class Evaluator<double>;

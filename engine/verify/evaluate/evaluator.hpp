@@ -54,9 +54,13 @@ public:
     [[nodiscard]] const char* why(Status status) const;
     // All states; only if the program kept them.
     Status state(Real t, Real* values) const;
+    // Builds the tables of batch and grid, which their first call would build.
+    void prepare() const;
     // outputs[k][i] at t[i]
     void batch(const std::vector<Real>& t, const std::vector<Real*>& outputs,
                std::vector<unsigned char>& status) const;
+    // outputs[k][i] at t0 + i dt, for as many as there is room for a status. Precondition: it is compiled.
+    void grid(Real t0, Real dt, const std::vector<Real*>& outputs, std::vector<unsigned char>& status) const;
 
 private:
     void compiled(Real eps, const std::vector<Real>& parameters, const std::vector<Real>& start,
@@ -69,7 +73,9 @@ private:
     const char* (*why_)(const void*, int) = nullptr;
     int (*call_)(const void*, const Real*, Real*) = nullptr;
     int (*state_)(const void*, const Real*, Real*) = nullptr;
+    int (*prepare_)(const void*) = nullptr;
     void (*batch_)(const void*, const Real*, long, Real* const*, unsigned char*) = nullptr;
+    void (*grid_)(const void*, const Real*, const Real*, long, Real* const*, unsigned char*) = nullptr;
 };
 
 // "outside_domain: 1 - tau", or the status alone where it has no cause.

@@ -96,26 +96,66 @@ private:
                fmt::format("emitted {}, symbolic {}", to_string(emitted), to_string(exact)));
     }
 
-    void compare(const Points& drawn, const SymbolicPoints& asked, const std::vector<SymbolicPoint>& exact) {
+    // Statuses and values of an evaluator, all times of a start at once or one by one.
+    struct Answers {
+        std::vector<unsigned char> statuses;
+        std::vector<std::vector<Real>> values; // [output][time]
+        [[nodiscard]] Status status(std::size_t i) const { return static_cast<Status>(statuses[i]); }
+    };
+
+    [[nodiscard]] Answers one_by_one(const Evaluator<Real>& emitted, const Points& drawn) const {
+        Answers answers = room_for(drawn);
         std::vector<Real> values(program_.outputs.size());
+        for (std::size_t i = 0; i < drawn.times.size(); ++i) {
+            answers.statuses[i] = static_cast<unsigned char>(emitted.call(drawn.times[i], values.data()));
+            for (std::size_t k = 0; k < values.size(); ++k) answers.values[k][i] = values[k];
+        }
+        return answers;
+    }
+
+    [[nodiscard]] Answers at_once(const Evaluator<Real>& emitted, const Points& drawn) const {
+        Answers answers = room_for(drawn);
+        std::vector<Real*> rows;
+        for (std::vector<Real>& row : answers.values) rows.push_back(row.data());
+        emitted.batch({drawn.times.begin(), drawn.times.end()}, rows, answers.statuses);
+        return answers;
+    }
+
+    [[nodiscard]] Answers room_for(const Points& drawn) const {
+        const std::size_t count = drawn.times.size();
+        return {std::vector<unsigned char>(count),
+                std::vector<std::vector<Real>>(program_.outputs.size(), std::vector<Real>(count))};
+    }
+
+    void compare(const Points& drawn, const SymbolicPoints& asked, const std::vector<SymbolicPoint>& exact) {
         const Evaluator<Real> emitted = emitted_at(drawn);
         std::unique_ptr<SymbolicEvaluator> beside; // for times beside those asked for
+        result_.points += drawn.times.size();
+        result_.compared += compare(one_by_one(emitted, drawn), drawn, asked, exact, beside);
+        if (std::is_same_v<Real, double> && !program_.rows.empty()) // from tables
+            compare(at_once(emitted, drawn), drawn, asked, exact, beside);
+    }
+
+    // How many values are compared.
+    std::size_t compare(const Answers& answers, const Points& drawn, const SymbolicPoints& asked,
+                        const std::vector<SymbolicPoint>& exact, std::unique_ptr<SymbolicEvaluator>& beside) {
+        std::size_t compared = 0;
         for (std::size_t i = 0; i < drawn.times.size(); ++i) {
-            ++result_.points;
             const Real t = drawn.times[i];
-            const Status status = emitted.call(t, values.data());
+            const Status status = answers.status(i);
             if (status != exact[i].status &&
                 !(status == Status::low_precision && exact[i].status == Status::ok)) {
                 if (!at_edge(status, exact[i], asked, t, beside)) disagree(status, exact[i].status, drawn, t);
                 continue;
             }
             if (exact[i].status != Status::ok || status == Status::low_precision) continue;
-            ++result_.compared;
-            for (std::size_t k = 0; k < values.size(); ++k)
-                record(in_ulp<Real>(values[k], exact[i].values[k], exact[i].scales[k]),
+            ++compared;
+            for (std::size_t k = 0; k < answers.values.size(); ++k)
+                record(in_ulp<Real>(answers.values[k][i], exact[i].values[k], exact[i].scales[k]),
                        share(exact[i].phase_parts[k], exact[i].scales[k]), program_.outputs[k].name, drawn, t,
                        "");
         }
+        return compared;
     }
 
     static double share(const Wide& part, const Wide& whole) {

@@ -43,7 +43,7 @@ fs::path engine_folder() { return fs::path(RESONFORM_SOURCE_DIR) / "engine"; }
 std::string runtime_text() {
     std::error_code failed;
     std::vector<fs::path> headers;
-    for (const auto& entry : fs::directory_iterator(engine_folder() / "runtime", failed))
+    for (const auto& entry : fs::recursive_directory_iterator(engine_folder() / "runtime", failed))
         if (entry.path().extension() == ".hpp") headers.push_back(entry.path());
     if (headers.empty())
         refuse(Reason::compiler, {"emitted code is compiled with the engine's runtime headers",
