@@ -2,6 +2,10 @@
 // The amplitudes of all rows on [0, root]: interpolated in panels, rows that do not matter dropped, the
 // others cut in Chebyshev coefficients, eight of about one length side by side, halved on to the pieces, and
 // turned to powers.
+//
+// What matters is measured by the scale of an output, the sum of its amplitudes' sizes: panels are halved
+// until it changes by less than a factor of 4, and where it still does (a drift or a forced oscillation that
+// begins with 0) the panel is weak: what is tabulated there has not all its digits.
 #ifndef RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 #define RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 
@@ -15,6 +19,7 @@
 namespace resonform::kernel {
 
 inline constexpr double negligible = 1.5e-17; // of the scale of an output
+inline constexpr int weak_level = 6;          // of panels that are not halved for their scale any more
 
 template <std::size_t Rows> class AmplitudeFit {
     static constexpr std::size_t sides = (Rows + group - 1) / group;
@@ -59,9 +64,22 @@ public:
                         const std::size_t place = g * group + l;
                         c[j].at[l] = place < kept.size() ? p.at(j, kept[place]) : 0;
                     }
-                descend(c.data(), nodes, g, p.level, p.index, levels, base);
+                descend(c.data(), nodes, g, p, p.level, p.index, levels, base);
             }
         }
+    }
+
+    // The longest run of pieces, [first, end), without weak panels.
+    std::array<std::size_t, 2> strong_pieces(int levels) const {
+        std::array<std::size_t, 2> best{0, 0}, run{0, 0};
+        for (const Panel& p : panels_) {
+            const std::size_t first = p.index << (levels - p.level), end = (p.index + 1)
+                                                                           << (levels - p.level);
+            if (p.weak) continue;
+            run = {run[1] == first ? run[0] : first, end};
+            if (run[1] - run[0] > best[1] - best[0]) best = run;
+        }
+        return best;
     }
 
     // The powers of middle*x of a group in one piece; those beyond the degree of each row are 0.
@@ -92,6 +110,8 @@ private:
         std::array<std::array<Side, sides>, nodes> c;
         std::array<double, Rows>
             base; // of each row its value in the middle, which is not in c: the small rest rounds less
+        std::array<double, most_outputs> scale{}; // of each output, the smallest in the panel
+        bool weak = false;
         double at(std::size_t j, std::size_t row) const { return c[j][row / group].at[row % group]; }
     };
 
@@ -109,9 +129,15 @@ private:
                 values[r / group][j].at[r % group] = at[r];
             }
         }
-        if (level == 0) set_scale(values);
-        panels_.push_back({level, index, {}, {}});
+        panels_.push_back({level, index, {}, {}, {}, false});
         Panel& p = panels_.back();
+        const bool even = set_scale(values, p);
+        if (status != Status::ok) return;
+        if (!even && level >= weak_level) {
+            p.weak = true;
+            deepest = std::max(deepest, level);
+            return;
+        }
         for (std::size_t r = 0; r < Rows; ++r) {
             p.base[r] = values[r / group][nodes / 2].at[r % group];
             for (std::size_t j = 0; j < nodes; ++j) values[r / group][j].at[r % group] -= p.base[r];
@@ -125,9 +151,9 @@ private:
             double most = std::abs(p.base[r]);
             for (std::size_t k = 0; k < nodes; ++k) most = std::max(most, std::abs(p.at(k, r)));
             const double tail = std::max(std::abs(p.at(nodes - 1, r)), std::abs(p.at(nodes - 2, r)));
-            worst = std::max(worst, tail / std::max(2e-16 * most, negligible * scale_[r]));
+            worst = std::max(worst, tail / std::max(2e-16 * most, negligible * p.scale[output_[r]]));
         }
-        if (worst <= 1 || (worst < 1e3 && parent >= 0 && parent < 4 * worst)) {
+        if (even && (worst <= 1 || (worst < 1e3 && parent >= 0 && parent < 4 * worst))) {
             deepest = std::max(deepest, level);
             return;
         }
@@ -140,33 +166,40 @@ private:
         if (status == Status::ok) divide(amplitudes, root, level + 1, 2 * index + 1, worst);
     }
 
-    // The scale of an output: the largest sum of its amplitudes' sizes at the nodes of the whole interval.
-    void set_scale(const Values& values) {
+    // False: the scale of an output changes by more than a factor of 4.
+    bool set_scale(const Values& values, Panel& p) {
         std::array<double, most_outputs> most{};
         for (std::size_t j = 0; j < nodes; ++j) {
             std::array<double, most_outputs> sum{};
             for (std::size_t r = 0; r < Rows; ++r)
                 sum[output_[r]] += std::abs(values[r / group][j].at[r % group]);
-            for (std::size_t o = 0; o < most_outputs; ++o) most[o] = std::max(most[o], sum[o]);
+            for (std::size_t o = 0; o < most_outputs; ++o) {
+                most[o] = std::max(most[o], sum[o]);
+                p.scale[o] = j == 0 ? sum[o] : std::min(p.scale[o], sum[o]);
+            }
         }
-        for (std::size_t r = 0; r < Rows; ++r) {
-            scale_[r] = most[output_[r]];
-            if (!(scale_[r] < 1e300)) status = Status::overflow; // and so might the sums in the loops
+        bool even = true;
+        for (std::size_t o = 0; o < most_outputs; ++o) {
+            if (!(most[o] < 1e300)) status = Status::overflow; // and so might the sums in the loops
+            even = even && most[o] <= 4 * p.scale[o];
         }
+        return even;
     }
 
     void choose() {
         std::array<std::size_t, Rows> length{};
         for (std::size_t r = 0; r < Rows; ++r)
             for (Panel& p : panels_) {
+                if (p.weak) continue;
+                const double scale = p.scale[output_[r]];
                 double most = std::abs(p.base[r]), sum = most;
                 for (std::size_t k = 0; k < nodes; ++k) {
                     most = std::max(most, std::abs(p.at(k, r)));
                     sum += std::abs(p.at(k, r));
                 }
-                if (!(sum > negligible * scale_[r])) continue;
+                if (!(sum > negligible * scale)) continue;
                 std::size_t size = nodes; // the rounding of a row is not worth a coefficient
-                const double allowed = std::max(negligible / 2 * scale_[r], 3e-17 * most);
+                const double allowed = std::max(negligible / 2 * scale, 3e-17 * most);
                 while (size > 1 && std::abs(p.at(size - 1, r)) < allowed) --size;
                 for (std::size_t k = size; k < nodes; ++k) p.c[k][r / group].at[r % group] = 0;
                 length[r] = std::max(length[r], size);
@@ -178,14 +211,14 @@ private:
         groups = (kept.size() + group - 1) / group;
     }
 
-    void descend(const Side* c, std::size_t size, std::size_t g, int level, std::size_t index, int levels,
-                 std::size_t base) {
-        size = cut(c, size, g);
+    void descend(const Side* c, std::size_t size, std::size_t g, const Panel& panel, int level,
+                 std::size_t index, int levels, std::size_t base) {
+        size = panel.weak ? 1 : cut(c, size, g, panel);
         if (level == levels) {
             piece[index * groups + g] = {coefficients.size(), size, base};
             coefficients.insert(coefficients.end(), c, c + size);
             for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l) {
-                const double allowed = negligible * scale_[kept[g * group + l]];
+                const double allowed = negligible * scale_of(panel, g * group + l);
                 double rest = 0;
                 std::size_t d = size;
                 while (d > 1 && rest + std::abs(c[d - 1].at[l]) <= allowed) rest += std::abs(c[--d].at[l]);
@@ -195,20 +228,20 @@ private:
         }
         std::array<Side, nodes> left, right;
         halve(c, size, left.data(), right.data());
-        descend(left.data(), size, g, level + 1, 2 * index, levels, base);
-        descend(right.data(), size, g, level + 1, 2 * index + 1, levels, base);
+        descend(left.data(), size, g, panel, level + 1, 2 * index, levels, base);
+        descend(right.data(), size, g, panel, level + 1, 2 * index + 1, levels, base);
     }
-    std::size_t cut(const Side* c, std::size_t size, std::size_t g) const {
+    double scale_of(const Panel& panel, std::size_t place) const { return panel.scale[output_[kept[place]]]; }
+    std::size_t cut(const Side* c, std::size_t size, std::size_t g, const Panel& panel) const {
         for (; size > 1; --size)
             for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l)
-                if (std::abs(c[size - 1].at[l]) > 0.02 * negligible * scale_[kept[g * group + l]])
+                if (std::abs(c[size - 1].at[l]) > 0.02 * negligible * scale_of(panel, g * group + l))
                     return size;
         return size;
     }
 
     Values values_ = Values(sides); // at the nodes of one panel
     std::vector<Side> base_;
-    std::array<double, Rows> scale_{}; // of each row's output
     std::array<unsigned, Rows> output_{};
     int most_ = 0;
     std::vector<Panel> panels_;

@@ -147,7 +147,7 @@ inline void shuffled(const View& w, const double* t, const double* low, std::siz
 
 inline Status status_of(const View& w, double t) {
     if (!(t - t == 0)) return Status::bad_argument;
-    if (t < 0 || t > w.reach) return Status::outside_interval;
+    if (t < w.begin || t > w.reach) return Status::outside_interval;
     return t > w.precise ? Status::low_precision : Status::ok;
 }
 
@@ -163,12 +163,12 @@ struct Seen {
 inline Seen look(const View& w, const double* t, std::size_t n) {
     using L = Lanes<lanes>;
     const double highest = highest_ok(w);
-    const typename L::Vector zero{}, most = L::all(highest);
+    const typename L::Vector least = L::all(w.begin), most = L::all(highest);
     typename L::Bits ok = ~typename L::Bits{}, ascend = ok;
     std::size_t i = 0;
     for (; i + lanes + 1 <= n; i += lanes) {
         const typename L::Vector x = L::load(t + i), y = L::load(t + i + 1);
-        ok &= (x >= zero) & (x <= most);
+        ok &= (x >= least) & (x <= most);
         ascend &= x <= y;
     }
     bool all_ok = true, all_ascend = true;
@@ -177,7 +177,7 @@ inline Seen look(const View& w, const double* t, std::size_t n) {
         all_ascend = all_ascend && ascend[j] != 0;
     }
     for (; i < n; ++i) {
-        all_ok = all_ok && t[i] >= 0 && t[i] <= highest;
+        all_ok = all_ok && t[i] >= w.begin && t[i] <= highest;
         if (i + 1 < n) all_ascend = all_ascend && t[i] <= t[i + 1];
     }
     return {all_ok, all_ascend};
@@ -229,7 +229,8 @@ inline BatchReport batch(const View& w, const double* t, std::size_t n, double* 
             values_at<false>(w, t + from, nullptr, size, seen.ascend, here.wanted, here.to);
             continue;
         }
-        double kept[chunk], last = 0; // the times, with the last answered one in place of each unanswered
+        double kept[chunk],
+            last = w.begin; // the times, with the last answered one in place of each unanswered
         for (std::size_t i = 0; i < size; ++i) {
             if (answers(status_of(w, t[from + i]))) last = t[from + i];
             kept[i] = last;

@@ -70,7 +70,7 @@ struct ExactTimes {
 inline void point_by_point(const View& w, const ExactTimes& times, std::size_t from, std::size_t n,
                            const Target& target, Status* status, const Direct* direct, BatchReport& report) {
     double t[chunk], exact_low[chunk], used[chunk], low[chunk];
-    double last = 0, last_low = 0;
+    double last = w.begin, last_low = 0;
     bool ok = true;
     for (std::size_t i = 0; i < n; ++i) {
         times.at(from + i, t[i], exact_low[i]);
@@ -150,10 +150,10 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
         while (windows && next < n && count < windows_at_once) {
             double t = 0, low = 0;
             times.at(next, t, low);
-            if (!(t >= 0 && t <= highest)) break;
+            if (!(t >= w.begin && t <= highest)) break;
             const double k = static_cast<double>(static_cast<long long>(t / (2 * half)));
             const double left = 2 * half * k, right = left + 2 * half;
-            if (right > highest || (dt < 0 && k == 0)) break;
+            if (left < w.begin || right > highest || (dt < 0 && k == 0)) break;
             const double inside = (dt > 0 ? right - t : t - left) / size;
             std::size_t points = inside < 1e15 ? static_cast<std::size_t>(inside) + 1 : n;
             if (points > n - next) points = n - next;
@@ -169,7 +169,7 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
             if (windows) {
                 double t = 0, low = 0;
                 times.at(i, t, low);
-                if (!(t >= 0 && t <= highest)) points = chunk / 4;
+                if (!(t >= w.begin && t <= highest)) points = chunk / 4;
             }
             if (points > n - i) points = n - i;
             point_by_point(w, times, i, points, target, status, direct, report);

@@ -77,6 +77,7 @@ private:
             const int levels = std::max(options.levels, rows.deepest);
             const double width = std::ldexp(root, -levels);
             set_pieces(levels, width);
+            if (!keep_strong(rows, levels, width)) return Status::outside_domain;
             lay_out<Scene>(rows, levels);
             fill(rows, width);
             return Status::ok;
@@ -111,6 +112,7 @@ private:
         if (levels > most_levels) return Status::outside_domain;
         const double width = std::ldexp(root, -levels);
         set_pieces(levels, width);
+        if (!keep_strong(rows, levels, width)) return Status::outside_domain;
         const std::size_t pieces = std::size_t{1} << levels;
         std::vector<PhasePiece> phases(pieces * Scene::phases);
         for (std::size_t p = 0; p < Scene::phases; ++p)
@@ -149,6 +151,16 @@ private:
         view_.last = (1 << levels) - 1;
         view_.per_width = 1 / width;
         view_.precise = view_.reach;
+    }
+
+    // Answers are for the pieces that hold all digits. False: there are none.
+    template <class Rows> bool keep_strong(const Rows& rows, int levels, double width) {
+        const auto [first, end] = rows.strong_pieces(levels);
+        view_.begin = width * static_cast<double>(first);
+        if (end <= static_cast<std::size_t>(view_.last)) // the last number of the last piece
+            view_.reach = std::min(view_.reach, std::nextafter(width * static_cast<double>(end), 0.0));
+        view_.precise = view_.reach;
+        return first < end;
     }
 
     // How many coefficients of phase p have to be kept in all pieces.

@@ -56,7 +56,7 @@ struct View {
     std::size_t stride = 0;
     int last = 0;                                   // piece
     double per_width = 0, to_local = 0, middle = 0; // v = to_local d - middle; to_local is a power of two
-    double reach = 0, precise = 0;                  // the last times that are answered, that are ok
+    double begin = 0, reach = 0, precise = 0;       // times that are answered; the last of them that is ok
     unsigned phases = 0, steps = 0, rows = 0, outputs = 0, groups = 0;
     const PhaseRow* phase = nullptr;
     const Step* step = nullptr;
