@@ -34,7 +34,7 @@ struct Made {
 Made made(Scene scene) {
     Made m{std::move(scene), {}, {}};
     m.solution = test::solution_of(m.scene);
-    m.program = build_program(m.solution, m.scene);
+    m.program = build_program(m.solution, m.scene, {true, false, true});
     return m;
 }
 
@@ -106,6 +106,19 @@ TEST(SlowEmittedEqualsSymbolic, AnEditedCoefficientIsCaught) {
     expect_caught(checked_with_edit("Number(3) / Number(8)", "Number(3000000000003) / Number(8000000000000)",
                                     "edit_1"));
     expect_caught(checked_with_edit("Number(3) / Number(16)", "Number(5) / Number(16)", "edit_2"));
+}
+
+// Tables are made of rows, which calls do not use.
+TEST(SlowEmittedEqualsSymbolic, AnErrorInARowIsCaught) {
+    Made lie = stiffening();
+    Graph::Node& amplitude = lie.program.rows.front().amplitude;
+    amplitude = lie.program.graph.multiply(
+        {lie.program.graph.rational(1 + Rational(1) / Integer("1000000000000")), amplitude});
+    const EmittedCheck check = checked(lie);
+    EXPECT_EQ(check.verdict, Verdict::fail) << to_text(check);
+    EXPECT_GT(check.types.at(0).ulp, 2 * check.threshold);
+    EXPECT_LT(check.types.at(1).ulp, 4);
+    EXPECT_LT(checked_interpreted(lie).worst(), 4);
 }
 
 // What the interpreter of the same graph does not see.
