@@ -142,7 +142,8 @@ const std::string coupled = "[parameters]\nK = { positive = true }\n[variables]\
 const std::string coupled_scene = "[start]\namplitude.x = 1\nphase.x = 1\namplitude.y = 0.5\nphase.y = 0\n";
 
 // Coefficients are quotients of polynomials in K: their powers are no doubles, the quotients are.
-TEST_F(ConstantsOf, PowersOfAParameter) {
+using SlowConstantsOf = ConstantsOf; // in all real types; minutes under sanitizers
+TEST_F(SlowConstantsOf, PowersOfAParameter) {
     const auto open = program(coupled, "order = 3\n" + coupled_scene);
     ASSERT_EQ(open->parameters.size(), 1U);
     const auto emitted = library(open);
@@ -155,7 +156,7 @@ TEST_F(ConstantsOf, PowersOfAParameter) {
 }
 
 // At weights 6 and 7 the degrees are beyond 38: 1e8^39 is no double. (K = 3 is a resonance there.)
-TEST_F(ConstantsOf, SlowPowersOfAParameterAtHighOrder) {
+TEST_F(SlowConstantsOf, SlowPowersOfAParameterAtHighOrder) {
     for (const int order : {5, 6}) {
         const auto open = program(coupled, fmt::format("order = {}\n", order) + coupled_scene);
         for (const double K : {3.3, 1e8}) {

@@ -263,7 +263,8 @@ TEST_F(MapAlong, AHeavyModeBesideALightOne) {
 
 // Divisors such as 3 K - 2 J are made by normalisation, at the mean, and ask for nothing. (At order 2 the
 // header has 400 kB, which compile in minutes: interpreted only.)
-TEST_F(MapAlong, ADivisorOfTheNormalForm) {
+using SlowMapAlong = MapAlong; // two minutes under sanitizers
+TEST_F(SlowMapAlong, ADivisorOfTheNormalForm) {
     const std::string system = "[variables]\np = { role = \"angle\" }\nq = { role = \"angle\" }\n"
                                "K = { role = \"slow\" }\nJ = { role = \"slow\" }\n[domain]\n"
                                "positive = [\"J - K\"]\n[equations]\np = \"p' = K\"\nq = \"q' = J\"\n"
