@@ -3,7 +3,8 @@
 set(widths ${CMAKE_SOURCE_DIR}/engine/runtime/widths)
 add_library(batch STATIC ${widths}/choose.cpp ${widths}/baseline.cpp)
 add_library(resonform::batch ALIAS batch)
-target_include_directories(batch PUBLIC ${CMAKE_SOURCE_DIR}/engine)
+target_include_directories(batch PRIVATE ${CMAKE_SOURCE_DIR}/engine)
+target_link_libraries(batch PUBLIC runtime) # cmake/install.cmake
 target_compile_definitions(batch INTERFACE RESONFORM_BATCH) # runtime/tabulated.hpp calls these loops
 target_compile_options(batch PRIVATE ${RESONFORM_WARNINGS})
 set_target_properties(batch PROPERTIES UNITY_BUILD OFF)

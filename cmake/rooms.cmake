@@ -36,6 +36,4 @@ function(add_command name)
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE verify CLI11::CLI11 nlohmann_json::nlohmann_json)
     target_compile_options(${name} PRIVATE ${RESONFORM_WARNINGS})
-    # Where systems/ and generated/ stand when the current folder has none.
-    target_compile_definitions(${name} PRIVATE RESONFORM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 endfunction()

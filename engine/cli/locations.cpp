@@ -8,6 +8,7 @@
 #include "model/text/diagnostic.hpp"
 #include "model/text/nearest.hpp"
 #include "verify/run/drafts.hpp"
+#include "verify/run/installation.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -131,10 +132,9 @@ void write_draft(Drafts& drafts, const TextFile& file) {
 
 Home find_home() {
     std::error_code ignored;
-    const fs::path source_tree = RESONFORM_SOURCE_DIR;
-    if (fs::is_directory("systems", ignored) || !fs::is_directory(source_tree / "systems", ignored))
-        return {};
-    return {source_tree, true};
+    const fs::path own = installation().data;
+    if (fs::is_directory("systems", ignored) || !fs::is_directory(own / "systems", ignored)) return {};
+    return {own, true};
 }
 
 void say_if_of_source_tree(const Home& home, const fs::path& system) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every ```console block of README.md and docs/ is run, and what it shows is what the program prints.
 //
-//   $ command            run by bash, in a folder with copies of systems/ and generated/
+//   $ command            run by bash, in a folder with copies of systems/ and generated/, and build/release
 //   > more               the command goes on
 //   output               standard output, line for line
 //   ...                  any number of lines
@@ -101,6 +101,8 @@ TEST(Documents, ShowWhatTheProgramPrints) {
     for (const SourceFile& document : documents()) {
         const Scratch scratch;
         scratch.copy_systems();
+        std::filesystem::create_directory(scratch.path() / "build");
+        std::filesystem::create_directory_symlink(RESONFORM_BINARY_DIR, scratch.path() / "build/release");
         for (const Step& step : steps_of(document)) {
             const Outcome outcome = run(step.command, scratch.path());
             EXPECT_TRUE(matches(step.expected, split_lines(outcome.out)))

@@ -5,6 +5,7 @@
 #include "verify/run/cache.hpp"
 #include "verify/run/child.hpp"
 #include "verify/run/drafts.hpp"
+#include "verify/run/installation.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -37,18 +38,18 @@ std::string compiler() {
     return chosen != nullptr && *chosen != '\0' ? chosen : RESONFORM_CXX_COMPILER;
 }
 
-fs::path engine_folder() { return fs::path(RESONFORM_SOURCE_DIR) / "engine"; }
-
 // The headers that emitted code includes: a change in them is a change of the code.
 std::string runtime_text() {
     std::error_code failed;
     std::vector<fs::path> headers;
-    for (const auto& entry : fs::recursive_directory_iterator(engine_folder() / "runtime", failed))
+    const fs::path folder = installation().headers / "runtime";
+    for (const auto& entry : fs::recursive_directory_iterator(folder, failed))
         if (entry.path().extension() == ".hpp") headers.push_back(entry.path());
     if (headers.empty())
         refuse(Reason::compiler, {"emitted code is compiled with the engine's runtime headers",
-                                  (engine_folder() / "runtime").string(),
-                                  "keep the source folder where it was when the engine was built",
+                                  folder.string(),
+                                  "keep the headers where they were installed, or the source folder where it "
+                                  "was when the engine was built",
                                   {}});
     std::sort(headers.begin(), headers.end());
     std::string text;
@@ -92,10 +93,10 @@ void require_exact_arithmetic(const std::string& command) {
 // The compiler writes beside the object, and that file is renamed, so that nobody ever sees half a file.
 void compile(const fs::path& source, const fs::path& object) {
     const fs::path draft = draft_of(object);
-    const auto [complaint, result, late] =
-        run_child(fmt::format("{} {} -I{} {} -o {} 2>&1 >/dev/null", compiler(), flags,
-                              shell_quoted(engine_folder()), shell_quoted(source), shell_quoted(draft)),
-                  {draft});
+    const auto [complaint, result, late] = run_child(
+        fmt::format("{} {} -I{} {} -o {} 2>&1 >/dev/null", compiler(), flags,
+                    shell_quoted(installation().headers), shell_quoted(source), shell_quoted(draft)),
+        {draft});
     std::error_code failed, ignored;
     const bool made = result == 0 && fs::exists(draft, ignored);
     if (made)
