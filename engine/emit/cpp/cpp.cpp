@@ -61,26 +61,32 @@ std::string runtime(const Program& program, bool inlined) {
     return text;
 }
 
-// Includes, namespace and class.
-std::string body(const Program& program, bool inline_runtime) {
-    std::string text = runtime(program, inline_runtime) +
-                       "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include "
-                       "<type_traits>\n\n";
-    text += fmt::format("namespace {} {{\n\n", cpp_namespace(program.system, program.scene));
+std::string includes(const Program& program, bool inline_runtime) {
+    return runtime(program, inline_runtime) +
+           "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include "
+           "<type_traits>\n\n";
+}
+
+// Namespace and class. own: no other file sees its names.
+std::string body(const Program& program, bool own = false) {
+    const std::string name = cpp_namespace(program.system, program.scene);
+    std::string text = fmt::format("namespace {} {{\n{}\n", name, own ? "namespace {\n" : "");
     text += "using namespace resonform::math; // elementary functions of every real type\n\n";
-    return text + cpp_class(program) +
-           fmt::format("\n}} // namespace {}\n", cpp_namespace(program.system, program.scene));
+    text += cpp_class(program);
+    return text + fmt::format("\n{}}} // namespace {}\n", own ? "} // namespace\n" : "", name);
 }
 
 } // namespace
 
 std::string emit_cpp(const Program& program, const CppOptions& options) {
-    return banner(program) + "#pragma once\n\n" + body(program, options.inline_runtime);
+    return banner(program) + "#pragma once\n\n" + includes(program, options.inline_runtime) + body(program);
 }
 
+// Several are loaded at run time, and what has the same name in two orders of a scene would be shared.
 std::string emit_library(const Program& program) {
     const bool tabulated = !program.rows.empty();
-    return banner(program) + (tabulated ? std::string(frames::library_loops) : "") + body(program, false) +
+    return banner(program) + (tabulated ? std::string(frames::library_loops) : "") +
+           includes(program, false) + body(program, true) +
            cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator");
 }
 
