@@ -28,6 +28,12 @@ std::string in_comment(const std::string& text) {
     return result;
 }
 
+// How batch and grid compute them.
+std::string many_points(const Program& program) {
+    if (!program.rows.empty()) return fmt::format("from tables of {} rows", program.rows.size());
+    return program.without_rows.empty() ? "one by one" : "one by one: " + program.without_rows;
+}
+
 std::string banner(const Program& program) {
     std::string text = "// SPDX-License-Identifier: MIT\n// clang-format off\n";
     text += fmt::format(
@@ -37,8 +43,9 @@ std::string banner(const Program& program) {
                         in_comment(program.scene), in_comment(program.title));
     text += fmt::format("//   order       {}, normal form and map through weight {}\n", program.order,
                         program.truncation);
-    text += fmt::format("//   operations  {}\n//   written out {}\n//\n", counts(program.after),
+    text += fmt::format("//   operations  {}\n//   written out {}\n", counts(program.after),
                         counts(program.before));
+    text += fmt::format("//   many points {}\n//\n", many_points(program));
     for (const std::string& note : program.notes) text += fmt::format("// {}\n", in_comment(note));
     return text;
 }

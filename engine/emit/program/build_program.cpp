@@ -7,6 +7,7 @@
 #include "emit/program/count.hpp"
 #include "emit/program/fixed_divisors.hpp"
 #include "emit/program/flow_program.hpp"
+#include "emit/program/harmonics.hpp"
 #include "emit/program/layers.hpp"
 #include "emit/program/lower.hpp"
 #include "emit/program/moment.hpp"
@@ -226,6 +227,7 @@ Program without_savings(const Solution& solution, Scene scene) {
 Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
     Program program = built_with_reason(solution, scene, options);
     prune(program);
+    limit_rows(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
     if (options.fold_fixed && !scene.fix.empty())
         program.notes.push_back(fixed_values(solution.system(), scene));

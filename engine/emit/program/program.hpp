@@ -89,6 +89,7 @@ struct Program {
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
     std::vector<ProgramRow> rows;                    // of the outputs, if ProgramOptions::rows
+    std::string without_rows;                        // why there are none
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
     std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first
     std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (layers.hpp); no tables

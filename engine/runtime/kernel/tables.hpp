@@ -64,6 +64,7 @@ private:
     // Pieces of [0, root]; answers up to `reach`.
     template <class Scene>
     Status construct(const Scene& scene, const Options& options, double root, double reach) {
+        if constexpr (!harmonics<Scene>.fits) return Status::outside_domain;
         constexpr std::size_t count = Scene::terms.size();
         const double eps = scene.eps;
         view_.reach = reach;
@@ -189,7 +190,7 @@ private:
         rows.pieces(levels);
         constexpr std::size_t most = Harmonics<Scene::phases>::most;
         constexpr const auto& made = harmonics<Scene>;
-        static_assert(made.fits && Scene::outputs <= most_outputs);
+        static_assert(Scene::outputs <= most_outputs);
         unsigned offset = 1;
         for (PhaseRow& p : phase_) {
             p.offset = offset;
