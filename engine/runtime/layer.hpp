@@ -10,6 +10,7 @@
 #include "runtime/math.hpp"
 #include "runtime/status.hpp"
 
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -102,6 +103,52 @@ Cause clear_of_layers(const Margins& margins, const Names& names, Real& reach, i
     std::size_t failed = 0;
     reach = LayerSearch<Real, Margins>(margins, end, samples).last_clear(failed);
     return reach < end ? Cause{Status::outside_domain, names[failed]} : Cause{};
+}
+
+// Whether a smooth function with these values at the nodes of an interpolation is > 0 between them too,
+// beyond doubt: each value is larger than its steps to its neighbours and than `unseen`. False says nothing.
+template <class Values, class Real> bool clearly_positive(const Values& values, const Real& unseen) {
+    bool clear = true;
+    Real step = Real(0);
+    for (std::size_t j = 0; j < values.size(); ++j) {
+        const Real next =
+            j + 1 < values.size() ? Real(math::magnitude(Real(values[j + 1] - values[j]))) : Real(0);
+        clear = clear && values[j] > step + next + unseen;
+        step = next;
+    }
+    return clear;
+}
+
+// The same for margins on [left, right], from eight places each or up to 64.
+template <class Margins, class Real>
+bool clear_beyond_doubt(const Margins& margins, const Real& left, const Real& right, int halvings = 3) {
+    constexpr std::size_t n = 8; // Chebyshev nodes, and what gives the last two coefficients
+    constexpr std::array<double, n> node{0.9807852804032304,  0.8314696123025452,  0.5555702330196022,
+                                         0.1950903220161283,  -0.1950903220161283, -0.5555702330196022,
+                                         -0.8314696123025452, -0.9807852804032304};
+    constexpr std::array<double, n> seventh{0.0487725805040321,  -0.1388925582549005, 0.2078674030756363,
+                                            -0.2451963201008076, 0.2451963201008076,  -0.2078674030756363,
+                                            0.1388925582549005,  -0.0487725805040321};
+    constexpr std::array<double, n> sixth{0.0956708580912725,  -0.2309698831278217, 0.2309698831278217,
+                                          -0.0956708580912725, -0.0956708580912725, 0.2309698831278217,
+                                          -0.2309698831278217, 0.0956708580912725};
+    const Real middle = (left + right) / Real(2), half = (right - left) / Real(2);
+    std::array<decltype(margins(left)), n> at_node;
+    for (std::size_t j = 0; j < n; ++j) at_node[j] = margins(Real(middle + half * Real(node[j])));
+    bool clear = true;
+    for (std::size_t k = 0; k < at_node[0].size(); ++k) {
+        std::array<Real, n> values;
+        Real last = Real(0), before = Real(0);
+        for (std::size_t j = 0; j < n; ++j) {
+            values[j] = at_node[j][k];
+            last = last + Real(seventh[j]) * values[j];
+            before = before + Real(sixth[j]) * values[j];
+        }
+        clear = clear &&
+                clearly_positive(values, Real(Real(8) * (math::magnitude(last) + math::magnitude(before))));
+    }
+    return clear || (halvings > 0 && clear_beyond_doubt(margins, left, middle, halvings - 1) &&
+                     clear_beyond_doubt(margins, middle, right, halvings - 1));
 }
 
 } // namespace resonform

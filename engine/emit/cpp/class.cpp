@@ -2,6 +2,7 @@
 #include "emit/cpp/class.hpp"
 
 #include "emit/cpp/embedded_text.hpp"
+#include "emit/cpp/final_point.hpp"
 #include "emit/cpp/interface.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/cpp/plan.hpp"
@@ -23,8 +24,8 @@ public:
     explicit CppFrame(const CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() const {
-        return aliases() + look_up() + widened() + locate() + points() + rows() + construct() +
-               data_members();
+        return aliases() + look_up() + widened() + locate() + points() + rows() + begin() +
+               cpp_course(plan_) + construct() + data_members();
     }
 
 private:
@@ -43,6 +44,7 @@ private:
     std::string kept_arguments() const;
     std::string constants(const std::string& target) const;
     std::string conditions() const;
+    std::string begin() const;
     std::string construct() const;
     std::string data_members() const;
 
@@ -199,8 +201,7 @@ std::string CppFrame::layers() const {
 }
 
 std::string CppFrame::arguments() const {
-    std::string text = "        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) "
-                       "return bad;\n";
+    std::string text;
     std::map<Graph::Node, std::string> all{{program_.eps, "eps"}};
     const auto finite = [&](const std::string& from, const std::vector<ProgramInput>& inputs,
                             const std::vector<std::string>& names) {
@@ -239,26 +240,38 @@ std::string CppFrame::constants(const std::string& target) const {
 // Checks of the constant conditions; none if keep_constants, which computes in Scaled, has checked them.
 std::string CppFrame::conditions() const {
     if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
-    const bool apart = plan_.conditions_apart;
     std::string text;
-    if (apart)
-        text +=
-            "        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);\n";
     for (std::size_t k = 0; k < plan_.constant_conditions.size(); ++k) {
         const CppCondition& condition = plan_.constant_conditions[k];
-        text += bad_unless(apart ? fmt::format("(holds[{}] > resonform::Scaled<Real>(0))", k)
-                                 : fmt::format("(c_.{} > Real(0))", plan_.members.at(condition.value)),
+        text += bad_unless(plan_.conditions_apart
+                               ? fmt::format("(holds[{}] > resonform::Scaled<Real>(0))", k)
+                               : fmt::format("(c.{} > Real(0))", plan_.members.at(condition.value)),
                            "outside_domain", condition.quantity);
     }
-    return text;
+    if (!plan_.conditions_apart) return text;
+    return "        if (resonform::all_clear(start_conditions<resonform::Watched<Real>>(eps, parameters, "
+           "start))) return {};\n"
+           "        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);\n" +
+           text;
+}
+
+// What comes before any time: the arguments but for eps, and what is computed from them once.
+std::string CppFrame::begin() const {
+    return "    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const "
+           "Start& "
+           "start, Constants<Real>& c) {\n" +
+           arguments() + constants("c") + conditions() + "        return {};\n    }\n\n";
 }
 
 std::string CppFrame::construct() const {
     std::string text =
         "    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
-        "                     const Real& end) {\n" +
-        arguments() + "        interval_ = Interval(eps, end);\n" + kept_arguments() + constants("c_");
-    text += conditions();
+        "                     const Real& end) {\n"
+        "        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;\n"
+        "        interval_ = Interval(eps, end);\n" +
+        kept_arguments() +
+        "        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return "
+        "bad;\n";
     if (!plan_.levels.empty() || !program_.phases.empty() || !plan_.layers.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
     if (program_.flow.empty()) text += layers();

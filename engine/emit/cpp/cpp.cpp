@@ -47,6 +47,7 @@ std::string banner(const Program& program) {
 std::string runtime(const Program& program, bool inlined) {
     std::string text;
     if (!inlined) {
+        text += "#include \"runtime/final_point.hpp\"\n";
         if (!program.flow.empty()) text += "#include \"runtime/flow.hpp\"\n";
         text += "#include \"runtime/interval.hpp\"\n";
         if (!program.layers.empty()) text += "#include \"runtime/layer.hpp\"\n";
@@ -55,6 +56,7 @@ std::string runtime(const Program& program, bool inlined) {
         if (CppPlan(program).uses_scaled()) text += "#include \"runtime/scaled.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
         if (!program.rows.empty()) text += "#include \"runtime/tabulated.hpp\"\n";
+        if (CppPlan(program).conditions_apart) text += "#include \"runtime/watched.hpp\"\n";
         return text + "\n";
     }
     for (const std::string_view part : runtime_texts()) text.append(part) += '\n';
