@@ -109,14 +109,12 @@ private:
     }
 
     Status panel(const Number& left, const Number& right) {
-        const Number middle = (left + right) / Number(2);
+        middle_ = (left + right) / Number(2);
         half_ = (right - left) / Number(2);
         right_ = narrow(right);
         rest_ = Real(0);
-        for (std::size_t j = 0; j < n; ++j) {
-            wide_T_[j] = middle + half_ * gauss_wide_.node[j];
-            T_[j] = narrow(wide_T_[j]);
-        }
+        const Real middle = narrow(middle_), half = narrow(half_);
+        for (std::size_t j = 0; j < n; ++j) T_[j] = middle + half * gauss_.node[j];
         if constexpr (columns > 0)
             if (const Status status = levels(std::make_index_sequence<Course::levels.size()>());
                 status != Status::ok)
@@ -139,6 +137,28 @@ private:
         return sum;
     }
 
+    // An integrand on the panel, value by value.
+    template <class Weight, class Value> struct Sum {
+        const Gauss<Weight, n>& gauss;
+        const Gauss<Value, n>& seen;
+        Weight whole = Weight(0);
+        Value last = Value(0), before = Value(0), size = Value(0);
+
+        void add(std::size_t j, const Weight& rate) {
+            const Value value = static_cast<Value>(rate);
+            whole = whole + gauss.weight[j] * rate;
+            last = last + seen.last[0][j] * value;
+            before = before + seen.last[1][j] * value;
+            size = std::max(size, Value(math::magnitude(value)));
+        }
+        // The last coefficient, or 1/8 of the one before.
+        [[nodiscard]] Real end() const {
+            return std::max(static_cast<Real>(Value(math::magnitude(last))),
+                            Real(static_cast<Real>(Value(math::magnitude(before))) / Real(8)));
+        }
+        [[nodiscard]] Real largest() const { return static_cast<Real>(size); }
+    };
+
     template <std::size_t Level> Status level() {
         constexpr std::size_t from = first_of<Level>(), count = Course::levels[Level];
         std::array<std::array<Real, n>, count> rate;
@@ -153,18 +173,15 @@ private:
         }
         const Real half = narrow(half_);
         for (std::size_t k = 0; k < count; ++k) {
-            Real sum = Real(0), size = Real(0);
-            for (std::size_t j = 0; j < n; ++j) {
-                sum = sum + gauss_.weight[j] * rate[k][j];
-                size = std::max(size, math::magnitude(rate[k][j]));
-            }
-            if (!math::finite(sum)) return fault(rate[k]);
-            panel_[from + k] = half * sum;
-            panel_sizes_[from + k] = half * Real(2) * size;
-            Real scale = std::max(size, Real(sizes_[from + k] / right_));
+            Sum<Real, Real> sum{gauss_, gauss_};
+            for (std::size_t j = 0; j < n; ++j) sum.add(j, rate[k][j]);
+            if (!math::finite(sum.whole)) return fault(rate[k]);
+            panel_[from + k] = half * sum.whole;
+            panel_sizes_[from + k] = half * Real(2) * sum.size;
+            Real scale = std::max(sum.size, Real(sizes_[from + k] / right_));
             if (Course::flow && Level == 0)
                 scale = std::max(scale, Real(math::magnitude(tables_[k]) / (half * Real(2))));
-            judge(last_of(gauss_, rate[k]), scale, Real(Real(16) * math::epsilon<Real>()));
+            judge(sum.end(), scale, Real(Real(16) * math::epsilon<Real>()));
             if constexpr (Course::nested && !(Course::flow && Level == 0))
                 for (std::size_t j = 0; j < n; ++j) {
                     Real before = Real(0);
@@ -217,34 +234,42 @@ private:
             const auto value = course_.margins(T_[j], at_node_[j]);
             for (std::size_t k = 0; k < value.size(); ++k) margin[k][j] = value[k];
         }
-        for (const std::array<Real, n>& values : margin)
-            if (!clearly_positive(values, Real(Real(64) * last_of(gauss_, values))))
-                return Status::outside_domain;
+        for (const std::array<Real, n>& values : margin) {
+            Sum<Real, Real> sum{gauss_, gauss_};
+            for (std::size_t j = 0; j < n; ++j) sum.add(j, values[j]);
+            if (!clearly_positive(values, Real(Real(64) * sum.end()))) return Status::outside_domain;
+        }
         return Status::ok;
     }
 
     Status angles_of_panel() {
-        std::array<std::array<Number, n>, phases> rate;
+        const Gauss<Seen, n>& seen = Gauss<Seen, n>::once();
+        std::array<Sum<Number, Seen>, phases> sum = sums(seen, std::make_index_sequence<phases>());
         for (std::size_t j = 0; j < n; ++j) {
-            const std::array<Number, phases> value = turning_(wide_T_[j], at_node_[j]);
-            for (std::size_t k = 0; k < phases; ++k) rate[k][j] = value[k];
+            const std::array<Number, phases> rate =
+                turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j]);
+            for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
         }
         for (std::size_t k = 0; k < phases; ++k) {
-            Number sum = Number(0);
-            std::array<Seen, n> seen;
-            Real size = Real(0);
-            for (std::size_t j = 0; j < n; ++j) {
-                sum = sum + gauss_wide_.weight[j] * rate[k][j];
-                seen[j] = static_cast<Seen>(rate[k][j]);
-                size = std::max(size, math::magnitude(narrow(rate[k][j])));
-            }
-            if (!math::finite(narrow(sum))) return fault(rate[k]);
-            panel_angles_[k] = half_ * sum;
-            panel_angle_sizes_[k] = narrow(half_) * Real(2) * size;
-            const Real scale = std::max(size, Real(angle_sizes_[k] / right_));
-            judge(last_of(Gauss<Seen, n>::once(), seen), scale, tolerance(k, Real(scale * right_)));
+            if (!math::finite(narrow(sum[k].whole))) return fault_of_angle(k);
+            panel_angles_[k] = half_ * sum[k].whole;
+            panel_angle_sizes_[k] = narrow(half_) * Real(2) * sum[k].largest();
+            const Real scale = std::max(sum[k].largest(), Real(angle_sizes_[k] / right_));
+            judge(sum[k].end(), scale, tolerance(k, Real(scale * right_)));
         }
         return Status::ok;
+    }
+
+    template <std::size_t... k>
+    std::array<Sum<Number, Seen>, phases> sums(const Gauss<Seen, n>& seen, std::index_sequence<k...>) const {
+        return {((void)k, Sum<Number, Seen>{gauss_wide_, seen})...};
+    }
+
+    Status fault_of_angle(std::size_t k) const {
+        std::array<Number, n> values;
+        for (std::size_t j = 0; j < n; ++j)
+            values[j] = turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j])[k];
+        return fault(values);
     }
 
     // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below
@@ -256,17 +281,6 @@ private:
             static_cast<double>(math::epsilon<Real>()) / std::max(1.0, static_cast<double>(size));
         return std::max(std::min(ulp, Real(std::pow(wanted, 0.8))),
                         narrow(Number(16) * math::epsilon<Number>()));
-    }
-
-    // The last coefficient, or 1/8 of the one before.
-    template <class Table, class Values> static Real last_of(const Table& gauss, const Values& values) {
-        auto last = gauss.last[0][0] * values[0], before = gauss.last[1][0] * values[0];
-        for (std::size_t j = 1; j < n; ++j) {
-            last = last + gauss.last[0][j] * values[j];
-            before = before + gauss.last[1][j] * values[j];
-        }
-        return std::max(math::magnitude(static_cast<Real>(last)),
-                        Real(math::magnitude(static_cast<Real>(before)) / Real(8)));
     }
 
     void judge(const Real& last, const Real& scale, const Real& relative) {
@@ -297,9 +311,8 @@ private:
     const Gauss<Number, n>& gauss_wide_ = Gauss<Number, n>::once();
     const Course& course_;
     const Turning& turning_;
-    Number half_{};
+    Number middle_{}, half_{};
     Real right_{}, rest_{};
-    std::array<Number, n> wide_T_;
     std::array<Real, n> T_;
     std::array<Columns, n> at_node_{};
     Columns tables_, sizes_{}, panel_{}, panel_sizes_{};
