@@ -181,7 +181,8 @@ private:
             Real scale = std::max(sum.size, Real(sizes_[from + k] / right_));
             if (Course::flow && Level == 0)
                 scale = std::max(scale, Real(math::magnitude(tables_[k]) / (half * Real(2))));
-            judge(sum.end(), scale, Real(Real(16) * math::epsilon<Real>()));
+            judge(sum.end(), scale,
+                  Course::nested ? Real(Real(16) * math::epsilon<Real>()) : square_enough());
             if constexpr (Course::nested && !(Course::flow && Level == 0))
                 for (std::size_t j = 0; j < n; ++j) {
                     Real before = Real(0);
@@ -270,6 +271,14 @@ private:
         for (std::size_t j = 0; j < n; ++j)
             values[j] = turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j])[k];
         return fault(values);
+    }
+
+    // Of the last coefficient of what is needed at the end only, relative to the integrand: the error is
+    // about its square, unless a part below a millionth is far less smooth than all else.
+    static Real square_enough() {
+        using math::sqrt;
+        const Real half_of_digits = sqrt(math::epsilon<Real>());
+        return half_of_digits * sqrt(half_of_digits);
     }
 
     // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below

@@ -91,6 +91,13 @@ template <class Margins> bool all_clear(const Margins& margins) {
     return true;
 }
 
+// Finite, too.
+template <class Margins, class Real> bool all_above(const Real& least, const Margins& margins) {
+    for (const Real& margin : margins)
+        if (!(margin > least && math::finite(margin))) return false;
+    return true;
+}
+
 // Places at which margins are sampled: divisors pass zero within a layer, amplitudes grow and fall slowly.
 inline constexpr int layer_samples = 256, broad_layer_samples = 32;
 
@@ -119,6 +126,9 @@ template <class Values, class Real> bool clearly_positive(const Values& values, 
     return clear;
 }
 
+// NaN, if any is.
+template <class Real> Real smaller(const Real& a, const Real& b) { return b < a || !(b == b) ? b : a; }
+
 // The same for margins on [left, right], from eight places each or up to 64.
 template <class Margins, class Real>
 bool clear_beyond_doubt(const Margins& margins, const Real& left, const Real& right, int halvings = 3) {
@@ -133,19 +143,28 @@ bool clear_beyond_doubt(const Margins& margins, const Real& left, const Real& ri
                                           -0.0956708580912725, -0.0956708580912725, 0.2309698831278217,
                                           -0.2309698831278217, 0.0956708580912725};
     const Real middle = (left + right) / Real(2), half = (right - left) / Real(2);
-    std::array<decltype(margins(left)), n> at_node;
-    for (std::size_t j = 0; j < n; ++j) at_node[j] = margins(Real(middle + half * Real(node[j])));
+    auto before = margins(Real(middle + half * Real(node[0])));
+    auto last = before, last_but_one = before, room = before, step = before;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        last[k] = Real(seventh[0]) * before[k];
+        last_but_one[k] = Real(sixth[0]) * before[k];
+        step[k] = Real(0);
+    }
     bool clear = true;
-    for (std::size_t k = 0; k < at_node[0].size(); ++k) {
-        std::array<Real, n> values;
-        Real last = Real(0), before = Real(0);
-        for (std::size_t j = 0; j < n; ++j) {
-            values[j] = at_node[j][k];
-            last = last + Real(seventh[j]) * values[j];
-            before = before + Real(sixth[j]) * values[j];
+    for (std::size_t j = 1; j < n; ++j) {
+        const auto value = margins(Real(middle + half * Real(node[j])));
+        for (std::size_t k = 0; k < value.size(); ++k) {
+            const Real next = math::magnitude(Real(value[k] - before[k]));
+            room[k] = smaller(room[k], Real(before[k] - step[k] - next));
+            step[k] = next;
+            last[k] = last[k] + Real(seventh[j]) * value[k];
+            last_but_one[k] = last_but_one[k] + Real(sixth[j]) * value[k];
         }
-        clear = clear &&
-                clearly_positive(values, Real(Real(8) * (math::magnitude(last) + math::magnitude(before))));
+        before = value;
+    }
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        const Real unseen = Real(8) * (math::magnitude(last[k]) + math::magnitude(last_but_one[k]));
+        clear &= smaller(room[k], Real(before[k] - step[k])) > unseen;
     }
     return clear || (halvings > 0 && clear_beyond_doubt(margins, left, middle, halvings - 1) &&
                      clear_beyond_doubt(margins, middle, right, halvings - 1));

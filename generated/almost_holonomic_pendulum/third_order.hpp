@@ -38,7 +38,6 @@
 #include "runtime/scaled.hpp"
 #include "runtime/table.hpp"
 #include "runtime/tabulated.hpp"
-#include "runtime/watched.hpp"
 
 #include <algorithm>
 #include <array>
@@ -518,7 +517,8 @@ private:
         if (!within(eps, 0x1p148)) return {Status::overflow, "eps"};
         if (!within(start.C_delta, 0x1p148)) return {Status::overflow, "C_delta"};
         compute_constants(eps, parameters, start, c);
-        if (resonform::all_clear(start_conditions<resonform::Watched<Real>>(eps, parameters, start))) return {};
+        if (within(eps, 0x1p24) && within(start.xi_0, 0x1p24) && within(start.C_delta, 0x1p24) && within(start.theta_0, 0x1p24) && resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, parameters, start)))
+            return {};
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};
         if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "psi"};

@@ -25,7 +25,6 @@
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/tabulated.hpp"
-#include "runtime/watched.hpp"
 
 #include <algorithm>
 #include <array>
@@ -377,7 +376,8 @@ private:
         if (!within(eps, 0x1p148)) return {Status::overflow, "eps"};
         if (!within(start.amplitude_phi, 0x1p148)) return {Status::overflow, "amplitude_phi"};
         compute_constants(eps, parameters, start, c);
-        if (resonform::all_clear(start_conditions<resonform::Watched<Real>>(eps, parameters, start))) return {};
+        if (within(eps, 0x1p24) && within(start.l_0, 0x1p24) && within(start.amplitude_phi, 0x1p24) && within(start.phase_phi, 0x1p24) && resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, parameters, start)))
+            return {};
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "phi"};
         if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "phi"};

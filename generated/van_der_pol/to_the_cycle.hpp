@@ -38,7 +38,6 @@
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/tabulated.hpp"
-#include "runtime/watched.hpp"
 
 #include <algorithm>
 #include <array>
@@ -440,7 +439,8 @@ private:
         if (!within(start.amplitude_x, 0x1p386)) return {Status::overflow, "amplitude_x"};
         if (!within(start.phase_x, 0x1p386)) return {Status::overflow, "phase_x"};
         compute_constants(eps, parameters, start, c);
-        if (resonform::all_clear(start_conditions<resonform::Watched<Real>>(eps, parameters, start))) return {};
+        if (within(eps, 0x1p24) && within(start.amplitude_x, 0x1p24) && within(start.phase_x, 0x1p24) && resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, parameters, start)))
+            return {};
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
         return {};

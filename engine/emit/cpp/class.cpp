@@ -43,6 +43,7 @@ private:
     std::string arguments() const;
     std::string kept_arguments() const;
     std::string constants(const std::string& target) const;
+    std::string moderate() const;
     std::string conditions() const;
     std::string begin() const;
     std::string construct() const;
@@ -237,6 +238,27 @@ std::string CppFrame::constants(const std::string& target) const {
            "; lost.status != Status::ok)\n            return lost;\n";
 }
 
+// Products of less than forty moderate arguments stay within the range of Real, where Scaled would compute
+// the same; what underflows does not matter to a result that is not small.
+std::string CppFrame::moderate() const {
+    std::vector<StraightLine::Value> values;
+    for (const CppCondition& condition : plan_.constant_conditions) values.push_back(condition.value);
+    const std::vector<Graph::Node> used = constant_range(plan_.code, values).limited;
+    std::string text;
+    const auto add = [&](Graph::Node symbol, const std::string& name) {
+        if (std::find(used.begin(), used.end(), symbol) != used.end())
+            text += fmt::format("within({}, 0x1p24) && ", name);
+    };
+    add(program_.eps, "eps");
+    for (std::size_t k = 0; k < plan_.parameters.size(); ++k)
+        add(program_.parameters[k].symbol, "parameters." + plan_.parameters[k]);
+    for (std::size_t k = 0; k < plan_.start.size(); ++k)
+        add(program_.start[k].symbol, "start." + plan_.start[k]);
+    return fmt::format("        if ({}resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, "
+                       "parameters, start)))\n            return {{}};\n",
+                       text);
+}
+
 // Checks of the constant conditions; none if keep_constants, which computes in Scaled, has checked them.
 std::string CppFrame::conditions() const {
     if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
@@ -249,8 +271,7 @@ std::string CppFrame::conditions() const {
                            "outside_domain", condition.quantity);
     }
     if (!plan_.conditions_apart) return text;
-    return "        if (resonform::all_clear(start_conditions<resonform::Watched<Real>>(eps, parameters, "
-           "start))) return {};\n"
+    return moderate() +
            "        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);\n" +
            text;
 }

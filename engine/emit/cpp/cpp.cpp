@@ -56,7 +56,6 @@ std::string runtime(const Program& program, bool inlined) {
         if (CppPlan(program).uses_scaled()) text += "#include \"runtime/scaled.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
         if (!program.rows.empty()) text += "#include \"runtime/tabulated.hpp\"\n";
-        if (CppPlan(program).conditions_apart) text += "#include \"runtime/watched.hpp\"\n";
         return text + "\n";
     }
     for (const std::string_view part : runtime_texts()) text.append(part) += '\n';
