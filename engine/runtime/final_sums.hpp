@@ -137,28 +137,6 @@ private:
         return sum;
     }
 
-    // An integrand on the panel, value by value.
-    template <class Weight, class Value> struct Sum {
-        const Gauss<Weight, n>& gauss;
-        const Gauss<Value, n>& seen;
-        Weight whole = Weight(0);
-        Value last = Value(0), before = Value(0), size = Value(0);
-
-        void add(std::size_t j, const Weight& rate) {
-            const Value value = static_cast<Value>(rate);
-            whole = whole + gauss.weight[j] * rate;
-            last = last + seen.last[0][j] * value;
-            before = before + seen.last[1][j] * value;
-            size = std::max(size, Value(math::magnitude(value)));
-        }
-        // The last coefficient, or 1/8 of the one before.
-        [[nodiscard]] Real end() const {
-            return std::max(static_cast<Real>(Value(math::magnitude(last))),
-                            Real(static_cast<Real>(Value(math::magnitude(before))) / Real(8)));
-        }
-        [[nodiscard]] Real largest() const { return static_cast<Real>(size); }
-    };
-
     template <std::size_t Level> Status level() {
         constexpr std::size_t from = first_of<Level>(), count = Course::levels[Level];
         std::array<std::array<Real, n>, count> rate;
@@ -173,16 +151,16 @@ private:
         }
         const Real half = narrow(half_);
         for (std::size_t k = 0; k < count; ++k) {
-            Sum<Real, Real> sum{gauss_, gauss_};
+            GaussSum<Real, Real, n> sum{gauss_, gauss_};
             for (std::size_t j = 0; j < n; ++j) sum.add(j, rate[k][j]);
-            if (!math::finite(sum.whole)) return fault(rate[k]);
+            if (!math::finite(sum.whole)) return fault<Real>(rate[k]);
             panel_[from + k] = half * sum.whole;
             panel_sizes_[from + k] = half * Real(2) * sum.size;
             Real scale = std::max(sum.size, Real(sizes_[from + k] / right_));
             if (Course::flow && Level == 0)
                 scale = std::max(scale, Real(math::magnitude(tables_[k]) / (half * Real(2))));
             judge(sum.end(), scale,
-                  Course::nested ? Real(Real(16) * math::epsilon<Real>()) : square_enough());
+                  Course::nested ? Real(Real(16) * math::epsilon<Real>()) : square_enough<Real>());
             if constexpr (Course::nested && !(Course::flow && Level == 0))
                 for (std::size_t j = 0; j < n; ++j) {
                     Real before = Real(0);
@@ -211,7 +189,7 @@ private:
                     Real integral = Real(0);
                     for (std::size_t m = 0; m < n; ++m)
                         integral = integral + gauss_.before[j][m] * rate[k][m];
-                    if (!math::finite(integral)) return fault(rate[k]);
+                    if (!math::finite(integral)) return fault<Real>(rate[k]);
                     const Real next = tables_[k] + half * integral;
                     size = std::max(size, Real(math::magnitude(next)));
                     moved = std::max(moved, Real(math::magnitude(Real(next - at_node_[j][k]))));
@@ -236,7 +214,7 @@ private:
             for (std::size_t k = 0; k < value.size(); ++k) margin[k][j] = value[k];
         }
         for (const std::array<Real, n>& values : margin) {
-            Sum<Real, Real> sum{gauss_, gauss_};
+            GaussSum<Real, Real, n> sum{gauss_, gauss_};
             for (std::size_t j = 0; j < n; ++j) sum.add(j, values[j]);
             if (!clearly_positive(values, Real(Real(64) * sum.end()))) return Status::outside_domain;
         }
@@ -245,7 +223,7 @@ private:
 
     Status angles_of_panel() {
         const Gauss<Seen, n>& seen = Gauss<Seen, n>::once();
-        std::array<Sum<Number, Seen>, phases> sum = sums(seen, std::make_index_sequence<phases>());
+        std::array<GaussSum<Number, Seen, n>, phases> sum = sums(seen, std::make_index_sequence<phases>());
         for (std::size_t j = 0; j < n; ++j) {
             const std::array<Number, phases> rate =
                 turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j]);
@@ -254,31 +232,24 @@ private:
         for (std::size_t k = 0; k < phases; ++k) {
             if (!math::finite(narrow(sum[k].whole))) return fault_of_angle(k);
             panel_angles_[k] = half_ * sum[k].whole;
-            panel_angle_sizes_[k] = narrow(half_) * Real(2) * sum[k].largest();
-            const Real scale = std::max(sum[k].largest(), Real(angle_sizes_[k] / right_));
-            judge(sum[k].end(), scale, tolerance(k, Real(scale * right_)));
+            panel_angle_sizes_[k] = narrow(half_) * Real(2) * static_cast<Real>(sum[k].size);
+            const Real scale = std::max(static_cast<Real>(sum[k].size), Real(angle_sizes_[k] / right_));
+            judge(static_cast<Real>(sum[k].end()), scale, tolerance(k, Real(scale * right_)));
         }
         return Status::ok;
     }
 
     template <std::size_t... k>
-    std::array<Sum<Number, Seen>, phases> sums(const Gauss<Seen, n>& seen, std::index_sequence<k...>) const {
-        return {((void)k, Sum<Number, Seen>{gauss_wide_, seen})...};
+    std::array<GaussSum<Number, Seen, n>, phases> sums(const Gauss<Seen, n>& seen,
+                                                       std::index_sequence<k...>) const {
+        return {((void)k, GaussSum<Number, Seen, n>{gauss_wide_, seen})...};
     }
 
     Status fault_of_angle(std::size_t k) const {
         std::array<Number, n> values;
         for (std::size_t j = 0; j < n; ++j)
             values[j] = turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j])[k];
-        return fault(values);
-    }
-
-    // Of the last coefficient of what is needed at the end only, relative to the integrand: the error is
-    // about its square, unless a part below a millionth is far less smooth than all else.
-    static Real square_enough() {
-        using math::sqrt;
-        const Real half_of_digits = sqrt(math::epsilon<Real>());
-        return half_of_digits * sqrt(half_of_digits);
+        return fault<Real>(values);
     }
 
     // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below
@@ -294,15 +265,6 @@ private:
 
     void judge(const Real& last, const Real& scale, const Real& relative) {
         if (Real(0) < scale) rest_ = std::max(rest_, Real(last / (relative * scale)));
-    }
-
-    template <class Value> static Status fault(const std::array<Value, n>& values) {
-        for (const Value& value : values) {
-            const Real x = static_cast<Real>(value);
-            if (math::is_not_a_number(x)) return Status::outside_domain;
-            if (!math::finite(x)) return Status::overflow;
-        }
-        return Status::overflow;
     }
 
     void add() {

@@ -6,8 +6,10 @@
 #ifndef RESONFORM_RUNTIME_GAUSS
 #define RESONFORM_RUNTIME_GAUSS
 
+#include "runtime/status.hpp"
 #include "runtime/twice.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -86,6 +88,44 @@ private:
         }
     }
 };
+
+// A sum over the nodes, value by value, with what tells whether it is resolved in the type Seen.
+template <class Number, class Seen, std::size_t n> struct GaussSum {
+    const Gauss<Number, n>& gauss;
+    const Gauss<Seen, n>& seen;
+    Number whole = Number(0);
+    Seen last = Seen(0), before = Seen(0), size = Seen(0); // coefficients; the largest value
+
+    void add(std::size_t j, const Number& number) {
+        const Seen value = static_cast<Seen>(number);
+        whole = whole + gauss.weight[j] * number;
+        last = last + seen.last[0][j] * value;
+        before = before + seen.last[1][j] * value;
+        size = std::max(size, Seen(math::magnitude(value)));
+    }
+    // The last coefficient, or 1/8 of the one before.
+    [[nodiscard]] Seen end() const {
+        return std::max(Seen(math::magnitude(last)), Seen(math::magnitude(before) / Seen(8)));
+    }
+};
+
+// A last coefficient, relative to the integrand, that leaves the sum resolved: the error is about its square,
+// unless a part below a millionth is far less smooth than all else.
+template <class Real> Real square_enough() {
+    using math::sqrt;
+    const Real half_of_digits = sqrt(math::epsilon<Real>());
+    return half_of_digits * sqrt(half_of_digits);
+}
+
+// Of values with an infinite sum.
+template <class Real, class Values> Status fault(const Values& values) {
+    for (const auto& value : values) {
+        const Real x = static_cast<Real>(value);
+        if (math::is_not_a_number(x)) return Status::outside_domain;
+        if (!math::finite(x)) return Status::overflow;
+    }
+    return Status::overflow;
+}
 
 } // namespace resonform
 
