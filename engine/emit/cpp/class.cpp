@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/class.hpp"
 
+#include "emit/cpp/constant_range.hpp"
 #include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/final_point.hpp"
 #include "emit/cpp/interface.hpp"
