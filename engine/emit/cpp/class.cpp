@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/class.hpp"
 
-#include "emit/cpp/constant_range.hpp"
+#include "emit/cpp/begin.hpp"
 #include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/final_point.hpp"
 #include "emit/cpp/interface.hpp"
@@ -12,8 +12,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <map>
 #include <string>
 
 namespace resonform {
@@ -41,12 +39,7 @@ private:
     std::string flow_starts() const;
     std::string flow(std::size_t level) const;
     std::string layers() const;
-    std::string arguments() const;
     std::string kept_arguments() const;
-    std::string constants(const std::string& target) const;
-    std::string moderate() const;
-    std::string conditions() const;
-    std::string begin() const;
     std::string construct() const;
     std::string data_members() const;
 
@@ -165,10 +158,6 @@ std::string built_or_return(const std::string& call, const std::string& what) {
     return built_or_return(fmt::format("{{{}, {}}}", call, cpp_literal(what)));
 }
 
-std::string bad_unless(const std::string& condition, const std::string& status, const std::string& what) {
-    return fmt::format("        if (!{}) return {{Status::{}, {}}};\n", condition, status, cpp_literal(what));
-}
-
 std::string CppFrame::flow_starts() const {
     std::vector<std::string> list;
     for (const StraightLine::Value v : plan_.flow_starts) list.push_back("c_." + plan_.members.at(v));
@@ -202,87 +191,12 @@ std::string CppFrame::layers() const {
                     plan_.layers_are_broad ? ", resonform::broad_layer_samples" : ""));
 }
 
-std::string CppFrame::arguments() const {
-    std::string text;
-    std::map<Graph::Node, std::string> all{{program_.eps, "eps"}};
-    const auto finite = [&](const std::string& from, const std::vector<ProgramInput>& inputs,
-                            const std::vector<std::string>& names) {
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            all[inputs[k].symbol] = from + names[k];
-            text += bad_unless(fmt::format("finite({}{})", from, names[k]), "bad_argument", names[k]);
-        }
-    };
-    finite("parameters.", program_.parameters, plan_.parameters);
-    finite("start.", program_.start, plan_.start);
-    if (!plan_.range.native) return text;
-    for (const Graph::Node symbol : plan_.range.limited) {
-        const std::string& argument = all.at(symbol);
-        text += bad_unless(fmt::format("within({}, 0x1p{})", argument, plan_.range.bound), "overflow",
-                           argument.substr(argument.find('.') + 1));
-    }
-    return text;
-}
-
 // For tables that are built later.
 std::string CppFrame::kept_arguments() const {
     if (plan_.rows.empty()) return "";
     std::string text = "        eps_ = eps;\n";
     if (!program_.phases.empty()) text += "        parameters_ = parameters;\n        start_ = start;\n";
     return text;
-}
-
-// The emitted call that computes the constants; the code before it has checked the arguments.
-std::string CppFrame::constants(const std::string& target) const {
-    const std::string call = fmt::format("constants(eps, parameters, start, {})", target);
-    if (plan_.range.native) return "        compute_" + call + ";\n";
-    return "        if (const Cause lost = keep_" + call +
-           "; lost.status != Status::ok)\n            return lost;\n";
-}
-
-// Products of less than forty moderate arguments stay within the range of Real, where Scaled would compute
-// the same; what underflows does not matter to a result that is not small.
-std::string CppFrame::moderate() const {
-    std::vector<StraightLine::Value> values;
-    for (const CppCondition& condition : plan_.constant_conditions) values.push_back(condition.value);
-    const std::vector<Graph::Node> used = constant_range(plan_.code, values).limited;
-    std::string text;
-    const auto add = [&](Graph::Node symbol, const std::string& name) {
-        if (std::find(used.begin(), used.end(), symbol) != used.end())
-            text += fmt::format("within({}, 0x1p24) && ", name);
-    };
-    add(program_.eps, "eps");
-    for (std::size_t k = 0; k < plan_.parameters.size(); ++k)
-        add(program_.parameters[k].symbol, "parameters." + plan_.parameters[k]);
-    for (std::size_t k = 0; k < plan_.start.size(); ++k)
-        add(program_.start[k].symbol, "start." + plan_.start[k]);
-    return fmt::format("        if ({}resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, "
-                       "parameters, start)))\n            return {{}};\n",
-                       text);
-}
-
-// Checks of the constant conditions; none if keep_constants, which computes in Scaled, has checked them.
-std::string CppFrame::conditions() const {
-    if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
-    std::string text;
-    for (std::size_t k = 0; k < plan_.constant_conditions.size(); ++k) {
-        const CppCondition& condition = plan_.constant_conditions[k];
-        text += bad_unless(plan_.conditions_apart
-                               ? fmt::format("(holds[{}] > resonform::Scaled<Real>(0))", k)
-                               : fmt::format("(c.{} > Real(0))", plan_.members.at(condition.value)),
-                           "outside_domain", condition.quantity);
-    }
-    if (!plan_.conditions_apart) return text;
-    return moderate() +
-           "        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);\n" +
-           text;
-}
-
-// What comes before any time: the arguments but for eps, and what is computed from them once.
-std::string CppFrame::begin() const {
-    return "    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const "
-           "Start& "
-           "start, Constants<Real>& c) {\n" +
-           arguments() + constants("c") + conditions() + "        return {};\n    }\n\n";
 }
 
 std::string CppFrame::construct() const {
@@ -309,7 +223,8 @@ std::string CppFrame::construct() const {
                 level, tables),
             plan_.levels[level].name);
     }
-    if (!program_.phases.empty()) text += "        Constants<Wide> wide;\n" + constants("wide");
+    if (!program_.phases.empty())
+        text += "        Constants<Wide> wide;\n" + cpp_constants_call(plan_, "wide");
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);
