@@ -883,7 +883,8 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Real>& c) {
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.x_0)) return {Status::bad_argument, "x_0"};
         if (!finite(start.x_dot_0)) return {Status::bad_argument, "x_dot_0"};
         if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};

@@ -369,7 +369,8 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Real>& c) {
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.l_0)) return {Status::bad_argument, "l_0"};
         if (!finite(start.amplitude_phi)) return {Status::bad_argument, "amplitude_phi"};
         if (!finite(start.phase_phi)) return {Status::bad_argument, "phase_phi"};

@@ -508,7 +508,8 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Real>& c) {
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.xi_0)) return {Status::bad_argument, "xi_0"};
         if (!finite(start.C_delta)) return {Status::bad_argument, "C_delta"};
         if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};

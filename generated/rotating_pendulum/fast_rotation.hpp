@@ -366,7 +366,8 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Real>& c) {
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.J_0)) return {Status::bad_argument, "J_0"};
         if (!finite(start.phi_0)) return {Status::bad_argument, "phi_0"};
         if (const Cause lost = keep_constants(eps, parameters, start, c); lost.status != Status::ok)

@@ -592,7 +592,8 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Real>& c) {
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.tau_0)) return {Status::bad_argument, "tau_0"};
         if (!finite(start.C)) return {Status::bad_argument, "C"};
         if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};

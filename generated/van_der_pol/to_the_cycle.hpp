@@ -432,7 +432,8 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Real>& c) {
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.amplitude_x)) return {Status::bad_argument, "amplitude_x"};
         if (!finite(start.phase_x)) return {Status::bad_argument, "phase_x"};
         if (!within(eps, 0x1p386)) return {Status::overflow, "eps"};

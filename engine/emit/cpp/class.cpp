@@ -23,7 +23,7 @@ public:
     explicit CppFrame(const CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() const {
-        return aliases() + look_up() + widened() + locate() + points() + rows() + begin() +
+        return aliases() + look_up() + widened() + locate() + points() + rows() + cpp_begin(plan_) +
                cpp_course(plan_) + construct() + data_members();
     }
 
