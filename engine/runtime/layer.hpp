@@ -10,6 +10,7 @@
 #include "runtime/math.hpp"
 #include "runtime/status.hpp"
 
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -90,6 +91,13 @@ template <class Margins> bool all_clear(const Margins& margins) {
     return true;
 }
 
+// Finite, too.
+template <class Margins, class Real> bool all_above(const Real& least, const Margins& margins) {
+    for (const Real& margin : margins)
+        if (!(margin > least && math::finite(margin))) return false;
+    return true;
+}
+
 // Places at which margins are sampled: divisors pass zero within a layer, amplitudes grow and fall slowly.
 inline constexpr int layer_samples = 256, broad_layer_samples = 32;
 
@@ -102,6 +110,64 @@ Cause clear_of_layers(const Margins& margins, const Names& names, Real& reach, i
     std::size_t failed = 0;
     reach = LayerSearch<Real, Margins>(margins, end, samples).last_clear(failed);
     return reach < end ? Cause{Status::outside_domain, names[failed]} : Cause{};
+}
+
+// Whether a smooth function with these values at the nodes of an interpolation is > 0 between them too,
+// beyond doubt: each value is larger than its steps to its neighbours and than `unseen`. False says nothing.
+template <class Values, class Real> bool clearly_positive(const Values& values, const Real& unseen) {
+    bool clear = true;
+    Real step = Real(0);
+    for (std::size_t j = 0; j < values.size(); ++j) {
+        const Real next =
+            j + 1 < values.size() ? Real(math::magnitude(Real(values[j + 1] - values[j]))) : Real(0);
+        clear = clear && values[j] > step + next + unseen;
+        step = next;
+    }
+    return clear;
+}
+
+// NaN, if any is.
+template <class Real> Real smaller(const Real& a, const Real& b) { return b < a || !(b == b) ? b : a; }
+
+// The same for margins on [left, right], from eight places each or up to 64.
+template <class Margins, class Real>
+bool clear_beyond_doubt(const Margins& margins, const Real& left, const Real& right, int halvings = 3) {
+    constexpr std::size_t n = 8; // Chebyshev nodes, and what gives the last two coefficients
+    constexpr std::array<double, n> node{0.9807852804032304,  0.8314696123025452,  0.5555702330196022,
+                                         0.1950903220161283,  -0.1950903220161283, -0.5555702330196022,
+                                         -0.8314696123025452, -0.9807852804032304};
+    constexpr std::array<double, n> seventh{0.0487725805040321,  -0.1388925582549005, 0.2078674030756363,
+                                            -0.2451963201008076, 0.2451963201008076,  -0.2078674030756363,
+                                            0.1388925582549005,  -0.0487725805040321};
+    constexpr std::array<double, n> sixth{0.0956708580912725,  -0.2309698831278217, 0.2309698831278217,
+                                          -0.0956708580912725, -0.0956708580912725, 0.2309698831278217,
+                                          -0.2309698831278217, 0.0956708580912725};
+    const Real middle = (left + right) / Real(2), half = (right - left) / Real(2);
+    auto before = margins(Real(middle + half * Real(node[0])));
+    auto last = before, last_but_one = before, room = before, step = before;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        last[k] = Real(seventh[0]) * before[k];
+        last_but_one[k] = Real(sixth[0]) * before[k];
+        step[k] = Real(0);
+    }
+    bool clear = true;
+    for (std::size_t j = 1; j < n; ++j) {
+        const auto value = margins(Real(middle + half * Real(node[j])));
+        for (std::size_t k = 0; k < value.size(); ++k) {
+            const Real next = math::magnitude(Real(value[k] - before[k]));
+            room[k] = smaller(room[k], Real(before[k] - step[k] - next));
+            step[k] = next;
+            last[k] = last[k] + Real(seventh[j]) * value[k];
+            last_but_one[k] = last_but_one[k] + Real(sixth[j]) * value[k];
+        }
+        before = value;
+    }
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        const Real unseen = Real(8) * (math::magnitude(last[k]) + math::magnitude(last_but_one[k]));
+        clear &= smaller(room[k], Real(before[k] - step[k])) > unseen;
+    }
+    return clear || (halvings > 0 && clear_beyond_doubt(margins, left, middle, halvings - 1) &&
+                     clear_beyond_doubt(margins, middle, right, halvings - 1));
 }
 
 } // namespace resonform

@@ -47,6 +47,7 @@
 // source: Henon and Heiles, Astron. J. 69 (1964) 73; normal form: Gustavson, Astron. J. 71 (1966) 670
 #pragma once
 
+#include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
@@ -121,6 +122,24 @@ public:
 
     // Anything but ok and low_precision: the values are not numbers.
     Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at one time t >= 0, construction included: nothing is tabulated or allocated, unless
+    // the flow leaves its domain or hardly resolves.
+    static Status at_end(const Real& eps, const Parameters& parameters, const Start& start, const Real& t, Values& values) noexcept {
+        Constants<Real> c;
+        Arguments a;
+        const Status located = locate_end(eps, parameters, start, t, c, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        if (!answers) { // what the tables of an evaluator say
+            const Real end = eps * t, least = Real(1e-249);
+            return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);
+        }
+        const Status status = answers ? outputs(c, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none, none};
+        return status;
+    }
 
     // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
     BatchReport batch(const Real* t, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
@@ -648,19 +667,73 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
-                     const Real& end) {
-        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.x_0)) return {Status::bad_argument, "x_0"};
         if (!finite(start.y_0)) return {Status::bad_argument, "y_0"};
         if (!finite(start.px_0)) return {Status::bad_argument, "px_0"};
         if (!finite(start.py_0)) return {Status::bad_argument, "py_0"};
+        if (const Cause lost = keep_constants(eps, parameters, start, c); lost.status != Status::ok)
+            return lost;
+        return {};
+    }
+
+    // What at_end integrates (runtime/final_sums.hpp).
+    struct Course {
+        static constexpr bool flow = true, nested = true;
+        static constexpr std::array<std::size_t, 1> levels{4};
+        static constexpr std::size_t columns = 4, angles = 1;
+        static constexpr std::array<bool, 1> rounded{false};
+        using Columns = std::array<Real, 4>;
+
+        const Real& eps;
+        const Parameters& parameters;
+        const Start& given;
+        const Constants<Real>& c;
+
+        Columns start() const { return {c.u_x, c.v_x, c.u_y, c.v_y}; }
+        std::array<Real, 4> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& columns) const {
+            return flow_rates(c, T, columns);
+        }
+        static constexpr int samples = resonform::broad_layer_samples;
+        auto margins(const Real& T, const Columns& columns) const { return layers(c, T, columns); }
+        template <class Number> struct Angles {
+            Constants<Number> c;
+            Cause lost;
+            std::array<Number, 1> start;
+
+            explicit Angles([[maybe_unused]] const Course& course) {
+                lost = keep_constants(course.eps, course.parameters, course.given, c);
+                start = {c.c_8};
+            }
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+                return {theta_rate(c, T)};
+            }
+        };
+    };
+
+    // The arguments at the end of an interval that nothing is tabulated on.
+    static Status locate_end(const Real& eps, const Parameters& parameters, const Start& start, const Real& t, Constants<Real>& c, Arguments& a) noexcept {
+        if (const Cause bad = Interval::check(eps, Real(1)); bad.status != Status::ok) return bad.status;
+        if (const Cause bad = begin(eps, parameters, start, c); bad.status != Status::ok) return bad.status;
+        const Course course{eps, parameters, start, c};
+        resonform::FinalPoint<Real, Course> point(course);
+        const Status status = point.reach(eps, t);
+        a.T = eps * t;
+        a.tables = point.tables;
+        a.cos_theta = point.cosine[0];
+        a.sin_theta = point.sine[0];
+        return status;
+    }
+
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
+                     const Real& end) {
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
         eps_ = eps;
         parameters_ = parameters;
         start_ = start;
-        if (const Cause lost = keep_constants(eps, parameters, start, c_); lost.status != Status::ok)
-            return lost;
+        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 {tables_0_.build_while([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(c_, T, flow); },

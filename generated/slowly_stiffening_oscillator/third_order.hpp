@@ -18,6 +18,7 @@
 //     + eps^3*C^3*(tau + 1)/(32*(tau^2 + 2)^(7/4))*cos(3*theta)
 #pragma once
 
+#include "runtime/final_point.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -89,6 +90,19 @@ public:
 
     // Anything but ok and low_precision: the values are not numbers.
     Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
+
+    // The outputs at one time t >= 0, construction included: nothing is tabulated or allocated.
+    static Status at_end(const Real& eps, const Parameters& parameters, const Start& start, const Real& t, Values& values) noexcept {
+        Constants<Real> c;
+        Arguments a;
+        const Status located = locate_end(eps, parameters, start, t, c, a);
+        const bool answers = located == Status::ok || located == Status::low_precision;
+        const Status status = answers ? outputs(c, a, values) : located;
+        if (status == Status::ok) return located;
+        const Real none = resonform::math::not_a_number<Real>();
+        values = {none};
+        return status;
+    }
 
     // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
     BatchReport batch(const Real* t, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
@@ -579,22 +593,74 @@ private:
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
-    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
-                     const Real& end) {
-        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
+    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
+                       const Start& start, Constants<Real>& c) {
         if (!finite(start.tau_0)) return {Status::bad_argument, "tau_0"};
         if (!finite(start.C)) return {Status::bad_argument, "C"};
         if (!finite(start.theta_0)) return {Status::bad_argument, "theta_0"};
         if (!within(eps, 0x1p224)) return {Status::overflow, "eps"};
         if (!within(start.C, 0x1p224)) return {Status::overflow, "C"};
+        compute_constants(eps, parameters, start, c);
+        if (within(eps, 0x1p24) && within(start.tau_0, 0x1p24) && within(start.C, 0x1p24) && within(start.theta_0, 0x1p24) && resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, parameters, start)))
+            return {};
+        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
+        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
+        if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
+        return {};
+    }
+
+    // What at_end integrates (runtime/final_sums.hpp).
+    struct Course {
+        static constexpr bool flow = false, nested = false;
+        static constexpr std::array<std::size_t, 0> levels{};
+        static constexpr std::size_t columns = 0, angles = 1;
+        static constexpr std::array<bool, 1> rounded{false};
+        using Columns = std::array<Real, 0>;
+
+        const Real& eps;
+        const Parameters& parameters;
+        const Start& given;
+        const Constants<Real>& c;
+
+        Columns start() const { return {}; }
+        static constexpr int samples = resonform::layer_samples;
+        auto margins(const Real& T) const { return layers(c, T); }
+        template <class Number> struct Angles {
+            Constants<Number> c;
+            Cause lost;
+            std::array<Number, 1> start;
+
+            explicit Angles([[maybe_unused]] const Course& course) {
+                compute_constants(course.eps, course.parameters, course.given, c);
+                start = {c.theta_0};
+            }
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+                return {theta_rate(c, T)};
+            }
+        };
+    };
+
+    // The arguments at the end of an interval that nothing is tabulated on.
+    static Status locate_end(const Real& eps, const Parameters& parameters, const Start& start, const Real& t, Constants<Real>& c, Arguments& a) noexcept {
+        if (const Cause bad = Interval::check(eps, Real(1)); bad.status != Status::ok) return bad.status;
+        if (const Cause bad = begin(eps, parameters, start, c); bad.status != Status::ok) return bad.status;
+        const Course course{eps, parameters, start, c};
+        resonform::FinalPoint<Real, Course> point(course);
+        const Status status = point.reach(eps, t);
+        a.T = eps * t;
+        a.cos_theta = point.cosine[0];
+        a.sin_theta = point.sine[0];
+        return status;
+    }
+
+    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,
+                     const Real& end) {
+        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
         eps_ = eps;
         parameters_ = parameters;
         start_ = start;
-        compute_constants(eps, parameters, start, c_);
-        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
-        if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
-        if (!(holds[1] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
+        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },

@@ -6,6 +6,10 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include <algorithm>
+
 #include <array>
 
 namespace resonform {
@@ -64,6 +68,27 @@ TYPED_TEST(Layer, AtTheStartNothingIsLeft) {
     const auto none = [](const Real&) { return std::array<Real, 1>{math::not_a_number<Real>()}; };
     EXPECT_EQ(clear_of_layers(none, std::array{"D"}, other).status, Status::outside_domain);
     EXPECT_EQ(other, Real(0));
+}
+
+// Whatever is clear beyond doubt is > 0 everywhere; what is far from zero is clear.
+TEST(Layer, ClearBeyondDoubtIsClear) {
+    int clear = 0, inside = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double c = 0.8 + 0.0001 * i, w = 0.3 * (i % 40), shift = 0.7 * (i % 9);
+        const auto margins = [&](double T) { return std::array{2.0, c + std::sin(w * T + shift)}; };
+        double least = 2;
+        for (int k = 0; k <= 400; ++k) least = std::min(least, margins(k / 400.0)[1]);
+        const bool found = clear_beyond_doubt(margins, 0.0, 1.0);
+        if (found) {
+            EXPECT_GT(least, 0) << c << ' ' << w << ' ' << shift;
+        }
+        clear += found ? 1 : 0;
+        inside += least > 0 ? 0 : 1;
+    }
+    EXPECT_GT(clear, 1000);
+    EXPECT_GT(inside, 1000);
+    EXPECT_TRUE(clear_beyond_doubt([](double T) { return std::array{1.0 - 0.3 * T}; }, 0.0, 1.0));
+    EXPECT_FALSE(clear_beyond_doubt([](double) { return std::array{std::nan("")}; }, 0.0, 1.0));
 }
 
 } // namespace resonform

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/class.hpp"
 
+#include "emit/cpp/begin.hpp"
 #include "emit/cpp/embedded_text.hpp"
+#include "emit/cpp/final_point.hpp"
 #include "emit/cpp/interface.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/cpp/plan.hpp"
@@ -10,8 +12,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <map>
 #include <string>
 
 namespace resonform {
@@ -23,8 +23,8 @@ public:
     explicit CppFrame(const CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() const {
-        return aliases() + look_up() + widened() + locate() + points() + rows() + construct() +
-               data_members();
+        return aliases() + look_up() + widened() + locate() + points() + rows() + cpp_begin(plan_) +
+               cpp_course(plan_) + construct() + data_members();
     }
 
 private:
@@ -39,10 +39,7 @@ private:
     std::string flow_starts() const;
     std::string flow(std::size_t level) const;
     std::string layers() const;
-    std::string arguments() const;
     std::string kept_arguments() const;
-    std::string constants(const std::string& target) const;
-    std::string conditions() const;
     std::string construct() const;
     std::string data_members() const;
 
@@ -161,10 +158,6 @@ std::string built_or_return(const std::string& call, const std::string& what) {
     return built_or_return(fmt::format("{{{}, {}}}", call, cpp_literal(what)));
 }
 
-std::string bad_unless(const std::string& condition, const std::string& status, const std::string& what) {
-    return fmt::format("        if (!{}) return {{Status::{}, {}}};\n", condition, status, cpp_literal(what));
-}
-
 std::string CppFrame::flow_starts() const {
     std::vector<std::string> list;
     for (const StraightLine::Value v : plan_.flow_starts) list.push_back("c_." + plan_.members.at(v));
@@ -198,28 +191,6 @@ std::string CppFrame::layers() const {
                     plan_.layers_are_broad ? ", resonform::broad_layer_samples" : ""));
 }
 
-std::string CppFrame::arguments() const {
-    std::string text = "        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) "
-                       "return bad;\n";
-    std::map<Graph::Node, std::string> all{{program_.eps, "eps"}};
-    const auto finite = [&](const std::string& from, const std::vector<ProgramInput>& inputs,
-                            const std::vector<std::string>& names) {
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            all[inputs[k].symbol] = from + names[k];
-            text += bad_unless(fmt::format("finite({}{})", from, names[k]), "bad_argument", names[k]);
-        }
-    };
-    finite("parameters.", program_.parameters, plan_.parameters);
-    finite("start.", program_.start, plan_.start);
-    if (!plan_.range.native) return text;
-    for (const Graph::Node symbol : plan_.range.limited) {
-        const std::string& argument = all.at(symbol);
-        text += bad_unless(fmt::format("within({}, 0x1p{})", argument, plan_.range.bound), "overflow",
-                           argument.substr(argument.find('.') + 1));
-    }
-    return text;
-}
-
 // For tables that are built later.
 std::string CppFrame::kept_arguments() const {
     if (plan_.rows.empty()) return "";
@@ -228,37 +199,15 @@ std::string CppFrame::kept_arguments() const {
     return text;
 }
 
-// The emitted call that computes the constants; the code before it has checked the arguments.
-std::string CppFrame::constants(const std::string& target) const {
-    const std::string call = fmt::format("constants(eps, parameters, start, {})", target);
-    if (plan_.range.native) return "        compute_" + call + ";\n";
-    return "        if (const Cause lost = keep_" + call +
-           "; lost.status != Status::ok)\n            return lost;\n";
-}
-
-// Checks of the constant conditions; none if keep_constants, which computes in Scaled, has checked them.
-std::string CppFrame::conditions() const {
-    if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
-    const bool apart = plan_.conditions_apart;
-    std::string text;
-    if (apart)
-        text +=
-            "        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);\n";
-    for (std::size_t k = 0; k < plan_.constant_conditions.size(); ++k) {
-        const CppCondition& condition = plan_.constant_conditions[k];
-        text += bad_unless(apart ? fmt::format("(holds[{}] > resonform::Scaled<Real>(0))", k)
-                                 : fmt::format("(c_.{} > Real(0))", plan_.members.at(condition.value)),
-                           "outside_domain", condition.quantity);
-    }
-    return text;
-}
-
 std::string CppFrame::construct() const {
     std::string text =
         "    Cause construct(const Real& eps, const Parameters& parameters, const Start& start,\n"
-        "                     const Real& end) {\n" +
-        arguments() + "        interval_ = Interval(eps, end);\n" + kept_arguments() + constants("c_");
-    text += conditions();
+        "                     const Real& end) {\n"
+        "        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;\n"
+        "        interval_ = Interval(eps, end);\n" +
+        kept_arguments() +
+        "        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return "
+        "bad;\n";
     if (!plan_.levels.empty() || !program_.phases.empty() || !plan_.layers.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
     if (program_.flow.empty()) text += layers();
@@ -274,7 +223,8 @@ std::string CppFrame::construct() const {
                 level, tables),
             plan_.levels[level].name);
     }
-    if (!program_.phases.empty()) text += "        Constants<Wide> wide;\n" + constants("wide");
+    if (!program_.phases.empty())
+        text += "        Constants<Wide> wide;\n" + cpp_constants_call(plan_, "wide");
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);

@@ -2,6 +2,7 @@
 #include "emit/cpp/interface.hpp"
 
 #include "emit/cpp/embedded_text.hpp"
+#include "emit/cpp/final_point.hpp"
 #include "emit/cpp/function.hpp"
 #include "emit/cpp/names.hpp"
 
@@ -158,7 +159,7 @@ std::string CppInterface::calls() const {
     std::string text = "    // Anything but ok and low_precision: the values are not numbers.\n"
                        "    Status operator()(const Real& t, Values& values) const noexcept { return at(t, "
                        "Real(0), values); }\n\n" +
-                       batch();
+                       cpp_at_end(plan_) + batch();
     if (plan_.state.empty()) return text;
     const std::vector<std::string> none(plan_.state.size(), "none");
     return text +

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp/final_point.hpp"
+
+#include "emit/cpp/embedded_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace resonform {
+
+namespace {
+
+class CppCourse {
+public:
+    explicit CppCourse(const CppPlan& plan) : program_(*plan.program), plan_(plan) {}
+
+    std::string print() const;
+
+private:
+    // The columns before a level, of all.
+    [[nodiscard]] std::string columns(std::size_t level) const {
+        const std::size_t before = plan_.columns_before(level),
+                          all = plan_.columns_before(plan_.levels.size());
+        return before == all ? "columns" : fmt::format("resonform::first<{}>(columns)", before);
+    }
+    [[nodiscard]] std::string start() const;
+    [[nodiscard]] std::string rates() const;
+    [[nodiscard]] std::string margins() const;
+    [[nodiscard]] std::string phase_rates() const;
+    [[nodiscard]] std::string arguments() const;
+
+    const Program& program_;
+    const CppPlan& plan_;
+};
+
+std::string CppCourse::start() const {
+    std::vector<std::string> list;
+    for (const StraightLine::Value v : plan_.flow_starts) list.push_back("c." + plan_.members.at(v));
+    return fmt::format("{}", fmt::join(list, ", "));
+}
+
+std::string CppCourse::rates() const {
+    std::string text;
+    for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
+        const CppLevel& own = plan_.levels[level];
+        const std::string call =
+            own.flow ? fmt::format("flow_rates(c, T, {})", columns(level + 1))
+                     : fmt::format("integrands_{}(c, T{})", level, level == 0 ? "" : ", " + columns(level));
+        text +=
+            fmt::format("        std::array<Real, {0}> rates(std::integral_constant<std::size_t, {1}>, const "
+                        "Real& T, {2}const Columns& columns) const {{\n            return {3};\n        }}\n",
+                        own.members.size(), level,
+                        call.find("columns") == std::string::npos ? "[[maybe_unused]] " : "", call);
+    }
+    return text;
+}
+
+std::string CppCourse::margins() const {
+    if (plan_.layers.empty()) return "";
+    const bool flow = plan_.layers_use_flow;
+    return fmt::format("        static constexpr int samples = resonform::{}layer_samples;\n"
+                       "        auto margins(const Real& T{}) const {{ return layers(c, T{}); }}\n",
+                       plan_.layers_are_broad ? "broad_" : "", flow ? ", const Columns& columns" : "",
+                       flow ? ", " + columns(1) : "");
+}
+
+std::string CppCourse::phase_rates() const {
+    std::vector<std::string> list;
+    for (std::size_t k = 0; k < program_.phases.size(); ++k)
+        list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k],
+                                   plan_.phase_uses_tables[k] ? ", widened<Number>(columns)" : ""));
+    return fmt::format("{}", fmt::join(list, ", "));
+}
+
+std::string CppCourse::arguments() const {
+    std::string text;
+    if (!plan_.levels.empty()) text += "        a.tables = point.tables;\n";
+    for (std::size_t k = 0; k < program_.phases.size(); ++k)
+        text += fmt::format("        a.cos_{0} = point.cosine[{1}];\n        a.sin_{0} = point.sine[{1}];\n",
+                            plan_.phase_names[k], k);
+    return text;
+}
+
+std::string CppCourse::print() const {
+    std::vector<std::size_t> levels;
+    for (const CppLevel& level : plan_.levels) levels.push_back(level.members.size());
+    const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
+    std::vector<std::string> starts;
+    for (const StraightLine::Value v : plan_.phase_starts) starts.push_back("c." + plan_.members.at(v));
+    const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
+                                         plan_.range.native ? "compute" : "keep");
+    const std::string constants =
+        program_.phases.empty()
+            ? ""
+            : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
+    return filled(frames::course, {{"flow", program_.flow.empty() ? "false" : "true"},
+                                   {"nested", nested ? "true" : "false"},
+                                   {"level_count", std::to_string(levels.size())},
+                                   {"levels", fmt::format("{}", fmt::join(levels, ", "))},
+                                   {"columns", std::to_string(plan_.columns_before(levels.size()))},
+                                   {"phases", std::to_string(program_.phases.size())},
+                                   {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
+                                   {"start", start()},
+                                   {"rates", rates()},
+                                   {"margins", margins()},
+                                   {"constants", constants},
+                                   {"starts", fmt::format("{}", fmt::join(starts, ", "))},
+                                   {"phase_rates", phase_rates()},
+                                   {"arguments", arguments()}});
+}
+
+} // namespace
+
+std::string cpp_at_end(const CppPlan& plan) {
+    const bool flow = !plan.program->flow.empty();
+    const std::vector<std::string> none(plan.outputs.size(), "none");
+    return filled(frames::at_end,
+                  {{"unless", flow ? ", unless\n    // the flow leaves its domain or hardly resolves" : ""},
+                   {"otherwise", flow ? std::string(frames::by_tables) : ""},
+                   {"none", fmt::format("{}", fmt::join(none, ", "))}});
+}
+
+std::string cpp_course(const CppPlan& plan) { return CppCourse(plan).print(); }
+
+} // namespace resonform

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What an evaluator knows at one time, as its tables would say it: columns, cosines and sines of phases, and
+// where the domain ends before (runtime/final_sums.hpp has the integrals).
+#ifndef RESONFORM_RUNTIME_FINAL_POINT
+#define RESONFORM_RUNTIME_FINAL_POINT
+
+#include "runtime/final_sums.hpp"
+#include "runtime/layer.hpp"
+#include "runtime/phase.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+namespace resonform {
+
+// Phases of double up to this are summed in long double, where that has the digits.
+inline constexpr double quick_radians = 4096;
+
+template <class Real> struct QuickNumberOf {
+    static constexpr bool longer = std::is_same_v<Real, double> && math::digits<long double> >= 64;
+    using type = std::conditional_t<longer, long double, WideNumber<Real>>;
+};
+
+// eps t, not rounded to Real.
+template <class Number, class Real> Number wide_product(const Real& eps, const Real& t) {
+    if constexpr (std::is_same_v<Number, Twice<Real>>)
+        return Number::product(eps, t);
+    else
+        return Number(eps) * Number(t);
+}
+
+// cos theta and sin theta, theta reduced to one turn before it is rounded.
+template <class Real, class Number> void turn(const Number& theta, Real& cosine, Real& sine) {
+    using math::cos;
+    using math::floor;
+    using math::sin;
+    Real angle, rest = Real(0);
+    if constexpr (std::is_same_v<Number, Twice<Real>>) {
+        const Number full = Number(2) * math::pi<Number>();
+        Number turns = theta / full;
+        for (int step = 0; step < 2; ++step) // of more turns than Real can count the second takes the rest
+            turns = turns - Number(floor(Real(turns.high + Real(1) / Real(2))));
+        const Number product = Number::product(turns.high, full.high);
+        angle = product.high;
+        rest = product.low + (turns.high * full.low + turns.low * full.high);
+    } else if constexpr (std::is_same_v<Number, Real>) {
+        const Real full = Real(2) * math::pi<Real>(), turns = theta / full;
+        angle = (turns - floor(Real(turns + Real(1) / Real(2)))) * full;
+    } else { // whole * high is exact: 53 digits and 11
+        constexpr double high = 6.283185307179586, low = 2.4492935982947064e-16;
+        const Number whole(std::floor(static_cast<double>(theta) / high + 0.5));
+        const Number part = (theta - whole * Number(high)) - whole * Number(low);
+        angle = static_cast<Real>(part);
+        rest = static_cast<Real>(part - Number(angle));
+    }
+    const Real c = cos(angle), s = sin(angle);
+    cosine = c - s * rest;
+    sine = s + c * rest;
+}
+
+template <class Real, class Course> class FinalPoint {
+public:
+    std::array<Real, Course::columns> tables{};
+    std::array<Real, Course::angles> cosine{}, sine{};
+
+    explicit FinalPoint(const Course& course) : course_(course) {}
+
+    // bad_argument, outside_interval: of t, or a phase is not known to known_radians at t; overflow,
+    // outside_domain: an evaluator ends before t. low_precision: as Phase.
+    Status reach(const Real& eps, const Real& t) {
+        if (!math::finite(t)) return Status::bad_argument;
+        if (t < Real(0)) return Status::outside_interval;
+        const Real T = eps * t;
+        if (!(T < Real(1e250))) return Status::bad_argument;
+        at_start_ = !(Real(0) < T);
+        const Real least = Real(1e-250); // what holds at t = 0 holds there
+        Real end = T < least ? least : T;
+        if constexpr (requires { course_.margins(T); }) {
+            const auto margins = [this](const Real& x) { return course_.margins(x); };
+            if (!clear_beyond_doubt(margins, Real(0), end)) {
+                beyond_ = clear_of_layers(margins, Nameless{}, end, Course::samples).status;
+                if (!(Real(0) < end)) return beyond_;
+            }
+        }
+        using Quick = std::conditional_t<Course::angles == 0, Real, typename QuickNumberOf<Real>::type>;
+        using Wide = std::conditional_t<Course::angles == 0, Real, WideNumber<Real>>;
+        const auto whole = [&]<class Number>(const Number& product) {
+            return beyond_ != Status::ok || T < least ? Number(end) : product;
+        };
+        const Status status = integrate(whole(wide_product<Quick>(eps, t)));
+        if constexpr (!std::is_same_v<Quick, Wide>)
+            if (too_long_) return integrate(whole(wide_product<Wide>(eps, t)));
+        return status;
+    }
+
+private:
+    struct Nameless {
+        const char* operator[](std::size_t) const { return ""; }
+    };
+
+    template <class Number> Status integrate(const Number& end) {
+        const typename Course::template Angles<Number> turning(course_);
+        if (turning.lost.status != Status::ok) return turning.lost.status;
+        FinalSums<Real, Course, Number> sums(course_, turning);
+        if (const Status status = sums.integrate(end); status != Status::ok) return status;
+        tables = at_start_ ? course_.start() : sums.tables();
+        Status status = Status::ok;
+        for (std::size_t k = 0; k < Course::angles; ++k) {
+            const Number theta = at_start_ ? turning.start[k] : turning.start[k] + sums.angles()[k];
+            const Real size = math::magnitude(static_cast<Real>(theta));
+            if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
+                too_long_ = !(size <= Real(quick_radians));
+                if (too_long_) return Status::ok;
+            }
+            const Real resolution = Course::rounded[k] ? math::epsilon<Real>()
+                                                       : static_cast<Real>(math::epsilon<WideNumber<Real>>());
+            if (!(size * resolution <= Real(known_radians))) return Status::outside_interval;
+            if (!(size <= Real(1e14) && size * resolution <= Real(1e-9))) status = Status::low_precision;
+            turn(theta, cosine[k], sine[k]);
+        }
+        return beyond_ == Status::ok ? status : beyond_;
+    }
+
+    const Course& course_;
+    Status beyond_ = Status::ok;
+    bool at_start_ = false, too_long_ = false;
+};
+
+} // namespace resonform
+
+#endif

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// Quadratures and phases at one time, with nothing tabulated or allocated.
+//
+// All integrands are evaluated at the same Gauss nodes of [0, end]; where the last coefficients of their
+// Legendre series do not decay, the interval is halved, as often as the tables of an evaluator would. n nodes
+// integrate the first 2n terms of a series: its last known coefficient may be far above what is wanted.
+// A slow flow is the fixed point of y = y(left) + int f(T, y) dT at the nodes, as in runtime/flow.hpp.
+#ifndef RESONFORM_RUNTIME_FINAL_SUMS
+#define RESONFORM_RUNTIME_FINAL_SUMS
+
+#include "runtime/gauss.hpp"
+#include "runtime/layer.hpp"
+#include "runtime/status.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace resonform {
+
+template <class Real> inline constexpr std::size_t final_nodes = math::digits<Real> / 4 + 11;
+
+// The first elements of an array.
+template <std::size_t Count, class Real, std::size_t All>
+std::array<Real, Count> first(const std::array<Real, All>& all) {
+    std::array<Real, Count> result;
+    std::copy_n(all.begin(), Count, result.begin());
+    return result;
+}
+
+// Course: what is integrated. Columns are values of the flow and of tables; the rates of a level need columns
+// of earlier levels only, but those of a flow, which is level 0.
+//
+//   static constexpr bool flow, nested;                    some rates need columns
+//   static constexpr std::array<std::size_t, L> levels;    the number of columns of each
+//   static constexpr std::size_t columns, angles;
+//   static constexpr std::array<bool, angles> rounded;     the rate of a phase needs columns
+//   std::array<Real, columns> start() const;
+//   std::array<Real, levels[L]> rates(std::integral_constant<std::size_t, L>, const Real& T,
+//                                     const std::array<Real, columns>&) const;
+//   template <class Number> struct Angles {
+//       explicit Angles(const Course&); Cause lost; std::array<Number, angles> start;
+//       std::array<Number, angles> operator()(const Number& T, const std::array<Real, columns>&) const;
+//   };
+//   std::array<Real, m> margins(const Real& T) const;                            of layers, if there are any;
+//   std::array<Real, m> margins(const Real& T, const std::array<Real, columns>&) const;      or of the flow
+//   static constexpr int samples;
+
+// The integrals over [0, end], end > 0, phases in Number.
+template <class Real, class Course, class Number> class FinalSums {
+public:
+    static constexpr std::size_t n = final_nodes<Real>, columns = Course::columns, phases = Course::angles;
+    using Columns = std::array<Real, columns>;
+    using Turning = typename Course::template Angles<Number>;
+
+    FinalSums(const Course& course, const Turning& turning)
+        : course_(course), turning_(turning), tables_(course.start()) {}
+
+    [[nodiscard]] const Columns& tables() const { return tables_; }
+    [[nodiscard]] const std::array<Number, phases>& angles() const { return angles_; } // without their start
+
+    // Status as fit_panels: overflow, outside_domain; that of a flow, or where margins are in doubt, says no
+    // more than that there is no result.
+    Status integrate(const Number& end) {
+        struct Part {
+            Number right;
+            Real rest; // of the interval that it was part of
+        };
+        std::array<Part, most_halvings + 2> parts;
+        std::size_t open = 1, panels = 0;
+        parts[0] = {end, Real(-1)};
+        for (Number left = Number(0); open > 0;) {
+            const Part part = parts[open - 1];
+            const Status tried = panel(left, part.right);
+            if (tried == Status::ok && converged(rest_, part.rest)) {
+                add();
+                left = part.right;
+                --open;
+                ++panels;
+                continue;
+            }
+            const Real right = narrow(part.right);
+            const bool too_narrow = narrow(part.right - left) < Real(1024) * math::epsilon<Real>() * right;
+            if (too_narrow || open > most_halvings || panels >= most_panels)
+                return tried == Status::ok ? Status::outside_domain : tried;
+            parts[open - 1].rest = tried == Status::ok ? rest_ : Real(-1);
+            parts[open] = {(left + part.right) / Number(2), parts[open - 1].rest};
+            ++open;
+        }
+        return Status::ok;
+    }
+
+private:
+    // An evaluator has more patience with a flow.
+    static constexpr std::size_t most_halvings = Course::flow ? 12 : 100,
+                                 most_panels = Course::flow ? 128 : 2048;
+    static constexpr int most_iterations = 100;
+    // Of phases in the wide type the series is judged in it, too; otherwise Real sees enough.
+    static constexpr bool wide = std::is_same_v<Number, WideNumber<Real>>;
+    using Seen = std::conditional_t<wide, Number, Real>;
+
+    static Real narrow(const Number& x) { return static_cast<Real>(x); }
+
+    // As PanelFitter: where halving gains nothing, rounding is seen.
+    static bool converged(const Real& rest, const Real& parent) {
+        return !(Real(1) < rest) || (rest < Real(1000) && parent < Real(4) * rest && Real(0) < parent);
+    }
+
+    Status panel(const Number& left, const Number& right) {
+        middle_ = (left + right) / Number(2);
+        half_ = (right - left) / Number(2);
+        right_ = narrow(right);
+        rest_ = Real(0);
+        const Real middle = narrow(middle_), half = narrow(half_);
+        for (std::size_t j = 0; j < n; ++j) T_[j] = middle + half * gauss_.node[j];
+        if constexpr (columns > 0)
+            if (const Status status = levels(std::make_index_sequence<Course::levels.size()>());
+                status != Status::ok)
+                return status;
+        if constexpr (requires { course_.margins(T_[0], at_node_[0]); })
+            if (const Status status = clear_on_panel(); status != Status::ok) return status;
+        if constexpr (phases > 0) return angles_of_panel();
+        return Status::ok;
+    }
+
+    template <std::size_t... Level> Status levels(std::index_sequence<Level...>) {
+        Status status = Status::ok;
+        (void)((status = level<Level>(), status == Status::ok) && ...);
+        return status;
+    }
+
+    template <std::size_t Level> static constexpr std::size_t first_of() {
+        std::size_t sum = 0;
+        for (std::size_t k = 0; k < Level; ++k) sum += Course::levels[k];
+        return sum;
+    }
+
+    template <std::size_t Level> Status level() {
+        constexpr std::size_t from = first_of<Level>(), count = Course::levels[Level];
+        std::array<std::array<Real, n>, count> rate;
+        if constexpr (Course::flow && Level == 0) {
+            if (const Status status = flow(rate); status != Status::ok) return status;
+        } else {
+            for (std::size_t j = 0; j < n; ++j) {
+                const std::array<Real, count> value =
+                    course_.rates(std::integral_constant<std::size_t, Level>(), T_[j], at_node_[j]);
+                for (std::size_t k = 0; k < count; ++k) rate[k][j] = value[k];
+            }
+        }
+        const Real half = narrow(half_);
+        for (std::size_t k = 0; k < count; ++k) {
+            GaussSum<Real, Real, n> sum{gauss_, gauss_};
+            for (std::size_t j = 0; j < n; ++j) sum.add(j, rate[k][j]);
+            if (!math::finite(sum.whole)) return fault<Real>(rate[k]);
+            panel_[from + k] = half * sum.whole;
+            panel_sizes_[from + k] = half * Real(2) * sum.size;
+            Real scale = std::max(sum.size, Real(sizes_[from + k] / right_));
+            if (Course::flow && Level == 0)
+                scale = std::max(scale, Real(math::magnitude(tables_[k]) / (half * Real(2))));
+            judge(sum.end(), scale,
+                  Course::nested ? Real(Real(16) * math::epsilon<Real>()) : square_enough<Real>());
+            if constexpr (Course::nested && !(Course::flow && Level == 0))
+                for (std::size_t j = 0; j < n; ++j) {
+                    Real before = Real(0);
+                    for (std::size_t m = 0; m < n; ++m) before = before + gauss_.before[j][m] * rate[k][m];
+                    at_node_[j][from + k] = tables_[from + k] + half * before;
+                }
+        }
+        return Status::ok;
+    }
+
+    // Level 0 on the panel: its columns at the nodes, and their rates.
+    template <std::size_t count> Status flow(std::array<std::array<Real, n>, count>& rate) {
+        const Real half = narrow(half_), ulp = math::epsilon<Real>();
+        for (Columns& at_node : at_node_) std::copy_n(tables_.begin(), count, at_node.begin());
+        Real change = Real(-1);
+        for (int i = 0; i < most_iterations; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                const std::array<Real, count> value =
+                    course_.rates(std::integral_constant<std::size_t, 0>(), T_[j], at_node_[j]);
+                for (std::size_t k = 0; k < count; ++k) rate[k][j] = value[k];
+            }
+            const Real before = std::exchange(change, Real(0));
+            for (std::size_t k = 0; k < count; ++k) {
+                Real moved = Real(0), size = math::magnitude(tables_[k]);
+                for (std::size_t j = 0; j < n; ++j) {
+                    Real integral = Real(0);
+                    for (std::size_t m = 0; m < n; ++m)
+                        integral = integral + gauss_.before[j][m] * rate[k][m];
+                    if (!math::finite(integral)) return fault<Real>(rate[k]);
+                    const Real next = tables_[k] + half * integral;
+                    size = std::max(size, Real(math::magnitude(next)));
+                    moved = std::max(moved, Real(math::magnitude(Real(next - at_node_[j][k]))));
+                    at_node_[j][k] = next;
+                }
+                if (Real(0) < moved) change = std::max(change, Real(moved / (size * ulp)));
+            }
+            // Either nothing changes any more, or only the last digits do.
+            const bool stalls = Real(0) < before && !(change < before);
+            if (change <= Real(2) || (stalls && change <= Real(64))) return Status::ok;
+            if (stalls && i > 12) break;
+        }
+        return Status::outside_domain; // it does not contract
+    }
+
+    // Margins along the flow.
+    Status clear_on_panel() {
+        const auto one = course_.margins(T_[0], at_node_[0]);
+        std::array<std::array<Real, n>, std::tuple_size_v<std::remove_const_t<decltype(one)>>> margin;
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto value = course_.margins(T_[j], at_node_[j]);
+            for (std::size_t k = 0; k < value.size(); ++k) margin[k][j] = value[k];
+        }
+        for (const std::array<Real, n>& values : margin) {
+            GaussSum<Real, Real, n> sum{gauss_, gauss_};
+            for (std::size_t j = 0; j < n; ++j) sum.add(j, values[j]);
+            if (!clearly_positive(values, Real(Real(64) * sum.end()))) return Status::outside_domain;
+        }
+        return Status::ok;
+    }
+
+    Status angles_of_panel() {
+        const Gauss<Seen, n>& seen = Gauss<Seen, n>::once();
+        std::array<GaussSum<Number, Seen, n>, phases> sum = sums(seen, std::make_index_sequence<phases>());
+        for (std::size_t j = 0; j < n; ++j) {
+            const std::array<Number, phases> rate =
+                turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j]);
+            for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
+        }
+        for (std::size_t k = 0; k < phases; ++k) {
+            if (!math::finite(narrow(sum[k].whole))) return fault_of_angle(k);
+            panel_angles_[k] = half_ * sum[k].whole;
+            panel_angle_sizes_[k] = narrow(half_) * Real(2) * static_cast<Real>(sum[k].size);
+            const Real scale = std::max(static_cast<Real>(sum[k].size), Real(angle_sizes_[k] / right_));
+            judge(static_cast<Real>(sum[k].end()), scale, tolerance(k, Real(scale * right_)));
+        }
+        return Status::ok;
+    }
+
+    template <std::size_t... k>
+    std::array<GaussSum<Number, Seen, n>, phases> sums(const Gauss<Seen, n>& seen,
+                                                       std::index_sequence<k...>) const {
+        return {((void)k, GaussSum<Number, Seen, n>{gauss_wide_, seen})...};
+    }
+
+    Status fault_of_angle(std::size_t k) const {
+        std::array<Number, n> values;
+        for (std::size_t j = 0; j < n; ++j)
+            values[j] = turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j])[k];
+        return fault<Real>(values);
+    }
+
+    // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below
+    // the last place of Real, and the sum of n values is as good as the square of it, nearly.
+    static Real tolerance(std::size_t k, const Real& size) {
+        const Real ulp = Real(16) * math::epsilon<Real>();
+        if (!wide || Course::rounded[k]) return ulp;
+        const double wanted =
+            static_cast<double>(math::epsilon<Real>()) / std::max(1.0, static_cast<double>(size));
+        return std::max(std::min(ulp, Real(std::pow(wanted, 0.8))),
+                        narrow(Number(16) * math::epsilon<Number>()));
+    }
+
+    void judge(const Real& last, const Real& scale, const Real& relative) {
+        if (Real(0) < scale) rest_ = std::max(rest_, Real(last / (relative * scale)));
+    }
+
+    void add() {
+        for (std::size_t k = 0; k < columns; ++k) {
+            tables_[k] = tables_[k] + panel_[k];
+            sizes_[k] = sizes_[k] + panel_sizes_[k];
+        }
+        for (std::size_t k = 0; k < phases; ++k) {
+            angles_[k] = angles_[k] + panel_angles_[k];
+            angle_sizes_[k] = angle_sizes_[k] + panel_angle_sizes_[k];
+        }
+    }
+
+    const Gauss<Real, n>& gauss_ = Gauss<Real, n>::once();
+    const Gauss<Number, n>& gauss_wide_ = Gauss<Number, n>::once();
+    const Course& course_;
+    const Turning& turning_;
+    Number middle_{}, half_{};
+    Real right_{}, rest_{};
+    std::array<Real, n> T_;
+    std::array<Columns, n> at_node_{};
+    Columns tables_, sizes_{}, panel_{}, panel_sizes_{};
+    std::array<Number, phases> angles_{}, panel_angles_{};
+    std::array<Real, phases> angle_sizes_{}, panel_angle_sizes_{};
+};
+
+} // namespace resonform
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Gauss's quadrature with n nodes on [-1, 1], exact up to degree 2n - 1, and what else follows from values at
+// its nodes. Computed once for a type, in its own memory:
+//
+//   Gauss<double, 24>::once().sum([](double x) { return std::exp(x); })   ->   exp(1) - exp(-1)
+#ifndef RESONFORM_RUNTIME_GAUSS
+#define RESONFORM_RUNTIME_GAUSS
+
+#include "runtime/status.hpp"
+#include "runtime/twice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace resonform {
+
+template <class Number, std::size_t n> class Gauss {
+public:
+    using Values = std::array<Number, n>;
+
+    Values node{}, weight{};
+    // Row 0 and 1: the last and the last but one coefficient of the Legendre series, from the values at the
+    // nodes.
+    std::array<Values, 2> last{};
+    // Row j: the integral from -1 to node[j].
+    std::array<Values, n> before{};
+
+    static const Gauss& once() {
+        static const Gauss table;
+        return table;
+    }
+
+    // The integral over [-1, 1].
+    template <class Function> Number sum(const Function& f) const {
+        Number result = Number(0);
+        for (std::size_t j = 0; j < n; ++j) result = result + weight[j] * f(node[j]);
+        return result;
+    }
+
+private:
+    using Wide = WideNumber<Number>;
+    using Legendre = std::array<Wide, n + 1>; // P_0(x) ... P_n(x)
+
+    static Wide whole(std::size_t k) { return Wide(static_cast<int>(k)); }
+
+    static Legendre legendre(const Wide& x) {
+        Legendre p{};
+        p[0] = Wide(1);
+        p[1] = x;
+        for (std::size_t k = 1; k < n; ++k)
+            p[k + 1] = (whole(2 * k + 1) * x * p[k] - whole(k) * p[k - 1]) / whole(k + 1);
+        return p;
+    }
+
+    static Wide slope(const Wide& x, const Legendre& p) {
+        return whole(n) * (p[n - 1] - x * p[n]) / (Wide(1) - x * x);
+    }
+
+    Gauss() {
+        std::array<Legendre, n> p{};
+        std::array<Wide, n> weights{};
+        for (std::size_t j = 0; j < n; ++j) {
+            using std::cos;
+            const double guess =
+                cos(math::pi<double>() * (static_cast<double>(j) + 0.75) / (static_cast<double>(n) + 0.5));
+            Wide x{guess};
+            for (int digits = 6; digits < 2 * math::digits<Wide>; digits *= 2) {
+                const Legendre at_x = legendre(x);
+                x = x - at_x[n] / slope(x, at_x);
+            }
+            p[j] = legendre(x);
+            const Wide steep = slope(x, p[j]);
+            weights[j] = Wide(2) / ((Wide(1) - x * x) * steep * steep);
+            node[j] = static_cast<Number>(x);
+            weight[j] = static_cast<Number>(weights[j]);
+        }
+        const Wide half = Wide(1) / Wide(2);
+        for (std::size_t m = 0; m < n; ++m) {
+            for (const std::size_t k : {n - 1, n - 2})
+                last[n - 1 - k][m] = static_cast<Number>(whole(2 * k + 1) * half * weights[m] * p[m][k]);
+            for (std::size_t j = 0; j < n; ++j) {
+                Wide integral = p[j][1] + Wide(1);
+                for (std::size_t k = 1; k < n; ++k)
+                    integral = integral + p[m][k] * (p[j][k + 1] - p[j][k - 1]);
+                before[j][m] = static_cast<Number>(half * weights[m] * integral);
+            }
+        }
+    }
+};
+
+// A sum over the nodes, value by value, with what tells whether it is resolved in the type Seen.
+template <class Number, class Seen, std::size_t n> struct GaussSum {
+    const Gauss<Number, n>& gauss;
+    const Gauss<Seen, n>& seen;
+    Number whole = Number(0);
+    Seen last = Seen(0), before = Seen(0), size = Seen(0); // coefficients; the largest value
+
+    void add(std::size_t j, const Number& number) {
+        const Seen value = static_cast<Seen>(number);
+        whole = whole + gauss.weight[j] * number;
+        last = last + seen.last[0][j] * value;
+        before = before + seen.last[1][j] * value;
+        size = std::max(size, Seen(math::magnitude(value)));
+    }
+    // The last coefficient, or 1/8 of the one before.
+    [[nodiscard]] Seen end() const {
+        return std::max(Seen(math::magnitude(last)), Seen(math::magnitude(before) / Seen(8)));
+    }
+};
+
+// A last coefficient, relative to the integrand, that leaves the sum resolved: the error is about its square,
+// unless a part below a millionth is far less smooth than all else.
+template <class Real> Real square_enough() {
+    using math::sqrt;
+    const Real half_of_digits = sqrt(math::epsilon<Real>());
+    return half_of_digits * sqrt(half_of_digits);
+}
+
+// Of values with an infinite sum.
+template <class Real, class Values> Status fault(const Values& values) {
+    for (const auto& value : values) {
+        const Real x = static_cast<Real>(value);
+        if (math::is_not_a_number(x)) return Status::outside_domain;
+        if (!math::finite(x)) return Status::overflow;
+    }
+    return Status::overflow;
+}
+
+} // namespace resonform
+
+#endif

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// at_end of committed headers: the numbers of an evaluator in a wider type, the statuses of one in its own.
+#include "support/shell.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform {
+namespace {
+
+// Prints what is wrong. SCENE: the namespace; QUIET: nothing may be allocated.
+constexpr const char* point_program = R"(
+#include "scene.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <random>
+
+static long allocated = 0;
+void* operator new(std::size_t n) {
+    ++allocated;
+    if (void* p = std::malloc(n)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+using resonform::Status;
+
+// The members of structs of numbers.
+template <class Real, class Struct> Real& member(Struct& s, std::size_t k) { return reinterpret_cast<Real*>(&s)[k]; }
+template <class Real, class Struct> std::size_t members(const Struct&) {
+    return std::is_empty_v<Struct> ? 0 : sizeof(Struct) / sizeof(Real);
+}
+
+template <class Real, class Wide> struct Check {
+    using Own = SCENE::Evaluator<Real>;
+    using Other = SCENE::Evaluator<Wide>;
+
+    std::mt19937_64 random{7};
+    Real uniform(double from, double to) {
+        return Real(std::uniform_real_distribution<double>(from, to)(random));
+    }
+
+    static double error(const typename Own::Values& values, typename Other::Values exact, std::size_t k,
+                        double scale) {
+        auto own = values;
+        const Wide difference = Wide(member<Real>(own, k)) - member<Wide>(exact, k);
+        return std::fabs(double(difference)) / (scale * double(resonform::math::epsilon<Real>()));
+    }
+
+    // One start and one time.
+    void point(const Real& eps, typename Own::Start start, const Real& T) {
+        typename Own::Parameters parameters;
+        typename Other::Parameters wide_parameters;
+        typename Other::Start wide_start;
+        for (std::size_t k = 0; k < members<Real>(parameters); ++k)
+            member<Wide>(wide_parameters, k) = Wide(member<Real>(parameters, k));
+        for (std::size_t k = 0; k < members<Real>(start); ++k)
+            member<Wide>(wide_start, k) = Wide(member<Real>(start, k));
+        const Real t = T / eps, end = eps * t > Real(1e-240) ? Real(eps * t) : Real(1e-240);
+        typename Own::Values values, tabulated;
+        allocated = 0;
+        const Status status = Own::at_end(eps, parameters, start, t, values);
+        if (QUIET && allocated > 0) std::printf("allocates: eps %g T %g\n", double(eps), double(T));
+        const Status expected = Own(eps, parameters, start, end)(t, tabulated);
+        if (status != expected)
+            std::printf("status %d, not %d: eps %g T %g\n", int(status), int(expected), double(eps), double(T));
+        if (status != Status::ok) {
+            if (status != Status::low_precision && !(member<Real>(values, 0) != member<Real>(values, 0)))
+                std::printf("a number at status %d\n", int(status));
+            return;
+        }
+        const Other whole(Wide(eps), wide_parameters, wide_start);
+        const Other other(Wide(eps), wide_parameters, wide_start, Wide(end) * Wide(1.0000001));
+        typename Other::Values exact, some;
+        if (other(Wide(t), exact) != Status::ok) return;
+        for (std::size_t k = 0; k < members<Real>(values); ++k) {
+            double scale = std::fabs(double(member<Wide>(exact, k)));
+            for (int j = 0; j <= 30; ++j)
+                if (whole(Wide(j * j) / Wide(900) / Wide(eps), some) == Status::ok)
+                    scale = std::max(scale, std::fabs(double(member<Wide>(some, k))));
+            const double own = error(values, exact, k, scale), by_tables = error(tabulated, exact, k, scale);
+            if (!(own <= 4 || own <= 2 * by_tables))
+                std::printf("output %zu: %g ulp, by tables %g: eps %g T %g\n", k, own, by_tables, double(eps), double(T));
+            ++compared;
+        }
+    }
+    int compared = 0;
+
+    void starts(int count) {
+        for (int i = 0; i < count; ++i) {
+            const Real eps = Real(std::pow(10.0, double(uniform(-4, QUIET ? -0.4 : -1))));
+            auto start = Own::default_start(eps, {});
+            const double spread = i % 5 == 0 ? (QUIET ? 6 : 2) : 0.2; // some leave the domain
+            for (std::size_t k = 0; k < members<Real>(start); ++k)
+                member<Real>(start, k) = member<Real>(start, k) * (Real(1) + uniform(-spread, spread)) + (i % 3 ? uniform(-0.05, 0.05) : Real(0));
+            Real T = Own::default_slow_time_end(eps, {}) * uniform(0, 1.3);
+            if (QUIET && i % 5 == 2) T = T * Real(20); // a long flow loses more than its tables
+            if (i % 10 == 0) T = T * Real(1e-12);
+            if (i % 10 == 1) T = Real(0);
+            point(eps, start, T);
+        }
+        if (2 * compared < count) std::printf("compared %d numbers only\n", compared);
+    }
+
+    void arguments() {
+        const Real eps = Real(0.01), none = resonform::math::not_a_number<Real>();
+        auto start = Own::default_start(eps, {});
+        typename Own::Values v;
+        const auto expect = [](Status status, Status expected, const char* what) {
+            if (status != expected) std::printf("%s: %d\n", what, int(status));
+        };
+        expect(Own::at_end(none, {}, start, Real(1), v), Status::bad_argument, "eps");
+        expect(Own::at_end(Real(0), {}, start, Real(1), v), Status::bad_argument, "eps = 0");
+        expect(Own::at_end(eps, {}, start, none, v), Status::bad_argument, "t");
+        expect(Own::at_end(eps, {}, start, Real(1) / Real(0 * eps), v), Status::bad_argument, "t infinite");
+        expect(Own::at_end(eps, {}, start, Real(-1), v), Status::outside_interval, "t < 0");
+        member<Real>(start, 0) = none;
+        expect(Own::at_end(eps, {}, start, Real(1), v), Status::bad_argument, "start");
+        if (TURNS)
+            for (const double small : {1e-9, 1e-13, 1e-16, 1e-21}) // phases are long: low_precision at last
+                point(Real(small), Own::default_start(Real(small), {}), Real(0.7));
+    }
+};
+
+int main() {
+    Check<double, long double> check;
+    check.arguments();
+    check.starts(100);
+    Check<long double, resonform::Float128> wide;
+    wide.arguments();
+    wide.starts(20);
+    return 0;
+}
+)";
+
+std::string wrong_points(const std::string& scene, const std::string& options) {
+    const test::Scratch scratch;
+    test::write(scratch.path() / "main.cpp", point_program);
+    test::write(scratch.path() / "scene.hpp", "#include \"generated/" + scene + ".hpp\"\n");
+    std::string name = "resonform::generated::" + scene;
+    name.replace(name.find('/'), 1, "::");
+    const std::string root = RESONFORM_SOURCE_DIR;
+    const test::Outcome outcome =
+        test::run(std::string(RESONFORM_CXX_COMPILER) + " -std=gnu++20 -O1 -DSCENE=" + name + " " + options +
+                      " -I. -I'" + root + "' -I'" + root + "/engine' main.cpp -o main -lquadmath && ./main",
+                  scratch.path());
+    return outcome.code == 0 ? outcome.out : outcome.err.substr(0, 2000) + "\n(no program)";
+}
+
+TEST(SlowFinalPoint, OfAPhaseAndAQuadrature) {
+    EXPECT_EQ(wrong_points("almost_holonomic_pendulum/third_order", "-DQUIET=true -DTURNS=true"), "");
+}
+// A fifth of the starts leads out of the domain.
+TEST(SlowFinalPoint, WhereTheDomainEnds) {
+    EXPECT_EQ(wrong_points("lengthening_pendulum/third_order", "-DQUIET=true -DTURNS=false"), "");
+}
+TEST(SlowFinalPoint, OfThreePhases) {
+    EXPECT_EQ(wrong_points("three_oscillators_chain/third_order", "-DQUIET=true -DTURNS=false"), "");
+}
+TEST(SlowFinalPoint, OfAFlow) {
+    EXPECT_EQ(wrong_points("henon_heiles/third_order", "-DQUIET=false -DTURNS=false"), "");
+}
+TEST(SlowFinalPoint, OfAFlowWithTwoPhases) {
+    EXPECT_EQ(wrong_points("spring_pendulum/exchange", "-DQUIET=false -DTURNS=false"), "");
+}
+
+} // namespace
+} // namespace resonform
