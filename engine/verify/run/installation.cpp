@@ -12,7 +12,7 @@ Installation installation() {
     const fs::path program = fs::read_symlink("/proc/self/exe", failed);
     if (!failed) {
         const fs::path prefix = program.parent_path().parent_path();
-        const Installation installed{prefix / "include/resonform", prefix / "share/resonform"};
+        Installation installed{prefix / "include/resonform", prefix / "share/resonform"};
         if (fs::is_directory(installed.headers / "runtime", failed) &&
             fs::is_directory(installed.data / "systems", failed))
             return installed;
