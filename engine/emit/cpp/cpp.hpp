@@ -22,7 +22,7 @@ std::string emit_cpp(const Program& program, const CppOptions& options = {});
 //   void  rf_delete_R(void*);
 //   int   rf_call_R(const void*, const R* t, R* outputs);           status, 0 = ok
 //   int   rf_state_R(const void*, const R* t, R* state);            only if program.state is filled
-//   int   rf_prepare_R(const void*);                              status: builds tables, if there are any
+//   int   rf_prepare_R(const void*);                                status: builds tables
 //   void  rf_batch_R(const void*, const R* t, long n, R* const* outputs, unsigned char* status);
 //   void  rf_grid_R(const void*, const R* t0, const R* dt, long n, R* const* outputs, unsigned char* status);
 // and, if the program has rows, rf_loops, which must be called before batches: with &kernel::loops.
