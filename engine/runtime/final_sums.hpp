@@ -3,8 +3,8 @@
 //
 // All integrands are evaluated at the same Gauss nodes of [0, end]; where the last coefficients of their
 // Legendre series do not decay, the interval is halved, as often as the tables of an evaluator would. n nodes
-// integrate the first 2n terms of a series: its last known coefficient may be far above what is wanted.
-// A slow flow is the fixed point of y = y(left) + int f(T, y) dT at the nodes, as in runtime/flow.hpp.
+// show n coefficients and integrate 2n of them exactly, so the last one shown need not be as small as the
+// error. A slow flow is the fixed point of y = y(left) + int f(T, y) dT at the nodes, as in runtime/flow.hpp.
 #ifndef RESONFORM_RUNTIME_FINAL_SUMS
 #define RESONFORM_RUNTIME_FINAL_SUMS
 
@@ -30,8 +30,8 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
     return result;
 }
 
-// Course: what is integrated. Columns are values of the flow and of tables; the rates of a level need columns
-// of earlier levels only, but those of a flow, which is level 0.
+// Course: the integrands that the emitted class of a scene has. Columns are values of the flow and of tables.
+// The rates of a level depend on the columns of earlier levels; those of a flow, level 0, on its own.
 //
 //   static constexpr bool flow, nested;                    some rates need columns
 //   static constexpr std::array<std::size_t, L> levels;    the number of columns of each

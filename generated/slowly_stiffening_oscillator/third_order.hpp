@@ -104,7 +104,7 @@ public:
         return status;
     }
 
-    // The outputs at n times in any order; a null array is not computed, and what is no number is NaN.
+    // The outputs at n times, in any order. An output whose array is null is left out; where there is no value, NaN is stored.
     BatchReport batch(const Real* t, std::size_t n, Real* x, Status* status = nullptr) const noexcept {
         return resonform::Tabulated::batch(*this, t, n, std::array{x}, status);
     }

@@ -36,7 +36,6 @@ private:
     std::string rows() const;
     std::string terms() const;
     std::string rates() const;
-    std::string flow_starts() const;
     std::string flow(std::size_t level) const;
     std::string layers() const;
     std::string kept_arguments() const;
@@ -101,11 +100,7 @@ std::string CppFrame::locate() const {
 std::string CppFrame::points() const {
     std::string text = "    friend struct resonform::Points;\n";
     if (!plan_.rows.empty()) text += "    friend struct resonform::Tabulated;\n";
-    const std::vector<std::string> none(plan_.outputs.size(), "none");
-    text += "\n" + filled(frames::call, {{"call", "at"},
-                                         {"Values", "Values"},
-                                         {"compute", "outputs"},
-                                         {"none", fmt::format("{}", fmt::join(none, ", "))}});
+    text += "\n" + cpp_call("at", "Values", "outputs", plan_.outputs);
     text += "    static void list(const Values& values, Real* numbers) noexcept {\n";
     for (std::size_t k = 0; k < plan_.outputs.size(); ++k)
         text += fmt::format("        numbers[{}] = values.{};\n", k, plan_.outputs[k].name);
@@ -124,9 +119,8 @@ std::string CppFrame::terms() const {
 
 std::string CppFrame::rates() const {
     if (program_.phases.empty()) return "";
-    std::vector<std::string> starts, list;
+    std::vector<std::string> list;
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
-        starts.push_back("c." + plan_.members.at(plan_.phase_starts[k]));
         const std::string tables =
             plan_.phase_uses_tables[k]
                 ? fmt::format(", widened<Wide>(of.look_up_{}(static_cast<Real>(T)))", plan_.levels.size())
@@ -135,7 +129,7 @@ std::string CppFrame::rates() const {
     }
     return filled(frames::rates, {{"phases", std::to_string(program_.phases.size())},
                                   {"constants", plan_.range.native ? "compute_constants" : "keep_constants"},
-                                  {"starts", fmt::format("{}", fmt::join(starts, ", "))},
+                                  {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                   {"rates", fmt::format("{}", fmt::join(list, ", "))}});
 }
 
@@ -158,12 +152,6 @@ std::string built_or_return(const std::string& call, const std::string& what) {
     return built_or_return(fmt::format("{{{}, {}}}", call, cpp_literal(what)));
 }
 
-std::string CppFrame::flow_starts() const {
-    std::vector<std::string> list;
-    for (const StraightLine::Value v : plan_.flow_starts) list.push_back("c_." + plan_.members.at(v));
-    return fmt::format("{}", fmt::join(list, ", "));
-}
-
 std::string CppFrame::flow(std::size_t level) const {
     const auto at = [&](const std::string& value) {
         return fmt::format("[this](const Real& T, const std::array<Real, {}>& flow) {{ return {}; }},",
@@ -176,7 +164,7 @@ std::string CppFrame::flow(std::size_t level) const {
                                          plan_.layers_use_flow ? ", flow" : ""));
     return built_or_return(fmt::format("tables_{}_.build{}({}{}{}{{{}}}, reach)", level,
                                        layers.empty() ? "" : "_while", at("flow_rates(c_, T, flow)"), layers,
-                                       indent, flow_starts()),
+                                       indent, plan_.member_list(plan_.flow_starts, "c_.")),
                            plan_.levels[level].name);
 }
 

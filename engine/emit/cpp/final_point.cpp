@@ -23,7 +23,6 @@ private:
                           all = plan_.columns_before(plan_.levels.size());
         return before == all ? "columns" : fmt::format("resonform::first<{}>(columns)", before);
     }
-    [[nodiscard]] std::string start() const;
     [[nodiscard]] std::string rates() const;
     [[nodiscard]] std::string margins() const;
     [[nodiscard]] std::string phase_rates() const;
@@ -32,12 +31,6 @@ private:
     const Program& program_;
     const CppPlan& plan_;
 };
-
-std::string CppCourse::start() const {
-    std::vector<std::string> list;
-    for (const StraightLine::Value v : plan_.flow_starts) list.push_back("c." + plan_.members.at(v));
-    return fmt::format("{}", fmt::join(list, ", "));
-}
 
 std::string CppCourse::rates() const {
     std::string text;
@@ -85,8 +78,6 @@ std::string CppCourse::print() const {
     std::vector<std::size_t> levels;
     for (const CppLevel& level : plan_.levels) levels.push_back(level.members.size());
     const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
-    std::vector<std::string> starts;
-    for (const StraightLine::Value v : plan_.phase_starts) starts.push_back("c." + plan_.members.at(v));
     const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
                                          plan_.range.native ? "compute" : "keep");
     const std::string constants =
@@ -100,11 +91,11 @@ std::string CppCourse::print() const {
                                    {"columns", std::to_string(plan_.columns_before(levels.size()))},
                                    {"phases", std::to_string(program_.phases.size())},
                                    {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
-                                   {"start", start()},
+                                   {"start", plan_.member_list(plan_.flow_starts, "c.")},
                                    {"rates", rates()},
                                    {"margins", margins()},
                                    {"constants", constants},
-                                   {"starts", fmt::format("{}", fmt::join(starts, ", "))},
+                                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                    {"phase_rates", phase_rates()},
                                    {"arguments", arguments()}});
 }

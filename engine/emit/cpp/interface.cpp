@@ -161,17 +161,22 @@ std::string CppInterface::calls() const {
                        "Real(0), values); }\n\n" +
                        cpp_at_end(plan_) + batch();
     if (plan_.state.empty()) return text;
-    const std::vector<std::string> none(plan_.state.size(), "none");
     return text +
            "    Status state(const Real& t, State& values) const noexcept { return state_at(t, Real(0), "
            "values); }\n" +
-           filled(frames::call, {{"call", "state_at"},
-                                 {"Values", "State"},
-                                 {"compute", "states"},
-                                 {"none", fmt::format("{}", fmt::join(none, ", "))}});
+           cpp_call("state_at", "State", "states", plan_.state);
 }
 
 } // namespace
+
+std::string cpp_call(const std::string& head, const std::string& type, const std::string& function,
+                     const std::vector<CppResult>& list) {
+    const std::vector<std::string> none(list.size(), "none");
+    return filled(frames::call, {{"call", head},
+                                 {"Values", type},
+                                 {"compute", function},
+                                 {"none", fmt::format("{}", fmt::join(none, ", "))}});
+}
 
 std::string cpp_interface(CppPlan& plan) { return CppInterface(plan).print(); }
 

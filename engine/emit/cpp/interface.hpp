@@ -10,4 +10,8 @@ namespace resonform {
 
 std::string cpp_interface(CppPlan& plan);
 
+// A member `head`(t, low, values) that computes the results of `type` by `function`.
+std::string cpp_call(const std::string& head, const std::string& type, const std::string& function,
+                     const std::vector<CppResult>& list);
+
 } // namespace resonform

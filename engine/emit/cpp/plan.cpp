@@ -81,6 +81,12 @@ std::string CppPlan::conditions_text() const {
     return text;
 }
 
+std::string CppPlan::member_list(const std::vector<Value>& values, const std::string& prefix) const {
+    std::string text;
+    for (const Value v : values) text += (text.empty() ? "" : ", ") + prefix + members.at(v);
+    return text;
+}
+
 bool CppPlan::rounded_phases() const {
     return std::find(phase_uses_tables.begin(), phase_uses_tables.end(), true) != phase_uses_tables.end();
 }

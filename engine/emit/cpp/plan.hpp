@@ -72,6 +72,9 @@ struct CppPlan {
     [[nodiscard]] std::string conditions_text() const;
     [[nodiscard]] std::string results_text() const { return outputs.size() == 1 ? outputs[0].name : ""; }
     [[nodiscard]] std::size_t columns_before(std::size_t level) const;
+    // "c.u_x, c.v_x" for prefix "c."
+    [[nodiscard]] std::string member_list(const std::vector<StraightLine::Value>& values,
+                                          const std::string& prefix) const;
     // A phase is as exact as the tables or the flow in its rate.
     [[nodiscard]] bool rounded_phases() const;
 

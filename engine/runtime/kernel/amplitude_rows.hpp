@@ -3,9 +3,10 @@
 // others cut in Chebyshev coefficients, eight of about one length side by side, halved on to the pieces, and
 // turned to powers.
 //
-// What matters is measured by the scale of an output, the sum of its amplitudes' sizes: panels are halved
-// until it changes by less than a factor of 4, and where it still does (a drift or a forced oscillation that
-// begins with 0) the panel is weak: what is tabulated there has not all its digits.
+// An amplitude matters by its share of the output's scale, the sum of the sizes of all its amplitudes. Panels
+// are halved until the scale changes by less than a factor of 4. Where halving does not help (a drift or a
+// forced oscillation that begins with 0) the panel is weak: a table would lose digits there and does not
+// answer.
 #ifndef RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 #define RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 
