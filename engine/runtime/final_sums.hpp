@@ -48,10 +48,10 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
 //   std::array<Real, m> margins(const Real& T, const std::array<Real, columns>&) const;      or of the flow
 //   static constexpr int samples;
 
-// The integrals over [0, end], end > 0, phases in Number.
-template <class Real, class Course, class Number> class FinalSums {
+// The integrals over [0, end], end > 0, phases in Number, with n nodes a panel.
+template <class Real, class Course, class Number, std::size_t n = final_nodes<Real>> class FinalSums {
 public:
-    static constexpr std::size_t n = final_nodes<Real>, columns = Course::columns, phases = Course::angles;
+    static constexpr std::size_t columns = Course::columns, phases = Course::angles;
     using Columns = std::array<Real, columns>;
     using Turning = typename Course::template Angles<Number>;
 
@@ -92,6 +92,24 @@ public:
         return Status::ok;
     }
 
+    // For numbers that are several side by side: in equal parts; where the integrals are resolved. Not for
+    // flows.
+    auto integrate_evenly(const Number& end, int parts) {
+        Number left = Number(0);
+        Real worst = Real(0);
+        for (int part = 1; part <= parts; ++part) {
+            const Number right = part == parts ? end : Number(end * (Number(part) / Number(parts)));
+            panel(left, right);
+            worst = math::larger(worst, rest_);
+            add();
+            left = right;
+        }
+        auto resolved = ~(worst > Real(1));
+        for (const Real& table : tables_) resolved = resolved & (table - table == Real(0));
+        for (const Number& angle : angles_) resolved = resolved & (narrow(angle - angle) == Real(0));
+        return resolved;
+    }
+
 private:
     // An evaluator has more patience with a flow.
     static constexpr std::size_t most_halvings = Course::flow ? 12 : 100,
@@ -99,7 +117,11 @@ private:
     static constexpr int most_iterations = 100;
     // Of phases in the wide type the series is judged in it, too; otherwise Real sees enough.
     static constexpr bool wide = std::is_same_v<Number, WideNumber<Real>>;
-    using Seen = std::conditional_t<wide, Number, Real>;
+    static constexpr bool several = !std::is_same_v<typename OneOf<Real>::type, Real>;
+    using Seen = std::conditional_t<wide && !several, Number, Real>;
+    using AngleSums = std::array<GaussSum<Number, Seen, n>, phases>;
+    // All rates are functions of T: a compiler sees what they have in common.
+    static constexpr bool together = Course::levels.size() == 1 && !Course::flow;
 
     static Real narrow(const Number& x) { return static_cast<Real>(x); }
 
@@ -114,20 +136,20 @@ private:
         right_ = narrow(right);
         rest_ = Real(0);
         const Real middle = narrow(middle_), half = narrow(half_);
-        for (std::size_t j = 0; j < n; ++j) T_[j] = middle + half * gauss_.node[j];
+        for (std::size_t j = 0; j < n; ++j) T_[j] = middle + half * Real(gauss_.node[j]);
+        AngleSums angle = angle_sums(std::make_index_sequence<phases>());
         if constexpr (columns > 0)
-            if (const Status status = levels(std::make_index_sequence<Course::levels.size()>());
+            if (const Status status = levels(angle, std::make_index_sequence<Course::levels.size()>());
                 status != Status::ok)
                 return status;
         if constexpr (requires { course_.margins(T_[0], at_node_[0]); })
             if (const Status status = clear_on_panel(); status != Status::ok) return status;
-        if constexpr (phases > 0) return angles_of_panel();
-        return Status::ok;
+        return angles_of_panel(angle);
     }
 
-    template <std::size_t... Level> Status levels(std::index_sequence<Level...>) {
+    template <std::size_t... Level> Status levels(AngleSums& angle, std::index_sequence<Level...>) {
         Status status = Status::ok;
-        (void)((status = level<Level>(), status == Status::ok) && ...);
+        (void)((status = level<Level>(angle), status == Status::ok) && ...);
         return status;
     }
 
@@ -137,7 +159,7 @@ private:
         return sum;
     }
 
-    template <std::size_t Level> Status level() {
+    template <std::size_t Level> Status level(AngleSums& angle) {
         constexpr std::size_t from = first_of<Level>(), count = Course::levels[Level];
         std::array<std::array<Real, n>, count> rate;
         if constexpr (Course::flow && Level == 0) {
@@ -147,24 +169,28 @@ private:
                 const std::array<Real, count> value =
                     course_.rates(std::integral_constant<std::size_t, Level>(), T_[j], at_node_[j]);
                 for (std::size_t k = 0; k < count; ++k) rate[k][j] = value[k];
+                if constexpr (together) add_angles(j, angle);
             }
         }
         const Real half = narrow(half_);
         for (std::size_t k = 0; k < count; ++k) {
             GaussSum<Real, Real, n> sum{gauss_, gauss_};
             for (std::size_t j = 0; j < n; ++j) sum.add(j, rate[k][j]);
-            if (!math::finite(sum.whole)) return fault<Real>(rate[k]);
+            if constexpr (!several)
+                if (!math::finite(sum.whole)) return fault<Real>(rate[k]);
             panel_[from + k] = half * sum.whole;
             panel_sizes_[from + k] = half * Real(2) * sum.size;
-            Real scale = std::max(sum.size, Real(sizes_[from + k] / right_));
+            Real scale = math::larger(sum.size, Real(sizes_[from + k] / right_));
             if (Course::flow && Level == 0)
                 scale = std::max(scale, Real(math::magnitude(tables_[k]) / (half * Real(2))));
             judge(sum.end(), scale,
-                  Course::nested ? Real(Real(16) * math::epsilon<Real>()) : square_enough<Real>());
+                  Course::nested ? Real(Real(16) * math::epsilon<Real>())
+                                 : square_enough<Real>(math::epsilon<Real>()));
             if constexpr (Course::nested && !(Course::flow && Level == 0))
                 for (std::size_t j = 0; j < n; ++j) {
                     Real before = Real(0);
-                    for (std::size_t m = 0; m < n; ++m) before = before + gauss_.before[j][m] * rate[k][m];
+                    for (std::size_t m = 0; m < n; ++m)
+                        before = before + Real(gauss_.before[j][m]) * rate[k][m];
                     at_node_[j][from + k] = tables_[from + k] + half * before;
                 }
         }
@@ -221,50 +247,55 @@ private:
         return Status::ok;
     }
 
-    Status angles_of_panel() {
-        const Gauss<Seen, n>& seen = Gauss<Seen, n>::once();
-        std::array<GaussSum<Number, Seen, n>, phases> sum = sums(seen, std::make_index_sequence<phases>());
-        for (std::size_t j = 0; j < n; ++j) {
-            const std::array<Number, phases> rate =
-                turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j]);
-            for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
-        }
+    void add_angles(std::size_t j, AngleSums& sum) const {
+        const std::array<Number, phases> rate = turning_(place(j), at_node_[j]);
+        for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
+    }
+
+    Status angles_of_panel(AngleSums& sum) {
+        if constexpr (!together && phases > 0)
+            for (std::size_t j = 0; j < n; ++j) add_angles(j, sum);
         for (std::size_t k = 0; k < phases; ++k) {
-            if (!math::finite(narrow(sum[k].whole))) return fault_of_angle(k);
+            if constexpr (!several)
+                if (!math::finite(narrow(sum[k].whole))) return fault_of_angle(k);
             panel_angles_[k] = half_ * sum[k].whole;
             panel_angle_sizes_[k] = narrow(half_) * Real(2) * static_cast<Real>(sum[k].size);
-            const Real scale = std::max(static_cast<Real>(sum[k].size), Real(angle_sizes_[k] / right_));
+            const Real scale = math::larger(static_cast<Real>(sum[k].size), Real(angle_sizes_[k] / right_));
             judge(static_cast<Real>(sum[k].end()), scale, tolerance(k, Real(scale * right_)));
         }
         return Status::ok;
     }
 
-    template <std::size_t... k>
-    std::array<GaussSum<Number, Seen, n>, phases> sums(const Gauss<Seen, n>& seen,
-                                                       std::index_sequence<k...>) const {
-        return {((void)k, GaussSum<Number, Seen, n>{gauss_wide_, seen})...};
+    template <std::size_t... k> AngleSums angle_sums(std::index_sequence<k...>) const {
+        return {((void)k, GaussSum<Number, Seen, n>{gauss_wide_, GaussFor<Seen, n>::once()})...};
     }
 
     Status fault_of_angle(std::size_t k) const {
         std::array<Number, n> values;
-        for (std::size_t j = 0; j < n; ++j)
-            values[j] = turning_(Number(middle_ + half_ * gauss_wide_.node[j]), at_node_[j])[k];
+        for (std::size_t j = 0; j < n; ++j) values[j] = turning_(place(j), at_node_[j])[k];
         return fault<Real>(values);
     }
 
-    // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below
-    // the last place of Real, and the sum of n values is as good as the square of it, nearly.
-    static Real tolerance(std::size_t k, const Real& size) {
-        const Real ulp = Real(16) * math::epsilon<Real>();
-        if (!wide || Course::rounded[k]) return ulp;
-        const double wanted =
-            static_cast<double>(math::epsilon<Real>()) / std::max(1.0, static_cast<double>(size));
-        return std::max(std::min(ulp, Real(std::pow(wanted, 0.8))),
-                        narrow(Number(16) * math::epsilon<Number>()));
+    // A node of the panel.
+    [[nodiscard]] Number place(std::size_t j) const {
+        if constexpr (std::is_same_v<Number, Real>)
+            return T_[j];
+        else
+            return middle_ + half_ * Number(gauss_wide_.node[j]);
     }
 
+    // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below
+    // the last place of Real.
+    static Real tolerance(std::size_t k, const Real& size) {
+        if (Course::rounded[k]) return Real(16) * math::epsilon<Real>();
+        const Real wanted = math::epsilon<Real>() / math::larger(Real(1), size);
+        return math::larger(square_enough<Real>(wanted),
+                            Real(static_cast<Real>(Seen(16) * math::epsilon<Seen>())));
+    }
+
+    // 0/0 is passed over.
     void judge(const Real& last, const Real& scale, const Real& relative) {
-        if (Real(0) < scale) rest_ = std::max(rest_, Real(last / (relative * scale)));
+        rest_ = math::larger(rest_, Real(last / (relative * scale)));
     }
 
     void add() {
@@ -278,8 +309,8 @@ private:
         }
     }
 
-    const Gauss<Real, n>& gauss_ = Gauss<Real, n>::once();
-    const Gauss<Number, n>& gauss_wide_ = Gauss<Number, n>::once();
+    const GaussFor<Real, n>& gauss_ = GaussFor<Real, n>::once();
+    const GaussFor<Number, n>& gauss_wide_ = GaussFor<Number, n>::once();
     const Course& course_;
     const Turning& turning_;
     Number middle_{}, half_{};

@@ -89,32 +89,35 @@ private:
     }
 };
 
+// Nodes and weights for a number, or for the lanes of several.
+template <class Number, std::size_t n> using GaussFor = Gauss<typename OneOf<Number>::type, n>;
+
 // A sum over the nodes, value by value, with what tells whether it is resolved in the type Seen.
 template <class Number, class Seen, std::size_t n> struct GaussSum {
-    const Gauss<Number, n>& gauss;
-    const Gauss<Seen, n>& seen;
+    const GaussFor<Number, n>& gauss;
+    const GaussFor<Seen, n>& seen;
     Number whole = Number(0);
     Seen last = Seen(0), before = Seen(0), size = Seen(0); // coefficients; the largest value
 
     void add(std::size_t j, const Number& number) {
         const Seen value = static_cast<Seen>(number);
-        whole = whole + gauss.weight[j] * number;
-        last = last + seen.last[0][j] * value;
-        before = before + seen.last[1][j] * value;
-        size = std::max(size, Seen(math::magnitude(value)));
+        whole = whole + Number(gauss.weight[j]) * number;
+        last = last + Seen(seen.last[0][j]) * value;
+        before = before + Seen(seen.last[1][j]) * value;
+        size = math::larger(size, Seen(math::magnitude(value)));
     }
     // The last coefficient, or 1/8 of the one before.
     [[nodiscard]] Seen end() const {
-        return std::max(Seen(math::magnitude(last)), Seen(math::magnitude(before) / Seen(8)));
+        return math::larger(Seen(math::magnitude(last)), Seen(math::magnitude(before) / Seen(8)));
     }
 };
 
-// A last coefficient, relative to the integrand, that leaves the sum resolved: the error is about its square,
-// unless a part below a millionth is far less smooth than all else.
-template <class Real> Real square_enough() {
+// A last coefficient, relative to the integrand, that leaves the sum resolved to `wanted`, relative to it,
+// too: the error is about its square, or up to a million times that where a small part is far less smooth
+// than all else.
+template <class Real> Real square_enough(const Real& wanted) {
     using math::sqrt;
-    const Real half_of_digits = sqrt(math::epsilon<Real>());
-    return half_of_digits * sqrt(half_of_digits);
+    return sqrt(wanted) / Real(1000);
 }
 
 // Of values with an infinite sum.

@@ -126,12 +126,10 @@ template <class Values, class Real> bool clearly_positive(const Values& values, 
     return clear;
 }
 
-// NaN, if any is.
-template <class Real> Real smaller(const Real& a, const Real& b) { return b < a || !(b == b) ? b : a; }
-
-// The same for margins on [left, right], from eight places each or up to 64.
-template <class Margins, class Real>
-bool clear_beyond_doubt(const Margins& margins, const Real& left, const Real& right, int halvings = 3) {
+// The same for margins on [left, right], from eight places each or up to 64; lane by lane where a number is
+// several side by side (runtime/pack.hpp).
+template <class Margins, class Real, class Answer = decltype(std::declval<Real>() < std::declval<Real>())>
+Answer clear_beyond_doubt(const Margins& margins, const Real& left, const Real& right, int halvings = 3) {
     constexpr std::size_t n = 8; // Chebyshev nodes, and what gives the last two coefficients
     constexpr std::array<double, n> node{0.9807852804032304,  0.8314696123025452,  0.5555702330196022,
                                          0.1950903220161283,  -0.1950903220161283, -0.5555702330196022,
@@ -145,17 +143,17 @@ bool clear_beyond_doubt(const Margins& margins, const Real& left, const Real& ri
     const Real middle = (left + right) / Real(2), half = (right - left) / Real(2);
     auto before = margins(Real(middle + half * Real(node[0])));
     auto last = before, last_but_one = before, room = before, step = before;
+    Answer clear = left < right;
     for (std::size_t k = 0; k < before.size(); ++k) {
         last[k] = Real(seventh[0]) * before[k];
         last_but_one[k] = Real(sixth[0]) * before[k];
         step[k] = Real(0);
     }
-    bool clear = true;
     for (std::size_t j = 1; j < n; ++j) {
         const auto value = margins(Real(middle + half * Real(node[j])));
         for (std::size_t k = 0; k < value.size(); ++k) {
             const Real next = math::magnitude(Real(value[k] - before[k]));
-            room[k] = smaller(room[k], Real(before[k] - step[k] - next));
+            room[k] = math::smaller(room[k], Real(before[k] - step[k] - next));
             step[k] = next;
             last[k] = last[k] + Real(seventh[j]) * value[k];
             last_but_one[k] = last_but_one[k] + Real(sixth[j]) * value[k];
@@ -164,10 +162,12 @@ bool clear_beyond_doubt(const Margins& margins, const Real& left, const Real& ri
     }
     for (std::size_t k = 0; k < before.size(); ++k) {
         const Real unseen = Real(8) * (math::magnitude(last[k]) + math::magnitude(last_but_one[k]));
-        clear &= smaller(room[k], Real(before[k] - step[k])) > unseen;
+        clear = clear & (math::smaller(room[k], Real(before[k] - step[k])) > unseen);
     }
-    return clear || (halvings > 0 && clear_beyond_doubt(margins, left, middle, halvings - 1) &&
-                     clear_beyond_doubt(margins, middle, right, halvings - 1));
+    if (halvings == 0 || clear) return clear;
+    const Answer first = clear_beyond_doubt(margins, left, middle, halvings - 1);
+    const Answer second = clear_beyond_doubt(margins, middle, right, halvings - 1);
+    return clear | (first & second);
 }
 
 } // namespace resonform

@@ -73,6 +73,12 @@ template <class Real> Real not_a_number() { return Real(std::numeric_limits<doub
 
 template <class Real> Real magnitude(const Real& x) { return x < Real(0) ? Real(-x) : x; }
 
+// a, unless b is larger; so that a number b that is none is passed over.
+template <class Real> Real larger(const Real& a, const Real& b) { return a < b ? b : a; }
+
+// NaN, if any is.
+template <class Real> Real smaller(const Real& a, const Real& b) { return b < a || !(b == b) ? b : a; }
+
 // An exact number: 2^exponent times the sum of doubles of which each is next to what those before leave. In
 // double it is correctly rounded, in wider types to half a unit of the last place.
 template <class Real, class Parts = std::initializer_list<double>>
@@ -133,5 +139,12 @@ template <class Real> Real erf(const Real& x) {
 }
 
 } // namespace resonform::math
+
+namespace resonform {
+
+// The type of a lane, of numbers that are several side by side (runtime/pack.hpp).
+template <class Number> struct OneOf { using type = Number; };
+
+} // namespace resonform
 
 #endif

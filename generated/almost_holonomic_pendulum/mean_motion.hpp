@@ -18,6 +18,7 @@
 // source: Kuleshov and Vidov, eqs. (11)-(20)
 #pragma once
 
+#include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
@@ -124,7 +125,27 @@ public:
         return Status::ok;
     }
 
+
+    // Arrays of arguments, an element for each member; where there is none, all have the default.
+    struct Members {
+        const Real* eps = nullptr; // to be given
+        const Real* xi_0 = nullptr;
+        const Real* C_delta = nullptr;
+        const Real* C_X = nullptr;
+        const Real* C_Y = nullptr;
+        bool full_phase = true; // false: a phase may be off by 4e-13 radians
+    };
+
+    // The outputs of n members, each at its own final time t: at_end, as one call.
+    static BatchReport ensemble(std::size_t n, const Members& members, const Real* t, Real* x, Real* y, Status* status = nullptr) noexcept {
+        return resonform::Ensemble::run<Evaluator, Evaluator<resonform::kernel::Pack>>(n, members, t, std::array{x, y}, status);
+    }
 private:
+    static constexpr std::array<Real Parameters::*, 0> parameter_fields{};
+    static constexpr std::array<const Real* Members::*, 0> parameter_arrays{};
+    static constexpr std::array<Real Start::*, 4> start_fields{&Start::xi_0, &Start::C_delta, &Start::C_X, &Start::C_Y};
+    static constexpr std::array<const Real* Members::*, 4> start_arrays{&Members::xi_0, &Members::C_delta, &Members::C_X, &Members::C_Y};
+
     // What is computed once.
     template <class Number> struct Constants {
         Number xi_0{};
@@ -258,6 +279,7 @@ private:
     }
 
     friend struct resonform::Points;
+    friend struct resonform::Ensemble;
     friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
@@ -314,7 +336,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false;
+        static constexpr bool flow = false, nested = false, packs = true;
         static constexpr std::array<std::size_t, 1> levels{1};
         static constexpr std::size_t columns = 1, angles = 0;
         static constexpr std::array<bool, 0> rounded{};
@@ -331,6 +353,7 @@ private:
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;
@@ -353,8 +376,11 @@ private:
         resonform::FinalPoint<Real, Course> point(course);
         const Status status = point.reach(eps, t);
         a.T = eps * t;
-        a.tables = point.tables;
+        take(point, a);
         return status;
+    }
+    template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
+        a.tables = point.tables;
     }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,

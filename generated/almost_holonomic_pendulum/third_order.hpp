@@ -32,6 +32,7 @@
 // source: Kuleshov and Vidov, eqs. (11)-(20)
 #pragma once
 
+#include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
@@ -143,7 +144,28 @@ public:
         return Status::ok;
     }
 
+
+    // Arrays of arguments, an element for each member; where there is none, all have the default.
+    struct Members {
+        const Real* eps = nullptr; // to be given
+        const Real* xi_0 = nullptr;
+        const Real* C_delta = nullptr;
+        const Real* theta_0 = nullptr;
+        const Real* C_X = nullptr;
+        const Real* C_Y = nullptr;
+        bool full_phase = true; // false: a phase may be off by 4e-13 radians
+    };
+
+    // The outputs of n members, each at its own final time t: at_end, as one call.
+    static BatchReport ensemble(std::size_t n, const Members& members, const Real* t, Real* psi, Real* x, Real* y, Status* status = nullptr) noexcept {
+        return resonform::Ensemble::run<Evaluator, Evaluator<resonform::kernel::Pack>>(n, members, t, std::array{psi, x, y}, status);
+    }
 private:
+    static constexpr std::array<Real Parameters::*, 0> parameter_fields{};
+    static constexpr std::array<const Real* Members::*, 0> parameter_arrays{};
+    static constexpr std::array<Real Start::*, 5> start_fields{&Start::xi_0, &Start::C_delta, &Start::theta_0, &Start::C_X, &Start::C_Y};
+    static constexpr std::array<const Real* Members::*, 5> start_arrays{&Members::xi_0, &Members::C_delta, &Members::theta_0, &Members::C_X, &Members::C_Y};
+
     // What is computed once.
     template <class Number> struct Constants {
         Number xi_0{};
@@ -445,6 +467,7 @@ private:
     }
 
     friend struct resonform::Points;
+    friend struct resonform::Ensemble;
     friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
@@ -530,7 +553,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false;
+        static constexpr bool flow = false, nested = false, packs = true;
         static constexpr std::array<std::size_t, 1> levels{1};
         static constexpr std::size_t columns = 1, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -547,6 +570,7 @@ private:
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;
@@ -570,10 +594,13 @@ private:
         resonform::FinalPoint<Real, Course> point(course);
         const Status status = point.reach(eps, t);
         a.T = eps * t;
+        take(point, a);
+        return status;
+    }
+    template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
         a.tables = point.tables;
         a.cos_theta = point.cosine[0];
         a.sin_theta = point.sine[0];
-        return status;
     }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,

@@ -27,6 +27,7 @@
 // source: Nayfeh and Mook, Nonlinear Oscillations, section 4.1
 #pragma once
 
+#include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
@@ -136,7 +137,26 @@ public:
         return Status::ok;
     }
 
+
+    // Arrays of arguments, an element for each member; where there is none, all have the default.
+    struct Members {
+        const Real* eps = nullptr; // to be given
+        const Real* phi_0 = nullptr;
+        const Real* x_0 = nullptr;
+        const Real* x_dot_0 = nullptr;
+        bool full_phase = true; // false: a phase may be off by 4e-13 radians
+    };
+
+    // The outputs of n members, each at its own final time t: at_end, as one call.
+    static BatchReport ensemble(std::size_t n, const Members& members, const Real* t, Real* x, Status* status = nullptr) noexcept {
+        return resonform::Ensemble::run<Evaluator, Evaluator<resonform::kernel::Pack>>(n, members, t, std::array{x}, status);
+    }
 private:
+    static constexpr std::array<Real Parameters::*, 0> parameter_fields{};
+    static constexpr std::array<const Real* Members::*, 0> parameter_arrays{};
+    static constexpr std::array<Real Start::*, 3> start_fields{&Start::phi_0, &Start::x_0, &Start::x_dot_0};
+    static constexpr std::array<const Real* Members::*, 3> start_arrays{&Members::phi_0, &Members::x_0, &Members::x_dot_0};
+
     // What is computed once.
     template <class Number> struct Constants {
         Number eps{};
@@ -356,6 +376,7 @@ private:
     }
 
     friend struct resonform::Points;
+    friend struct resonform::Ensemble;
     friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
@@ -420,7 +441,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true;
+        static constexpr bool flow = true, nested = true, packs = false;
         static constexpr std::array<std::size_t, 1> levels{2};
         static constexpr std::size_t columns = 2, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -460,10 +481,13 @@ private:
         resonform::FinalPoint<Real, Course> point(course);
         const Status status = point.reach(eps, t);
         a.T = eps * t;
+        take(point, a);
+        return status;
+    }
+    template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
         a.tables = point.tables;
         a.cos_theta = point.cosine[0];
         a.sin_theta = point.sine[0];
-        return status;
     }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,

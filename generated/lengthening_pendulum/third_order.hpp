@@ -20,6 +20,7 @@
 // source: Arnold, Kozlov and Neishtadt, Mathematical Aspects of Classical and Celestial Mechanics, section 6.4
 #pragma once
 
+#include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
@@ -124,7 +125,26 @@ public:
         return Status::ok;
     }
 
+
+    // Arrays of arguments, an element for each member; where there is none, all have the default.
+    struct Members {
+        const Real* eps = nullptr; // to be given
+        const Real* l_0 = nullptr;
+        const Real* amplitude_phi = nullptr;
+        const Real* phase_phi = nullptr;
+        bool full_phase = true; // false: a phase may be off by 4e-13 radians
+    };
+
+    // The outputs of n members, each at its own final time t: at_end, as one call.
+    static BatchReport ensemble(std::size_t n, const Members& members, const Real* t, Real* phi, Status* status = nullptr) noexcept {
+        return resonform::Ensemble::run<Evaluator, Evaluator<resonform::kernel::Pack>>(n, members, t, std::array{phi}, status);
+    }
 private:
+    static constexpr std::array<Real Parameters::*, 0> parameter_fields{};
+    static constexpr std::array<const Real* Members::*, 0> parameter_arrays{};
+    static constexpr std::array<Real Start::*, 3> start_fields{&Start::l_0, &Start::amplitude_phi, &Start::phase_phi};
+    static constexpr std::array<const Real* Members::*, 3> start_arrays{&Members::l_0, &Members::amplitude_phi, &Members::phase_phi};
+
     // What is computed once.
     template <class Number> struct Constants {
         Number phase_phi{};
@@ -317,6 +337,7 @@ private:
     }
 
     friend struct resonform::Points;
+    friend struct resonform::Ensemble;
     friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
@@ -388,7 +409,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false;
+        static constexpr bool flow = false, nested = false, packs = true;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -402,6 +423,7 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;
@@ -425,9 +447,12 @@ private:
         resonform::FinalPoint<Real, Course> point(course);
         const Status status = point.reach(eps, t);
         a.T = eps * t;
+        take(point, a);
+        return status;
+    }
+    template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
         a.cos_theta = point.cosine[0];
         a.sin_theta = point.sine[0];
-        return status;
     }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,

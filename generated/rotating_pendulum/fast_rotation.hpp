@@ -19,6 +19,7 @@
 // source: the textbook example of averaging over an angle
 #pragma once
 
+#include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
@@ -120,7 +121,25 @@ public:
         return Status::ok;
     }
 
+
+    // Arrays of arguments, an element for each member; where there is none, all have the default.
+    struct Members {
+        const Real* eps = nullptr; // to be given
+        const Real* J_0 = nullptr;
+        const Real* phi_0 = nullptr;
+        bool full_phase = true; // false: a phase may be off by 4e-13 radians
+    };
+
+    // The outputs of n members, each at its own final time t: at_end, as one call.
+    static BatchReport ensemble(std::size_t n, const Members& members, const Real* t, Real* J, Status* status = nullptr) noexcept {
+        return resonform::Ensemble::run<Evaluator, Evaluator<resonform::kernel::Pack>>(n, members, t, std::array{J}, status);
+    }
 private:
+    static constexpr std::array<Real Parameters::*, 0> parameter_fields{};
+    static constexpr std::array<const Real* Members::*, 0> parameter_arrays{};
+    static constexpr std::array<Real Start::*, 2> start_fields{&Start::J_0, &Start::phi_0};
+    static constexpr std::array<const Real* Members::*, 2> start_arrays{&Members::J_0, &Members::phi_0};
+
     // What is computed once.
     template <class Number> struct Constants {
         Number c_1{};
@@ -312,6 +331,7 @@ private:
     }
 
     friend struct resonform::Points;
+    friend struct resonform::Ensemble;
     friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
@@ -378,7 +398,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false;
+        static constexpr bool flow = false, nested = false, packs = false;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -413,9 +433,12 @@ private:
         resonform::FinalPoint<Real, Course> point(course);
         const Status status = point.reach(eps, t);
         a.T = eps * t;
+        take(point, a);
+        return status;
+    }
+    template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
         a.cos_theta = point.cosine[0];
         a.sin_theta = point.sine[0];
-        return status;
     }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,

@@ -29,6 +29,7 @@
 // source: Nayfeh and Mook, Nonlinear Oscillations, section 6.5, with V = a x^2 y
 #pragma once
 
+#include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
@@ -142,7 +143,27 @@ public:
         return Status::ok;
     }
 
+
+    // Arrays of arguments, an element for each member; where there is none, all have the default.
+    struct Members {
+        const Real* eps = nullptr; // to be given
+        const Real* amplitude_x = nullptr;
+        const Real* phase_x = nullptr;
+        const Real* amplitude_y = nullptr;
+        const Real* phase_y = nullptr;
+        bool full_phase = true; // false: a phase may be off by 4e-13 radians
+    };
+
+    // The outputs of n members, each at its own final time t: at_end, as one call.
+    static BatchReport ensemble(std::size_t n, const Members& members, const Real* t, Real* x, Real* y, Status* status = nullptr) noexcept {
+        return resonform::Ensemble::run<Evaluator, Evaluator<resonform::kernel::Pack>>(n, members, t, std::array{x, y}, status);
+    }
 private:
+    static constexpr std::array<Real Parameters::*, 0> parameter_fields{};
+    static constexpr std::array<const Real* Members::*, 0> parameter_arrays{};
+    static constexpr std::array<Real Start::*, 4> start_fields{&Start::amplitude_x, &Start::phase_x, &Start::amplitude_y, &Start::phase_y};
+    static constexpr std::array<const Real* Members::*, 4> start_arrays{&Members::amplitude_x, &Members::phase_x, &Members::amplitude_y, &Members::phase_y};
+
     // What is computed once.
     template <class Number> struct Constants {
         Number u_x{};
@@ -416,6 +437,7 @@ private:
     }
 
     friend struct resonform::Points;
+    friend struct resonform::Ensemble;
     friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
@@ -496,7 +518,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true;
+        static constexpr bool flow = true, nested = true, packs = false;
         static constexpr std::array<std::size_t, 1> levels{4};
         static constexpr std::size_t columns = 4, angles = 2;
         static constexpr std::array<bool, 2> rounded{false, false};
@@ -513,6 +535,7 @@ private:
         }
         static constexpr int samples = resonform::broad_layer_samples;
         auto margins(const Real& T, const Columns& columns) const { return layers(c, T, columns); }
+        auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;
@@ -536,12 +559,15 @@ private:
         resonform::FinalPoint<Real, Course> point(course);
         const Status status = point.reach(eps, t);
         a.T = eps * t;
+        take(point, a);
+        return status;
+    }
+    template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
         a.tables = point.tables;
         a.cos_theta_1 = point.cosine[0];
         a.sin_theta_1 = point.sine[0];
         a.cos_theta_2 = point.cosine[1];
         a.sin_theta_2 = point.sine[1];
-        return status;
     }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,

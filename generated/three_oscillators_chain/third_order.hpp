@@ -171,6 +171,7 @@
 // source: Fermi, Pasta, Ulam, Studies of nonlinear problems, Los Alamos 1955: cubic forces, three masses
 #pragma once
 
+#include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
@@ -281,7 +282,29 @@ public:
         return Status::ok;
     }
 
+
+    // Arrays of arguments, an element for each member; where there is none, all have the default.
+    struct Members {
+        const Real* eps = nullptr; // to be given
+        const Real* x_0 = nullptr;
+        const Real* x_dot_0 = nullptr;
+        const Real* y_0 = nullptr;
+        const Real* y_dot_0 = nullptr;
+        const Real* w_0 = nullptr;
+        const Real* w_dot_0 = nullptr;
+        bool full_phase = true; // false: a phase may be off by 4e-13 radians
+    };
+
+    // The outputs of n members, each at its own final time t: at_end, as one call.
+    static BatchReport ensemble(std::size_t n, const Members& members, const Real* t, Real* x, Real* y, Real* w_, Status* status = nullptr) noexcept {
+        return resonform::Ensemble::run<Evaluator, Evaluator<resonform::kernel::Pack>>(n, members, t, std::array{x, y, w_}, status);
+    }
 private:
+    static constexpr std::array<Real Parameters::*, 0> parameter_fields{};
+    static constexpr std::array<const Real* Members::*, 0> parameter_arrays{};
+    static constexpr std::array<Real Start::*, 6> start_fields{&Start::x_0, &Start::x_dot_0, &Start::y_0, &Start::y_dot_0, &Start::w_0, &Start::w_dot_0};
+    static constexpr std::array<const Real* Members::*, 6> start_arrays{&Members::x_0, &Members::x_dot_0, &Members::y_0, &Members::y_dot_0, &Members::w_0, &Members::w_dot_0};
+
     // What is computed once.
     template <class Number> struct Constants {
         Number c_1{};
@@ -1609,6 +1632,7 @@ private:
     }
 
     friend struct resonform::Points;
+    friend struct resonform::Ensemble;
     friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
@@ -1772,7 +1796,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false;
+        static constexpr bool flow = false, nested = false, packs = false;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 3;
         static constexpr std::array<bool, 3> rounded{false, false, false};
@@ -1807,13 +1831,16 @@ private:
         resonform::FinalPoint<Real, Course> point(course);
         const Status status = point.reach(eps, t);
         a.T = eps * t;
+        take(point, a);
+        return status;
+    }
+    template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
         a.cos_theta_1 = point.cosine[0];
         a.sin_theta_1 = point.sine[0];
         a.cos_theta_2 = point.cosine[1];
         a.sin_theta_2 = point.sine[1];
         a.cos_theta_3 = point.cosine[2];
         a.sin_theta_3 = point.sine[2];
-        return status;
     }
 
     Cause construct(const Real& eps, const Parameters& parameters, const Start& start,

@@ -98,7 +98,7 @@ std::string CppFrame::locate() const {
 
 // What Points and Tabulated call.
 std::string CppFrame::points() const {
-    std::string text = "    friend struct resonform::Points;\n";
+    std::string text = "    friend struct resonform::Points;\n    friend struct resonform::Ensemble;\n";
     if (!plan_.rows.empty()) text += "    friend struct resonform::Tabulated;\n";
     text += "\n" + cpp_call("at", "Values", "outputs", plan_.outputs);
     text += "    static void list(const Values& values, Real* numbers) noexcept {\n";
@@ -255,7 +255,8 @@ std::string cpp_class(const Program& program) {
     CppPlan plan(program);
     return "template <class Real = double> class Evaluator {\npublic:\n    using Status = "
            "resonform::Status;\n    using BatchReport = resonform::BatchReport;\n\n" +
-           cpp_interface(plan) + "private:\n" + cpp_stages(plan) + CppFrame(plan).print() + "};\n";
+           cpp_interface(plan) + "private:\n" + cpp_fields(plan) + cpp_stages(plan) + CppFrame(plan).print() +
+           "};\n";
 }
 
 } // namespace resonform

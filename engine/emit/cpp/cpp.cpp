@@ -54,7 +54,7 @@ std::string banner(const Program& program) {
 std::string runtime(const Program& program, bool inlined) {
     std::string text;
     if (!inlined) {
-        text += "#include \"runtime/final_point.hpp\"\n";
+        text += "#include \"runtime/ensemble.hpp\"\n#include \"runtime/final_point.hpp\"\n";
         if (!program.flow.empty()) text += "#include \"runtime/flow.hpp\"\n";
         text += "#include \"runtime/interval.hpp\"\n";
         if (!program.layers.empty()) text += "#include \"runtime/layer.hpp\"\n";

@@ -25,6 +25,7 @@ private:
     }
     [[nodiscard]] std::string rates() const;
     [[nodiscard]] std::string margins() const;
+    [[nodiscard]] std::string conditions() const;
     [[nodiscard]] std::string phase_rates() const;
     [[nodiscard]] std::string arguments() const;
 
@@ -55,6 +56,17 @@ std::string CppCourse::margins() const {
                        "        auto margins(const Real& T{}) const {{ return layers(c, T{}); }}\n",
                        plan_.layers_are_broad ? "broad_" : "", flow ? ", const Columns& columns" : "",
                        flow ? ", " + columns(1) : "");
+}
+
+// What must be > 0 at the start; no more than Real has a place for.
+std::string CppCourse::conditions() const {
+    if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
+    std::vector<StraightLine::Value> values;
+    for (const CppCondition& condition : plan_.constant_conditions) values.push_back(condition.value);
+    const std::string list = plan_.conditions_apart ? "start_conditions<Real>(eps, parameters, given)"
+                                                    : fmt::format("std::array<Real, {}>{{{}}}", values.size(),
+                                                                  plan_.member_list(values, "c."));
+    return fmt::format("        auto conditions() const {{ return {}; }}\n", list);
 }
 
 std::string CppCourse::phase_rates() const {
@@ -94,6 +106,8 @@ std::string CppCourse::print() const {
                                    {"start", plan_.member_list(plan_.flow_starts, "c.")},
                                    {"rates", rates()},
                                    {"margins", margins()},
+                                   {"conditions", conditions()},
+                                   {"packs", plan_.range.native && program_.flow.empty() ? "true" : "false"},
                                    {"constants", constants},
                                    {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                    {"phase_rates", phase_rates()},

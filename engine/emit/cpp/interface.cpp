@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <tuple>
+
 namespace resonform {
 
 namespace {
@@ -36,6 +38,9 @@ private:
     std::string default_slow_time_end();
     std::string calls() const;
     std::string batch() const;
+    std::string ensemble() const;
+    // Names of the arguments that outputs are stored in.
+    [[nodiscard]] std::vector<std::string> array_names() const;
     [[nodiscard]] std::string default_type() const;
     [[nodiscard]] std::string default_text(const CppFunction& function, Value v) const;
     void know_inputs(CppFunction& function);
@@ -135,13 +140,18 @@ std::string CppInterface::default_slow_time_end() {
            "\n";
 }
 
-std::string CppInterface::batch() const {
-    std::vector<std::string> arrays, names;
+std::vector<std::string> CppInterface::array_names() const {
+    std::vector<std::string> names;
     for (const CppResult& output : plan_.outputs) {
-        const bool taken = output.name == "n" || output.name == "t0" || output.name == "dt";
+        const bool taken =
+            output.name == "n" || output.name == "t0" || output.name == "dt" || output.name == "members";
         names.push_back(taken ? output.name + "_" : output.name);
-        arrays.push_back("Real* " + names.back());
     }
+    return names;
+}
+
+std::string CppInterface::batch() const {
+    const std::vector<std::string> names = array_names();
     const char* prepare = plan_.rows.empty()
                               ? "        return cause_.status;\n"
                               : "        if (cause_.status != Status::ok) return cause_.status;\n"
@@ -149,17 +159,37 @@ std::string CppInterface::batch() const {
                                 "            if (prepare_tables() == Status::no_memory) return "
                                 "Status::no_memory;\n"
                                 "        return Status::ok;\n";
-    return filled(frames::batch, {{"arrays", fmt::format("{}", fmt::join(arrays, ", "))},
+    return filled(frames::batch, {{"arrays", fmt::format("Real* {}", fmt::join(names, ", Real* "))},
                                   {"names", fmt::format("{}", fmt::join(names, ", "))},
                                   {"Points", plan_.rows.empty() ? "Points" : "Tabulated"},
                                   {"prepare", prepare}});
+}
+
+// The members of Members, those of Parameters first.
+std::vector<std::string> argument_arrays(const CppPlan& plan) {
+    CppNames names;
+    names.unique("full_phase");
+    std::vector<std::string> arrays;
+    for (const auto* list : {&plan.parameters, &plan.start})
+        for (const std::string& field : *list) arrays.push_back(names.unique(field));
+    return arrays;
+}
+
+std::string CppInterface::ensemble() const {
+    const std::vector<std::string> names = array_names();
+    std::string fields;
+    for (const std::string& array : argument_arrays(plan_))
+        fields += fmt::format("        const Real* {} = nullptr;\n", array);
+    return filled(frames::ensemble, {{"fields", fields},
+                                     {"arrays", fmt::format("Real* {}", fmt::join(names, ", Real* "))},
+                                     {"names", fmt::format("{}", fmt::join(names, ", "))}});
 }
 
 std::string CppInterface::calls() const {
     std::string text = "    // Anything but ok and low_precision: the values are not numbers.\n"
                        "    Status operator()(const Real& t, Values& values) const noexcept { return at(t, "
                        "Real(0), values); }\n\n" +
-                       cpp_at_end(plan_) + batch();
+                       cpp_at_end(plan_) + batch() + ensemble();
     if (plan_.state.empty()) return text;
     return text +
            "    Status state(const Real& t, State& values) const noexcept { return state_at(t, Real(0), "
@@ -176,6 +206,26 @@ std::string cpp_call(const std::string& head, const std::string& type, const std
                                  {"Values", type},
                                  {"compute", function},
                                  {"none", fmt::format("{}", fmt::join(none, ", "))}});
+}
+
+std::string cpp_fields(const CppPlan& plan) {
+    const std::vector<std::string> arrays = argument_arrays(plan);
+    std::size_t next = 0;
+    std::string text;
+    for (const auto& [kind, type, list] : {std::tuple("parameter", "Parameters", &plan.parameters),
+                                           std::tuple("start", "Start", &plan.start)}) {
+        std::vector<std::string> own, given;
+        for (const std::string& field : *list) {
+            own.push_back(fmt::format("&{}::{}", type, field));
+            given.push_back(fmt::format("&Members::{}", arrays[next++]));
+        }
+        text += filled(frames::fields, {{"kind", kind},
+                                        {"Struct", type},
+                                        {"count", std::to_string(list->size())},
+                                        {"fields", fmt::format("{}", fmt::join(own, ", "))},
+                                        {"arrays", fmt::format("{}", fmt::join(given, ", "))}});
+    }
+    return text + "\n";
 }
 
 std::string cpp_interface(CppPlan& plan) { return CppInterface(plan).print(); }

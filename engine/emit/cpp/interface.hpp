@@ -10,6 +10,9 @@ namespace resonform {
 
 std::string cpp_interface(CppPlan& plan);
 
+// Tables of the members of Parameters and Start and of the arrays of Members that belong to them.
+std::string cpp_fields(const CppPlan& plan);
+
 // A member `head`(t, low, values) that computes the results of `type` by `function`.
 std::string cpp_call(const std::string& head, const std::string& type, const std::string& function,
                      const std::vector<CppResult>& list);
