@@ -114,8 +114,8 @@ private:
                 too_long_ = !(size <= Real(quick_radians));
                 if (too_long_) return Status::ok;
             }
-            const Real resolution = Course::rounded[k] ? math::epsilon<Real>()
-                                                       : static_cast<Real>(math::epsilon<WideNumber<Real>>());
+            const int digits = Course::rounded[k] ? math::digits<Real> : math::digits<WideNumber<Real>>;
+            const Real resolution = math::power(Real(Real(1) / Real(2)), digits - 1);
             if (!(size * resolution <= Real(known_radians))) return Status::outside_interval;
             if (!(size <= Real(1e14) && size * resolution <= Real(1e-9))) status = Status::low_precision;
             turn(theta, cosine[k], sine[k]);
