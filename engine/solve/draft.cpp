@@ -52,7 +52,9 @@ Draft::Draft(std::shared_ptr<const Normalization> normalization, const SolveOpti
     solution.normalization = std::move(normalization);
     solution.order = options.order;
     solution.truncation = options.truncation;
-    RingBuilder builder;
+    const GradedField& field = *normal_form().field;
+    const std::size_t refined = refinements.size(), constants = 1 + 2 * field.modes.size() + field.drift.size();
+    RingBuilder builder(field.ring->size() + static_cast<int>(refined + constants));
     copy_generators(builder, refinements);
     add_constants(builder);
     solution.ring = builder.freeze();
@@ -163,7 +165,7 @@ void Draft::rewrite(const RingMap& map) {
 
 GeneratorId Draft::extend(Generator g, bool exponential) {
     const RingPtr before = solution.ring;
-    RingBuilder builder;
+    RingBuilder builder(before->size() + 1);
     RingCopy(*before, builder).copy_all();
     g.name = fresh_name(builder, std::move(g.name));
     const Polynomial self = builder.gen(builder.next());

@@ -12,7 +12,7 @@ namespace resonform {
 namespace {
 
 void build_ring(const Solution& solution, InitialValues& values) {
-    RingBuilder builder;
+    RingBuilder builder(solution.ring->size() + static_cast<int>(solution.state.size()));
     RingCopy(*solution.ring, builder).copy_all();
     for (const SolutionOutput& state : solution.state) {
         Generator g;

@@ -204,9 +204,11 @@ private:
 // create generators in the order of the user's file.
 class RingBuilder {
 public:
-    RingBuilder(); // with the imaginary unit as generator 0
+    // With the imaginary unit as generator 0, for at most so many; the fewer, the larger the exponents of
+    // radicands and derivatives may be.
+    explicit RingBuilder(int most = Packing::most_fields);
     // Roots: radicand given over the generators added so far, parameters, slow variables and roots.
-    // Refuses more than 32 generators; a name that is taken or empty is refused.
+    // Refuses more generators than expected; a name that is taken or empty is refused.
     GeneratorId add(Generator g);
     void round_to(int digits) { digits_ = digits; } // Ring::digits
     // The id that the next add() gives: for a derivative that contains its own generator, as that of an
@@ -231,7 +233,7 @@ public:
     void set_slope(GeneratorId id, const Ring& frozen, const Polynomial& slope);
 
 private:
-    Packing packing_; // of 32 generators
+    Packing packing_; // of as many generators as there may be
     int digits_ = 0;
     std::vector<Generator> generators_;
 };

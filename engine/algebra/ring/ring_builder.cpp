@@ -16,7 +16,7 @@ Polynomial repack(const Packing& from, const Packing& to, const Polynomial& p) {
     std::vector<Term> terms;
     for (const Term& t : p.terms()) {
         // Fields past the generators of the smaller ring are empty.
-        std::vector<int> exponents = from.unpack(t.monomial, Packing::most_fields);
+        std::vector<int> exponents = from.unpack(t.monomial, from.fields());
         while (!exponents.empty() && exponents.back() == 0) exponents.pop_back();
         terms.push_back({to.pack(exponents), t.coefficient});
     }
@@ -36,7 +36,7 @@ struct Contents {
 Contents contents(const Packing& packing, const std::vector<Generator>& earlier, const Polynomial& p) {
     Contents result;
     for (const Term& t : p.terms()) {
-        for (int id = 0; id < Packing::most_fields; ++id) {
+        for (int id = 0; id < packing.fields(); ++id) {
             const int e = packing.exponent(t.monomial, id);
             if (e == 0) continue;
             const bool known = static_cast<std::size_t>(id) < earlier.size();
@@ -75,7 +75,7 @@ void check_argument(const Packing& packing, const std::vector<Generator>& earlie
 
 } // namespace
 
-RingBuilder::RingBuilder() {
+RingBuilder::RingBuilder(int most) : packing_(std::min(most, Packing::most_fields)) {
     Generator i;
     i.kind = GeneratorKind::imaginary;
     i.name = "I";
@@ -85,7 +85,7 @@ RingBuilder::RingBuilder() {
 
 GeneratorId RingBuilder::add(Generator g) {
     if (g.name.empty() || id(g.name) >= 0) refuse_generator("the name of a generator is its own", g.name);
-    if (generators_.size() >= static_cast<std::size_t>(Packing::most_fields)) {
+    if (generators_.size() >= static_cast<std::size_t>(packing_.fields())) {
         refuse(Reason::size,
                {.rule = "a system has at most 32 of these together: i, eps, parameters, slow variables, two "
                         "modes for each oscillator, roots that occur; constants and integrals of a solution",
