@@ -55,13 +55,19 @@ int run_generate(const GenerateRequest& request) {
     require_other_file(request.output, {line.scene.file, line.scene.system->file});
     if (!request.output.empty()) write_file(request.output, header);
     if (request.format == "json") {
-        Json document{{"schema", "resonform.generation/1"},
-                      {"system", program.system},
-                      {"scene", program.scene},
-                      {"order", program.order},
-                      {"truncation", program.truncation},
-                      {"operations_before", to_json(program.before)},
-                      {"operations_after", to_json(program.after)}};
+        Json document{
+            {"schema", "resonform.generation/1"},
+            {"system", program.system},
+            {"scene", program.scene},
+            {"order", program.order},
+            {"truncation", program.truncation},
+            {"operations_before", to_json(program.before)},
+            {"operations_after", to_json(program.after)},
+            {"form", program.form},
+            {"operations_by_form", {{"tables", nullptr}, {"direct", program.operations_by_form.direct}}},
+            {"bytes", header.size()}};
+        if (const auto tables = program.operations_by_form.tables)
+            document["operations_by_form"]["tables"] = *tables;
         if (request.output.empty())
             document["header"] = header;
         else

@@ -3,6 +3,7 @@
 // same run: build/release/tests/bench_evaluators [--format json]. New times t in each repetition, nothing
 // kept between calls; the least of many.
 #include "bench/measure.hpp"
+#include "bench/members.hpp"
 #include "runtime/batch.hpp"
 #include "support/program.hpp"
 #include "verify/evaluate/evaluator.hpp"
@@ -104,6 +105,7 @@ public:
                 std::fprintf(stderr, "%s/%s, order %d, eps = %g\n", system.c_str(), name.c_str(), order, eps);
                 row_ = {system + "/" + name, "", "", eps, order, 0, 0, 0};
                 measure(program, library, eps);
+                members(program, eps);
             }
         }
     }
@@ -182,6 +184,29 @@ private:
             least(million, end, true,
                   [&](const Times& t) { evaluator.grid(t[0] * 1e-3, dt * 0.999, all, status); }),
             by.copy_ns, pendulum && third ? std::array{7.5, 2.3, 2.2}[width] : 0);
+    }
+
+    // A final point with nothing tabulated, alone and as one of many.
+    void members(const Program& program, double eps) {
+        constexpr std::array marches{"x86-64", "x86-64-v3", "x86-64-v4"};
+        const bool pendulum = row_.scene == "almost_holonomic_pendulum/third_order";
+        const auto aim = [&](double third, double fifth) {
+            return !pendulum ? 0 : row_.order == 3 ? third : row_.order == 5 ? fifth : 0;
+        };
+        for (std::size_t width = 0; width < names.size(); ++width) {
+            row_.simd = names[width];
+            const auto times = bench::time_members(program, marches[width], eps);
+            if (!times) continue;
+            const double factor = width == 0 ? 3 : 1;
+            add_ns("one final point", times->alone, aim(600, 1000));
+            add_ns("ensemble, phase to 4e-13", times->plain, factor * aim(35, 65));
+            add_ns("ensemble, full phase", times->full, factor * aim(100, 160));
+        }
+    }
+
+    // What is to be reached in ns is held against 1 ns.
+    void add_ns(const std::string& quantity, double ns, double to_reach) {
+        add(quantity, ns, to_reach > 0 ? 1 : 0, to_reach);
     }
 
     void add(const std::string& quantity, double ns, double yardstick, double to_reach) {

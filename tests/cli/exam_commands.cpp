@@ -122,6 +122,37 @@ TEST(Commands, GenerateWritesTheCommittedHeader) {
     EXPECT_EQ(output_of("resonform generate " + scenes + "xy_only.toml"), read(committed));
 }
 
+// xy_only with another [emit]
+std::string scene_with(const Scratch& scratch, const std::string& emit) {
+    scratch.copy_systems();
+    const auto file = scratch.path() / "systems/almost_holonomic_pendulum/scenes/xy_only.toml";
+    write(file, read(file) + "\n[emit]\n" + emit + "\n");
+    return file.string();
+}
+
+TEST(Commands, ASceneChoosesTheFormOfManyPoints) {
+    const Json tables = json_of("resonform generate " + scenes + "xy_only.toml");
+    EXPECT_EQ(tables["form"], "tables");
+    EXPECT_EQ(tables["bytes"], tables["header"].get<std::string>().size());
+    EXPECT_NE(tables["header"].get<std::string>().find("struct Rows"), std::string::npos);
+    const Scratch scratch;
+    const Json direct = json_of("resonform generate " + scene_with(scratch, "form = \"direct\""));
+    EXPECT_EQ(direct["form"], "direct");
+    EXPECT_EQ(direct["operations_by_form"], tables["operations_by_form"]);
+    EXPECT_GT(direct["operations_by_form"]["direct"], direct["operations_by_form"]["tables"]);
+    EXPECT_EQ(direct["header"].get<std::string>().find("struct Rows"), std::string::npos);
+    EXPECT_NE(direct["header"].get<std::string>().find("one by one): as the scene wants it"),
+              std::string::npos);
+}
+
+TEST(Commands, AnUnknownFormIsNamed) {
+    const Scratch scratch;
+    const Outcome outcome =
+        run("resonform generate " + scene_with(scratch, "form = \"table\""), scratch.path());
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("did you mean 'tables'?"), std::string::npos) << outcome.err;
+}
+
 TEST(Commands, TheInlinedRuntimeIsWhole) {
     const Scratch scratch;
     write(scratch.path() / "main.cpp", "#include \"xy.hpp\"\nint main() {}\n");

@@ -5,8 +5,9 @@
 #include "algebra/ring/products.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
-#include <mutex>
+#include <memory>
 #include <utility>
 
 namespace resonform {
@@ -33,6 +34,27 @@ void collect(std::vector<Term>& terms) {
     terms.resize(kept);
 }
 
+// Made by whoever asks first; of threads that ask at once one is believed. (A std::once_flag costs a system
+// call for every polynomial.)
+template <class Form> class Later {
+public:
+    Later() = default;
+    Later(const Later&) = delete;
+    Later& operator=(const Later&) = delete;
+    ~Later() { delete made_.load(std::memory_order_relaxed); }
+
+    template <class Make> const Form& get(const Make& make) {
+        if (const Form* known = made_.load(std::memory_order_acquire)) return *known;
+        auto own = std::make_unique<const Form>(make());
+        const Form* other = nullptr;
+        if (!made_.compare_exchange_strong(other, own.get(), std::memory_order_acq_rel)) return *other;
+        return *own.release();
+    }
+
+private:
+    std::atomic<const Form*> made_{nullptr};
+};
+
 } // namespace
 
 // Whichever form it was made with is there from the start.
@@ -41,9 +63,10 @@ struct Polynomial::Body {
     explicit Body(Fractions f) : made_with_terms(false), fractions(std::move(f)) {}
 
     bool made_with_terms;
-    mutable std::once_flag other_form;
-    mutable std::vector<Term> terms;
-    mutable Fractions fractions;
+    std::vector<Term> terms;
+    Fractions fractions;
+    mutable Later<std::vector<Term>> later_terms;
+    mutable Later<Fractions> later_fractions;
 };
 
 Polynomial::Polynomial(const Rational& constant) : Polynomial(Monomial{}, constant) {}
@@ -71,17 +94,15 @@ Polynomial Polynomial::from_fractions(Fractions fractions) {
 const std::vector<Term>& Polynomial::terms() const& {
     static const std::vector<Term> none;
     if (!body_) return none;
-    if (!body_->made_with_terms)
-        std::call_once(body_->other_form, [&] { body_->terms = to_terms(body_->fractions); });
-    return body_->terms;
+    if (body_->made_with_terms) return body_->terms;
+    return body_->later_terms.get([&] { return to_terms(body_->fractions); });
 }
 
 const Fractions& Polynomial::fractions() const {
     static const Fractions none;
     if (!body_) return none;
-    if (body_->made_with_terms)
-        std::call_once(body_->other_form, [&] { body_->fractions = to_fractions(body_->terms); });
-    return body_->fractions;
+    if (!body_->made_with_terms) return body_->fractions;
+    return body_->later_fractions.get([&] { return to_fractions(body_->terms); });
 }
 
 std::size_t Polynomial::size() const {

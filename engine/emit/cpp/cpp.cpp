@@ -30,8 +30,11 @@ std::string in_comment(const std::string& text) {
 
 // How batch and grid compute them.
 std::string many_points(const Program& program) {
-    if (!program.rows.empty()) return fmt::format("from tables of {} rows", program.rows.size());
-    return program.without_rows.empty() ? "one by one" : "one by one: " + program.without_rows;
+    const auto& [tables, direct] = program.operations_by_form;
+    std::string text =
+        program.form == "tables" ? fmt::format("from tables of {} rows", program.rows.size()) : "one by one";
+    if (tables) text += fmt::format(" ({} operations, {} one by one)", *tables, direct);
+    return text + (program.form_reason.empty() ? "" : ": " + program.form_reason);
 }
 
 std::string banner(const Program& program) {

@@ -4,13 +4,13 @@
 #include "algebra/number/error.hpp"
 #include "algebra/ring/constant.hpp"
 #include "emit/display/identifier.hpp"
-#include "emit/program/count.hpp"
 #include "emit/program/fixed_divisors.hpp"
 #include "emit/program/flow_program.hpp"
 #include "emit/program/harmonics.hpp"
 #include "emit/program/layers.hpp"
 #include "emit/program/lower.hpp"
 #include "emit/program/moment.hpp"
+#include "emit/program/operations.hpp"
 #include "emit/program/prune.hpp"
 #include "emit/program/quadratures.hpp"
 #include "emit/program/scene_formulas.hpp"
@@ -227,13 +227,13 @@ Program without_savings(const Solution& solution, Scene scene) {
 Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
     Program program = built_with_reason(solution, scene, options);
     prune(program);
-    limit_rows(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
     if (options.fold_fixed && !scene.fix.empty())
         program.notes.push_back(fixed_values(solution.system(), scene));
     if (!solution.system().source.empty()) program.notes.push_back("source: " + solution.system().source);
     program.before = count_written_out(without_savings(solution, scene));
     program.after = count_operations(program);
+    if (options.rows) choose_form(program, scene.form, scene.form_place);
     return program;
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/program/harmonics.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <set>
 
 namespace resonform {
 
@@ -37,21 +34,6 @@ void Amplitudes::append_to(Program& program, std::size_t output) const {
                                            : ProgramWave::cosine,
                                     turns, amplitude});
         }
-}
-
-void limit_rows(Program& program) {
-    // What compilers evaluate in headers (runtime/kernel/scene.hpp) grows as the third power of the
-    // harmonics.
-    constexpr std::size_t most_rows = 256, most_harmonics = 32, most_outputs = 16;
-    std::set<std::vector<int>> harmonics;
-    for (const ProgramRow& row : program.rows)
-        if (row.wave != ProgramWave::one) harmonics.insert(row.turns);
-    if (program.rows.size() > most_rows || harmonics.size() > most_harmonics)
-        program.without_rows = fmt::format("{} rows of {} harmonics, more than {} or {}", program.rows.size(),
-                                           harmonics.size(), most_rows, most_harmonics);
-    else if (program.outputs.size() > most_outputs)
-        program.without_rows = fmt::format("{} outputs, more than {}", program.outputs.size(), most_outputs);
-    if (!program.without_rows.empty()) program.rows.clear();
 }
 
 void Harmonics::set_angle(GeneratorId phase, Graph::Node cosine, Graph::Node sine) {

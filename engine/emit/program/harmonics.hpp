@@ -36,10 +36,6 @@ private:
     std::map<std::vector<int>, std::array<Parts, 2>> parts_; // of cosine and sine
 };
 
-// Drops all rows, with a reason, where tables of them would be too large: then many points are computed one
-// by one.
-void limit_rows(Program& program);
-
 class Harmonics {
 public:
     Harmonics(Graph& graph, RingPtr ring, Lowering& lowering)

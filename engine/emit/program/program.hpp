@@ -9,6 +9,7 @@
 #include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,12 @@ struct OperationCount {
     int add = 0, multiply = 0, divide = 0, root = 0, sincos = 0, other = 0, tables = 0;
 };
 
+// Of a point among many; tables: nullopt, there can be none.
+struct OperationsByForm {
+    std::optional<int> tables;
+    int direct = 0;
+};
+
 struct Program {
     std::string system, scene, title;
     int order = 0, truncation = 0;
@@ -89,7 +96,6 @@ struct Program {
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
     std::vector<ProgramRow> rows;                    // of the outputs, if ProgramOptions::rows
-    std::string without_rows;                        // why there are none
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
     std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first
     std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (layers.hpp); no tables
@@ -101,6 +107,10 @@ struct Program {
     using Count = OperationCount;
     Count before; // of all variables of the solution, written out, nothing shared, fixed or left out
     Count after;  // of the emitted code
+    // How many points are computed, if ProgramOptions::rows: "tables" or "direct"; why, if not because it is
+    // cheaper.
+    std::string form = "direct", form_reason;
+    OperationsByForm operations_by_form;
 };
 
 struct ProgramOptions {

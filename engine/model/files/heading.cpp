@@ -33,7 +33,7 @@ const std::vector<std::string>& keys_of_systems() {
 const std::vector<std::string>& keys_of_scenes() {
     static const std::vector<std::string> keys = {"system",     "title",   "order",       "time_scale",
                                                   "truncation", "outputs", "oscillating", "fix",
-                                                  "start",      "verify"};
+                                                  "start",      "emit",    "verify"};
     return keys;
 }
 

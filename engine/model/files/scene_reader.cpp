@@ -15,6 +15,7 @@
 #include "model/text/zero_test.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace resonform {
 
@@ -62,8 +63,26 @@ Scene SceneReader::read() {
     read_fix();
     scene_.start = read_start(root_.find("start"), scene_);
     check_start_domain(scene_, root_.find("fix"));
+    read_emit();
     scene_.verify = read_verify(root_.find("verify"), scene_);
     return std::move(scene_);
+}
+
+void SceneReader::read_emit() {
+    const TomlNode* emit = root_.find("emit");
+    if (emit == nullptr) return;
+    check_keys(*emit, {"form"});
+    const TomlNode* form = emit->find("form");
+    if (form == nullptr) return;
+    const std::string word = string_of(*form);
+    const std::map<std::string, EmitForm> words{
+        {"auto", EmitForm::automatic}, {"tables", EmitForm::tables}, {"direct", EmitForm::direct}};
+    const auto known = words.find(word);
+    if (known == words.end())
+        bad_value(*form, "many points are computed from tables, direct, or as is cheaper: auto",
+                  suggest(word, {"auto", "tables", "direct"}));
+    scene_.form = known->second;
+    scene_.form_place = place_of(form->source);
 }
 
 void SceneReader::read_system_of_scene() {

@@ -17,6 +17,9 @@ namespace resonform {
 enum class Verdict { pass, fail, undecided };
 const char* to_string(Verdict verdict);
 
+// How emitted code computes many points.
+enum class EmitForm { automatic, tables, direct };
+
 struct StartValue {
     std::string name; // "xi", "C_delta", "psi", "psi'"
     GiNaC::ex value;  // in parameters and eps
@@ -62,10 +65,11 @@ struct Scene {
     std::optional<int> truncation; // M
     std::vector<std::string> outputs;
     bool oscillating = true;
-    std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
-    std::vector<StartValue> start;        // in the order of the file
-    Place fix_place, start_place;         // of the tables, else of the file: for missing entries
-    Place order_place, time_scale_place;  // of the values, else of the file
+    EmitForm form = EmitForm::automatic;
+    std::map<std::string, GiNaC::ex> fix;            // parameter -> exact value: 5/4, sqrt(2)
+    std::vector<StartValue> start;                   // in the order of the file
+    Place fix_place, start_place;                    // of the tables, else of the file: for missing entries
+    Place order_place, time_scale_place, form_place; // of the values, else of the file
     VerifyPlan verify;
 
     // Whether it is among the outputs.

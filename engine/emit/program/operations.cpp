@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/program/operations.hpp"
+
+#include "algebra/number/error.hpp"
+#include "emit/program/prune.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+// The counts in the order of OperationCount, wide: written out, expressions grow exponentially.
+using Count = std::array<long long, 7>;
+enum CountIndex : std::size_t { sums, products, divisions, roots, angles, others, lookups };
+
+long long multiplications(int exponent) {
+    long long count = -1;
+    for (int e = exponent < 0 ? -exponent : exponent; e > 0; e /= 2) count += 1 + e % 2;
+    return std::max(count - 1, 0LL);
+}
+
+void count_own(const Graph::Entry& e, Count& count) {
+    const auto n = static_cast<long long>(e.operands.size());
+    switch (e.op) {
+    case Graph::Op::add: count[sums] += n - 1; break;
+    case Graph::Op::multiply: count[products] += n - 1; break;
+    case Graph::Op::power:
+        count[products] += multiplications(e.exponent);
+        count[divisions] += e.exponent < 0 ? 1 : 0;
+        break;
+    case Graph::Op::root: count[roots] += 1; break;
+    case Graph::Op::sin:
+    case Graph::Op::cos: count[angles] += 1; break;
+    case Graph::Op::rational: count[divisions] += cln::denominator(e.value) == 1 ? 0 : 1; break;
+    case Graph::Op::symbol: break;
+    default: count[others] += 1;
+    }
+}
+
+Count leaf_count(const Program& program, Graph::Node n) {
+    Count count{};
+    for (const ProgramFlow& variable : program.flow)
+        if (variable.value == n) count[lookups] = 1;
+    for (const ProgramTable& table : program.tables)
+        if (table.value == n) count[lookups] = 1;
+    for (const ProgramPhase& phase : program.phases)
+        if (phase.cosine == n || phase.sine == n) count[angles] = 1;
+    return count;
+}
+
+std::set<std::vector<int>> harmonics_of(const Program& program) {
+    std::set<std::vector<int>> harmonics;
+    for (const ProgramRow& row : program.rows)
+        if (row.wave != ProgramWave::one) harmonics.insert(row.turns);
+    return harmonics;
+}
+
+// Why there can be no tables, "" if there can. What compilers evaluate in headers (runtime/kernel/scene.hpp)
+// grows as the third power of the harmonics.
+std::string too_large(const Program& program) {
+    constexpr std::size_t most_rows = 256, most_harmonics = 32, most_outputs = 16;
+    const std::size_t rows = program.rows.size(), harmonics = harmonics_of(program).size();
+    if (rows > most_rows || harmonics > most_harmonics)
+        return fmt::format("{} rows of {} harmonics, more than {} or {}", rows, harmonics, most_rows,
+                           most_harmonics);
+    if (program.outputs.size() > most_outputs)
+        return fmt::format("{} outputs, more than {}", program.outputs.size(), most_outputs);
+    return "";
+}
+
+// Sums and products, and what takes as long: measured with g++ 12 on x86-64.
+int direct_operations(const Program& program) {
+    const OperationCount& c = program.after;
+    constexpr int division = 8, root = 16, function = 60, look_up = 80, turn = 240;
+    const long long sum = 1LL * c.add + c.multiply + 1LL * division * c.divide + 1LL * root * c.root +
+                          1LL * function * c.other + 1LL * look_up * c.tables + 1LL * turn * c.sincos;
+    return static_cast<int>(std::min<long long>(sum, std::numeric_limits<int>::max()));
+}
+
+// A row is a polynomial of degree 4, nearly; the others follow from one cosine and sine.
+int tabulated_operations(const Program& program) {
+    constexpr std::size_t row = 9, phase = 60, harmonic = 6;
+    const std::size_t harmonics = harmonics_of(program).size(), phases = program.phases.size();
+    return static_cast<int>(row * program.rows.size() + phase * phases +
+                            harmonic * (harmonics - std::min(harmonics, phases)));
+}
+
+int clamped(long long n) { return static_cast<int>(std::min<long long>(n, std::numeric_limits<int>::max())); }
+
+} // namespace
+
+OperationCount count_written_out(const Program& program) {
+    const std::vector<bool> varies = depending(program.graph, varying_symbols(program));
+    std::vector<bool> given(program.graph.size(), false); // constants with a name: amplitude, phase, ...
+    for (const ProgramOutput& named : program.names)
+        given[static_cast<std::size_t>(named.value)] = !varies[static_cast<std::size_t>(named.value)];
+    std::vector<Count> counts;
+    for (std::size_t n = 0; n < program.graph.size(); ++n) {
+        const Graph::Entry& e = program.graph.at(static_cast<Graph::Node>(n));
+        Count count = leaf_count(program, static_cast<Graph::Node>(n));
+        for (const Graph::Node operand : e.operands)
+            for (std::size_t k = 0; k < count.size(); ++k)
+                count[k] = std::min(count[k] + counts[static_cast<std::size_t>(operand)][k], 1LL << 40);
+        count_own(e, count);
+        counts.push_back(given[n] ? Count{} : count);
+    }
+    Count sum{};
+    for (const ProgramOutput& output : program.outputs)
+        for (std::size_t k = 0; k < sum.size(); ++k)
+            sum[k] += counts[static_cast<std::size_t>(output.value)][k];
+    return {clamped(sum[sums]),   clamped(sum[products]), clamped(sum[divisions]), clamped(sum[roots]),
+            clamped(sum[angles]), clamped(sum[others]),   clamped(sum[lookups])};
+}
+
+void choose_form(Program& program, EmitForm wish, const Place& place) {
+    OperationsByForm& counts = program.operations_by_form;
+    counts.direct = direct_operations(program);
+    const bool possible = !program.rows.empty();
+    const std::string large = too_large(program);
+    if (possible && large.empty()) counts.tables = tabulated_operations(program);
+    if (wish == EmitForm::tables && !counts.tables)
+        refuse(Reason::size,
+               {"a scene whose many points come from tables has rows for them, and not too many",
+                possible ? large : "none", "leave out emit.form, or some outputs", place});
+    constexpr int narrowest = 2; // numbers in a vector, of which tables make use
+    const bool cheaper = counts.tables && *counts.tables < narrowest * counts.direct;
+    const bool tables = wish == EmitForm::tables || (wish == EmitForm::automatic && cheaper);
+    program.form = tables ? "tables" : "direct";
+    if (wish != EmitForm::automatic)
+        program.form_reason = "as the scene wants it";
+    else if (!large.empty())
+        program.form_reason = large;
+    if (!tables) program.rows.clear();
+}
+
+} // namespace resonform
