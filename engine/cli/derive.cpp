@@ -51,13 +51,22 @@ int truncation_of(const GradedField& field, int order, const std::string& asked)
     return count_truncation(field, scene).truncation;
 }
 
+// Drift variables by their rates of weight 1 are solved through weight 1 or the largest weight of a variable.
+int weight_of_drift(const System& system) {
+    int weight = system.eps_root;
+    for (const Variable& v : system.variables) weight = std::max(weight, v.weight);
+    return weight;
+}
+
 // With a solution at hand, text and LaTeX show the system without its known drift, as (19) and (20) do.
 // A normal form that cannot be solved in closed form is no less a normal form.
-std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalization>& normalization, int order,
-                                        Watch& watch) {
-    if (!solves_by_quadratures(*normalization->normal_form.field)) return std::nullopt;
+std::optional<Solution> solved_drift(const std::shared_ptr<const Normalization>& normalization,
+                                     Watch& watch) {
+    const GradedField& field = *normalization->normal_form.field;
+    if (!solves_by_quadratures(field)) return std::nullopt;
+    const int weight = std::min(normalization->normal_form.through, weight_of_drift(field.system()));
     try {
-        return solve_under(watch, normalization, {order, normalization->normal_form.through});
+        return solve_under(watch, normalization, {weight, weight});
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::refused) throw;
         return std::nullopt;
@@ -66,15 +75,12 @@ std::optional<Solution> solution_if_any(const std::shared_ptr<const Normalizatio
 
 bool is_page(Format format) { return format == Format::text || format == Format::latex; }
 
-// The known drift, which an expanded page leaves out: the drift variables by their rates of weight 1. Derived
-// through weight 1 or the largest weight of a variable. nullopt: nothing drifts, or no solution.
+// The known drift, which an expanded page leaves out. nullopt: nothing drifts, or no solution.
 std::optional<Solution> known_drift(const Expanded& expanded, Format format, Watch& watch) {
     if (!is_page(format) || expanded.field->drift.empty()) return std::nullopt;
-    const System& system = expanded.field->system();
-    int weight = system.eps_root;
-    for (const Variable& v : system.variables) weight = std::max(weight, v.weight);
+    const int weight = weight_of_drift(expanded.field->system());
     try {
-        return solution_if_any(normalize_certified(expanded, weight, watch), weight, watch);
+        return solved_drift(normalize_certified(expanded, weight, watch), watch);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::refused) throw;
         return std::nullopt;
@@ -135,7 +141,7 @@ std::string document(const Expanded& expanded, int order, Stage stage, const std
     if (stage == Stage::divisors)
         return print_divisors(*normalization->normal_form.field, normalization->divisors, weight, format);
     if (stage == Stage::manifold) return print_manifold(*normalization, weight, format);
-    const auto solution = is_page(format) ? solution_if_any(normalization, weight, watch) : std::nullopt;
+    const auto solution = is_page(format) ? solved_drift(normalization, watch) : std::nullopt;
     watch.go_on_with(printing);
     return print_normal_form(*normalization, weight, format, solution ? &*solution : nullptr);
 }
