@@ -120,9 +120,15 @@ private:
 Rational parse_rational(std::string_view text) { return NumberReader(text).read(); }
 
 std::string to_string(const Rational& value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
+    const auto spelled = [](const Integer& n) {
+        if (cln::integer_length(n) < 63) return std::to_string(cln::cl_I_to_long(n));
+        std::ostringstream out; // a stream takes longer than the rest
+        out << n;
+        return out.str();
+    };
+    const std::string numerator = spelled(cln::numerator(value));
+    const Integer denominator = cln::denominator(value);
+    return denominator == 1 ? numerator : numerator + "/" + spelled(denominator);
 }
 
 Rational power_of_ten(int n) {
