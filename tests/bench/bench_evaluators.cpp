@@ -105,8 +105,8 @@ public:
                 std::fprintf(stderr, "%s/%s, order %d, eps = %g\n", system.c_str(), name.c_str(), order, eps);
                 row_ = {system + "/" + name, "", "", eps, order, 0, 0, 0};
                 measure(program, library, eps);
-                members(program, eps);
             }
+            members(program, list);
         }
     }
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
@@ -187,20 +187,22 @@ private:
     }
 
     // A final point with nothing tabulated, alone and as one of many.
-    void members(const Program& program, double eps) {
+    void members(const Program& program, const std::vector<double>& list) {
         constexpr std::array marches{"x86-64", "x86-64-v3", "x86-64-v4"};
         const bool pendulum = row_.scene == "almost_holonomic_pendulum/third_order";
         const auto aim = [&](double third, double fifth) {
             return !pendulum ? 0 : row_.order == 3 ? third : row_.order == 5 ? fifth : 0;
         };
         for (std::size_t width = 0; width < names.size(); ++width) {
-            row_.simd = names[width];
-            const auto times = bench::time_members(program, marches[width], eps);
-            if (!times) continue;
-            const double factor = width == 0 ? 3 : 1;
-            add_ns("one final point", times->alone, aim(600, 1000));
-            add_ns("ensemble, phase to 4e-13", times->plain, factor * aim(35, 65));
-            add_ns("ensemble, full phase", times->full, factor * aim(100, 160));
+            const std::vector<bench::MemberTimes> all = bench::time_members(program, marches[width], list);
+            for (std::size_t k = 0; k < all.size(); ++k) {
+                row_.simd = names[width];
+                row_.eps = list[k];
+                const double factor = width == 0 ? 3 : 1;
+                add_ns("one final point", all[k].alone, aim(600, 1000));
+                add_ns("ensemble, phase to 4e-13", all[k].plain, factor * aim(35, 65));
+                add_ns("ensemble, full phase", all[k].full, factor * aim(100, 160));
+            }
         }
     }
 

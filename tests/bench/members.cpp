@@ -81,8 +81,9 @@ bool supports(const std::string& march) {
 
 } // namespace
 
-std::optional<MemberTimes> time_members(const Program& program, const std::string& march, double eps) {
-    if (!supports(march) || !program.parameters.empty()) return std::nullopt;
+std::vector<MemberTimes> time_members(const Program& program, const std::string& march,
+                                      const std::vector<double>& eps) {
+    if (!supports(march) || !program.parameters.empty()) return {};
     const std::filesystem::path folder =
         std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache" / "members";
     std::filesystem::create_directories(folder);
@@ -92,13 +93,17 @@ std::optional<MemberTimes> time_members(const Program& program, const std::strin
         "cd '{0}' && {1} -std=gnu++20 -O2 -march={2} -DSCENE={3} -I. -I'{4}/engine' main.cpp -o main",
         folder.string(), RESONFORM_CXX_COMPILER, march, cpp_namespace(program.system, program.scene),
         RESONFORM_SOURCE_DIR);
-    if (std::system(compile.c_str()) != 0) return std::nullopt;
-    FILE* pipe = popen(fmt::format("'{}/main' {:.17g}", folder.string(), eps).c_str(), "r");
-    if (pipe == nullptr) return std::nullopt;
-    MemberTimes times;
-    const bool read = std::fscanf(pipe, "%lf %lf %lf", &times.alone, &times.plain, &times.full) == 3;
-    const bool ended = pclose(pipe) == 0;
-    return read && ended ? std::optional(times) : std::nullopt;
+    if (std::system(compile.c_str()) != 0) return {};
+    std::vector<MemberTimes> all;
+    for (const double one : eps) {
+        FILE* pipe = popen(fmt::format("'{}/main' {:.17g}", folder.string(), one).c_str(), "r");
+        if (pipe == nullptr) return {};
+        MemberTimes times;
+        const bool read = std::fscanf(pipe, "%lf %lf %lf", &times.alone, &times.plain, &times.full) == 3;
+        if (pclose(pipe) != 0 || !read) return {};
+        all.push_back(times);
+    }
+    return all;
 }
 
 } // namespace resonform::bench

@@ -4,8 +4,8 @@
 
 #include "emit/program/program.hpp"
 
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace resonform::bench {
 
@@ -13,7 +13,9 @@ struct MemberTimes {                       // in ns a member
     double alone = 0, plain = 0, full = 0; // at_end; ensemble with a phase to 4e-13, and to all digits
 };
 
-// march: "x86-64", "x86-64-v3", "x86-64-v4". nullopt: no compiler, or the processor lacks the width.
-std::optional<MemberTimes> time_members(const Program& program, const std::string& march, double eps);
+// For each eps. march: "x86-64", "x86-64-v3", "x86-64-v4". Empty: no compiler, the processor lacks the width,
+// or the scene leaves parameters open.
+std::vector<MemberTimes> time_members(const Program& program, const std::string& march,
+                                      const std::vector<double>& eps);
 
 } // namespace resonform::bench
