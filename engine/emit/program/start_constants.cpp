@@ -116,8 +116,12 @@ FlowUnit StartConstants::old_mode(const RealForm& real, FlowMoment& at) {
     const std::string& name = solution_.system().variables[mode.variable].name;
     const Graph::Node scale = graph.power(program_.eps, -1),
                       period = graph.power(at.lowering.polynomial(real(mode.omega).re), -1);
-    return {graph.multiply({scale, physical_.at(name)}),
-            graph.negate(graph.multiply({scale, period, physical_.at(name + "'")}))};
+    const auto measured = [&](const std::string& state, int derivative) {
+        const Polynomial shift = solution_.normalization->normal_form.field->shift(mode.variable, derivative);
+        return measured_from(graph, physical_.at(state), at.lowering, real, shift);
+    };
+    return {graph.multiply({scale, measured(name, 0)}),
+            graph.negate(graph.multiply({scale, period, measured(name + "'", 1)}))};
 }
 
 // The new mode is C E F e^{i theta_0}: F must be close to 1, and the map must lead back to the start.

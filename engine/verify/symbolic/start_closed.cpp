@@ -30,7 +30,10 @@ public:
         for (const ModeSolution& mode : solution.modes) {
             envelope_ = own_.fixed()(mode.envelope);
             factor_ = own_.fixed()(mode.factor.total(solution.truncation));
-            frequency_ = normal_form_.fixed()(solution.normalization->normal_form.field->modes.front().omega);
+            const GradedField& field = *solution.normalization->normal_form.field;
+            frequency_ = normal_form_.fixed()(field.modes.front().omega);
+            for (const int derivative : {0, 1})
+                shifts_.push_back(normal_form_.fixed()(field.shift(mode.variable, derivative)));
         }
         for (const DriftSolution& drift : solution.drift)
             mean_.push_back(own_.fixed()(drift.value.total(solution.truncation)));
@@ -126,8 +129,9 @@ private:
         SymbolicValues<Wide> values = normal_form_.constants(inputs);
         map_.set(values, inputs.eps, now);
         const std::string& variable = name(solution_.modes.front().variable);
-        return {inputs.start_of(variable) / inputs.eps,
-                -inputs.start_of(variable + "'") / (inputs.eps * value_of(frequency_, values).re)};
+        return {(inputs.start_of(variable) - value_of(shifts_[0], values).re) / inputs.eps,
+                -(inputs.start_of(variable + "'") - value_of(shifts_[1], values).re) /
+                    (inputs.eps * value_of(frequency_, values).re)};
     }
 
     [[nodiscard]] const std::string& name(std::size_t variable) const {
@@ -201,7 +205,8 @@ private:
     SymbolicSum re_, im_, leading_, scale_;
     std::vector<SymbolicSum> drift_, state_, arguments_;
     SymbolicSum envelope_, factor_, frequency_;
-    std::vector<SymbolicSum> mean_; // of drifts
+    std::vector<SymbolicSum> shifts_; // of position and velocity of the oscillator
+    std::vector<SymbolicSum> mean_;   // of drifts
 };
 
 } // namespace
