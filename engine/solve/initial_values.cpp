@@ -46,8 +46,7 @@ public:
             const std::string& name =
                 field.first_order->states[field.first_order->index(mode.variable, derivative)].name;
             while (solution.state[k].name != name) ++k;
-            const Polynomial shift = field.shift(mode.variable, derivative);
-            return ring_.gen(values.start[k]) - map_((*solution.from_normal_form)(shift));
+            return ring_.gen(values.start[k]);
         };
         const Polynomial period = ring_.power(map_((*solution.from_normal_form)(mode.omega)), -1);
         z_ = start_of(0) - ring_.multiply(ring_.imaginary(), ring_.multiply(period, start_of(1)));
