@@ -26,7 +26,8 @@ struct InitialValues {
     // ("psi_0", "psi'_0", "x_0"). In this ring the slow variable stands for its start value, slow time
     // is 0, and so is every quadrature; other primitives are evaluated at the start.
     RingPtr ring;
-    std::vector<GeneratorId> start; // one for each of Solution::state, in its order
+    // One for each of Solution::state, in its order: its value less GradedField::shift.
+    std::vector<GeneratorId> start;
 
     // One oscillator; empty without.
     Polynomial w_real, w_imaginary; // in start values, eps, parameters, slow start, roots

@@ -202,6 +202,7 @@ private:
                 ring_.multiply(field_.coefficients->convert(entry, place), ring_.gen(field_.modes[k].z));
             parts.push_back(part + ring_.conjugate(part));
         }
+        parts.push_back(field_.shifts[row]);
         return sum(parts);
     }
 

@@ -89,6 +89,15 @@ Series displaced(const Draft& draft, std::size_t drift, int through) {
     return result;
 }
 
+// x = c + ..., where the oscillator is measured from c.
+Series from_origin(const Draft& draft, Series state, int derivative) {
+    const GradedField& field = *draft.normal_form().field;
+    const Polynomial shift = field.shift(field.modes.front().variable, derivative);
+    const Series parts = Series::split(*field.ring, shift, state.through()); // without modes: powers of eps
+    for (int n = 0; n <= state.through(); ++n) state.set(n, state.part(n) + draft.lift(parts.part(n)));
+    return state;
+}
+
 std::size_t index_of_drift(const Solution& solution, std::size_t variable) {
     std::size_t d = 0;
     while (solution.drift[d].variable != variable) ++d;
@@ -101,7 +110,8 @@ void fill_outputs(Draft& draft) {
     for (std::size_t v = 0; v < system.variables.size(); ++v) {
         const Variable& variable = system.variables[v];
         if (variable.role == Role::fast)
-            solution.outputs.push_back({variable.name, position(draft, oscillation(draft, solution.order))});
+            solution.outputs.push_back(
+                {variable.name, from_origin(draft, position(draft, oscillation(draft, solution.order)), 0)});
         if (variable.role == Role::drift)
             solution.outputs.push_back(
                 {variable.name, displaced(draft, index_of_drift(solution, v), solution.order)});
@@ -119,7 +129,8 @@ void fill_state(Draft& draft) {
         if (role != Role::fast) continue;
         const Series z = oscillation(draft, solution.truncation);
         solution.state.push_back(
-            {state.name, state.derivative == 0 ? position(draft, z) : velocity(draft, z)});
+            {state.name, from_origin(draft, state.derivative == 0 ? position(draft, z) : velocity(draft, z),
+                                     state.derivative)});
     }
 }
 

@@ -25,8 +25,8 @@ const BadInput bad_systems[] = {
      "     ^\n"
      "  found: notations\n"
      "  hint:  did you mean 'notation'? Known are: system, parameters, variables, functions, hamiltonian, "
-     "equations, domain, relations, modes, normal_form, notation, coordinates, prescribed, "
-     "quasi_velocities, particles, bodies, energy, forces, constraints, integrals, ..."},
+     "equations, domain, relations, modes, equilibrium, normal_form, notation, coordinates, prescribed, "
+     "quasi_velocities, particles, bodies, energy, forces, constraints, ..."},
     {"NotToml", "[parameters]", "[parameters",
      "2 system.toml:6:12: the file is not valid TOML\n"
      "    [parameters\n"

@@ -228,7 +228,7 @@ TEST(HamiltonianRefusals, ForceAtTheOrigin) {
               "    energy = \"px^2/2 + exp(x)\"\n"
               "              ^\n"
               "  found: px' = -1 there\n"
-              "  hint:  shift px to the equilibrium by a change of variable");
+              "  hint:  say under [equilibrium] where the fast variables rest, or write \"solve\" there");
 }
 
 TEST(HamiltonianRefusals, NotSemisimple) {

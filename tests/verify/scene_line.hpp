@@ -21,7 +21,7 @@ struct SceneLine {
 inline SceneLine line_of(Scene scene) {
     SceneLine line{std::move(scene), {}, nullptr};
     line.solution = solution_of(line.scene);
-    line.system = line.solution.normalization->normal_form.field->first_order;
+    line.system = std::make_shared<const FirstOrderSystem>(solve_for_highest(line.scene.system));
     return line;
 }
 

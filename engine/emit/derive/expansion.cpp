@@ -8,6 +8,7 @@
 #include "emit/display/page.hpp"
 #include "emit/display/slow_rate.hpp"
 #include "expand/expansion/graded_field.hpp"
+#include "model/system/names.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -93,6 +94,11 @@ Page expansion_page(const GradedField& field, int order, const Solution* solutio
                  to_string(field.system().weight(order));
     page.sections.push_back(expansion.section("", {}));
     const std::vector<DriftFrame> frames = drift_frames(field, solution);
+    for (const Equilibrium& at : field.system().equilibrium) {
+        const std::string& name = field.system().variables[at.variable].name;
+        define(page.sections.front(), name,
+               display(*field.ring, field.shift(at.variable, 0)) + symbol_sum(deviation_name(name)));
+    }
     bool removed = false;
     for (const DriftFrame& frame : frames) removed = removed || frame.removed;
     if (removed) page.sections.push_back(expansion.section("without the known drift", frames));
@@ -115,6 +121,7 @@ Json expansion_json(const GradedField& field, int order) {
                                              : json_rational(field.system().weight(line.next_weight))}});
     }
     Json document = json_head("resonform.expansion/1", field.system());
+    if (!field.system().equilibrium.empty()) document["equilibrium"] = equilibrium_json(field.system());
     document.update(
         Json{{"order", json_rational(field.system().weight(order))}, {"equations", std::move(lines)}});
     return document;

@@ -139,7 +139,8 @@ Page normal_form_page(const Normalization& normalization, int order, const Solut
     const NormalFormPage parts(normalization, order, solution);
     Page page;
     page.title = normal_form_title(normalization.normal_form, order);
-    std::vector<Section> sections{parts.rates(), parts.definitions(), parts.map()};
+    std::vector<Section> sections{parts.rates(), equilibrium_section(*normalization.normal_form.field),
+                                  parts.definitions(), parts.map()};
     if (normalization.normal_form.hamiltonian)
         for (Section& section : hamiltonian_sections(normalization.normal_form, order))
             sections.push_back(std::move(section));

@@ -14,20 +14,32 @@ namespace resonform {
 
 namespace {
 
+// x, or x - (1) where it is measured from an equilibrium.
+std::string measured(const GradedField& field, const State& state) {
+    const Polynomial shift = field.shift(state.variable, state.derivative);
+    return shift.empty() ? state.name
+                         : fmt::format("({} - ({}))", state.name, json_expression(*field.ring, shift));
+}
+
 // psi - I*psi'/omega, or the sum of all fast states with their coefficients.
 std::string definition(const GradedField& field, std::size_t k) {
     const Ring& ring = *field.ring;
     const Mode& mode = field.modes[k];
     if (mode.oscillator) {
         const std::string omega = frequency_name(field, k);
-        return fmt::format("{0} - I*{0}'/{1}, {1} = {2}", field.system().variables[mode.variable].name, omega,
+        const auto state = [&](int derivative) {
+            return measured(field,
+                            field.first_order->states[field.first_order->index(mode.variable, derivative)]);
+        };
+        return fmt::format("{} - I*{}/{}, {} = {}", state(0), state(1), omega, omega,
                            json_expression(ring, mode.omega));
     }
     std::string text;
     for (const auto& [state, coefficient] : components(field, k)) {
         const std::string value = json_expression(ring, coefficient);
         text += text.empty() ? "" : " + ";
-        text += value == "1" ? state->name : fmt::format("({})*{}", value, state->name);
+        const std::string name = measured(field, *state);
+        text += value == "1" ? name : fmt::format("({})*{}", value, name);
     }
     return text;
 }
@@ -70,6 +82,7 @@ Json normal_form_document(const GradedField& field, int order, int truncation, S
                           Json map, const std::vector<DivisorRecord>& divisors,
                           const Certificate& certificate) {
     Json document = json_head("resonform.normal_form/1", field.system());
+    if (!field.system().equilibrium.empty()) document["equilibrium"] = equilibrium_json(field.system());
     document.update(Json{{"order", json_rational(field.system().weight(order))},
                          {"truncation", json_rational(field.system().weight(truncation))},
                          {"style", to_string(style)},

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/json.hpp"
 
+#include "emit/display/as_written.hpp"
 #include "emit/display/display.hpp"
 #include "emit/display/spelling.hpp"
+#include "model/text/canonical.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +53,17 @@ Json json_head(const std::string& schema, const System& system) {
     for (const Setting& setting : system.settings) head["set"][setting.parameter] = setting.value;
     if (system.digits > 0) head["digits"] = system.digits;
     return head;
+}
+
+Json equilibrium_json(const System& system) {
+    Json values = Json::object();
+    for (const Equilibrium& at : system.equilibrium) {
+        const std::string& name = system.variables[at.variable].name;
+        Equation equation{name, name + " = " + spell(at.value), 0, at.source};
+        equation.source.verbatim = false; // the text stands in no file
+        values[name] = spell(as_written(equation).right, json_spelling());
+    }
+    return values;
 }
 
 std::string json_expression(const Ring& ring, const Polynomial& p) {

@@ -28,6 +28,9 @@ std::string json_document(const Json& value);
 // { "schema", "system" }, and "set", { "g": "1" }, where numbers stand in place of parameters.
 Json json_head(const std::string& schema, const System& system);
 
+// { "c": "s/(kappa + s)" }: [equilibrium], as found or given.
+Json equilibrium_json(const System& system);
+
 // An exact expression as <e> of design 6.1: "-v*xi/(4*(r**2 + xi**2))". Parses in SymPy.
 std::string json_expression(const Ring& ring, const Polynomial& p);
 

@@ -28,7 +28,26 @@ std::vector<std::pair<const State*, Polynomial>> components(const GradedField& f
     return list;
 }
 
-DisplaySum old_mode(const GradedField& field, std::size_t mode) {
+Polynomial shift_of_mode(const GradedField& field, std::size_t mode) {
+    Polynomial sum;
+    if (field.system().equilibrium.empty()) return sum;
+    for (const auto& [state, coefficient] : components(field, mode))
+        sum = sum + field.ring->multiply(coefficient, field.shift(state->variable, state->derivative));
+    return sum;
+}
+
+Section equilibrium_section(const GradedField& field) {
+    Section section{"equilibrium at eps = 0", {}};
+    for (const Equilibrium& at : field.system().equilibrium)
+        define(section, field.system().variables[at.variable].name,
+               display(*field.ring, field.shift(at.variable, 0)));
+    return section;
+}
+
+namespace {
+
+// The same in the variables of the field, which are 0 at the equilibrium.
+DisplaySum mode_about_equilibrium(const GradedField& field, std::size_t mode) {
     if (!field.modes[mode].oscillator) {
         DisplaySum sum;
         for (const auto& [state, coefficient] : components(field, mode)) {
@@ -45,6 +64,14 @@ DisplaySum old_mode(const GradedField& field, std::size_t mode) {
     term.imaginary = true;
     term.factors.push_back(symbol_factor(frequency_name(field, mode), -1));
     return symbol_sum(variable) + rate;
+}
+
+} // namespace
+
+DisplaySum old_mode(const GradedField& field, std::size_t mode) {
+    const Polynomial shift = shift_of_mode(field, mode);
+    DisplaySum sum = mode_about_equilibrium(field, mode);
+    return shift.empty() ? sum : std::move(sum) + display(*field.ring, -shift);
 }
 
 Side written(const Series& series, int through, const SeriesWriter& write, const Substitutes& substitutes) {

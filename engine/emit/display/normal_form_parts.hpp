@@ -18,7 +18,14 @@ std::string frequency_name(const GradedField& field, std::size_t mode);
 // z = sum of coefficient * state: the fast states that take part in the definition of a mode.
 std::vector<std::pair<const State*, Polynomial>> components(const GradedField& field, std::size_t mode);
 
-// The definition of a mode: psi - I*psi'/omega, or the sum of all states that take part.
+// What the definition of a mode subtracts, where its states are measured from an equilibrium.
+Polynomial shift_of_mode(const GradedField& field, std::size_t mode);
+
+// "equilibrium at eps = 0": c = s/(s + kappa); without formulas if there is none.
+Section equilibrium_section(const GradedField& field);
+
+// The definition of a mode: psi - I*psi'/omega, or the sum of all states that take part, in the user's
+// variables.
 DisplaySum old_mode(const GradedField& field, std::size_t mode);
 
 // The parts of a series as groups, one for each weight.

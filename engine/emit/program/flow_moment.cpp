@@ -108,6 +108,13 @@ FlowMoment::Unit FlowMoment::sum_of_harmonics(const FlowSum& sum) {
     return {graph_.add(std::move(u)), sum.real ? -1 : graph_.add(std::move(v))};
 }
 
+Graph::Node measured_from(Graph& graph, Graph::Node state, const Lowering& at, const RealForm& real,
+                          const Polynomial& shift) {
+    if (shift.empty()) return state;
+    Lowering lowering = at;
+    return graph.add({state, graph.negate(lowering.polynomial(real(shift).re))});
+}
+
 Polynomial over_eps(const RealForm& real, const Polynomial& p, int power) {
     std::vector<Term> terms;
     for (const Term& t : p.terms()) {

@@ -59,6 +59,10 @@ private:
     std::map<std::pair<std::size_t, int>, Unit> powers_;
 };
 
+// A state of the user as the field has it: less its shift (GradedField::shift), which is often 0.
+Graph::Node measured_from(Graph& graph, Graph::Node state, const Lowering& at, const RealForm& real,
+                          const Polynomial& shift);
+
 // p/eps^power. Precondition: every term of p has at least that power of eps.
 Polynomial over_eps(const RealForm& real, const Polynomial& p, int power);
 

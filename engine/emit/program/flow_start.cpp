@@ -172,6 +172,8 @@ void FlowStart::read_modes() {
         states.push_back(physical(field_.first_order->states[s].name));
     given_.modes.assign(field_.modes.size(), {program_.graph.rational(0), program_.graph.rational(0)});
     const FlowMoment before(program_, real_, surroundings_, given_, false);
+    for (std::size_t s = 0; s < states.size(); ++s)
+        states[s] = measured_from(program_.graph, states[s], before.lowering, real_, field_.shifts[s]);
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
         given_.modes[k] = old_mode(k, states, before.lowering);
 }

@@ -54,11 +54,19 @@ MomentPlan StartConstants::plan() const {
 void StartConstants::define_physical_values(const InitialValues& values, Moment& start) {
     const FirstOrderSystem& system = *solution_.normalization->normal_form.field->first_order;
     const RingMap map = RingMap::by_name(solution_.ring, values.ring);
+    const auto shift_of = [&](const State& state) {
+        const GradedField& field = *solution_.normalization->normal_form.field;
+        return map((*solution_.from_normal_form)(field.shift(state.variable, state.derivative)));
+    };
     for (std::size_t k = 0; k < solution_.state.size(); ++k) {
         const std::string& name = solution_.state[k].name;
         if (!is_physical(system.state(name).variable)) continue;
         physical_[name] = input(name + "_0", name + " at t = 0", name);
-        start.lowering.define(values.start[k], physical_.at(name), false);
+        Graph::Node measured = physical_.at(name);
+        if (const Polynomial shift = shift_of(system.state(name)); !shift.empty())
+            measured =
+                program_.graph.add({measured, program_.graph.negate(start.lowering.polynomial(shift))});
+        start.lowering.define(values.start[k], measured, false);
     }
     for (std::size_t k = 0; k < solution_.state.size(); ++k) {
         const std::size_t variable = system.state(solution_.state[k].name).variable;
@@ -66,7 +74,8 @@ void StartConstants::define_physical_values(const InitialValues& values, Moment&
             std::any_of(solution_.modes.begin(), solution_.modes.end(),
                         [&](const ModeSolution& mode) { return mode.variable == variable; });
         if (!oscillator || is_physical(variable)) continue;
-        const Polynomial value = map(solution_.state[k].value.total(solution_.state[k].value.through()));
+        const Polynomial value = map(solution_.state[k].value.total(solution_.state[k].value.through())) -
+                                 shift_of(system.state(solution_.state[k].name));
         start.lowering.define(values.start[k], start.harmonics.value(value), false);
     }
 }
@@ -116,8 +125,12 @@ FlowUnit StartConstants::old_mode(const RealForm& real, FlowMoment& at) {
     const std::string& name = solution_.system().variables[mode.variable].name;
     const Graph::Node scale = graph.power(program_.eps, -1),
                       period = graph.power(at.lowering.polynomial(real(mode.omega).re), -1);
-    return {graph.multiply({scale, physical_.at(name)}),
-            graph.negate(graph.multiply({scale, period, physical_.at(name + "'")}))};
+    const auto measured = [&](const std::string& state, int derivative) {
+        const Polynomial shift = solution_.normalization->normal_form.field->shift(mode.variable, derivative);
+        return measured_from(graph, physical_.at(state), at.lowering, real, shift);
+    };
+    return {graph.multiply({scale, measured(name, 0)}),
+            graph.negate(graph.multiply({scale, period, measured(name + "'", 1)}))};
 }
 
 // The new mode is C E F e^{i theta_0}: F must be close to 1, and the map must lead back to the start.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expand/expansion/graded_field.hpp"
 #include "expand/expansion/translate.hpp"
+#include "model/system/names.hpp"
 #include "model/text/diagnostic.hpp"
 
 namespace resonform {
@@ -27,13 +28,19 @@ ex line_expression(const FirstOrderSystem& first_order, std::size_t variable) {
 struct Jet {
     GiNaC::symbol symbol;
     int weight;
+    std::string name; // of a variable that is measured from its equilibrium: delta_x, delta_x'
 };
 
 std::vector<Jet> fast_jets(const System& system) {
     std::vector<Jet> jets;
-    for (const Variable& v : system.variables)
-        if (v.role == Role::fast)
-            for (const GiNaC::symbol& symbol : v.jet) jets.push_back({symbol, v.weight});
+    for (std::size_t v = 0; v < system.variables.size(); ++v) {
+        if (system.variables[v].role != Role::fast) continue;
+        const bool measured = system.equilibrium_of(v) != nullptr;
+        for (const GiNaC::symbol& symbol : system.variables[v].jet) {
+            const std::string name = symbol.get_name();
+            jets.push_back({symbol, system.variables[v].weight, measured ? deviation_name(name) : name});
+        }
+    }
     return jets;
 }
 
@@ -48,7 +55,7 @@ std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_or
                                                 const std::vector<Jet>& jets, int through) {
     CoefficientRing coefficients(first_order.system);
     std::vector<FastGenerator> generators;
-    for (const Jet& jet : jets) generators.push_back({jet.symbol.get_name(), jet.weight, -1});
+    for (const Jet& jet : jets) generators.push_back({jet.name, jet.weight, -1});
     coefficients.set_fast(std::move(generators));
     std::vector<std::string> angles;
     for (const auto& angle : angles_of(*first_order.system)) {

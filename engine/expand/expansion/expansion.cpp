@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "expand/modes/find_modes.hpp"
+#include "model/exact/equilibrium_shift.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"
 
@@ -35,6 +36,7 @@ GradedField Expansion::build() {
     field_.eps = coefficients_.eps();
     program_ = std::make_shared<SeriesProgram>(field_.ring);
     translate_ = std::make_unique<Translator>(*program_, coefficients_);
+    add_shifts();
     add_slow();
     add_inputs();
     bind_states();
@@ -65,8 +67,10 @@ void Expansion::name_generators() {
 }
 
 void Expansion::build_ring() {
-    for (const State& state : first_order_->states)
+    for (const State& state : first_order_->states) {
         coefficients_.collect(state.rate, place_of_equation(state.variable));
+        coefficients_.collect(state.shift, place_of_equation(state.variable));
+    }
     for (const Equation& equation : system_.equations)
         coefficients_.collect(equation.residual, place_of(equation.source));
     if (system_.hamiltonian)
@@ -82,6 +86,14 @@ void Expansion::build_ring() {
         for (const Complex& c : shape.row) collect(c);
     }
     at_place(whole_file(system_.file), [&] { coefficients_.freeze(divisors_); });
+}
+
+void Expansion::add_shifts() {
+    for (const std::size_t s : field_.basis.states) {
+        const State& state = first_order_->states[s];
+        const Place place = place_of_equation(state.variable);
+        field_.shifts.push_back(at_place(place, [&] { return coefficients_.convert(state.shift, place); }));
+    }
 }
 
 void Expansion::add_slow() {
@@ -270,7 +282,7 @@ void Expansion::add_angle_rate(AngleVariable& angle) {
 }
 
 GradedField expand(std::shared_ptr<const FirstOrderSystem> system, const Divisors& divisors) {
-    return Expansion(std::move(system), divisors).build();
+    return Expansion(about_equilibrium(std::move(system)), divisors).build();
 }
 
 } // namespace resonform

@@ -31,6 +31,7 @@ private:
     // ring
     void name_generators();
     void build_ring();
+    void add_shifts();
     void add_slow();
 
     // program

@@ -32,6 +32,13 @@ bool GradedField::is_semisimple() const {
                        [](const ModeShape& shape) { return shape.couplings.empty(); });
 }
 
+Polynomial GradedField::shift(std::size_t variable, int derivative) const {
+    const std::size_t state = first_order->index(variable, derivative);
+    for (std::size_t s = 0; s < basis.states.size(); ++s)
+        if (basis.states[s] == state) return shifts[s];
+    return {};
+}
+
 std::vector<int> GradedField::mode_weights() const {
     std::set<int, std::greater<>> weights;
     for (const Mode& mode : modes) weights.insert(ring->generator(mode.z).weight);

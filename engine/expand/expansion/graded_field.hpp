@@ -67,7 +67,8 @@ struct GradedField {
     std::shared_ptr<const CoefficientRing> coefficients; // expressions -> ring
     RingPtr ring;
     GeneratorId eps;
-    ModalBasis basis; // basis.modes[k] belongs to modes[k]
+    ModalBasis basis;               // basis.modes[k] belongs to modes[k]
+    std::vector<Polynomial> shifts; // State::shift of basis.states: the user's variable is that much more
     std::vector<Mode> modes;
     std::vector<AngleVariable> angles;
     std::vector<SlowVariable> slow;
@@ -83,6 +84,8 @@ struct GradedField {
         return basis.modes[mode].couplings;
     }
     [[nodiscard]] bool is_semisimple() const;
+    // What a derivative of the user's variable is more than the state of the field: 0 but for [equilibrium].
+    [[nodiscard]] Polynomial shift(std::size_t variable, int derivative) const;
     // The different weights of the modes, the largest first.
     [[nodiscard]] std::vector<int> mode_weights() const;
     // lambda z + sum n z_k

@@ -43,7 +43,6 @@ void ModeFinder::check_equilibrium() const {
     for (std::size_t s = 0; s < basis_.states.size(); ++s) {
         const ex force = coefficients_.at_origin(state(s).rate, place(s));
         if (force.is_zero()) continue;
-        const std::string& name = variable(s).name;
         const Zero zero = vanishes(force, system_);
         if (zero == Zero::yes) continue;
         if (zero == Zero::unknown)
@@ -54,7 +53,8 @@ void ModeFinder::check_equilibrium() const {
                     "write it as 0 if it is zero, or in a simpler form", place(s)});
         bad_input({"the origin of the fast variables is not an equilibrium at eps = 0",
                    fmt::format("{} = {} there", variable(s).jet.back().get_name(), spell(force)),
-                   fmt::format("shift {} to the equilibrium by a change of variable", name), place(s)});
+                   "say under [equilibrium] where the fast variables rest, or write \"solve\" there",
+                   place(s)});
     }
 }
 

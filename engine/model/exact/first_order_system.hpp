@@ -20,11 +20,13 @@ struct State {
     int derivative;       // 0 for psi, 1 for psi'
     GiNaC::symbol symbol; // the jet symbol
     GiNaC::ex rate;       // in states, parameters and eps only
+    GiNaC::ex shift = 0;  // what the user's variable is more than this state (equilibrium_shift.hpp)
 };
 
 struct FirstOrderSystem {
     std::shared_ptr<const System> system;
-    std::vector<State> states; // variables in file order, derivatives 0 ... order-1 of each
+    std::vector<State> states;      // variables in file order, derivatives 0 ... order-1 of each
+    bool about_equilibrium = false; // states of [equilibrium] are measured from there
 
     [[nodiscard]] const State& state(const std::string& name) const;
     [[nodiscard]] std::size_t index(std::size_t variable, int derivative) const;

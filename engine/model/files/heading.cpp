@@ -21,9 +21,9 @@ std::string text_or(const TomlNode& table, const std::string& key, const std::st
 
 const std::vector<std::string>& keys_of_systems() {
     static const std::vector<std::string> keys = [] {
-        std::vector<std::string> all = {"system",      "parameters",  "variables", "functions",
-                                        "hamiltonian", "equations",   "domain",    "relations",
-                                        "modes",       "normal_form", "notation"};
+        std::vector<std::string> all = {"system",      "parameters",  "variables",   "functions",
+                                        "hamiltonian", "equations",   "domain",      "relations",
+                                        "modes",       "equilibrium", "normal_form", "notation"};
         all.insert(all.end(), mechanism_tables().begin(), mechanism_tables().end());
         return all;
     }();

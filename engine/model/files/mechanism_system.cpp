@@ -142,6 +142,7 @@ void SystemReader::drop_cancelled() {
         for (const Equation& equation : system_.equations) look(equation.residual);
         for (const Declaration& declaration : system_.positive) look(declaration.value);
         for (GivenMode& mode : system_.modes) for_each_part(mode, look);
+        for (const Equilibrium& at : system_.equilibrium) look(at.value);
         return found;
     };
     std::vector<Parameter> kept;

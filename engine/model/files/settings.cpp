@@ -141,6 +141,7 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
         put_into_number(mode.eigenvalue);
         for (GivenMode::Entry& entry : mode.column) put_into_number(entry.value);
     }
+    for (Equilibrium& at : system.equilibrium) put_into(at.value, place_of(at.source));
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
     system.settings.insert(system.settings.end(), settings.begin(), settings.end());
     system.parameters.erase(std::remove_if(system.parameters.begin(), system.parameters.end(), is_set),

@@ -93,10 +93,12 @@ System SystemReader::read() {
     read_energy();
     read_domain();
     read_modes();
+    read_equilibrium();
     read_relations();
     drop_cancelled();
     scale_small_parameters();
     refine_weights();
+    settle_equilibrium();
     read_normal_form();
     read_notation();
     check_names_of_results();

@@ -37,8 +37,10 @@ private:
     void read_energy(); // completes the equations, checks those that were given
     void read_domain();
     [[nodiscard]] std::vector<GivenRelation> relation_values() const;
-    void read_relations(); // puts the values into equations and domain
-    void read_modes();     // modes_reader.cpp
+    void read_relations();     // puts the values into equations and domain
+    void read_modes();         // modes_reader.cpp
+    void read_equilibrium();   // equilibrium_reader.cpp
+    void settle_equilibrium(); // checked or solved for, in the equations as they are in the end
     void scale_small_parameters();
     void refine_weights(); // to integers, with a root of eps
     [[nodiscard]] GiNaC::ex at_rest(const GiNaC::ex& e) const;

@@ -133,6 +133,10 @@ void SystemReader::read_relations() {
         declaration.value =
             declaration.value.subs(values, GiNaC::subs_options::no_pattern).subs(system_.eps == 0);
     for (GivenMode& mode : system_.modes) for_each_part(mode, put);
+    for (Equilibrium& at : system_.equilibrium) {
+        put(at.value);
+        at.value = at_rest(at.value);
+    }
     system_.parameters.erase(std::remove_if(system_.parameters.begin(), system_.parameters.end(),
                                             [&](const Parameter& p) { return values.count(p.symbol) != 0; }),
                              system_.parameters.end());
@@ -234,6 +238,10 @@ void SystemReader::check_names_of_results() const {
         for (const std::string& kind : constant_kinds(variable.role))
             made[kind + "_" + variable.name] = kind + "." + variable.name;
         if (variable.role == Role::drift) made["z_" + variable.name] = "the new variable of " + variable.name;
+    }
+    for (const Equilibrium& at : system_.equilibrium) {
+        const std::string& name = system_.variables[at.variable].name;
+        made[deviation_name(name)] = "the deviation of " + name + " from its equilibrium";
     }
     for (const char* key : {"parameters", "variables", "functions", "notation", "coordinates"}) {
         const TomlNode* node = root_.find(key);

@@ -58,4 +58,6 @@ std::vector<std::string> constant_kinds(Role role) {
     return {};
 }
 
+std::string deviation_name(const std::string& variable) { return "delta_" + variable; }
+
 } // namespace resonform

@@ -19,4 +19,7 @@ bool is_reserved(const std::string& name);
 // The constants that the solution of a variable has: fast: amplitude, phase; drift: constant.
 std::vector<std::string> constant_kinds(Role role);
 
+// "delta_x": x measured from its equilibrium.
+std::string deviation_name(const std::string& variable);
+
 } // namespace resonform

@@ -41,6 +41,12 @@ std::string System::name_with_settings() const {
     return text;
 }
 
+const Equilibrium* System::equilibrium_of(std::size_t wanted) const {
+    const auto found = std::find_if(equilibrium.begin(), equilibrium.end(),
+                                    [&](const Equilibrium& at) { return at.variable == wanted; });
+    return found == equilibrium.end() ? nullptr : &*found;
+}
+
 const Parameter* System::parameter(const std::string& wanted) const { return find_named(parameters, wanted); }
 
 const Parameter* System::declared_parameter(const std::string& wanted) const {

@@ -105,6 +105,14 @@ template <class Change> void for_each_part(GivenMode& mode, const Change& change
     }
 }
 
+// [equilibrium] c = "s/(s + kappa)": where a fast variable rests at eps = 0, slow variables frozen.
+struct Equilibrium {
+    std::size_t variable; // index into System::variables
+    GiNaC::ex value;      // in parameters and slow variables: an equilibrium of the equations, proved
+    bool wanted = false;  // "solve": the value is yet to be found (no longer so once the file is read)
+    SourceText source;
+};
+
 struct Derivation; // of the equations of a mechanism (model/mechanics/derivation.hpp)
 
 // A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
@@ -132,10 +140,11 @@ struct System {
     std::optional<Hamiltonian> hamiltonian; // the equations of its pairs are among the equations
     std::vector<NamedFunction> functions;
     std::vector<Notation> notation;
-    std::vector<Declaration> positive; // declared positive
-    std::vector<GivenMode> modes;      // empty: they are to be found
-    Rational near = 0;                 // [normal_form] near: divisors up to this size are not divided by
-    Style style = Style::poincare;     // [normal_form] style
+    std::vector<Declaration> positive;    // declared positive
+    std::vector<GivenMode> modes;         // empty: they are to be found
+    std::vector<Equilibrium> equilibrium; // of the fast variables that do not rest at 0
+    Rational near = 0;                    // [normal_form] near: divisors up to this size are not divided by
+    Style style = Style::poincare;        // [normal_form] style
     std::shared_ptr<const Derivation> derivation; // of a mechanism; nullptr: the file has the equations
     int digits = 0;                               // of coefficients in numbers (--digits); 0: they are exact
     // Weights are held as integers, in units of 1/eps_root, and the symbol `eps` stands for
@@ -152,6 +161,8 @@ struct System {
     [[nodiscard]] const Variable* variable(const std::string& name) const;
     // Where the file declares a variable: the key at least.
     [[nodiscard]] Place place_of(std::size_t variable) const;
+    // nullptr: it is measured from 0.
+    [[nodiscard]] const Equilibrium* equilibrium_of(std::size_t variable) const;
     [[nodiscard]] const Parameter* parameter(const std::string& name) const;
     // One of the file: in the equations, or cancelled.
     [[nodiscard]] const Parameter* declared_parameter(const std::string& name) const;

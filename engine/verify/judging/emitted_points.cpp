@@ -4,6 +4,7 @@
 #include "model/files/interval_length.hpp"
 #include "model/system/start_names.hpp"
 #include "verify/evaluate/scene_values.hpp"
+#include "verify/judging/start_scaling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,32 @@ Tape interval_and_starts(const Scene& scene) {
     return Tape::constants(*scene.system, expressions);
 }
 
+// The equilibrium at these start values of slow variables, to double precision; every parameter is fixed.
+template <class Real>
+Real rest_at(const Scene& scene, const StartValue& start, const std::vector<Real>& starts) {
+    GiNaC::exmap slow;
+    for (std::size_t k = 0; k < starts.size(); ++k)
+        if (const Variable* v = scene.system->variable(scene.start[k].name);
+            v != nullptr && v->role == Role::slow)
+            slow[v->jet.front()] = GiNaC::numeric(static_cast<double>(starts[k]));
+    const GiNaC::ex rest = scene.fixed(rest_of(*scene.system, start.name, slow)).evalf();
+    return static_cast<Real>(GiNaC::ex_to<GiNaC::numeric>(rest).to_double());
+}
+
+// The start values of the scene times factors; of what rests elsewhere than at 0 the deviation from there.
+template <class Real>
+std::vector<Real> multiplied(const Scene& scene, const std::vector<Real>& starts,
+                             const std::vector<Real>& factors) {
+    std::vector<Real> result;
+    for (std::size_t k = 0; k < starts.size(); ++k) result.push_back(starts[k] * factors[k]);
+    const std::vector<Real> plain = result;
+    for (std::size_t k = 0; k < starts.size(); ++k)
+        if (rests_elsewhere(*scene.system, scene.start[k].name))
+            result[k] = rest_at(scene, scene.start[k], plain) +
+                        (starts[k] - rest_at(scene, scene.start[k], starts)) * factors[k];
+    return result;
+}
+
 } // namespace
 
 template <class Real>
@@ -58,11 +85,13 @@ std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t 
         // Below the ladder the interval may be beyond the range of an evaluator.
         const Real interval = std::clamp(values[0], Real(shortest_interval), Real(longest_interval));
         d.end = d.eps * interval * Real(1 + 0x1p-40); // t = end/eps is rounded
-        for (std::size_t k = 0; k < scene.start.size(); ++k) {
-            const Real factor =
-                j == 0 ? Real(1) : dice.log_uniform(1 / Real(factor_of_starts), Real(factor_of_starts));
-            d.start.emplace_back(canonical_start(scene.start[k].name, *scene.system), values[k + 1] * factor);
-        }
+        std::vector<Real> start(values.begin() + 1, values.end());
+        std::vector<Real> factors;
+        for (std::size_t k = 0; j > 0 && k < start.size(); ++k)
+            factors.push_back(dice.log_uniform(1 / Real(factor_of_starts), Real(factor_of_starts)));
+        if (j > 0) start = multiplied(scene, start, factors);
+        for (std::size_t k = 0; k < scene.start.size(); ++k)
+            d.start.emplace_back(canonical_start(scene.start[k].name, *scene.system), start[k]);
         for (std::size_t i = 0; i < times; ++i)
             d.times.push_back(interval *
                               (i % 2 == 0 ? dice.uniform() : dice.log_uniform(Real(earliest), Real(1))));

@@ -12,8 +12,14 @@ namespace resonform {
 // and of constants of the solution.
 int start_weight(const System& system, const std::string& name);
 
+// Whether [equilibrium] has this variable ("x"; the velocity "x'" is measured from 0), and the value there,
+// with these values of slow variables. Precondition of rest_of(): it has.
+bool rests_elsewhere(const System& system, const std::string& name);
+GiNaC::ex rest_of(const System& system, const std::string& name, const GiNaC::exmap& slow);
+
 // A variable of weight k must start at eps^k times a constant: fast variables at eps * constant, the
-// others and the constants of the solution free of eps (design 2.5). Returns the complaint, or "".
+// others and the constants of the solution free of eps (design 2.5), all but for the equilibrium that they
+// are measured from. Returns the complaint, or "".
 std::string start_scaling_complaint(const Scene& scene);
 
 } // namespace resonform

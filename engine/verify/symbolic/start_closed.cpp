@@ -30,7 +30,10 @@ public:
         for (const ModeSolution& mode : solution.modes) {
             envelope_ = own_.fixed()(mode.envelope);
             factor_ = own_.fixed()(mode.factor.total(solution.truncation));
-            frequency_ = normal_form_.fixed()(solution.normalization->normal_form.field->modes.front().omega);
+            const GradedField& field = *solution.normalization->normal_form.field;
+            frequency_ = normal_form_.fixed()(field.modes.front().omega);
+            for (const int derivative : {0, 1})
+                shifts_.push_back(normal_form_.fixed()(field.shift(mode.variable, derivative)));
         }
         for (const DriftSolution& drift : solution.drift)
             mean_.push_back(own_.fixed()(drift.value.total(solution.truncation)));
@@ -47,6 +50,12 @@ public:
         for (const Polynomial& p : values_.drift) drift_.push_back(fixed.written_out(p));
         for (const SolutionOutput& state : solution.state)
             state_.push_back(own_.fixed()(state.value.total(state.value.through())));
+        const GradedField& field = *solution.normalization->normal_form.field;
+        for (const SolutionOutput& output : solution.state) {
+            const State& state = field.first_order->state(output.name);
+            state_shifts_.push_back(
+                own_.fixed()((*solution.from_normal_form)(field.shift(state.variable, state.derivative))));
+        }
     }
 
     [[nodiscard]] SymbolicStart at(const SymbolicInputs& inputs) const override {
@@ -126,8 +135,9 @@ private:
         SymbolicValues<Wide> values = normal_form_.constants(inputs);
         map_.set(values, inputs.eps, now);
         const std::string& variable = name(solution_.modes.front().variable);
-        return {inputs.start_of(variable) / inputs.eps,
-                -inputs.start_of(variable + "'") / (inputs.eps * value_of(frequency_, values).re)};
+        return {(inputs.start_of(variable) - value_of(shifts_[0], values).re) / inputs.eps,
+                -(inputs.start_of(variable + "'") - value_of(shifts_[1], values).re) /
+                    (inputs.eps * value_of(frequency_, values).re)};
     }
 
     [[nodiscard]] const std::string& name(std::size_t variable) const {
@@ -169,8 +179,9 @@ private:
         for (std::size_t k = 0; k < solution_.state.size(); ++k) {
             const std::size_t variable = system.state(solution_.state[k].name).variable;
             const bool from_constants = oscillator_given_ && variable == solution_.modes.front().variable;
-            at_start.set(values_.start[k], from_constants ? value_of(state_[k], own).re
-                                                          : inputs.start_of(solution_.state[k].name));
+            const Wide value =
+                from_constants ? value_of(state_[k], own).re : inputs.start_of(solution_.state[k].name);
+            at_start.set(values_.start[k], value - value_of(state_shifts_[k], own).re);
         }
     }
 
@@ -201,7 +212,9 @@ private:
     SymbolicSum re_, im_, leading_, scale_;
     std::vector<SymbolicSum> drift_, state_, arguments_;
     SymbolicSum envelope_, factor_, frequency_;
-    std::vector<SymbolicSum> mean_; // of drifts
+    std::vector<SymbolicSum> shifts_;       // of position and velocity of the oscillator, by its equilibrium
+    std::vector<SymbolicSum> state_shifts_; // of all states, in the ring of the solution
+    std::vector<SymbolicSum> mean_;         // of drifts
 };
 
 } // namespace

@@ -25,6 +25,7 @@ public:
         if (!physical_) return;
         inverts_ = starts_by_inverse_map(solution);
         if (inverts_) inverse_ = map_.shifts(invert(normalization.normal_form, normalization.map));
+        for (const Polynomial& shift : field_.shifts) shifts_.push_back(ring_.fixed()(shift));
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Place place = place_of(system.equations[field_.modes[k].variable].source);
             rows_.emplace_back();
@@ -98,7 +99,8 @@ private:
         for (std::size_t s = 0; s < rows_[k].size(); ++s) {
             if (rows_[k][s].empty()) continue;
             const std::string& state = field_.first_order->states[field_.basis.states[s]].name;
-            sum = sum + inputs.start_of(state) * value_of(rows_[k][s], values);
+            const Wide measured = inputs.start_of(state) - value_of(shifts_[s], values).re;
+            sum = sum + measured * value_of(rows_[k][s], values);
         }
         return (1 / map_.scale_of_mode(k, inputs.eps)) * sum;
     }
@@ -127,6 +129,7 @@ private:
     SymbolicMap map_;
     SymbolicMap::Shifts inverse_;
     std::vector<std::vector<SymbolicSum>> rows_;
+    std::vector<SymbolicSum> shifts_; // of the states
 };
 
 } // namespace

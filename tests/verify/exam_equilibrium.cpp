@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes about an equilibrium that is not the origin, against the equations as the user wrote them.
+#include "model/files/read_scene.hpp"
+#include "scene_line.hpp"
+#include "support/shell.hpp"
+#include "verify/judging/stability.hpp"
+#include "verify/judging/start_scaling.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform {
+namespace {
+
+class AboutEquilibrium : public testing::Test {
+protected:
+    Scene scene(const std::string& system, const std::string& text) {
+        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
+        test::write(systems_ / "s/scenes/s.toml", text);
+        return read_scene(systems_ / "s/scenes/s.toml", systems_);
+    }
+    void expect_pass(const std::string& system, const std::string& text) {
+        const Verification v = test::verified(
+            test::line_of(scene(system, text + "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\n")));
+        for (const auto& output : v.outputs) EXPECT_EQ(output.verdict, Verdict::pass) << output.reason;
+        EXPECT_TRUE(v.as_expected());
+    }
+
+private:
+    test::Scratch scratch_;
+    std::filesystem::path systems_ = scratch_.path() / "systems";
+};
+
+const std::string duffing = "[variables]\nx = { role = \"fast\" }\n[equilibrium]\nx = 1\n[equations]\n"
+                            "x = \"x'' = x - x^3\"\n";
+
+// The well moves with q, and the velocity is measured from that of the well.
+const std::string moving =
+    "[parameters]\nv = { positive = true }\n[variables]\n"
+    "q = { role = \"slow\", positive = true }\nx = { role = \"fast\" }\n[equilibrium]\n"
+    "x = \"q\"\n[equations]\nq = \"q' = eps*v\"\nx = \"x'' = q^2*x - x^3\"\n";
+
+TEST_F(AboutEquilibrium, ClosedSolutions) {
+    expect_pass(duffing, "order = 2\n[start]\nx = \"1 + 0.3*eps\"\n\"x'\" = \"0.1*eps\"\n");
+    expect_pass(duffing, "order = 2\n[start]\namplitude.x = 0.5\nphase.x = 0.3\n");
+    expect_pass(moving,
+                "order = 1\n[fix]\nv = 0.5\n[start]\nq = 1\nx = \"1 + 0.3*eps\"\n\"x'\" = \"0.1*eps\"\n");
+}
+
+TEST_F(AboutEquilibrium, SlowFlows) {
+    expect_pass("[parameters]\nk = { positive = true }\n[variables]\nx = { role = \"fast\" }\n"
+                "y = { role = \"fast\" }\n[equilibrium]\nx = 1\ny = \"solve\"\n[equations]\n"
+                "x = \"x'' = x - x^3\"\ny = \"y'' = -3*(y - k) + (x - 1)^2\"\n",
+                "order = 1\n[fix]\nk = 2\n[start]\nx = \"1 + 0.3*eps\"\n\"x'\" = \"0.1*eps\"\n"
+                "y = \"2 + 0.2*eps\"\n\"y'\" = 0\n");
+}
+
+TEST_F(AboutEquilibrium, StartsThatDoNotScale) {
+    const auto complaint = [&](const std::string& x) {
+        return start_scaling_complaint(scene(duffing, "[start]\nx = " + x + "\n\"x'\" = 0\n"));
+    };
+    EXPECT_EQ(complaint("\"1 + eps/2\""), "");
+    EXPECT_EQ(complaint("1"), "");
+    EXPECT_EQ(complaint("1.5"),
+              "x starts at 1.5, which is not its equilibrium plus eps times a constant: along "
+              "a ladder of eps the error has no order");
+}
+
+TEST_F(AboutEquilibrium, IsNotSweptFromPhysicalStarts) {
+    const test::SceneLine line =
+        test::line_of(scene(duffing, "order = 1\n[start]\nx = 1\n\"x'\" = \"eps\"\n"));
+    EXPECT_THROW(stability(line.scene, line.solution, {}), Error);
+}
+
+} // namespace
+} // namespace resonform
