@@ -30,19 +30,19 @@ private:
     std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
-const std::string duffing = "[variables]\nx = { role = \"fast\" }\n[equilibrium]\nx = 1\n[equations]\n"
-                            "x = \"x'' = x - x^3\"\n";
+const std::string resting_well = "[variables]\nx = { role = \"fast\" }\n[equilibrium]\nx = 1\n[equations]\n"
+                                 "x = \"x'' = x - x^3\"\n";
 
 // The well moves with q, and the velocity is measured from that of the well.
-const std::string moving =
+const std::string moving_well =
     "[parameters]\nv = { positive = true }\n[variables]\n"
     "q = { role = \"slow\", positive = true }\nx = { role = \"fast\" }\n[equilibrium]\n"
     "x = \"q\"\n[equations]\nq = \"q' = eps*v\"\nx = \"x'' = q^2*x - x^3\"\n";
 
 TEST_F(AboutEquilibrium, ClosedSolutions) {
-    expect_pass(duffing, "order = 2\n[start]\nx = \"1 + 0.3*eps\"\n\"x'\" = \"0.1*eps\"\n");
-    expect_pass(duffing, "order = 2\n[start]\namplitude.x = 0.5\nphase.x = 0.3\n");
-    expect_pass(moving,
+    expect_pass(resting_well, "order = 2\n[start]\nx = \"1 + 0.3*eps\"\n\"x'\" = \"0.1*eps\"\n");
+    expect_pass(resting_well, "order = 2\n[start]\namplitude.x = 0.5\nphase.x = 0.3\n");
+    expect_pass(moving_well,
                 "order = 1\n[fix]\nv = 0.5\n[start]\nq = 1\nx = \"1 + 0.3*eps\"\n\"x'\" = \"0.1*eps\"\n");
 }
 
@@ -56,7 +56,7 @@ TEST_F(AboutEquilibrium, SlowFlows) {
 
 TEST_F(AboutEquilibrium, StartsThatDoNotScale) {
     const auto complaint = [&](const std::string& x) {
-        return start_scaling_complaint(scene(duffing, "[start]\nx = " + x + "\n\"x'\" = 0\n"));
+        return start_scaling_complaint(scene(resting_well, "[start]\nx = " + x + "\n\"x'\" = 0\n"));
     };
     EXPECT_EQ(complaint("\"1 + eps/2\""), "");
     EXPECT_EQ(complaint("1"), "");
@@ -67,7 +67,7 @@ TEST_F(AboutEquilibrium, StartsThatDoNotScale) {
 
 TEST_F(AboutEquilibrium, IsNotSweptFromPhysicalStarts) {
     const test::SceneLine line =
-        test::line_of(scene(duffing, "order = 1\n[start]\nx = 1\n\"x'\" = \"eps\"\n"));
+        test::line_of(scene(resting_well, "order = 1\n[start]\nx = 1\n\"x'\" = \"eps\"\n"));
     EXPECT_THROW(stability(line.scene, line.solution, {}), Error);
 }
 

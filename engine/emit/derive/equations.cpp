@@ -4,6 +4,7 @@
 #include "emit/display/as_written.hpp"
 #include "emit/display/json.hpp"
 #include "model/exact/equilibrium_shift.hpp"
+#include "model/exact/first_order_system.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/exact/written_form.hpp"
 #include "model/system/names.hpp"
