@@ -102,7 +102,9 @@ struct Ensemble {
             if constexpr (std::is_same_v<Real, double> && Single::Course::packs) {
                 if (members.eps != nullptr) {
                     const Gathered<Packed> some = gather<Single, Packed>(members, t, i, count);
-                    rest &= ~side_by_side(some, members.full_phase, numbers);
+                    bool full_phase = false;
+                    if constexpr (requires { members.full_phase; }) full_phase = members.full_phase;
+                    rest &= ~side_by_side(some, full_phase, numbers);
                     seen.fill(Status::ok);
                 }
             }

@@ -133,7 +133,6 @@ public:
         const Real* C_delta = nullptr;
         const Real* C_X = nullptr;
         const Real* C_Y = nullptr;
-        bool full_phase = true; // false: a phase may be off by 4e-13 radians
     };
 
     // The outputs of n members, each at its own final time t: at_end, as one call.

@@ -106,7 +106,7 @@ TEST_F(IntervalCommand, CompareHasNoLadderToLeaveAnEpsOutOf) {
 }
 
 // The map leads back from no start; tau leaves the domain where the engine does not follow it beforehand.
-TEST_F(IntervalCommand, AnEvaluatorThatRefusesSaysWhy) {
+TEST_F(SlowIntervalCommand, AnEvaluatorThatRefusesSaysWhy) {
     scene("interval = 1\neps = [0.2, 0.1, 0.05]\n", "amplitude.x = 1\nphase.x = 0\n", "10^18*x^2");
     for (const auto& [command, hint] :
          {std::pair("verify", "change the start values or leave eps = 1/5 out of the ladder"),

@@ -124,7 +124,7 @@ template <class Real, class Wide> struct Check {
         for (std::size_t i = begin; i < members_.size(); i += count) {
             const std::size_t n = std::min(count, members_.size() - i);
             typename Own::Members arrays;
-            arrays.full_phase = full_phase;
+            if constexpr (requires { arrays.full_phase; }) arrays.full_phase = full_phase;
             const Real** pointers = reinterpret_cast<const Real**>(&arrays);
             pointers[0] = &eps[i];
             for (std::size_t k = 0; k < arguments.size(); ++k) pointers[k + 1] = &arguments[k][i];

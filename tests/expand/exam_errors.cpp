@@ -96,7 +96,7 @@ TEST(ExpandErrors, AnglesOccurInHarmonicsOnly) {
 TEST(ExpandErrors, ForceAtTheOrigin) {
     const std::string m = test::refusal(system_with("x'' + x - g = 0"), ErrorKind::bad_input);
     EXPECT_TRUE(test::has(m, "x'' = g there"));
-    EXPECT_TRUE(test::has(m, "shift x to the equilibrium"));
+    EXPECT_TRUE(test::has(m, "say under [equilibrium] where the fast variables rest"));
 }
 
 TEST(ExpandErrors, AForceThatMayBeZero) {

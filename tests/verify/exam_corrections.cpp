@@ -101,6 +101,8 @@ template <class Rate> double integrated(const Rate& rate, double x, double t) {
     return y[0];
 }
 
+using SlowMapAlong = MapAlong; // minutes under sanitizers
+
 // 1.5e6 came out at t = 1000, where the motion has an amplitude of 21.
 TEST_F(MapAlong, AClosedAmplitudeThatGrows) {
     read(oscillator("x'' - 2*eps*x' + x + x^3"), "order = 3\n" + from_eps);
@@ -173,7 +175,7 @@ TEST_F(MapAlong, AConstantAmplitudeHasNoLayer) {
 }
 
 // An oscillator at rest stays there; finite ones are as large as they like while eps is small.
-TEST_F(MapAlong, AmplitudesThatAreNotTooLarge) {
+TEST_F(SlowMapAlong, AmplitudesThatAreNotTooLarge) {
     read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
          "x = \"x'' - 2*eps*x' + x + x*y = 0\"\ny = \"y'' + 2*y + x^2 = 0\"\n",
          "order = 2\n[start]\nx = 0\n\"x'\" = 0\ny = 0\n\"y'\" = 0\n");
@@ -202,7 +204,7 @@ TEST_F(MapAlong, ASlowVariableThatOscillatesOutOfItsDomain) {
 }
 
 // The same with a sign that is kept, and in a declaration that holds more than the variable.
-TEST_F(MapAlong, ADeclaredQuantityThatIsLeft) {
+TEST_F(SlowMapAlong, ADeclaredQuantityThatIsLeft) {
     const std::string equations = "[equations]\nphi = \"phi' = 1\"\ns = \"s' = eps*sin(phi)\"\n"
                                   "z = \"z' = eps/";
     const auto scene = [](const std::string& s) {
@@ -263,7 +265,6 @@ TEST_F(MapAlong, AHeavyModeBesideALightOne) {
 
 // Divisors such as 3 K - 2 J are made by normalisation, at the mean, and ask for nothing. (At order 2 the
 // header has 400 kB, which compile in minutes: interpreted only.)
-using SlowMapAlong = MapAlong; // two minutes under sanitizers
 TEST_F(SlowMapAlong, ADivisorOfTheNormalForm) {
     const std::string system = "[variables]\np = { role = \"angle\" }\nq = { role = \"angle\" }\n"
                                "K = { role = \"slow\" }\nJ = { role = \"slow\" }\n[domain]\n"

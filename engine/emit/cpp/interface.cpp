@@ -180,7 +180,12 @@ std::string CppInterface::ensemble() const {
     std::string fields;
     for (const std::string& array : argument_arrays(plan_))
         fields += fmt::format("        const Real* {} = nullptr;\n", array);
+    const char* full_phase =
+        program_.phases.empty()
+            ? ""
+            : "        bool full_phase = true; // false: a phase may be off by 4e-13 radians\n";
     return filled(frames::ensemble, {{"fields", fields},
+                                     {"full_phase", full_phase},
                                      {"arrays", fmt::format("Real* {}", fmt::join(names, ", Real* "))},
                                      {"names", fmt::format("{}", fmt::join(names, ", "))}});
 }
