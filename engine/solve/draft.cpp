@@ -53,7 +53,8 @@ Draft::Draft(std::shared_ptr<const Normalization> normalization, const SolveOpti
     solution.order = options.order;
     solution.truncation = options.truncation;
     const GradedField& field = *normal_form().field;
-    const std::size_t refined = refinements.size(), constants = 1 + 2 * field.modes.size() + field.drift.size();
+    const std::size_t refined = refinements.size(),
+                      constants = 1 + 2 * field.modes.size() + field.drift.size();
     RingBuilder builder(field.ring->size() + static_cast<int>(refined + constants));
     copy_generators(builder, refinements);
     add_constants(builder);
