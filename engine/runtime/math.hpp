@@ -77,6 +77,7 @@ template <class Real> Real magnitude(const Real& x) { return x < Real(0) ? Real(
 template <class Real> Real larger(const Real& a, const Real& b) { return a < b ? b : a; }
 
 // NaN, if any is.
+// NOLINTNEXTLINE(misc-redundant-expression): NaN differs from itself
 template <class Real> Real smaller(const Real& a, const Real& b) { return b < a || !(b == b) ? b : a; }
 
 // An exact number: 2^exponent times the sum of doubles of which each is next to what those before leave. In

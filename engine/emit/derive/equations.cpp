@@ -106,8 +106,9 @@ void append_equilibrium(Page& page, const System& system) {
     Section section{"about the equilibrium at eps = 0", {}};
     for (const Equilibrium& at : system.equilibrium) {
         const std::string& name = system.variables[at.variable].name;
-        const std::string value = at.value.is_zero() ? "" : spell(at.value) + " + ";
-        Equation shift{name, name + " = " + value + deviation_name(name), 0, at.source};
+        std::string text = name + " = ";
+        if (!at.value.is_zero()) text.append(spell(at.value)).append(" + ");
+        Equation shift{name, text.append(deviation_name(name)), 0, at.source};
         shift.source.verbatim = false;
         section.formulas.push_back(formula_of(shift, {}));
     }
