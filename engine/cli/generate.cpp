@@ -63,7 +63,7 @@ int run_generate(const GenerateRequest& request) {
             {"truncation", program.truncation},
             {"operations_before", to_json(program.before)},
             {"operations_after", to_json(program.after)},
-            {"form", program.form},
+            {"form", program.form()},
             {"operations_by_form", {{"tables", nullptr}, {"direct", program.operations_by_form.direct}}},
             {"bytes", header.size()}};
         if (const auto tables = program.operations_by_form.tables)

@@ -136,6 +136,12 @@ private:
         }
     };
 
+    template <class Members, class Arrays>
+    static bool gives_all(const Members& members, const Arrays& arrays) {
+        return std::all_of(arrays.begin(), arrays.end(),
+                           [&](const auto array) { return members.*array != nullptr; });
+    }
+
     // A member's arguments; what has no array has its default.
     template <class Single, class Members, class Real>
     static void arguments(const Members& members, std::size_t i, Real& eps,
@@ -145,9 +151,8 @@ private:
         for (std::size_t k = 0; k < Single::parameter_fields.size(); ++k)
             if (const Real* array = members.*Single::parameter_arrays[k]; array != nullptr)
                 parameters.*Single::parameter_fields[k] = array[i];
-        bool whole = true;
-        for (const auto array : Single::start_arrays) whole = whole && members.*array != nullptr;
-        start = whole ? typename Single::Start{} : Single::default_start(eps, parameters);
+        start = gives_all(members, Single::start_arrays) ? typename Single::Start{}
+                                                         : Single::default_start(eps, parameters);
         for (std::size_t k = 0; k < Single::start_fields.size(); ++k)
             if (const Real* array = members.*Single::start_arrays[k]; array != nullptr)
                 start.*Single::start_fields[k] = array[i];
@@ -168,7 +173,8 @@ private:
         return status;
     }
 
-    // Zero, or between 2^-24 and 2^24: conditions of the start mean what they say (emitted begin()).
+    // Zero, or between 2^-24 and 2^24: only then does an emitted begin(), too, trust conditions of the start
+    // that were not computed in Scaled.
     static kernel::Mask moderate(const kernel::Pack& x) {
         const kernel::Pack size = math::magnitude(x);
         return (x == kernel::Pack(0)) | ((size > kernel::Pack(0x1p-24)) & (size < kernel::Pack(0x1p24)));
@@ -194,7 +200,7 @@ private:
         some.t = load(t);
         const Pack T = some.eps * some.t;
         some.fit = moderate(some.eps) & (some.eps > Pack(0)) & (T > Pack(0x1p-60)) & (T < Pack(0x1p24));
-        if (lacks<Single>(members)) // some have their defaults
+        if (!gives_all(members, Single::parameter_arrays) || !gives_all(members, Single::start_arrays))
             for (std::size_t j = 0; j < kernel::lanes; ++j)
                 arguments<Single>(members, from(j), eps[j], parameters[j], start[j]);
         const auto take = [&](const double* array, Pack& field, const auto& fallback) {
@@ -217,13 +223,6 @@ private:
                     break;
                 }
         return some;
-    }
-
-    template <class Single, class Members> static bool lacks(const Members& members) {
-        bool all = true;
-        for (const auto array : Single::parameter_arrays) all = all && members.*array != nullptr;
-        for (const auto array : Single::start_arrays) all = all && members.*array != nullptr;
-        return !all;
     }
 
     // The outputs of all lanes, and the members that are answered; `status` is ok if all outputs of all lanes

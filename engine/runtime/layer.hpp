@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace resonform {
@@ -166,8 +167,11 @@ Answer clear_beyond_doubt(const Margins& margins, const Real& left, const Real& 
     }
     if (halvings == 0 || clear) return clear;
     const Answer first = clear_beyond_doubt(margins, left, middle, halvings - 1);
-    const Answer second = clear_beyond_doubt(margins, middle, right, halvings - 1);
-    return clear | (first & second);
+    if constexpr (std::is_same_v<Answer, bool>) {
+        return first && clear_beyond_doubt(margins, middle, right, halvings - 1);
+    } else {
+        return clear | (first & clear_beyond_doubt(margins, middle, right, halvings - 1));
+    }
 }
 
 } // namespace resonform

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As many doubles as the processor computes at once, as a number: emitted functions of it do for several sets
-// of arguments what they do for one. A lane's bits do not depend on the other lanes.
+// A number type that is as many doubles wide as the processor computes at once: an emitted function that is
+// called with it evaluates several sets of arguments. A lane's bits do not depend on the other lanes.
 //
 // Comparisons are made lane by lane; a Mask is true where all lanes are. Functions want arguments of moderate
 // size: beyond it (cosines of more than 2^23, squares of hypot out of range) a lane is not a number.
@@ -75,9 +75,9 @@ inline Pack select(Mask mask, const Pack& a, const Pack& b) {
 inline Pack magnitude(const Pack& x) { return Pack::of(Pack::L::number(Pack::L::bits(x.v) & ~(1LL << 63))); }
 
 // Lane by lane.
-template <class Function> Pack each(const Function& f, const Pack& x) {
+template <class Function, class... Packs> Pack each(const Function& f, const Packs&... x) {
     Pack result;
-    for (int i = 0; i < lanes; ++i) result.v[i] = f(x.v[i]);
+    for (int i = 0; i < lanes; ++i) result.v[i] = f(x.v[i]...);
     return result;
 }
 
@@ -146,9 +146,7 @@ inline Pack sinh(const Pack& x) {
     return each([](double y) { return std::sinh(y); }, x);
 }
 inline Pack atan2(const Pack& y, const Pack& x) {
-    Pack result;
-    for (int i = 0; i < lanes; ++i) result.v[i] = std::atan2(y.v[i], x.v[i]);
-    return result;
+    return each([](double a, double b) { return std::atan2(a, b); }, y, x);
 }
 
 // high + low: twice the digits but a few, |low| about a unit of the last place of high.

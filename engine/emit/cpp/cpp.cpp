@@ -32,7 +32,7 @@ std::string in_comment(const std::string& text) {
 std::string many_points(const Program& program) {
     const auto& [tables, direct] = program.operations_by_form;
     std::string text =
-        program.form == "tables" ? fmt::format("from tables of {} rows", program.rows.size()) : "one by one";
+        program.rows.empty() ? "one by one" : fmt::format("from tables of {} rows", program.rows.size());
     if (tables) text += fmt::format(" ({} operations, {} one by one)", *tables, direct);
     return text + (program.form_reason.empty() ? "" : ": " + program.form_reason);
 }

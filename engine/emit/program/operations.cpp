@@ -75,13 +75,15 @@ std::string too_large(const Program& program) {
     return "";
 }
 
+int clamped(long long n) { return static_cast<int>(std::min<long long>(n, std::numeric_limits<int>::max())); }
+
 // Sums and products, and what takes as long: measured with g++ 12 on x86-64.
 int direct_operations(const Program& program) {
     const OperationCount& c = program.after;
     constexpr int division = 8, root = 16, function = 60, look_up = 80, turn = 240;
     const long long sum = 1LL * c.add + c.multiply + 1LL * division * c.divide + 1LL * root * c.root +
                           1LL * function * c.other + 1LL * look_up * c.tables + 1LL * turn * c.sincos;
-    return static_cast<int>(std::min<long long>(sum, std::numeric_limits<int>::max()));
+    return clamped(sum);
 }
 
 // A row is a polynomial of degree 4, nearly; the others follow from one cosine and sine.
@@ -91,8 +93,6 @@ int tabulated_operations(const Program& program) {
     return static_cast<int>(row * program.rows.size() + phase * phases +
                             harmonic * (harmonics - std::min(harmonics, phases)));
 }
-
-int clamped(long long n) { return static_cast<int>(std::min<long long>(n, std::numeric_limits<int>::max())); }
 
 } // namespace
 
@@ -132,7 +132,6 @@ void choose_form(Program& program, EmitForm wish, const Place& place) {
     constexpr int narrowest = 2; // numbers in a vector, of which tables make use
     const bool cheaper = counts.tables && *counts.tables < narrowest * counts.direct;
     const bool tables = wish == EmitForm::tables || (wish == EmitForm::automatic && cheaper);
-    program.form = tables ? "tables" : "direct";
     if (wish != EmitForm::automatic)
         program.form_reason = "as the scene wants it";
     else if (!large.empty())

@@ -107,10 +107,12 @@ struct Program {
     using Count = OperationCount;
     Count before; // of all variables of the solution, written out, nothing shared, fixed or left out
     Count after;  // of the emitted code
-    // How many points are computed, if ProgramOptions::rows: "tables" or "direct"; why, if not because it is
+    // Of many points, if ProgramOptions::rows: why they are computed as they are, if not because it is
     // cheaper.
-    std::string form = "direct", form_reason;
+    std::string form_reason;
     OperationsByForm operations_by_form;
+    // How many points are computed: "tables" or "direct".
+    [[nodiscard]] const char* form() const { return rows.empty() ? "direct" : "tables"; }
 };
 
 struct ProgramOptions {

@@ -12,9 +12,9 @@ namespace resonform {
 
 // Afterwards every Equilibrium has a value that is proved to be real, and to make the rates of the fast
 // variables zero. Solved for are linear equations, and factors of degree 1 and 2 in one variable.
-// Errors: bad_input: what is no equilibrium, or there is none; refused: what can be told neither zero nor
-// nonzero, a divisor or a root that is not proved to be one, several solutions, an equation that is not of
-// these kinds; and those of solve_for_highest().
+// Errors: bad_input if a given value is no equilibrium, or if there is none to be found; refused if a zero
+// test stays undecided, a divisor is not proved nonzero or a radicand not proved positive, if there are
+// several solutions, or if an equation is of another kind; and those of solve_for_highest().
 void settle_equilibrium(System& system);
 
 } // namespace resonform

@@ -105,7 +105,7 @@ private:
 
     const FirstOrderSystem& from_;
     const System& system_;
-    GiNaC::exmap shifts_; // jet -> what it is more than the new one, in old variables
+    GiNaC::exmap shifts_; // jet -> the old variable minus the new one, as a function of old variables
     GiNaC::exmap old_;    // jet -> itself by a new symbol
     GiNaC::exmap named_;  // the new symbol -> jet
 };
