@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What an evaluator knows at one time, as its tables would say it: columns, cosines and sines of phases, and
-// where the domain ends before (runtime/final_sums.hpp has the integrals).
+// What an evaluator knows at one time, as its tables would say it: columns, cosines and sines of phases, powers
+// of e, and where the domain ends before (runtime/final_sums.hpp has the integrals).
 #ifndef RESONFORM_RUNTIME_FINAL_POINT
 #define RESONFORM_RUNTIME_FINAL_POINT
 
+#include "runtime/decay.hpp"
 #include "runtime/final_sums.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -22,14 +23,6 @@ template <class Real> struct QuickNumberOf {
     static constexpr bool longer = std::is_same_v<Real, double> && math::digits<long double> >= 64;
     using type = std::conditional_t<longer, long double, WideNumber<Real>>;
 };
-
-// eps t, not rounded to Real.
-template <class Number, class Real> Number wide_product(const Real& eps, const Real& t) {
-    if constexpr (std::is_same_v<Number, Twice<Real>>)
-        return Number::product(eps, t);
-    else
-        return Number(eps) * Number(t);
-}
 
 // cos theta and sin theta, theta reduced to one turn before it is rounded.
 template <class Real, class Number> void turn(const Number& theta, Real& cosine, Real& sine) {
@@ -63,7 +56,7 @@ template <class Real, class Number> void turn(const Number& theta, Real& cosine,
 template <class Real, class Course> class FinalPoint {
 public:
     std::array<Real, Course::columns> tables{};
-    std::array<Real, Course::angles> cosine{}, sine{};
+    std::array<Real, Course::angles> cosine{}, sine{}, power{};
 
     explicit FinalPoint(const Course& course) : course_(course) {}
 
@@ -109,6 +102,10 @@ private:
         Status status = Status::ok;
         for (std::size_t k = 0; k < Course::angles; ++k) {
             const Number theta = at_start_ ? turning.start[k] : turning.start[k] + sums.angles()[k];
+            if (Course::decays[k]) {
+                power[k] = exponential<Real>(theta);
+                continue;
+            }
             const Real size = math::magnitude(static_cast<Real>(theta));
             if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
                 too_long_ = !(size <= Real(quick_radians));

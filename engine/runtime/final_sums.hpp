@@ -37,6 +37,7 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
 //   static constexpr std::array<std::size_t, L> levels;    the number of columns of each
 //   static constexpr std::size_t columns, angles;
 //   static constexpr std::array<bool, angles> rounded;     the rate of a phase needs columns
+//   static constexpr std::array<bool, angles> decays;      it is an exponent
 //   std::array<Real, columns> start() const;
 //   std::array<Real, levels[L]> rates(std::integral_constant<std::size_t, L>, const Real& T,
 //                                     const std::array<Real, columns>&) const;
@@ -289,7 +290,9 @@ private:
     // the last place of Real.
     static Real tolerance(std::size_t k, const Real& size) {
         if (Course::rounded[k]) return Real(16) * math::epsilon<Real>();
-        const Real wanted = math::epsilon<Real>() / math::larger(Real(1), size);
+        // Of exponents beyond this nothing is left but e^chi = 0.
+        const Real counts = Course::decays[k] ? math::smaller(Real(4096), size) : size;
+        const Real wanted = math::epsilon<Real>() / math::larger(Real(1), counts);
         return math::larger(square_enough<Real>(wanted),
                             Real(static_cast<Real>(Seen(16) * math::epsilon<Seen>())));
     }

@@ -2,7 +2,7 @@
 #include "solve/neglected.hpp"
 
 #include "algebra/number/error.hpp"
-#include "solve/slow_flow.hpp"
+#include "solve/flow/frame.hpp"
 
 #include <fmt/format.h>
 
@@ -65,29 +65,36 @@ Neglected::Neglected(const Solution& richer, const Formula& formula)
 }
 
 void Neglected::add_quantities() {
-    const auto add = [this](Kind kind, std::size_t index, int scale) {
-        quantities_.push_back({kind, index, scale, none});
+    const auto add = [this](Kind kind, std::size_t index, int scale, bool lasts = true) {
+        quantities_.push_back({kind, index, scale, lasts ? formula_.time_power : 0, none});
     };
-    std::vector<int> lightest(flow_.phases.size(), nothing);
+    std::vector<int> turning(flow_.phases.size(), nothing), decaying(flow_.decays.size(), nothing);
+    std::vector<bool> lasting(flow_.phases.size(), false);
     for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+        const FlowMode& mode = flow_.modes[k];
         const int weight = ring_.generator(field_.modes[k].z).weight;
-        add(Kind::modulus, k, weight);
-        add(Kind::argument, k, weight);
-        int& least = lightest[flow_.modes[k].phase];
-        least = std::min(least, weight);
+        for (const Kind kind : {Kind::modulus, Kind::argument}) add(kind, k, weight, !mode.decay);
+        if (mode.decay) decaying[*mode.decay] = std::min(decaying[*mode.decay], weight);
+        if (!mode.phase) continue;
+        turning[*mode.phase] = std::min(turning[*mode.phase], weight);
+        if (!mode.decay) lasting[*mode.phase] = true;
     }
     for (std::size_t k = 0; k < field_.angles.size(); ++k) {
         add(Kind::angle, k, 0);
-        lightest[flow_.angles[k].phase] = 0;
+        turning[*flow_.angles[k].phase] = 0;
+        lasting[*flow_.angles[k].phase] = true;
     }
-    for (std::size_t k = 0; k < flow_.phases.size(); ++k) add(Kind::phase, k, lightest[k]);
+    for (std::size_t k = 0; k < turning.size(); ++k) add(Kind::phase, k, turning[k], lasting[k]);
+    for (std::size_t k = 0; k < decaying.size(); ++k) add(Kind::decay, k, decaying[k], false);
     for (std::size_t k = 0; k < field_.slow.size(); ++k) add(Kind::slow, k, 0);
     for (std::size_t k = 0; k < field_.drift.size(); ++k) add(Kind::drift, k, 0);
 }
 
 void Neglected::add_rates() {
     for (std::size_t on = 0; on < quantities_.size(); ++on) {
-        const auto [kind, k, scale, error] = quantities_[on];
+        const Quantity& quantity = quantities_[on];
+        const Kind kind = quantity.kind;
+        const std::size_t k = quantity.index;
         const auto add = [&](const Series& rate, bool exact = false) {
             for (int n = 0; n <= rate.through(); ++n) add_rate(on, n, rate.part(n), exact);
         };
@@ -103,8 +110,10 @@ void Neglected::add_rates() {
             break;
         }
         case Kind::phase:
-            for (const Term& t : flow_.phases[k].terms())
-                add_rate(on, ring_.weight(t.monomial) + scale, Polynomial(t.monomial, t.coefficient));
+        case Kind::decay:
+            for (const Term& t : (kind == Kind::phase ? flow_.phases : flow_.decays)[k].terms())
+                add_rate(on, ring_.weight(t.monomial) + quantity.scale,
+                         Polynomial(t.monomial, t.coefficient));
             break;
         case Kind::angle: add(flow_.angles[k].rate); break;
         case Kind::slow: add(flow_.slow[k], !field_.slow[k].driven); break;
@@ -117,7 +126,7 @@ void Neglected::add_rates() {
 void Neglected::add_rate(std::size_t on, int weight, const Polynomial& rate, bool exact) {
     const Zero zero = vanishing(ring_, rate);
     if (zero == Zero::yes) return;
-    const int power = weight - quantities_[on].scale - formula_.time_power;
+    const int power = weight - quantities_[on].scale - quantities_[on].time_power;
     if (weight > formula_.truncation && !exact) lower(quantities_[on].error, {power, zero == Zero::no});
     for (std::size_t from = 0; from < quantities_.size(); ++from)
         if (const Zero rests = insensitive(rate, quantities_[from], &quantities_[on]); rests != Zero::yes)
@@ -149,7 +158,7 @@ void Neglected::add_start_errors() {
     for (std::size_t on = 0; on < quantities_.size(); ++on) {
         const Kind kind = quantities_[on].kind;
         const std::size_t k = quantities_[on].index;
-        if (kind == Kind::phase) continue;
+        if (kind == Kind::phase || kind == Kind::decay) continue;
         const Series& series = kind == Kind::angle   ? map.angle[k]
                                : kind == Kind::slow  ? map.slow[k]
                                : kind == Kind::drift ? map.drift[k]
@@ -196,10 +205,9 @@ Zero Neglected::insensitive(const Polynomial& p, const Quantity& what, const Qua
     const auto chosen = [&](const Monomial& m) {
         switch (what.kind) {
         case Kind::modulus: {
-            const Mode& mode = field_.modes[what.index];
             const bool own = rate_of != nullptr && rate_of->index == what.index &&
                              (rate_of->kind == Kind::modulus || rate_of->kind == Kind::argument);
-            return ring_.exponent(m, mode.z) + ring_.exponent(m, mode.zbar) != (own ? 2 : 0);
+            return degree_in(field_, m, what.index) != (own ? 2 : 0);
         }
         case Kind::argument: return turns(m, what.index) != 0;
         case Kind::angle: return ring_.exponent(m, field_.angles[what.index].phase) != 0;
@@ -209,6 +217,12 @@ Zero Neglected::insensitive(const Polynomial& p, const Quantity& what, const Qua
                 if (flow_.modes[k].phase == what.index) all += turns(m, k);
             for (std::size_t k = 0; k < field_.angles.size(); ++k)
                 if (flow_.angles[k].phase == what.index) all += ring_.exponent(m, field_.angles[k].phase);
+            return all != 0;
+        }
+        case Kind::decay: {
+            int all = 0;
+            for (std::size_t k = 0; k < field_.modes.size(); ++k)
+                if (flow_.modes[k].decay == what.index) all += degree_in(field_, m, k);
             return all != 0;
         }
         case Kind::slow:

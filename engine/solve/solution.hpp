@@ -10,11 +10,11 @@
 // roots refined (sigma -> s^(1/8)), plus the constants of the solution, e^{i theta}, and primitives.
 //
 // With several oscillators, finite ones, slow variables of other laws, or angles it is the slow flow
-// (solve/slow_flow.hpp), in the ring of the normal form.
+// (solve/flow/slow_flow.hpp), in the ring of the normal form.
 #pragma once
 
 #include "normalize/recursion/normal_form.hpp"
-#include "solve/slow_flow.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <memory>
 #include <optional>

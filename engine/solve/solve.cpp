@@ -6,7 +6,7 @@
 #include "solve/drift.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/route.hpp"
-#include "solve/slow_flow.hpp"
+#include "solve/flow/frame.hpp"
 #include "solve/substitution.hpp"
 #include "solve/truncation.hpp"
 

@@ -2,7 +2,7 @@
 #include "solve/time_scale.hpp"
 
 #include "algebra/number/error.hpp"
-#include "solve/slow_flow.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace resonform {
 
@@ -19,10 +20,17 @@ struct Count {
     const char* formula;
 };
 
-// The lowest weight of an output that shows a phase: 0 with angles, else the lowest weight of a mode.
-int lightest(const GradedField& field) {
-    if (!field.angles.empty() || field.modes.empty()) return 0;
-    return field.mode_weights().back();
+// The lowest weight of an output that shows a lasting phase: 0 with angles, else the lowest weight of an
+// undamped oscillation; nullopt: there is none.
+std::optional<int> lightest(const GradedField& field) {
+    if (!field.angles.empty()) return 0;
+    std::optional<int> least;
+    for (const Mode& mode : field.modes) {
+        if (!mode.growth.empty() || mode.is_real()) continue;
+        const int weight = field.ring->generator(mode.z).weight;
+        least = std::min(least.value_or(weight), weight);
+    }
+    return least;
 }
 
 Count counted(const GradedField& field, const Scene& scene, int p) {
@@ -35,10 +43,12 @@ Count counted(const GradedField& field, const Scene& scene, int p) {
     }
     const bool driven =
         std::any_of(field.slow.begin(), field.slow.end(), [](const SlowVariable& s) { return s.driven; });
+    const std::optional<int> weight = lightest(field);
+    if (!weight) return {order + p, "N + p"};
     const Count flow{std::max(order + p, order + 2 * p - 1), "max(N + p, N + 2p - 1)"};
-    const int through_slow = order + 2 * p - lightest(field);
+    const int through_slow = order + 2 * p - *weight;
     if (!driven || through_slow <= flow.truncation) return flow;
-    return {through_slow, lightest(field) == 0 ? "N + 2p" : "N + 2p - w"};
+    return {through_slow, *weight == 0 ? "N + 2p" : "N + 2p - w"};
 }
 
 } // namespace

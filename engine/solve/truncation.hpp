@@ -27,7 +27,8 @@ void require_whole_weights(const System& system);
 //   M = max(N + p, N + 2p - 1)   for several, finite ones or angles: amplitudes of any kind act on the
 //                                phases at order eps; and where a drift is an output: on it at eps^2;
 //   M = N + 2p - w               at least, where slow variables are driven: through their frequencies they
-//                                act on phases at once, and these on outputs of weight w.
+//                                act on phases at once, and these on outputs of weight w;
+//   M = N + p                    without lasting phases: where all modes are damped (or of eigenvalue 0).
 //
 // Errors: refused for p >= 2 with a slow variable xi' = eps c, which leaves every compact set, so that the
 // count does not hold; refused for M > 99; those of require_whole_weights.

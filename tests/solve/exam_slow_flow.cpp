@@ -2,7 +2,7 @@
 // Slow flows that can be checked by hand: what rests, what turns, what moves, and on which time scale.
 #include "model/files/read_system.hpp"
 #include "solve/line.hpp"
-#include "solve/real_form.hpp"
+#include "solve/flow/real_form.hpp"
 #include "solve/systems.hpp"
 #include "solve/time_scale.hpp"
 #include "solve/truncation.hpp"

@@ -49,7 +49,7 @@ private:
 std::string CppFrame::aliases() const {
     std::string text =
         "    using Cause = resonform::Cause;\n    using Interval = resonform::Interval<Real>;\n";
-    if (!program_.phases.empty()) text += "    using Wide = typename resonform::Phase<Real>::Wide;\n";
+    if (!program_.phases.empty()) text += "    using Wide = resonform::WideNumber<Real>;\n";
     return text + "\n";
 }
 
@@ -89,10 +89,12 @@ std::string CppFrame::locate() const {
         text += fmt::format("        a.tables = look_up_{}(a.T);\n", plan_.levels.size());
     if (program_.phases.empty()) return text + "        return Status::ok;\n    }\n\n";
     text += "        Status status = Status::ok;\n";
-    for (const std::string& name : plan_.phase_names)
-        text += fmt::format("        if (const Status seen = {0}_(t, low, a.cos_{0}, a.sin_{0}); seen != "
-                            "Status::ok) status = seen;\n",
-                            name);
+    for (std::size_t k = 0; k < program_.phases.size(); ++k)
+        text += fmt::format(fmt::runtime(program_.phases[k].decays()
+                                             ? "        a.exp_{0} = {0}_(t, low);\n"
+                                             : "        if (const Status seen = {0}_(t, low, a.cos_{0}, "
+                                               "a.sin_{0}); seen != Status::ok) status = seen;\n"),
+                            plan_.phase_names[k]);
     return text + "        return status;\n    }\n\n";
 }
 
@@ -239,8 +241,9 @@ std::string CppFrame::data_members() const {
                                      : fmt::format("PrimitiveTable<Real, {}>", size);
         text += fmt::format("    resonform::{} tables_{}_;\n", type, level);
     }
-    for (const std::string& name : plan_.phase_names)
-        text += fmt::format("    resonform::Phase<Real> {}_;\n", name);
+    for (std::size_t k = 0; k < program_.phases.size(); ++k)
+        text += fmt::format("    resonform::{}<Real> {}_;\n", program_.phases[k].decays() ? "Decay" : "Phase",
+                            plan_.phase_names[k]);
     if (!plan_.rows.empty()) {
         text += "    Real eps_{};\n";
         if (!program_.phases.empty()) text += "    Parameters parameters_;\n    Start start_;\n";

@@ -57,11 +57,15 @@ std::string banner(const Program& program) {
 std::string runtime(const Program& program, bool inlined) {
     std::string text;
     if (!inlined) {
+        const auto decay = [](const ProgramPhase& phase) { return phase.decays(); };
+        const std::vector<ProgramPhase>& phases = program.phases;
+        const bool turns = !std::all_of(phases.begin(), phases.end(), decay);
+        if (std::any_of(phases.begin(), phases.end(), decay)) text += "#include \"runtime/decay.hpp\"\n";
         text += "#include \"runtime/ensemble.hpp\"\n#include \"runtime/final_point.hpp\"\n";
         if (!program.flow.empty()) text += "#include \"runtime/flow.hpp\"\n";
         text += "#include \"runtime/interval.hpp\"\n";
         if (!program.layers.empty()) text += "#include \"runtime/layer.hpp\"\n";
-        if (!program.phases.empty()) text += "#include \"runtime/phase.hpp\"\n";
+        if (turns) text += "#include \"runtime/phase.hpp\"\n";
         if (program.rows.empty()) text += "#include \"runtime/points.hpp\"\n";
         if (CppPlan(program).uses_scaled()) text += "#include \"runtime/scaled.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace resonform {
 
 namespace {
@@ -81,14 +83,20 @@ std::string CppCourse::arguments() const {
     std::string text;
     if (!plan_.levels.empty()) text += "        a.tables = point.tables;\n";
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
-        text += fmt::format("        a.cos_{0} = point.cosine[{1}];\n        a.sin_{0} = point.sine[{1}];\n",
-                            plan_.phase_names[k], k);
+        text += fmt::format(
+            fmt::runtime(program_.phases[k].decays()
+                             ? "        a.exp_{0} = point.power[{1}];\n"
+                             : "        a.cos_{0} = point.cosine[{1}];\n        a.sin_{0} = point.sine[{1}];\n"),
+            plan_.phase_names[k], k);
     return text;
 }
 
 std::string CppCourse::print() const {
     std::vector<std::size_t> levels;
     for (const CppLevel& level : plan_.levels) levels.push_back(level.members.size());
+    std::vector<bool> decays;
+    for (const ProgramPhase& phase : program_.phases) decays.push_back(phase.decays());
+    const bool none_decays = std::find(decays.begin(), decays.end(), true) == decays.end();
     const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
     const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
                                          plan_.range.native ? "compute" : "keep");
@@ -103,11 +111,14 @@ std::string CppCourse::print() const {
                                    {"columns", std::to_string(plan_.columns_before(levels.size()))},
                                    {"phases", std::to_string(program_.phases.size())},
                                    {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
+                                   {"decays", fmt::format("{}", fmt::join(decays, ", "))},
                                    {"start", plan_.member_list(plan_.flow_starts, "c.")},
                                    {"rates", rates()},
                                    {"margins", margins()},
                                    {"conditions", conditions()},
-                                   {"packs", plan_.range.native && program_.flow.empty() ? "true" : "false"},
+                                   {"packs", plan_.range.native && program_.flow.empty() && none_decays
+                                                 ? "true"
+                                                 : "false"},
                                    {"constants", constants},
                                    {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                    {"phase_rates", phase_rates()},

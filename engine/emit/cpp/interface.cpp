@@ -82,8 +82,9 @@ std::string CppInterface::results(const std::string& name, const std::vector<Cpp
 
 std::string CppInterface::why() const {
     std::string phases;
-    for (const std::string& name : plan_.phase_names)
-        phases += fmt::format("!{}_.precise() ? {} : ", name, cpp_literal(name));
+    for (std::size_t k = 0; k < program_.phases.size(); ++k)
+        if (const std::string& name = plan_.phase_names[k]; !program_.phases[k].decays())
+            phases += fmt::format("!{}_.precise() ? {} : ", name, cpp_literal(name));
     if (!phases.empty())
         phases = fmt::format("        if (status == Status::low_precision) return {}\"\";\n", phases);
     return filled(frames::why, {{"phases", phases},

@@ -255,8 +255,10 @@ std::string CppStages::arguments() const {
     if (!plan_.levels.empty())
         text += fmt::format("        std::array<Real, {}> tables{{}};\n",
                             plan_.columns_before(plan_.levels.size()));
-    for (const std::string& name : plan_.phase_names)
-        text += fmt::format("        Real cos_{0}{{}}, sin_{0}{{}};\n", name);
+    for (std::size_t k = 0; k < program_.phases.size(); ++k)
+        text += fmt::format(fmt::runtime(program_.phases[k].decays() ? "        Real exp_{0}{{}};\n"
+                                                                     : "        Real cos_{0}{{}}, sin_{0}{{}};\n"),
+                            plan_.phase_names[k]);
     return text + "    };\n\n";
 }
 
@@ -268,8 +270,13 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
     function.know(plan_.code.lower(program_.slow_time), "a.T");
     know_tables(function, "a.tables");
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
-        function.know(plan_.code.lower(program_.phases[k].cosine), "a.cos_" + plan_.phase_names[k]);
-        function.know(plan_.code.lower(program_.phases[k].sine), "a.sin_" + plan_.phase_names[k]);
+        const ProgramPhase& phase = program_.phases[k];
+        if (phase.decays()) {
+            function.know(plan_.code.lower(phase.exponential), "a.exp_" + plan_.phase_names[k]);
+            continue;
+        }
+        function.know(plan_.code.lower(phase.cosine), "a.cos_" + plan_.phase_names[k]);
+        function.know(plan_.code.lower(phase.sine), "a.sin_" + plan_.phase_names[k]);
     }
     std::vector<Value> roots;
     for (const CppCondition& condition : plan_.varying_conditions) roots.push_back(condition.value);

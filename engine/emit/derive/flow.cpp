@@ -4,7 +4,7 @@
 #include "emit/display/display.hpp"
 #include "emit/display/free_name.hpp"
 #include "emit/display/normal_form_parts.hpp"
-#include "solve/real_form.hpp"
+#include "solve/flow/real_form.hpp"
 
 #include <fmt/format.h>
 
@@ -23,29 +23,34 @@ public:
           write_(field_.ring, field_.eps, field_.outer(), std::nullopt, {}), real_(field_) {
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             frame_.emplace(field_.modes[k].z, symbol_factor(amplitude(2 * k + 1)));
-            frame_.emplace(field_.modes[k].zbar, symbol_factor(amplitude(2 * k + 2)));
+            if (!field_.modes[k].is_real())
+                frame_.emplace(field_.modes[k].zbar, symbol_factor(amplitude(2 * k + 2)));
         }
         for (std::size_t k = 0; k < field_.angles.size(); ++k)
             frame_.emplace(field_.angles[k].phase, exponential(symbol_sum(offset(k))));
     }
 
-    // z1 = a1*exp(I*theta1), theta1' = ..., a1 = eps*(u_x + I*v_x)
+    // z1 = a1*exp(chi1 + I*theta1), theta1' = ..., a1 = eps*(u_x + I*v_x)
     [[nodiscard]] Section frame() const {
         Section section{"frame", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
             DisplaySum value = symbol_sum(amplitude(2 * k + 1));
-            value.terms.front().tail.push_back(exponential(symbol_sum(phase(flow_.modes[k]))));
+            if (DisplaySum exponent = exponent_of(flow_.modes[k]); !exponent.terms.empty())
+                value.terms.front().tail.push_back(function_factor("exp", std::move(exponent)));
             define(section, mode.name, std::move(value));
-            define(section, mode.conjugate_name, function_of("conj", mode.name));
+            if (!mode.is_real()) define(section, mode.conjugate_name, function_of("conj", mode.name));
             define(section, amplitude(2 * k + 1), cartesian(k));
-            define(section, amplitude(2 * k + 2), function_of("conj", amplitude(2 * k + 1)));
+            if (!mode.is_real())
+                define(section, amplitude(2 * k + 2), function_of("conj", amplitude(2 * k + 1)));
         }
         for (std::size_t k = 0; k < field_.angles.size(); ++k)
             define(section, field_.angles[k].name,
                    symbol_sum(phase(flow_.angles[k])) + symbol_sum(offset(k)));
         for (std::size_t p = 0; p < flow_.phases.size(); ++p)
             define(section, phase_names()[p] + "'", by_weight(flow_.phases[p], frame_));
+        for (std::size_t p = 0; p < flow_.decays.size(); ++p)
+            define(section, decay_names()[p] + "'", by_weight(flow_.decays[p], frame_));
         return section;
     }
 
@@ -83,14 +88,27 @@ private:
     [[nodiscard]] std::string offset(std::size_t angle) const {
         return free_name(solution_.system(), "delta_" + field_.angles[angle].name);
     }
-    [[nodiscard]] std::vector<std::string> phase_names() const {
+    [[nodiscard]] std::vector<std::string> numbered(const char* name, std::size_t count) const {
         std::vector<std::string> names;
-        for (std::size_t p = 0; p < flow_.phases.size(); ++p)
-            names.push_back(free_name(solution_.system(),
-                                      flow_.phases.size() == 1 ? "theta" : fmt::format("theta{}", p + 1)));
+        for (std::size_t p = 0; p < count; ++p)
+            names.push_back(
+                free_name(solution_.system(), count == 1 ? name : fmt::format("{}{}", name, p + 1)));
         return names;
     }
-    [[nodiscard]] std::string phase(const FlowMode& mode) const { return phase_names()[mode.phase]; }
+    [[nodiscard]] std::vector<std::string> phase_names() const {
+        return numbered("theta", flow_.phases.size());
+    }
+    [[nodiscard]] std::vector<std::string> decay_names() const { return numbered("chi", flow_.decays.size()); }
+    [[nodiscard]] std::string phase(const FlowMode& mode) const { return phase_names()[*mode.phase]; }
+    // chi + I*theta
+    [[nodiscard]] DisplaySum exponent_of(const FlowMode& mode) const {
+        DisplaySum sum;
+        if (mode.decay) sum = symbol_sum(decay_names()[*mode.decay]);
+        if (!mode.phase) return sum;
+        DisplaySum turning = symbol_sum(phase(mode));
+        turning.terms.front().imaginary = true;
+        return mode.decay ? sum + turning : turning;
+    }
 
     static DisplayFactor exponential(DisplaySum angle) {
         for (DisplayTerm& term : angle.terms) term.imaginary = true;
@@ -100,9 +118,12 @@ private:
     // eps^w*(u_x + I*v_x)
     [[nodiscard]] DisplaySum cartesian(std::size_t k) const {
         const auto symbol = [&](GeneratorId id) { return symbol_sum(real_.ring()->generator(id).name); };
-        DisplaySum imaginary = symbol(real_.modes()[k].v);
-        imaginary.terms.front().imaginary = true;
-        DisplaySum unit = symbol(real_.modes()[k].u) + imaginary;
+        DisplaySum unit = symbol(real_.modes()[k].u);
+        if (!real_.modes()[k].is_real()) {
+            DisplaySum imaginary = symbol(real_.modes()[k].v);
+            imaginary.terms.front().imaginary = true;
+            unit = unit + imaginary;
+        }
         const int weight = ring_.generator(field_.modes[k].z).weight;
         if (weight == 0) return unit;
         DisplaySum value = factor_sum(symbol_factor("eps", weight));
@@ -188,6 +209,12 @@ Json frame_json(const GradedField& field, const SlowFlow& flow) {
             if (flow.angles[k].phase == p) turning.push_back(field.angles[k].name);
         frame.push_back({{"rate", json_expression(*field.ring, flow.phases[p])}, {"turning", turning}});
     }
+    for (std::size_t p = 0; p < flow.decays.size(); ++p) {
+        Json decaying = Json::array();
+        for (std::size_t k = 0; k < field.modes.size(); ++k)
+            if (flow.modes[k].decay == p) decaying.push_back(field.modes[k].name);
+        frame.push_back({{"rate", json_expression(*field.ring, flow.decays[p])}, {"decaying", decaying}});
+    }
     return frame;
 }
 
@@ -231,7 +258,8 @@ Json leading_flow_json(const Solution& solution) {
     for (std::size_t k = 0; k < field.modes.size(); ++k)
         amplitudes.push_back({{"mode", field.modes[k].name},
                               {"real", name(real.modes()[k].u)},
-                              {"imaginary", name(real.modes()[k].v)},
+                              {"imaginary", real.modes()[k].is_real() ? Json(nullptr)
+                                                                      : Json(name(real.modes()[k].v))},
                               {"eps", field.ring->generator(field.modes[k].z).weight}});
     for (std::size_t k = 0; k < field.drift.size(); ++k) {
         const Polynomial rate = real(flow.drift[k].total(flow.drift[k].through())).re;

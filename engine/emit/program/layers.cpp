@@ -4,6 +4,7 @@
 #include "emit/display/quantity.hpp"
 #include "emit/program/conditioning.hpp"
 #include "emit/program/prune.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <algorithm>
 #include <map>
@@ -15,11 +16,19 @@ namespace {
 
 const Rational least_divisor = Rational(1) / 10'000; // |D| > 10^-4 eps
 
+// Whether a monomial contains a mode that decays: soon nothing is left of it.
+bool decays(const GradedField& field, const Monomial& monomial) {
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (!field.modes[k].growth.empty() && degree_in(field, monomial, k) > 0) return true;
+    return false;
+}
+
 // One divisor of each kind D = factor * primitive, the one with the smallest factor > 0.
-std::vector<Polynomial> smallest_of_each(const Normalization& normalization) {
+std::vector<Polynomial> smallest_of_each(const Normalization& normalization, bool lasting) {
     std::vector<std::pair<Polynomial, Rational>> known; // primitive, factor
     for (const DivisorRecord& record : normalization.divisors) {
         if (record.verdict != DivisorVerdict::removed) continue;
+        if (lasting && decays(*normalization.normal_form.field, record.monomial)) continue;
         const Rational lead = record.divisor.terms().front().coefficient, factor = cln::abs(lead);
         const Polynomial primitive = (1 / lead) * record.divisor;
         const auto same = std::find_if(known.begin(), known.end(),
@@ -104,7 +113,7 @@ private:
 
 std::vector<MovingDivisor> moving_divisors(const Normalization& normalization) {
     std::vector<MovingDivisor> moving;
-    for (const Polynomial& divisor : smallest_of_each(normalization)) {
+    for (const Polynomial& divisor : smallest_of_each(normalization, true)) {
         const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
         if (rate && !rate->empty()) moving.push_back({divisor, *rate});
     }
@@ -117,7 +126,7 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
     const Polynomial eps = ring.gen(field.eps, ring.weights_in_one());
     const Polynomial floor = (least_divisor * least_divisor) * ring.multiply(eps, eps);
     std::vector<StandingDivisor> standing;
-    for (const Polynomial& divisor : smallest_of_each(normalization)) {
+    for (const Polynomial& divisor : smallest_of_each(normalization, false)) {
         const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
         if (rate && rate->empty())
             standing.push_back({divisor, ring.multiply(divisor, ring.conjugate(divisor)) - floor});

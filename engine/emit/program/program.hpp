@@ -41,12 +41,19 @@ struct ProgramTable {
 };
 
 // An angle theta(t) = start + int_0^T rate(T') dT', T = eps t, where rate = theta'/eps is large. Only its
-// cosine and sine enter the outputs, so that it can be kept in more digits than it is asked for.
+// cosine and sine enter the outputs, so that it can be kept in more digits than it is asked for. Or the exponent
+// of a mode that decays, of which e^theta enters.
 struct ProgramPhase {
-    std::string name;         // "theta"
-    Graph::Node start;        // in construction values
-    Graph::Node rate;         // in slow_time, construction values, values of the flow and of tables
-    Graph::Node cosine, sine; // the symbols that stand for cos theta, sin theta in the call section
+    std::string name;  // "theta", "chi"
+    Graph::Node start; // in construction values
+    Graph::Node rate;  // in slow_time, construction values, values of the flow and of tables
+    // The symbols that stand for cos theta and sin theta, or for e^theta, in the call section; else -1.
+    Graph::Node cosine = -1, sine = -1, exponential = -1;
+    [[nodiscard]] bool decays() const { return exponential >= 0; }
+    [[nodiscard]] std::vector<Graph::Node> symbols() const {
+        if (decays()) return {exponential};
+        return {cosine, sine};
+    }
 };
 
 struct ProgramOutput {
@@ -92,7 +99,7 @@ struct Program {
     std::vector<ProgramInput> start;                 // those needed
     std::vector<ProgramFlow> flow;                   // solved together, before all tables
     std::vector<ProgramTable> tables;                // in order of construction
-    std::vector<ProgramPhase> phases;                // one per frequency that the outputs see
+    std::vector<ProgramPhase> phases;                // one per frequency that the outputs see, then exponents
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
     std::vector<ProgramRow> rows;                    // of the outputs, if ProgramOptions::rows

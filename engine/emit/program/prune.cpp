@@ -40,7 +40,9 @@ std::vector<Graph::Node> results(const Program& program) {
 }
 
 bool is_seen(const ProgramPhase& phase, const std::vector<bool>& used) {
-    return used[static_cast<std::size_t>(phase.cosine)] || used[static_cast<std::size_t>(phase.sine)];
+    const std::vector<Graph::Node> symbols = phase.symbols();
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](Graph::Node n) { return used[static_cast<std::size_t>(n)]; });
 }
 
 // The nodes of the results, and of the tables and phases that they use.
@@ -74,7 +76,8 @@ void keep_phases(Program& program, const std::vector<bool>& used) {
         if (is_seen(program.phases[p], used)) continue;
         const auto place = static_cast<std::ptrdiff_t>(p);
         program.phases.erase(program.phases.begin() + place);
-        for (ProgramRow& row : program.rows) row.turns.erase(row.turns.begin() + place);
+        for (ProgramRow& row : program.rows)
+            if (p < row.turns.size()) row.turns.erase(row.turns.begin() + place); // exponents come last
     }
 }
 
@@ -105,7 +108,8 @@ std::set<Graph::Node> varying_symbols(const Program& program) {
     std::set<Graph::Node> result{program.time, program.slow_time};
     for (const ProgramFlow& variable : program.flow) result.insert(variable.value);
     for (const ProgramTable& table : program.tables) result.insert(table.value);
-    for (const ProgramPhase& phase : program.phases) result.insert({phase.cosine, phase.sine});
+    for (const ProgramPhase& phase : program.phases)
+        for (const Graph::Node n : phase.symbols()) result.insert(n);
     return result;
 }
 

@@ -5,7 +5,7 @@
 #include "emit/derive/flow.hpp"
 #include "emit/display/page.hpp"
 #include "emit/program/harmonics.hpp"
-#include "solve/slow_flow.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <algorithm>
 #include <sstream>

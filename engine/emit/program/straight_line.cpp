@@ -215,7 +215,7 @@ OperationCount count_operations(const Program& program) {
     for (const ProgramOutput& output : program.outputs) roots.push_back(code.lower(output.value));
     OperationCount count;
     count.tables = static_cast<int>(program.flow.size() + program.tables.size());
-    count.sincos = static_cast<int>(program.phases.size());
+    for (const ProgramPhase& phase : program.phases) ++(phase.decays() ? count.other : count.sincos);
     for (const StraightLine::Value v : code.behind(roots, false)) {
         const StraightLine::Instruction& i = code.at(v);
         if (!i.varying) continue;

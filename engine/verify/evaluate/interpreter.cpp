@@ -2,6 +2,7 @@
 #include "verify/evaluate/interpreter.hpp"
 
 #include "emit/program/prune.hpp"
+#include "runtime/decay.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
@@ -200,14 +201,15 @@ template <class Real> struct Interpreter<Real>::Impl {
         for (std::size_t k = 0; k < program->phases.size(); ++k) {
             const ProgramPhase& phase = program->phases[k];
             const Plan behind(*program, {phase.rate});
-            phases.emplace_back();
-            const Status fitted = phases.back().build(
-                [&](const Wide& T) {
-                    set_slow_time(walk, T);
-                    walk.compute(behind.varying);
-                    return std::array<Wide, 1>{walk[phase.rate]};
-                },
-                walk[phase.start], eps, reach, uses_tables(phase.rate));
+            const auto rate = [&](const Wide& T) {
+                set_slow_time(walk, T);
+                walk.compute(behind.varying);
+                return std::array<Wide, 1>{walk[phase.rate]};
+            };
+            const auto build = [&](auto& integral) {
+                return integral.build(rate, walk[phase.start], eps, reach, uses_tables(phase.rate));
+            };
+            const Status fitted = phase.decays() ? build(decays.emplace_back()) : build(phases.emplace_back());
             if (const Cause failed = interval.shorten({fitted, plan.phase_names[k].c_str()}, reach);
                 failed.status != Status::ok)
                 return failed;
@@ -254,12 +256,14 @@ template <class Real> struct Interpreter<Real>::Impl {
         set_slow_time(walk, T);
         walk.set(program->time, t);
         Status precision = Status::ok;
-        for (std::size_t k = 0; k < phases.size(); ++k) {
+        for (std::size_t k = 0; k < phases.size(); ++k) { // exponents come last
             Real cosine(0), sine(0);
             if (const Status seen = phases[k](t, cosine, sine); seen != Status::ok) precision = seen;
             walk.set(program->phases[k].cosine, cosine);
             walk.set(program->phases[k].sine, sine);
         }
+        for (std::size_t k = 0; k < decays.size(); ++k)
+            walk.set(program->phases[phases.size() + k].exponential, decays[k](t));
         Nodes all = roots;
         for (const ProgramCondition& condition : program->positive) all.push_back(condition.value);
         walk.compute(Plan(*program, all).varying);
@@ -302,10 +306,8 @@ template <class Real> struct Interpreter<Real>::Impl {
             for (const ProgramInput& input : *inputs) size(input.symbol);
         for (const ProgramFlow& variable : program->flow) size(variable.value);
         for (const ProgramTable& table : program->tables) size(table.value);
-        for (const ProgramPhase& phase : program->phases) {
-            bounds.set(phase.cosine, Real(1));
-            bounds.set(phase.sine, Real(1));
-        }
+        for (const ProgramPhase& phase : program->phases)
+            for (const Graph::Node n : phase.symbols()) bounds.set(n, phase.decays() ? Real(walk[n]) : Real(1));
     }
 
     // As in emitted code.
@@ -331,6 +333,7 @@ template <class Real> struct Interpreter<Real>::Impl {
     std::optional<FlowTable<std::vector<Real>>> flow;
     std::vector<PrimitiveTable<Real, 1>> tables;
     std::vector<Phase<Real>> phases;
+    std::vector<Decay<Real>> decays;
     Cause cause;
 };
 

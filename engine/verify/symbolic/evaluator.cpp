@@ -25,7 +25,7 @@ bool turns(const SymbolicVariable& v) { return v.kind == Of::mode || v.kind == O
 
 struct SymbolicEvaluator::Impl {
     // A phase that the flow moves: theta with a computed frequency, or a contribution of the flow to it, the
-    // argument of a mode or the shift of an angle.
+    // argument of a mode or the shift of an angle; an exponent with a computed rate.
     struct MovedPhase {
         std::size_t variable;
         bool of_all; // that turn with this theta; else of the variable itself
@@ -133,7 +133,9 @@ struct SymbolicEvaluator::Impl {
         for (const SymbolicRing::Root& root : solution().ring().roots())
             if (sees(root.radicand)) computed[static_cast<std::size_t>(root.id)] = true;
         for (const std::size_t k : frame.along)
-            if (variables()[k].kind == Of::phase && sees(variables()[k].rate)) moved.push_back({k, true});
+            if ((variables()[k].kind == Of::phase || variables()[k].kind == Of::exponent) &&
+                sees(variables()[k].rate))
+                moved.push_back({k, true});
         for (const std::size_t k : frame.flow)
             if (turns(variables()[k])) moved.push_back({k, false});
     }
@@ -222,14 +224,17 @@ struct SymbolicEvaluator::Impl {
         return result;
     }
 
+    // Of an exponent: how often e^chi is in the term.
     [[nodiscard]] int turns_of(const MovingSum<Wide>::Term& term, const MovedPhase& phase) const {
         int count = 0;
+        const bool turns_back = variables()[phase.variable].kind != Of::exponent;
         for (std::size_t k = 0; k < variables().size(); ++k) {
             const SymbolicVariable& v = variables()[k];
-            if (!turns(v) || (phase.of_all ? v.phase != phase.variable : k != phase.variable)) continue;
+            const std::optional<std::size_t>& own = turns_back ? v.phase : v.decay;
+            if (!turns(v) || (phase.of_all ? own != phase.variable : k != phase.variable)) continue;
             for (const auto& [id, exponent] : term.powers) {
                 if (v.id == id) count += exponent;
-                if (v.conjugate == id) count -= exponent;
+                if (v.conjugate == id && v.conjugate != v.id) count += turns_back ? -exponent : exponent;
             }
         }
         return count;
@@ -240,11 +245,13 @@ struct SymbolicEvaluator::Impl {
         for (std::size_t k = 0; k < variables().size(); ++k) {
             const SymbolicVariable& v = variables()[k];
             if (!v.needed || !turns(v)) continue;
-            const Wide& theta = at.now[v.phase].re;
-            if (v.kind == Of::mode)
-                at.put_mode(frame, v, at.now[k] * unit(theta));
-            else
+            const Wide theta = v.phase ? at.now[*v.phase].re : Wide(0);
+            if (v.kind == Of::mode) {
+                const WideComplex turned = at.now[k] * unit(theta);
+                at.put_mode(frame, v, v.decay ? Wide(exp(at.now[*v.decay].re)) * turned : turned);
+            } else {
                 at.values.set(v.id, unit(Wide(frame.start.angles[v.start] + at.now[k].re + theta)), Wide(1));
+            }
         }
     }
 
@@ -316,7 +323,10 @@ struct SymbolicEvaluator::Impl {
         for (std::size_t i = 0; i < output.sum.terms().size(); ++i) {
             const WideComplex term = MovingSum<Wide>::value(output.sum.terms()[i], at.values);
             value += term.re;
-            for (std::size_t p = 0; p < slopes.size(); ++p) slopes[p] -= output.turns[i][p] * term.im;
+            for (std::size_t p = 0; p < slopes.size(); ++p) {
+                const bool grows = variables()[moved[p].variable].kind == Of::exponent;
+                slopes[p] -= output.turns[i][p] * (grows ? term.re : term.im);
+            }
         }
         for (std::size_t p = 0; p < slopes.size(); ++p) part += abs(Wide(slopes[p] * ways[p]));
         if (const auto drift = solution().outputs()[k].drift) {

@@ -258,7 +258,8 @@ template <class Number> void SymbolicMoment<Number>::move_to(const SymbolicFrame
                        Number(1));
             break;
         case Of::drift:
-        case Of::phase: break;
+        case Of::phase:
+        case Of::exponent: break;
         }
     }
     for (const SymbolicRing::Root& root : solution.ring().roots())

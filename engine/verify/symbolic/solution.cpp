@@ -3,7 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "emit/program/layers.hpp"
-#include "solve/slow_flow.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <fmt/format.h>
 
@@ -97,7 +97,8 @@ void SymbolicSolution::add_corrections() {
         SymbolicCorrection added{std::move(correction), {}, modulus_, true};
         if (solution_.flow)
             for (const std::size_t k : added.correction.modes)
-                added.needs.push_back({1, {{solution_.normalization->normal_form.field->modes[k].z, 1}}});
+                if (!solution_.flow->modes[k].decay)
+                    added.needs.push_back({1, {{solution_.normalization->normal_form.field->modes[k].z, 1}}});
         for (const Polynomial& p : added.correction.polynomials()) {
             added.polynomials.push_back(ring_->fixed()(p));
             added.needs.insert(added.needs.end(), added.polynomials.back().begin(),
@@ -114,7 +115,8 @@ std::vector<Wide> SymbolicSolution::moduli(const SymbolicValues<Wide>& values, c
     if (!solution_.flow) return {value_of(modulus_, values).size()};
     std::vector<Wide> result;
     for (const SymbolicVariable& v : variables_)
-        if (v.kind == Of::mode) result.push_back(values[v.id].size() / math::power(eps, v.weight));
+        if (v.kind == Of::mode)
+            result.push_back(v.decay ? Wide(0) : Wide(values[v.id].size() / math::power(eps, v.weight)));
     return result;
 }
 
@@ -180,18 +182,23 @@ void SymbolicSolution::read_flow() {
     for (std::size_t k = 0; k < field.slow.size(); ++k)
         add_slow(field.system().variables[field.slow[k].variable], field.slow[k].generator, k,
                  fixed(all(flow.slow[k])), 1);
-    const std::size_t phases = variables_.size();
-    for (const Polynomial& rate : flow.phases) {
-        SymbolicVariable phase{Of::phase};
-        phase.power = 1;
-        phase.rate = fixed(rate);
-        add(std::move(phase));
-    }
+    const std::size_t phases = variables_.size(), decays = phases + flow.phases.size();
+    const auto add_phases = [&](Of kind, const std::vector<Polynomial>& rates) {
+        for (const Polynomial& rate : rates) {
+            SymbolicVariable phase{kind};
+            phase.power = 1;
+            phase.rate = fixed(rate);
+            add(std::move(phase));
+        }
+    };
+    add_phases(Of::phase, flow.phases);
+    add_phases(Of::exponent, flow.decays);
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         SymbolicVariable mode{Of::mode, field.modes[k].z, field.modes[k].zbar};
         mode.weight = field.ring->generator(mode.id).weight;
         mode.power = mode.weight + 1;
-        mode.phase = phases + flow.modes[k].phase;
+        if (flow.modes[k].phase) mode.phase = phases + *flow.modes[k].phase;
+        if (flow.modes[k].decay) mode.decay = decays + *flow.modes[k].decay;
         mode.start = k;
         mode.rate = fixed(all(flow.modes[k].rate));
         add(std::move(mode));
@@ -199,7 +206,7 @@ void SymbolicSolution::read_flow() {
     for (std::size_t k = 0; k < field.angles.size(); ++k) {
         SymbolicVariable angle{Of::angle, field.angles[k].phase};
         angle.power = 1;
-        angle.phase = phases + flow.angles[k].phase;
+        angle.phase = phases + *flow.angles[k].phase;
         angle.start = k;
         angle.rate = fixed(all(flow.angles[k].rate));
         add(std::move(angle));
@@ -219,6 +226,9 @@ void SymbolicSolution::read_flow() {
         outputs_.push_back({name, fixed.written_out(p), std::nullopt});
         if (output.drift) outputs_.back().drift = drifts + *output.drift;
     }
+    for (const Polynomial& rate : flow.decays)
+        conditions_.push_back(
+            {SymbolicCondition::Kind::radicand, fixed(-field.ring->by_weight(rate, 0).front())});
     for (const SymbolicRing::Root& root : ring_->roots())
         if (root.divisor) conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
     add_layers([](const Polynomial& p) { return p; });
@@ -256,9 +266,11 @@ void SymbolicSolution::keep_what_is_needed() {
                 if (v.id != id && v.conjugate != id) continue;
                 v.needed = true;
                 again(v.rate, again);
-                if (v.kind != Of::mode && v.kind != Of::angle) continue;
-                variables_[v.phase].needed = true;
-                again(variables_[v.phase].rate, again);
+                for (const std::optional<std::size_t>& turns : {v.phase, v.decay}) {
+                    if (!turns) continue;
+                    variables_[*turns].needed = true;
+                    again(variables_[*turns].rate, again);
+                }
             }
         }
     };
@@ -314,12 +326,12 @@ std::vector<Float128> SymbolicSolution::declared_at(const std::vector<Wide>& slo
 }
 
 std::string SymbolicSolution::text() const {
-    std::string text = "symbolic 2\n";
+    std::string text = "symbolic 3\n";
     for (const SymbolicRing::Root& root : ring_->roots())
         text += fmt::format("root {} {} {}", root.id, root.index, text_of(root.radicand));
     for (const SymbolicVariable& v : variables_)
-        text += fmt::format("variable {} {} {} {} {} {}", static_cast<int>(v.kind), v.id, v.power, v.phase,
-                            v.needed, text_of(v.rate));
+        text += fmt::format("variable {} {} {} {} {} {} {}", static_cast<int>(v.kind), v.id, v.power,
+                            v.phase.value_or(0), v.decay.value_or(0), v.needed, text_of(v.rate));
     for (const SymbolicPrimitive& p : primitives_)
         text += fmt::format("primitive {} {} {}", p.id, p.logarithm, text_of(p.argument));
     for (const SymbolicOutput& o : outputs_)

@@ -20,18 +20,19 @@ struct SymbolicVariable { // d/dT = rate/eps^power
     enum class Kind {
         slow,       // zeta
         quadrature, // from 0
-        mode,       // a, of z = eps^weight a e^{i theta}
+        mode,       // a, of z = eps^weight a e^{chi + i theta}
         angle,      // delta, of phi = phi_0 + delta + theta
         drift,      // the integral of its rate
         phase,      // theta, from 0
+        exponent,   // chi, from 0
     };
     Kind kind;
     GeneratorId id = -1, conjugate = -1;
     int power = 0, weight = 0;
-    std::size_t phase = 0; // mode, angle: index of the variable theta
-    std::size_t start = 0; // index into SymbolicStart
-    SymbolicSum rate = {}; // with the phases left out of modes and angles
-    bool needed = false;   // by an output
+    std::optional<std::size_t> phase = {}, decay = {}; // mode, angle: indices of the variables theta and chi
+    std::size_t start = 0;                             // index into SymbolicStart
+    SymbolicSum rate = {};                             // with the phases left out of modes and angles
+    bool needed = false;                               // by an output
 };
 
 struct SymbolicPrimitive { // no quadrature
@@ -49,7 +50,7 @@ struct SymbolicOutput {
 // A condition that needs variables which no output needs is left out.
 struct SymbolicCondition { // > 0
     enum class Kind {
-        radicand,   // of roots and logarithms
+        radicand,   // of roots and logarithms, and the damping of modes
         standing,   // the margin of a divisor that does not move
         keeps_sign, // of a slow variable or a divisor: that of the start
         slow,
@@ -86,7 +87,7 @@ public:
     [[nodiscard]] const std::vector<SymbolicCondition>& conditions() const { return conditions_; }
     [[nodiscard]] const std::vector<SymbolicLayer>& layers() const { return layers_; }
     [[nodiscard]] const std::vector<SymbolicCorrection>& corrections() const { return corrections_; }
-    // |a| of each mode.
+    // |a| of each mode; of one that decays 0: it is gone before anything else moves.
     [[nodiscard]] std::vector<Wide> moduli(const SymbolicValues<Wide>& values, const Wide& eps) const;
     // The expressions declared positive, at these values of the slow variables, in the order of `variables`.
     [[nodiscard]] std::vector<Float128> declared_at(const std::vector<Wide>& slow,

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/flow_start.hpp"
+#include "emit/program/flow/flow_start.hpp"
 
 #include "algebra/number/error.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/program/scene_program.hpp"
 #include "emit/program/start_map.hpp"
 #include "normalize/recursion/inverse_map.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +141,11 @@ bool FlowStart::from_physical_values() const {
 FlowUnit FlowStart::polar(const Mode& mode) {
     Graph& graph = program_.graph;
     const std::string& variable = name(mode.variable);
+    if (mode.is_real())
+        refuse({"a variable starts from amplitude and phase if its mode oscillates",
+                fmt::format("{}, a mode of {}, has no phase", mode.name, variable),
+                "give physical values of all fast variables under [start]",
+                {scene_.file.string(), 0, 0, "start", ""}});
     const System& system = solution_.system();
     const Graph::Node amplitude = input(system.constant_name("amplitude", variable),
                                         "amplitude of the oscillation", "amplitude." + variable);
@@ -246,7 +253,8 @@ Graph::Node FlowStart::drift(std::size_t k) {
 void FlowStart::name_units() {
     const auto name_unit = [&](const RealForm::Pair& pair, const FlowUnit& unit) {
         program_.names.push_back({identifier(real_.ring()->generator(pair.u).name), unit.u});
-        program_.names.push_back({identifier(real_.ring()->generator(pair.v).name), unit.v});
+        if (!pair.is_real())
+            program_.names.push_back({identifier(real_.ring()->generator(pair.v).name), unit.v});
     };
     for (std::size_t k = 0; k < field_.modes.size(); ++k) name_unit(real_.modes()[k], new_.modes[k]);
     for (std::size_t k = 0; k < field_.angles.size(); ++k) name_unit(real_.angles()[k], new_.angles[k]);

@@ -4,7 +4,7 @@
 //   p = p_0 + sum_k (p_k + conjugate),   p_k = A_k e^{i k.theta}
 #pragma once
 
-#include "solve/slow_flow.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct FlowHarmonic {
 };
 
 // p_0 first if there is one, then by |k|. Terms whose angles have the same rate are one harmonic: all phases
-// begin at 0. Precondition: p is real.
+// begin at 0. Precondition: p is real, and no term of it decays.
 std::vector<FlowHarmonic> flow_harmonics(const GradedField& field, const SlowFlow& flow, const Polynomial& p);
 
 } // namespace resonform

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/flow_harmonics.hpp"
+#include "solve/flow/flow_harmonics.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -16,10 +16,11 @@ Turns turns_of(const GradedField& field, const SlowFlow& flow, const Monomial& m
     const Ring& ring = *field.ring;
     Turns turns(flow.phases.size(), 0);
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        turns[flow.modes[k].phase] +=
-            ring.exponent(monomial, field.modes[k].z) - ring.exponent(monomial, field.modes[k].zbar);
+        if (const auto& phase = flow.modes[k].phase)
+            turns[*phase] +=
+                ring.exponent(monomial, field.modes[k].z) - ring.exponent(monomial, field.modes[k].zbar);
     for (std::size_t k = 0; k < field.angles.size(); ++k)
-        turns[flow.angles[k].phase] += ring.exponent(monomial, field.angles[k].phase);
+        turns[*flow.angles[k].phase] += ring.exponent(monomial, field.angles[k].phase);
     return turns;
 }
 

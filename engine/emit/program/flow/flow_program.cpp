@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/flow_program.hpp"
+#include "emit/program/flow/flow_program.hpp"
 
 #include "algebra/number/error.hpp"
 #include "algebra/ring/constant.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
 #include "emit/program/conditioning.hpp"
-#include "emit/program/flow_moment.hpp"
-#include "emit/program/flow_start.hpp"
+#include "emit/program/flow/flow_moment.hpp"
+#include "emit/program/flow/flow_start.hpp"
+#include "emit/program/flow/flow_turning.hpp"
 #include "emit/program/harmonics.hpp"
 #include "emit/program/layers.hpp"
 #include "emit/program/prune.hpp"
 #include "emit/program/scene_program.hpp"
-#include "solve/flow_harmonics.hpp"
-#include "solve/slow_flow.hpp"
+#include "solve/flow/flow_harmonics.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <fmt/format.h>
 
@@ -37,11 +38,11 @@ public:
         keep_signs();
         lower_rates();
         integrate_drifts();
-        turn();
+        turned_ = FlowTurning(program_, *frame_, solution_, real_, surroundings_).turned(moving_);
         define_results();
         const auto lower = [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); };
         add_layers(program_, *solution_.normalization, surroundings_, lower);
-        add_corrections(program_, solution_, surroundings_, moving_.modes, lower);
+        add_corrections(program_, solution_, surroundings_, lasting_modes(), lower);
         close();
         return std::move(program_);
     }
@@ -53,7 +54,7 @@ private:
     FlowMoment::Unit moving_unit(const RealForm::Pair& pair, const FlowMoment::Unit& start, bool moves);
     void lower_rates();
     void integrate_drifts();
-    void turn();
+    std::vector<FlowUnit> lasting_modes();
     void define_results();
     Graph::Node result(const FlowOutput& output, bool oscillating);
     void append_rows(const FlowOutput& output);
@@ -90,7 +91,7 @@ FlowMoment::Unit FlowProgram::moving_unit(const RealForm::Pair& pair, const Flow
         return value;
     };
     const Graph::Node u = part(pair.u, start.u);
-    return {u, part(pair.v, start.v)};
+    return {u, pair.is_real() ? start.v : part(pair.v, start.v)};
 }
 
 void FlowProgram::define_flow() {
@@ -159,7 +160,7 @@ void FlowProgram::lower_rates() {
         const RealForm::Value rate = real_(flow_.modes[k].rate.total(flow_.modes[k].rate.through()));
         const int weight = field_.ring->generator(field_.modes[k].z).weight;
         program_.flow[next++].rate = lowered(rate.re, weight);
-        program_.flow[next++].rate = lowered(rate.im, weight);
+        if (!real_.modes()[k].is_real()) program_.flow[next++].rate = lowered(rate.im, weight);
     }
     for (std::size_t k = 0; k < field_.angles.size(); ++k) {
         if (!moves(flow_.angles[k])) continue;
@@ -189,33 +190,12 @@ void FlowProgram::integrate_drifts() {
     }
 }
 
-// One cosine and one sine for every frequency.
-void FlowProgram::turn() {
-    Graph& graph = program_.graph;
-    std::vector<std::pair<Graph::Node, Graph::Node>> turns;
-    for (std::size_t p = 0; p < flow_.phases.size(); ++p) {
-        const std::string called = flow_.phases.size() == 1 ? "theta" : fmt::format("theta_{}", p + 1);
-        const Graph::Node cosine = graph.symbol("cos " + called), sine = graph.symbol("sin " + called);
-        const Graph::Node rate = frame_->lowering.polynomial(real_(flow_.phases[p]).re);
-        program_.names.push_back({called + "_dot", rate});
-        program_.phases.push_back(
-            {called, graph.rational(0), graph.multiply({graph.power(program_.eps, -1), rate}), cosine, sine});
-        turns.emplace_back(cosine, sine);
-    }
-    const auto turned = [&](const FlowMoment::Unit& unit, const FlowMode& mode, const std::string& variable) {
-        const auto [c, s] = turns[mode.phase];
-        const FlowMoment::Unit result{
-            graph.add({graph.multiply({unit.u, c}), graph.negate(graph.multiply({unit.v, s}))}),
-            graph.add({graph.multiply({unit.u, s}), graph.multiply({unit.v, c})})};
-        program_.names.push_back({"re_" + identifier(variable), result.u});
-        program_.names.push_back({"im_" + identifier(variable), result.v});
-        return result;
-    };
-    turned_.slow = moving_.slow;
-    for (std::size_t k = 0; k < field_.modes.size(); ++k)
-        turned_.modes.push_back(turned(moving_.modes[k], flow_.modes[k], name(field_.modes[k].variable)));
-    for (std::size_t k = 0; k < field_.angles.size(); ++k)
-        turned_.angles.push_back(turned(moving_.angles[k], flow_.angles[k], name(field_.angles[k].variable)));
+// Modes as they matter after the first moments: of those that decay nothing is left.
+std::vector<FlowUnit> FlowProgram::lasting_modes() {
+    std::vector<FlowUnit> modes = moving_.modes;
+    for (std::size_t k = 0; k < modes.size(); ++k)
+        if (flow_.modes[k].decay) modes[k].u = modes[k].v = program_.graph.rational(0);
+    return modes;
 }
 
 Graph::Node FlowProgram::result(const FlowOutput& output, bool oscillating) {
@@ -264,9 +244,10 @@ const FlowOutput& FlowProgram::output_of(const std::string& name) const {
 void FlowProgram::define_results() {
     for (std::size_t k = 0; k < field_.slow.size(); ++k)
         if (!field_.slow[k].driven) program_.slow.push_back({field_.slow[k].name, moving_.slow[k]});
+    if (options_.rows && !flow_.decays.empty()) program_.form_reason = "no tables of modes that decay";
     for (const std::string& wanted : scene_.outputs) {
         const FlowOutput& output = output_of(wanted);
-        if (options_.rows) append_rows(output);
+        if (options_.rows && flow_.decays.empty()) append_rows(output);
         program_.outputs.push_back({wanted, result(output, scene_.oscillating)});
     }
     if (options_.keep_state)

@@ -10,6 +10,15 @@
 //
 // Where no rate changes a modulus, N_j = i (omega_j + Theta_j(|z|^2)) z_j, the phases take all of it,
 // theta_j' = omega_j + Theta_j, and every a_j is a constant: then nothing is left to be solved.
+//
+// A mode that is damped at eps = 0 also decays within the frame,
+//
+//   z_s = eps^w a_s e^{chi_s + i theta_s},   chi_s' = Re lambda_s + ...,   theta_s' = Im lambda_s + ...
+//
+// where the exponents take its whole rate, N_s = (lambda_s + Lambda_s) z_s with Lambda_s free of damped modes:
+// a_s is a constant then. If products of damped modes stay in some rate, exponents take lambda_s alone, and
+// such products must decay exactly as the mode that they drive. A real mode has no phase; one of eigenvalue 0
+// has neither phase nor exponent.
 #pragma once
 
 #include "normalize/recursion/normal_form.hpp"
@@ -22,8 +31,9 @@ namespace resonform {
 
 // Series are in the ring of the normal form, in which z stands for z_j and e^{i phi} for an angle.
 struct FlowMode {
-    std::size_t phase; // theta_j: index into SlowFlow::phases
-    Series rate;       // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
+    std::optional<std::size_t> phase; // theta_j: index into SlowFlow::phases; angles and complex modes
+    std::optional<std::size_t> decay; // chi_j: index into SlowFlow::decays; damped modes
+    Series rate; // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
 };
 
 struct FlowOutput {
@@ -35,6 +45,7 @@ struct FlowOutput {
 
 struct SlowFlow {
     std::vector<Polynomial> phases;  // theta', different from each other: real, without whole harmonics
+    std::vector<Polynomial> decays;  // chi', different from each other: real, without whole harmonics
     std::vector<FlowMode> modes;     // one for each of GradedField::modes
     std::vector<FlowMode> angles;    // one for each of GradedField::angles
     std::vector<Series> slow, drift; // their rates
@@ -48,10 +59,20 @@ struct SlowFlow {
 // The net phase of a monomial of the normal form's ring: <alpha, theta'>; empty: it does not oscillate.
 Polynomial net_rate(const GradedField& field, const SlowFlow& flow, const Monomial& monomial);
 
-// p without its oscillating terms.
+// The net exponent's rate of a monomial: <|alpha|, chi'>; empty: it does not decay.
+Polynomial net_decay(const GradedField& field, const SlowFlow& flow, const Monomial& monomial);
+
+// Whether a monomial of a rate is z_k times powers of moduli; k = nullopt: powers of moduli only. Real modes are
+// not looked at.
+bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<std::size_t> k);
+
+// How often a mode and its conjugate occur in a monomial.
+int degree_in(const GradedField& field, const Monomial& monomial, std::size_t k);
+
+// p without its oscillating and decaying terms.
 Polynomial mean_part(const GradedField& field, const SlowFlow& flow, const Polynomial& p);
 
-// The weight of the first oscillating term of an output; nullopt: it has none.
+// The weight of the first oscillating or decaying term of an output; nullopt: it has none.
 std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& flow,
                                      const std::string& output);
 
@@ -59,13 +80,9 @@ std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& f
 std::optional<int> lowest_weight(const Series& series);
 
 // The lowest power of eps in a_j'/a_j or zeta': the flow moves on the time scale eps^-power. Where no rate
-// depends on a phase, the rates of phases do not count, only those of moduli and slow variables.
+// depends on a phase, the rates of phases do not count, only those of moduli and slow variables. Damped modes do
+// not count: they are gone before.
 // nullopt: at rest.
 std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow);
-
-// order: outputs are cut at eps^order; truncation: normal form and map are used through this weight.
-// Errors (refused): a mode that is damped or grows at eps = 0, or does not oscillate; couplings between modes
-// of one eigenvalue; a monomial that is kept though its divisor is only near zero; modes in numbers.
-SlowFlow slow_flow(const Normalization& normalization, int order, int truncation);
 
 } // namespace resonform

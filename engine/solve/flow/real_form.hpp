@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polynomials of a normal form as real and imaginary part, for computers: z = eps^w (u + i v),
-// zbar = eps^w (u - i v), e^{i phi} = u + i v with u^2 + v^2 = 1.
+// zbar = eps^w (u - i v), of a real mode z = eps^w u; e^{i phi} = u + i v with u^2 + v^2 = 1.
 //
 //   -i eps^3 z1 zbar1/2 (weights 1)   ->   0, -eps^5 (u^2 + v^2)/2
 #pragma once
@@ -21,7 +21,8 @@ public:
     // mode and angle. They are independent: nothing is reduced by u^2 + v^2 = 1.
     [[nodiscard]] const RingPtr& ring() const { return ring_; }
     struct Pair {
-        GeneratorId u, v;
+        GeneratorId u, v; // v = -1: of a real mode
+        [[nodiscard]] bool is_real() const { return v < 0; }
     };
     [[nodiscard]] const std::vector<Pair>& modes() const { return modes_; }
     [[nodiscard]] const std::vector<Pair>& angles() const { return angles_; }
@@ -36,7 +37,7 @@ public:
     // A term before operator() multiplies it out: p = sum of coefficient * product of powers of modes, their
     // conjugates and e^{i phi}, in this order. Modes are divided by eps^weight, the coefficient is not.
     struct Harmonic {
-        std::vector<std::pair<int, int>> modes; // powers of u + i v and of u - i v
+        std::vector<std::pair<int, int>> modes; // powers of u + i v and of u - i v; of a real mode of u and 0
         std::vector<int> angles;
         Value coefficient;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/real_form.hpp"
+#include "solve/flow/real_form.hpp"
 
 #include "solve/ring_copy.hpp"
 
@@ -10,7 +10,7 @@ namespace resonform {
 
 namespace {
 
-RealForm::Pair add_pair(RingBuilder& builder, const std::string& variable) {
+RealForm::Pair add_pair(RingBuilder& builder, const std::string& variable, bool real) {
     const auto add = [&](const char* part) {
         Generator g;
         g.kind = GeneratorKind::constant;
@@ -18,7 +18,7 @@ RealForm::Pair add_pair(RingBuilder& builder, const std::string& variable) {
         return builder.add(std::move(g));
     };
     const GeneratorId u = add("u");
-    return {u, add("v")};
+    return {u, real ? GeneratorId(-1) : add("v")};
 }
 
 RealForm::Value split(const Ring& ring, const Polynomial& p) {
@@ -45,9 +45,10 @@ RealForm::RealForm(const GradedField& field) : field_(field) {
             copy.copy(id);
     }
     const auto name = [&](std::size_t variable) { return field.system().variables[variable].name; };
-    for (const Mode& mode : field.modes) modes_.push_back(add_pair(builder, name(mode.variable)));
+    for (const Mode& mode : field.modes)
+        modes_.push_back(add_pair(builder, name(mode.variable), mode.is_real()));
     for (const AngleVariable& angle : field.angles)
-        angles_.push_back(add_pair(builder, name(angle.variable)));
+        angles_.push_back(add_pair(builder, name(angle.variable), false));
     ring_ = builder.freeze();
     lift_ = RingMap::by_name(field.ring, ring_, std::move(gone));
 
@@ -55,16 +56,17 @@ RealForm::RealForm(const GradedField& field) : field_(field) {
     for (const SlowVariable& slow : field.slow)
         slow_.push_back(*ring_->find(old.generator(slow.generator).name));
     const auto add_unit = [&](GeneratorId id, const Pair& pair, bool conjugate) {
-        const Polynomial v = ring_->multiply(ring_->imaginary(), ring_->gen(pair.v));
+        const Polynomial v =
+            pair.is_real() ? Polynomial() : ring_->multiply(ring_->imaginary(), ring_->gen(pair.v));
         const Polynomial unit = conjugate ? ring_->gen(pair.u) - v : ring_->gen(pair.u) + v;
         outer_.push_back(id);
         units_.push_back(ring_->multiply(ring_->gen(eps_, old.generator(id).weight), unit));
     };
     for (std::size_t k = 0; k < modes_.size(); ++k) {
         add_unit(field.modes[k].z, modes_[k], false);
-        add_unit(field.modes[k].zbar, modes_[k], true);
+        if (!field.modes[k].is_real()) add_unit(field.modes[k].zbar, modes_[k], true);
     }
-    // Positive and negative powers of a phase: unit 2 k and 2 k + 1 after those of the modes.
+    // Positive and negative powers of a phase: two units each after those of the modes.
     for (std::size_t k = 0; k < angles_.size(); ++k) {
         add_unit(field.angles[k].phase, angles_[k], false);
         add_unit(field.angles[k].phase, angles_[k], true);
@@ -110,7 +112,8 @@ std::vector<RealForm::Harmonic> RealForm::harmonics(const Polynomial& p) const {
         Harmonic h;
         int weight = 0;
         for (const Mode& mode : field_.modes) {
-            h.modes.emplace_back(old.exponent(monomial, mode.z), old.exponent(monomial, mode.zbar));
+            h.modes.emplace_back(old.exponent(monomial, mode.z),
+                                 mode.is_real() ? 0 : old.exponent(monomial, mode.zbar));
             weight += old.generator(mode.z).weight * (h.modes.back().first + h.modes.back().second);
         }
         for (const AngleVariable& angle : field_.angles)

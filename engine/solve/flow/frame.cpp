@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/slow_flow.hpp"
+#include "solve/flow/frame.hpp"
 
 #include "algebra/number/error.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 
 #include <fmt/format.h>
@@ -18,11 +19,10 @@ void check_modes(const NormalForm& normal_form) {
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const Mode& mode = field.modes[k];
         const Place place = system.place_of(mode.variable);
-        if (mode.is_real() || !mode.growth.empty())
-            refuse({"a solution is for modes that oscillate without damping at eps = 0",
-                    fmt::format("{}, a mode of {}, {}", mode.name, system.variables[mode.variable].name,
-                                mode.is_real() ? "does not oscillate" : "is damped or grows"),
-                    "multiply the damping by eps, or derive the normal form and its centre manifold", place});
+        if (provably_positive(field.basis.modes[k].eigenvalue.re, system))
+            refuse({"a solution is for modes that do not grow at eps = 0",
+                    fmt::format("{}, a mode of {}, grows", mode.name, system.variables[mode.variable].name),
+                    "multiply its rate by eps, or derive and print the normal form", place});
         if (!field.couplings(k).empty())
             refuse({"a solution is for a linear part that is semisimple",
                     mode.name + " is driven by another mode", "derive and print the normal form", place});
@@ -34,24 +34,12 @@ void check_modes(const NormalForm& normal_form) {
                 {system.file.string(), 0, 0, "equations", ""}});
 }
 
-// Whether a monomial of a rate is z_k times powers of moduli; k = nullopt: powers of moduli only.
-bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<std::size_t> k) {
-    const Ring& ring = *field.ring;
-    for (std::size_t j = 0; j < field.modes.size(); ++j) {
-        const Mode& mode = field.modes[j];
-        if (ring.exponent(monomial, mode.z) - ring.exponent(monomial, mode.zbar) != (j == k ? 1 : 0))
-            return false;
-    }
-    return std::all_of(field.angles.begin(), field.angles.end(),
-                       [&](const AngleVariable& a) { return ring.exponent(monomial, a.phase) == 0; });
-}
-
-// The frame in which theta_j' are the frequencies at eps = 0, or those of all weights.
+// The frame in which theta_j' are the frequencies at eps = 0, or those of all weights; chi_j' likewise.
 class Framing {
 public:
     Framing(const Normalization& normalization, int through)
         : normal_form_(normalization.normal_form), field_(*normal_form_.field), ring_(*field_.ring),
-          through_(through) {}
+          through_(through), alone_(damped_modes_decay_alone()) {}
 
     SlowFlow build() {
         if (field_.slow.empty() && field_.angles.empty() && keeps_moduli()) {
@@ -61,21 +49,44 @@ public:
         SlowFlow flow = framed(false);
         if (const auto term = complaint(flow))
             refuse({"the frame of a slow flow obeys the resonance relations exactly",
-                    fmt::format("the rate of {} has a term whose divisor is only near zero", *term),
+                    fmt::format("the rate of {} has a term whose divisor is not zero", *term),
                     "declare the resonance by [relations], with its detuning, instead of [normal_form] near",
                     {field_.system().file.string(), 0, 0, "normal_form.near", ""}});
         return flow;
     }
 
 private:
-    // Is every term of every rate N_j of the form i z_j times a real coefficient and powers of moduli?
+    [[nodiscard]] bool is_damped(std::size_t k) const { return !field_.modes[k].growth.empty(); }
+
+    // Is every rate of a damped mode this mode times something free of all damped ones?
+    [[nodiscard]] bool damped_modes_decay_alone() const {
+        const auto degrees = [&](const Monomial& monomial) {
+            int all = 0;
+            for (std::size_t j = 0; j < field_.modes.size(); ++j)
+                if (is_damped(j)) all += degree_in(field_, monomial, j);
+            return all;
+        };
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            if (!is_damped(k)) continue;
+            const Polynomial rate = normal_form_.mode[k].total(through_);
+            for (const Term& t : rate.terms())
+                if (ring_.exponent(t.monomial, field_.modes[k].z) != 1 || degrees(t.monomial) != 1)
+                    return false;
+        }
+        return true;
+    }
+
+    // Is every term of every rate N_j of an undamped mode i z_j times a real coefficient and powers of moduli?
     [[nodiscard]] bool keeps_moduli() const {
-        for (std::size_t k = 0; k < field_.modes.size(); ++k)
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            if (is_damped(k)) continue;
+            if (field_.modes[k].is_real() && !normal_form_.mode[k].total(through_).empty()) return false;
             for (const auto& [monomial, coefficient] :
                  ring_.collect(normal_form_.mode[k].total(through_), field_.outer())) {
                 if (!turns_as(field_, monomial, k)) return false;
                 if (!(coefficient + ring_.conjugate(coefficient)).empty()) return false;
             }
+        }
         return true;
     }
 
@@ -84,28 +95,30 @@ private:
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
             const Polynomial rate = normal_form_.mode[k].total(through_);
-            const Polynomial turning = whole ? without(rate, mode.z) : mode.omega;
-            const Polynomial rest =
-                rate - ring_.multiply(ring_.imaginary(), ring_.multiply(turning, ring_.gen(mode.z)));
-            flow.modes.push_back({phase(flow, turning), Series::split(ring_, rest, through_)});
+            const bool all = is_damped(k) ? alone_ : whole && !mode.is_real();
+            const Polynomial own = all ? without(rate, mode.z) : field_.eigenvalue(mode);
+            FlowMode framed{std::nullopt, std::nullopt,
+                            cut(rate - ring_.multiply(own, ring_.gen(mode.z)))};
+            const Polynomial back = ring_.conjugate(own), half_i = Rational(-1) / 2 * ring_.imaginary();
+            if (is_damped(k)) framed.decay = index(flow.decays, Rational(1) / 2 * (own + back));
+            if (!mode.is_real()) framed.phase = index(flow.phases, ring_.multiply(half_i, own - back));
+            flow.modes.push_back(std::move(framed));
         }
         for (std::size_t k = 0; k < field_.angles.size(); ++k) {
             const Polynomial rate = normal_form_.angle[k].total(through_);
             const Polynomial& turning = field_.angles[k].frequency;
-            flow.angles.push_back({phase(flow, turning), Series::split(ring_, rate - turning, through_)});
+            flow.angles.push_back({index(flow.phases, turning), std::nullopt, cut(rate - turning)});
         }
         for (std::size_t k = 0; k < field_.slow.size(); ++k)
             flow.slow.push_back(
                 field_.slow[k].driven
-                    ? cut(normal_form_.slow[k])
+                    ? cut(normal_form_.slow[k].total(through_))
                     : Series(ring_.by_weight(field_.slow[k].rate, heaviest(field_.slow[k].rate))));
-        for (const Series& rate : normal_form_.drift) flow.drift.push_back(cut(rate));
+        for (const Series& rate : normal_form_.drift) flow.drift.push_back(cut(rate.total(through_)));
         return flow;
     }
 
-    [[nodiscard]] Series cut(const Series& rate) const {
-        return Series::split(ring_, rate.total(through_), through_);
-    }
+    [[nodiscard]] Series cut(const Polynomial& rate) const { return Series::split(ring_, rate, through_); }
 
     [[nodiscard]] int heaviest(const Polynomial& p) const {
         int most = 0;
@@ -113,36 +126,39 @@ private:
         return most;
     }
 
-    // -i rate/z
+    // rate/z
     [[nodiscard]] Polynomial without(const Polynomial& rate, GeneratorId z) const {
         std::vector<Term> terms;
         for (const Term& t : rate.terms()) terms.push_back({t.monomial - ring_.monomial(z), t.coefficient});
-        return -ring_.multiply(ring_.imaginary(), Polynomial::from_terms(std::move(terms)));
+        return Polynomial::from_terms(std::move(terms));
     }
 
-    static std::size_t phase(SlowFlow& flow, const Polynomial& rate) {
-        const auto known = std::find(flow.phases.begin(), flow.phases.end(), rate);
-        const auto index = static_cast<std::size_t>(known - flow.phases.begin());
-        if (known == flow.phases.end()) flow.phases.push_back(rate);
+    static std::size_t index(std::vector<Polynomial>& rates, const Polynomial& rate) {
+        const auto known = std::find(rates.begin(), rates.end(), rate);
+        const auto index = static_cast<std::size_t>(known - rates.begin());
+        if (known == rates.end()) rates.push_back(rate);
         return index;
     }
 
-    // The first variable whose rate has a term that does not turn with the phase of the variable.
+    // The first variable whose rate has a term that does not turn and decay with the frame of the variable.
     [[nodiscard]] std::optional<std::string> complaint(const SlowFlow& flow) const {
-        const auto turns = [&](const Series& series, const Polynomial& with) {
+        const auto follows = [&](const Series& series, const FlowMode& frame) {
             const Polynomial rate = series.total(series.through());
+            const Polynomial turning = frame.phase ? flow.phases[*frame.phase] : Polynomial(),
+                             decay = frame.decay ? flow.decays[*frame.decay] : Polynomial();
             return std::all_of(rate.terms().begin(), rate.terms().end(), [&](const Term& t) {
-                return ring_.vanishes(net_rate(field_, flow, t.monomial) - with);
+                return ring_.vanishes(net_rate(field_, flow, t.monomial) - turning) &&
+                       ring_.vanishes(net_decay(field_, flow, t.monomial) - decay);
             });
         };
         for (std::size_t k = 0; k < flow.modes.size(); ++k)
-            if (!turns(flow.modes[k].rate, flow.phases[flow.modes[k].phase])) return field_.modes[k].name;
+            if (!follows(flow.modes[k].rate, flow.modes[k])) return field_.modes[k].name;
         for (std::size_t k = 0; k < flow.angles.size(); ++k)
-            if (!turns(flow.angles[k].rate, {})) return field_.angles[k].name;
+            if (!follows(flow.angles[k].rate, {})) return field_.angles[k].name;
         for (std::size_t k = 0; k < flow.slow.size(); ++k)
-            if (!turns(flow.slow[k], {})) return field_.slow[k].name;
+            if (!follows(flow.slow[k], {})) return field_.slow[k].name;
         for (std::size_t k = 0; k < flow.drift.size(); ++k)
-            if (!turns(flow.drift[k], {})) return field_.drift[k].name;
+            if (!follows(flow.drift[k], {})) return field_.drift[k].name;
         return std::nullopt;
     }
 
@@ -150,6 +166,7 @@ private:
     const GradedField& field_;
     const Ring& ring_;
     int through_;
+    bool alone_;
 };
 
 // Writes every state in the old modes z and slow variables, then substitutes the map.
@@ -200,7 +217,7 @@ private:
             if (entry.is_zero()) continue;
             const Polynomial part =
                 ring_.multiply(field_.coefficients->convert(entry, place), ring_.gen(field_.modes[k].z));
-            parts.push_back(part + ring_.conjugate(part));
+            parts.push_back(field_.modes[k].is_real() ? part : part + ring_.conjugate(part));
         }
         parts.push_back(field_.shifts[row]);
         return sum(parts);
@@ -211,92 +228,7 @@ private:
     const Ring& ring_;
 };
 
-bool depends_on_phases(const GradedField& field, const SlowFlow& flow) {
-    const auto turns = [&](const Series& rate, std::optional<std::size_t> as) {
-        const Polynomial all = rate.total(rate.through());
-        return std::any_of(all.terms().begin(), all.terms().end(),
-                           [&](const Term& t) { return !turns_as(field, t.monomial, as); });
-    };
-    for (std::size_t k = 0; k < flow.modes.size(); ++k)
-        if (turns(flow.modes[k].rate, k)) return true;
-    return std::any_of(flow.angles.begin(), flow.angles.end(),
-                       [&](const FlowMode& angle) { return turns(angle.rate, std::nullopt); }) ||
-           std::any_of(flow.slow.begin(), flow.slow.end(),
-                       [&](const Series& rate) { return turns(rate, std::nullopt); });
-}
-
-// The rate of |z|^2, zbar a' + z abar'; empty if the rate only turns the phase.
-Series of_modulus(const GradedField& field, const Mode& mode, const Series& rate) {
-    Series result;
-    for (int n = 0; n <= rate.through(); ++n) {
-        const Polynomial half = field.ring->multiply(field.ring->gen(mode.zbar), rate.part(n));
-        result.set(n, half + field.ring->conjugate(half));
-    }
-    return result;
-}
-
 } // namespace
-
-bool SlowFlow::at_rest() const {
-    const auto is_empty = [](const Series& rate) { return !lowest_weight(rate); };
-    const auto rests = [&](const FlowMode& mode) { return is_empty(mode.rate); };
-    return std::all_of(modes.begin(), modes.end(), rests) &&
-           std::all_of(angles.begin(), angles.end(), rests) &&
-           std::all_of(slow.begin(), slow.end(), is_empty);
-}
-
-Polynomial net_rate(const GradedField& field, const SlowFlow& flow, const Monomial& monomial) {
-    const Ring& ring = *field.ring;
-    Polynomial rate;
-    const auto add = [&](int turns, const FlowMode& mode) {
-        if (turns != 0) rate = rate + Rational(turns) * flow.phases[mode.phase];
-    };
-    for (std::size_t k = 0; k < field.modes.size(); ++k)
-        add(ring.exponent(monomial, field.modes[k].z) - ring.exponent(monomial, field.modes[k].zbar),
-            flow.modes[k]);
-    for (std::size_t k = 0; k < field.angles.size(); ++k)
-        add(ring.exponent(monomial, field.angles[k].phase), flow.angles[k]);
-    return rate;
-}
-
-Polynomial mean_part(const GradedField& field, const SlowFlow& flow, const Polynomial& p) {
-    std::vector<Term> terms;
-    for (const Term& t : p.terms())
-        if (field.ring->vanishes(net_rate(field, flow, t.monomial))) terms.push_back(t);
-    return Polynomial::from_terms(std::move(terms));
-}
-
-std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& flow,
-                                     const std::string& output) {
-    for (const FlowOutput& o : flow.outputs)
-        for (int n = 0; o.name == output && n <= o.value.through(); ++n)
-            if (!(o.value.part(n) - mean_part(field, flow, o.value.part(n))).empty()) return n;
-    return std::nullopt;
-}
-
-std::optional<int> lowest_weight(const Series& series) {
-    for (int n = 0; n <= series.through(); ++n)
-        if (!series.part(n).empty()) return n;
-    return std::nullopt;
-}
-
-std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow) {
-    std::optional<int> power;
-    const auto lower = [&](const Series& rate, int base) {
-        if (const auto weight = lowest_weight(rate))
-            power = std::min(power.value_or(*weight - base), *weight - base);
-    };
-    const bool phases_act = depends_on_phases(field, flow);
-    for (std::size_t k = 0; k < flow.modes.size(); ++k) {
-        const Series& rate = flow.modes[k].rate;
-        lower(phases_act ? rate : of_modulus(field, field.modes[k], rate),
-              field.ring->generator(field.modes[k].z).weight);
-    }
-    for (const FlowMode& angle : flow.angles)
-        if (phases_act) lower(angle.rate, 0);
-    for (const Series& slow : flow.slow) lower(slow, 0);
-    return power;
-}
 
 SlowFlow slow_flow(const Normalization& normalization, int order, int truncation) {
     check_modes(normalization.normal_form);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program of a scene whose solution is a slow flow (solve/slow_flow.hpp):
+// The program of a scene whose solution is a slow flow (solve/flow/slow_flow.hpp):
 //
 //   construction:  start values -> a_j = u_j + i v_j, zeta, Z at T = 0;  the flow d(u, v, zeta)/dT, if it
 //   moves call:          x_j + i y_j = (u_j + i v_j) e^{i theta_j};  outputs as real polynomials of all x_j,

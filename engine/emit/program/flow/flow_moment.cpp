@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/flow_moment.hpp"
+#include "emit/program/flow/flow_moment.hpp"
 
 #include "emit/display/divisor_fractions.hpp"
 #include "emit/program/prune.hpp"
@@ -25,7 +25,7 @@ FlowMoment::FlowMoment(Program& program, const RealForm& real, const Surrounding
     const auto define_units = [&](const std::vector<RealForm::Pair>& ids, const std::vector<Unit>& units) {
         for (std::size_t k = 0; k < ids.size(); ++k) {
             define(ids[k].u, units[k].u);
-            define(ids[k].v, units[k].v);
+            if (!ids[k].is_real()) define(ids[k].v, units[k].v);
         }
     };
     define_units(real.modes(), values.modes);

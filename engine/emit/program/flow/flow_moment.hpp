@@ -3,7 +3,7 @@
 #pragma once
 
 #include "emit/program/moment.hpp"
-#include "solve/real_form.hpp"
+#include "solve/flow/real_form.hpp"
 
 #include <map>
 #include <utility>

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The phases and exponents of a slow flow as nodes, and its variables with them:
+//
+//   x_j + i y_j = (u_j + i v_j) e^{chi_j + i theta_j}
+#pragma once
+
+#include "emit/program/flow/flow_moment.hpp"
+#include "solve/solution.hpp"
+
+#include <string>
+
+namespace resonform {
+
+class FlowTurning {
+public:
+    // frame: at the values that `turned` gets. Preconditions: solution.flow; the program has no phases yet.
+    FlowTurning(Program& program, FlowMoment& frame, const Solution& solution, const RealForm& real,
+                const Surroundings& surroundings)
+        : program_(program), frame_(frame), flow_(*solution.flow),
+          field_(*solution.normalization->normal_form.field), real_(real), surroundings_(surroundings) {}
+
+    // Adds the phases, then the exponents, with the condition that their leading rates stay negative.
+    FlowValues turned(const FlowValues& within_frame);
+
+private:
+    void add_phases();
+    [[nodiscard]] ProgramPhase phase(const std::string& name, const Polynomial& rate);
+    void keep_decaying(const Polynomial& rate);
+    FlowUnit turned(FlowUnit unit, const FlowMode& mode, std::size_t variable);
+
+    Program& program_;
+    FlowMoment& frame_;
+    const SlowFlow& flow_;
+    const GradedField& field_;
+    const RealForm& real_;
+    const Surroundings& surroundings_;
+};
+
+} // namespace resonform

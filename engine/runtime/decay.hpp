@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// e^chi of an exponent chi(t) = chi_0 + int_0^{eps t} rate(T) dT, where rate is large (of order 1/eps) and
+// negative: the integral is tabulated in twice the precision of Real, so that the relative error of e^chi is
+// not |chi| ulp. Below the range of Real e^chi is 0.
+#ifndef RESONFORM_RUNTIME_DECAY
+#define RESONFORM_RUNTIME_DECAY
+
+#include "runtime/panels.hpp"
+#include "runtime/twice.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace resonform {
+
+// eps (t + low), not rounded to Real; |low| is below the last place of t.
+template <class Number, class Real>
+Number wide_product(const Real& eps, const Real& t, const Real& low = Real(0)) {
+    if constexpr (std::is_same_v<Number, Twice<Real>>) {
+        const Number product = Number::product(eps, t);
+        return {product.high, product.low + eps * low};
+    } else {
+        return Number(eps) * (Number(t) + Number(low));
+    }
+}
+
+// e^x with the relative error of Real.
+template <class Real, class Number> Real exponential(const Number& x) {
+    using math::exp;
+    const Real high = static_cast<Real>(x), low = static_cast<Real>(x - Number(high)), value = exp(high);
+    return value + value * low;
+}
+
+template <class Real> class Decay {
+public:
+    using Wide = WideNumber<Real>;
+
+    // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of Real
+    // only (it contains tables). Status as fit_panels; `end` is drawn back to where the exponent is known.
+    template <class Rate>
+    Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
+        eps_ = eps;
+        FitTolerance<Wide> tolerance;
+        tolerance.absolute = Wide(math::epsilon<Real>() / end);
+        if (rounded) tolerance.relative = Wide(Real(4) * math::epsilon<Real>());
+        Panels<Wide, 1> fitted = fit_panels<Wide, 1>(rate, Wide(end), tolerance);
+        end = static_cast<Real>(fitted.end);
+        rows_.clear();
+        std::vector<Real> lefts;
+        for (const Panel<Wide, 1>& panel : fitted.panels) {
+            lefts.push_back(static_cast<Real>(panel.middle - panel.half));
+            rows_.push_back(row(panel, start));
+        }
+        if (!rows_.empty()) index_ = PanelIndex<Real>(std::move(lefts), end);
+        return fitted.status;
+    }
+
+    // Precondition: build() left an end > 0. low: for t + low, |low| below the last place of t.
+    Real operator()(const Real& t, const Real& low = Real(0)) const noexcept {
+        const Wide T = wide_product<Wide>(eps_, t, low);
+        const Row& r = rows_[index_.find(static_cast<Real>(T))];
+        const Wide y = (T - r.middle) * r.scale;
+        const Real rough = static_cast<Real>(y);
+        Real about = Real(0);
+        for (std::size_t j = r.length; j > 0; --j) about = about * rough + static_cast<Real>(r.coefficient[j - 1]);
+        if (about < r.surely_gone) return Real(0);
+        Wide x = r.coefficient[r.length - 1];
+        for (std::size_t j = r.length - 1; j > 0; --j) x = x * y + r.coefficient[j - 1];
+        return exponential<Real>(x);
+    }
+
+private:
+    static constexpr std::size_t terms = Panel<Wide, 1>::size;
+    struct Row { // chi = sum_j coefficient[j] y^j, y = (T - middle) scale
+        Wide middle{}, scale{};
+        std::array<Wide, terms> coefficient{};
+        std::size_t length = 1;
+        Real surely_gone{}; // an exponent below this, in Real, leaves no number
+    };
+
+    static Row row(const Panel<Wide, 1>& panel, const Wide& start) {
+        using math::log;
+        Row r{panel.middle, Wide(1) / panel.half, panel.coefficient[0], 1, {}};
+        r.coefficient[0] = r.coefficient[0] + start;
+        Real size = Real(0);
+        for (std::size_t j = 0; j < terms; ++j) {
+            const Real c = math::magnitude(static_cast<Real>(r.coefficient[j]));
+            size = size + c;
+            if (c > math::epsilon<Real>() / Real(4096)) r.length = j + 1;
+        }
+        const Real least = log(math::smallest<Real>()), digits = Real(math::digits<Real>);
+        r.surely_gone = least - digits - Real(64) * math::epsilon<Real>() * size;
+        return r;
+    }
+
+    Real eps_{};
+    std::vector<Row> rows_;
+    PanelIndex<Real> index_;
+};
+
+} // namespace resonform
+
+#endif
