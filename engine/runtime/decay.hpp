@@ -35,8 +35,9 @@ template <class Real> class Decay {
 public:
     using Wide = WideNumber<Real>;
 
-    // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of Real
-    // only (it contains tables). Status as fit_panels; `end` is drawn back to where the exponent is known.
+    // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
+    // Real only (it contains tables). Status as fit_panels; `end` is drawn back to where the exponent is
+    // known.
     template <class Rate>
     Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
         eps_ = eps;
@@ -62,7 +63,8 @@ public:
         const Wide y = (T - r.middle) * r.scale;
         const Real rough = static_cast<Real>(y);
         Real about = Real(0);
-        for (std::size_t j = r.length; j > 0; --j) about = about * rough + static_cast<Real>(r.coefficient[j - 1]);
+        for (std::size_t j = r.length; j > 0; --j)
+            about = about * rough + static_cast<Real>(r.coefficient[j - 1]);
         if (about < r.surely_gone) return Real(0);
         Wide x = r.coefficient[r.length - 1];
         for (std::size_t j = r.length - 1; j > 0; --j) x = x * y + r.coefficient[j - 1];

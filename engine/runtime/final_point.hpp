@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an evaluator knows at one time, as its tables would say it: columns, cosines and sines of phases, powers
-// of e, and where the domain ends before (runtime/final_sums.hpp has the integrals).
+// What an evaluator knows at one time, as its tables would say it: columns, cosines and sines of phases,
+// powers of e, and where the domain ends before (runtime/final_sums.hpp has the integrals).
 #ifndef RESONFORM_RUNTIME_FINAL_POINT
 #define RESONFORM_RUNTIME_FINAL_POINT
 

@@ -2,8 +2,8 @@
 #include "solve/draft.hpp"
 
 #include "algebra/ring/cancellation.hpp"
+#include "algebra/ring/ring_copy.hpp"
 #include "solve/quadrature.hpp"
-#include "solve/ring_copy.hpp"
 
 #include <fmt/format.h>
 

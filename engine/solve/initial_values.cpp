@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/initial_values.hpp"
 
+#include "algebra/ring/ring_copy.hpp"
 #include "normalize/recursion/inverse_map.hpp"
-#include "solve/ring_copy.hpp"
 
 #include <algorithm>
 #include <utility>

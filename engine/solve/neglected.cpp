@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "solve/flow/frame.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include "algebra/number/error.hpp"
 #include "solve/amplitude_phase.hpp"
 #include "solve/drift.hpp"
+#include "solve/flow/frame.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/route.hpp"
-#include "solve/flow/frame.hpp"
 #include "solve/substitution.hpp"
 #include "solve/truncation.hpp"
 

@@ -408,7 +408,7 @@ private:
 
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
-    using Wide = typename resonform::Phase<Real>::Wide;
+    using Wide = resonform::WideNumber<Real>;
 
     std::array<Real, 1> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
@@ -514,6 +514,7 @@ private:
         static constexpr std::array<std::size_t, 1> levels{1};
         static constexpr std::size_t columns = 1, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
+        static constexpr std::array<bool, 1> decays{false};
         using Columns = std::array<Real, 1>;
 
         const Real& eps;

@@ -339,6 +339,7 @@ private:
         static constexpr std::array<std::size_t, 1> levels{1};
         static constexpr std::size_t columns = 1, angles = 0;
         static constexpr std::array<bool, 0> rounded{};
+        static constexpr std::array<bool, 0> decays{};
         using Columns = std::array<Real, 1>;
 
         const Real& eps;

@@ -319,7 +319,7 @@ private:
 
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
-    using Wide = typename resonform::Phase<Real>::Wide;
+    using Wide = resonform::WideNumber<Real>;
 
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
@@ -402,6 +402,7 @@ private:
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
+        static constexpr std::array<bool, 1> decays{false};
         using Columns = std::array<Real, 0>;
 
         const Real& eps;

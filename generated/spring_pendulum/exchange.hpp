@@ -419,7 +419,7 @@ private:
 
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
-    using Wide = typename resonform::Phase<Real>::Wide;
+    using Wide = resonform::WideNumber<Real>;
 
     std::array<Real, 4> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
@@ -522,6 +522,7 @@ private:
         static constexpr std::array<std::size_t, 1> levels{4};
         static constexpr std::size_t columns = 4, angles = 2;
         static constexpr std::array<bool, 2> rounded{false, false};
+        static constexpr std::array<bool, 2> decays{false, false};
         using Columns = std::array<Real, 4>;
 
         const Real& eps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Known answers of the expression graph.
-#include "emit/program/graph.hpp"
+#include "emit/graph/graph.hpp"
 
 #include "algebra/number/error.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slow flows that can be checked by hand: what rests, what turns, what moves, and on which time scale.
 #include "model/files/read_system.hpp"
-#include "solve/line.hpp"
 #include "solve/flow/real_form.hpp"
+#include "solve/line.hpp"
 #include "solve/systems.hpp"
 #include "solve/time_scale.hpp"
 #include "solve/truncation.hpp"
@@ -23,13 +23,6 @@ x = { role = "fast" }
 y = { role = "fast" }
 )" + more + "[equations]\n" +
            equations;
-}
-
-const GradedField& field(const Solution& solution) { return *solution.normalization->normal_form.field; }
-
-Polynomial rate_of_mode(const Solution& solution, std::size_t k) {
-    const Series& rate = solution.flow->modes[k].rate;
-    return rate.total(rate.through());
 }
 
 const char* const particle = R"toml(

@@ -34,4 +34,13 @@ inline System pendulum() {
     return read_system(std::string(RESONFORM_SOURCE_DIR) + "/systems/almost_holonomic_pendulum/system.toml");
 }
 
+inline const GradedField& field(const Solution& solution) {
+    return *solution.normalization->normal_form.field;
+}
+
+inline Polynomial rate_of_mode(const Solution& solution, std::size_t k) {
+    const Series& rate = solution.flow->modes[k].rate;
+    return rate.total(rate.through());
+}
+
 } // namespace resonform::testing

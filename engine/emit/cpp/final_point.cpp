@@ -84,9 +84,10 @@ std::string CppCourse::arguments() const {
     if (!plan_.levels.empty()) text += "        a.tables = point.tables;\n";
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
         text += fmt::format(
-            fmt::runtime(program_.phases[k].decays()
-                             ? "        a.exp_{0} = point.power[{1}];\n"
-                             : "        a.cos_{0} = point.cosine[{1}];\n        a.sin_{0} = point.sine[{1}];\n"),
+            fmt::runtime(
+                program_.phases[k].decays()
+                    ? "        a.exp_{0} = point.power[{1}];\n"
+                    : "        a.cos_{0} = point.cosine[{1}];\n        a.sin_{0} = point.sine[{1}];\n"),
             plan_.phase_names[k], k);
     return text;
 }
@@ -104,25 +105,24 @@ std::string CppCourse::print() const {
         program_.phases.empty()
             ? ""
             : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
-    return filled(frames::course, {{"flow", program_.flow.empty() ? "false" : "true"},
-                                   {"nested", nested ? "true" : "false"},
-                                   {"level_count", std::to_string(levels.size())},
-                                   {"levels", fmt::format("{}", fmt::join(levels, ", "))},
-                                   {"columns", std::to_string(plan_.columns_before(levels.size()))},
-                                   {"phases", std::to_string(program_.phases.size())},
-                                   {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
-                                   {"decays", fmt::format("{}", fmt::join(decays, ", "))},
-                                   {"start", plan_.member_list(plan_.flow_starts, "c.")},
-                                   {"rates", rates()},
-                                   {"margins", margins()},
-                                   {"conditions", conditions()},
-                                   {"packs", plan_.range.native && program_.flow.empty() && none_decays
-                                                 ? "true"
-                                                 : "false"},
-                                   {"constants", constants},
-                                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
-                                   {"phase_rates", phase_rates()},
-                                   {"arguments", arguments()}});
+    return filled(frames::course,
+                  {{"flow", program_.flow.empty() ? "false" : "true"},
+                   {"nested", nested ? "true" : "false"},
+                   {"level_count", std::to_string(levels.size())},
+                   {"levels", fmt::format("{}", fmt::join(levels, ", "))},
+                   {"columns", std::to_string(plan_.columns_before(levels.size()))},
+                   {"phases", std::to_string(program_.phases.size())},
+                   {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
+                   {"decays", fmt::format("{}", fmt::join(decays, ", "))},
+                   {"start", plan_.member_list(plan_.flow_starts, "c.")},
+                   {"rates", rates()},
+                   {"margins", margins()},
+                   {"conditions", conditions()},
+                   {"packs", plan_.range.native && program_.flow.empty() && none_decays ? "true" : "false"},
+                   {"constants", constants},
+                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
+                   {"phase_rates", phase_rates()},
+                   {"arguments", arguments()}});
 }
 
 } // namespace

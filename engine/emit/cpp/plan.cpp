@@ -76,8 +76,10 @@ std::size_t CppPlan::columns_before(std::size_t level) const {
 
 std::string CppPlan::conditions_text() const {
     std::string text;
+    std::set<std::string> named;
     for (const CppCondition& condition : varying_conditions)
-        text += (text.empty() ? "" : " or ") + condition.quantity;
+        if (named.insert(condition.quantity).second)
+            text += (text.empty() ? "" : " or ") + condition.quantity;
     return text;
 }
 

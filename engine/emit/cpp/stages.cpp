@@ -256,8 +256,9 @@ std::string CppStages::arguments() const {
         text += fmt::format("        std::array<Real, {}> tables{{}};\n",
                             plan_.columns_before(plan_.levels.size()));
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
-        text += fmt::format(fmt::runtime(program_.phases[k].decays() ? "        Real exp_{0}{{}};\n"
-                                                                     : "        Real cos_{0}{{}}, sin_{0}{{}};\n"),
+        text += fmt::format(fmt::runtime(program_.phases[k].decays()
+                                             ? "        Real exp_{0}{{}};\n"
+                                             : "        Real cos_{0}{{}}, sin_{0}{{}};\n"),
                             plan_.phase_names[k]);
     return text + "    };\n\n";
 }

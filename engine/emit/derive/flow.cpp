@@ -98,7 +98,9 @@ private:
     [[nodiscard]] std::vector<std::string> phase_names() const {
         return numbered("theta", flow_.phases.size());
     }
-    [[nodiscard]] std::vector<std::string> decay_names() const { return numbered("chi", flow_.decays.size()); }
+    [[nodiscard]] std::vector<std::string> decay_names() const {
+        return numbered("chi", flow_.decays.size());
+    }
     [[nodiscard]] std::string phase(const FlowMode& mode) const { return phase_names()[*mode.phase]; }
     // chi + I*theta
     [[nodiscard]] DisplaySum exponent_of(const FlowMode& mode) const {
@@ -256,11 +258,11 @@ Json leading_flow_json(const Solution& solution) {
     const auto name = [&](GeneratorId id) { return real.ring()->generator(id).name; };
     Json amplitudes = Json::array(), uniform = Json::array();
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        amplitudes.push_back({{"mode", field.modes[k].name},
-                              {"real", name(real.modes()[k].u)},
-                              {"imaginary", real.modes()[k].is_real() ? Json(nullptr)
-                                                                      : Json(name(real.modes()[k].v))},
-                              {"eps", field.ring->generator(field.modes[k].z).weight}});
+        amplitudes.push_back(
+            {{"mode", field.modes[k].name},
+             {"real", name(real.modes()[k].u)},
+             {"imaginary", real.modes()[k].is_real() ? Json(nullptr) : Json(name(real.modes()[k].v))},
+             {"eps", field.ring->generator(field.modes[k].z).weight}});
     for (std::size_t k = 0; k < field.drift.size(); ++k) {
         const Polynomial rate = real(flow.drift[k].total(flow.drift[k].through())).re;
         uniform.push_back({{"variable", field.drift[k].name},

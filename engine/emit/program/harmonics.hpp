@@ -7,8 +7,8 @@
 // sin k theta are the rows of an output.
 #pragma once
 
-#include "emit/program/graph.hpp"
-#include "emit/program/lower.hpp"
+#include "emit/graph/graph.hpp"
+#include "emit/graph/lower.hpp"
 #include "emit/program/program.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 #include "emit/program/layers.hpp"
 
 #include "emit/display/quantity.hpp"
-#include "emit/program/conditioning.hpp"
+#include "emit/graph/conditioning.hpp"
 #include "emit/program/prune.hpp"
 #include "solve/flow/slow_flow.hpp"
 

@@ -8,7 +8,7 @@
 // Nor is it valid where amplitudes have grown too large for its map (solve/first_correction.hpp).
 #pragma once
 
-#include "emit/program/flow/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 #include "solve/first_correction.hpp"
 
 #include <functional>

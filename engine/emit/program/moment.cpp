@@ -2,7 +2,7 @@
 #include "emit/program/moment.hpp"
 
 #include "emit/display/quantity.hpp"
-#include "emit/program/conditioning.hpp"
+#include "emit/graph/conditioning.hpp"
 #include "emit/program/prune.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 //   call (per t):         t -> slow variables, cos theta, sin theta, outputs
 #pragma once
 
-#include "emit/program/graph.hpp"
+#include "emit/graph/graph.hpp"
 #include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
 
@@ -41,8 +41,8 @@ struct ProgramTable {
 };
 
 // An angle theta(t) = start + int_0^T rate(T') dT', T = eps t, where rate = theta'/eps is large. Only its
-// cosine and sine enter the outputs, so that it can be kept in more digits than it is asked for. Or the exponent
-// of a mode that decays, of which e^theta enters.
+// cosine and sine enter the outputs, so that it can be kept in more digits than it is asked for. Or the
+// exponent of a mode that decays, of which e^theta enters.
 struct ProgramPhase {
     std::string name;  // "theta", "chi"
     Graph::Node start; // in construction values

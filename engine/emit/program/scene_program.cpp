@@ -4,7 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
-#include "emit/program/from_expression.hpp"
+#include "emit/graph/from_expression.hpp"
 #include "model/files/interval_length.hpp"
 
 #include <fmt/format.h>

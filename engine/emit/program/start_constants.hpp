@@ -3,7 +3,7 @@
 // where the scene gives them, computed from physical start values through the inverse map elsewhere.
 #pragma once
 
-#include "emit/program/flow/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 #include "solve/initial_values.hpp"
 
 #include <map>

@@ -2,7 +2,7 @@
 // The near-identity map at t = 0 as conditions of a program (solve/near_identity.hpp).
 #pragma once
 
-#include "emit/program/flow/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 
 #include <vector>
 

@@ -49,7 +49,7 @@ public:
         SlowFlow flow = framed(false);
         if (const auto term = complaint(flow))
             refuse({"the frame of a slow flow obeys the resonance relations exactly",
-                    fmt::format("the rate of {} has a term whose divisor is not zero", *term),
+                    fmt::format("the rate of {} has a term whose divisor is only near zero", *term),
                     "declare the resonance by [relations], with its detuning, instead of [normal_form] near",
                     {field_.system().file.string(), 0, 0, "normal_form.near", ""}});
         return flow;
@@ -76,7 +76,8 @@ private:
         return true;
     }
 
-    // Is every term of every rate N_j of an undamped mode i z_j times a real coefficient and powers of moduli?
+    // Is every term of every rate N_j of an undamped mode i z_j times a real coefficient and powers of
+    // moduli?
     [[nodiscard]] bool keeps_moduli() const {
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             if (is_damped(k)) continue;
@@ -97,8 +98,7 @@ private:
             const Polynomial rate = normal_form_.mode[k].total(through_);
             const bool all = is_damped(k) ? alone_ : whole && !mode.is_real();
             const Polynomial own = all ? without(rate, mode.z) : field_.eigenvalue(mode);
-            FlowMode framed{std::nullopt, std::nullopt,
-                            cut(rate - ring_.multiply(own, ring_.gen(mode.z)))};
+            FlowMode framed{std::nullopt, std::nullopt, cut(rate - ring_.multiply(own, ring_.gen(mode.z)))};
             const Polynomial back = ring_.conjugate(own), half_i = Rational(-1) / 2 * ring_.imaginary();
             if (is_damped(k)) framed.decay = index(flow.decays, Rational(1) / 2 * (own + back));
             if (!mode.is_real()) framed.phase = index(flow.phases, ring_.multiply(half_i, own - back));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/flow/real_form.hpp"
 
-#include "solve/ring_copy.hpp"
+#include "algebra/ring/ring_copy.hpp"
 
 #include <cstdlib>
 #include <utility>

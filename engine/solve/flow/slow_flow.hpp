@@ -15,10 +15,10 @@
 //
 //   z_s = eps^w a_s e^{chi_s + i theta_s},   chi_s' = Re lambda_s + ...,   theta_s' = Im lambda_s + ...
 //
-// where the exponents take its whole rate, N_s = (lambda_s + Lambda_s) z_s with Lambda_s free of damped modes:
-// a_s is a constant then. If products of damped modes stay in some rate, exponents take lambda_s alone, and
-// such products must decay exactly as the mode that they drive. A real mode has no phase; one of eigenvalue 0
-// has neither phase nor exponent.
+// where the exponents take its whole rate, N_s = (lambda_s + Lambda_s) z_s with Lambda_s free of damped
+// modes: a_s is a constant then. If products of damped modes stay in some rate, exponents take lambda_s
+// alone, and such products must decay exactly as the mode that they drive. A real mode has no phase; one of
+// eigenvalue 0 has neither phase nor exponent.
 #pragma once
 
 #include "normalize/recursion/normal_form.hpp"
@@ -62,8 +62,8 @@ Polynomial net_rate(const GradedField& field, const SlowFlow& flow, const Monomi
 // The net exponent's rate of a monomial: <|alpha|, chi'>; empty: it does not decay.
 Polynomial net_decay(const GradedField& field, const SlowFlow& flow, const Monomial& monomial);
 
-// Whether a monomial of a rate is z_k times powers of moduli; k = nullopt: powers of moduli only. Real modes are
-// not looked at.
+// Whether a monomial of a rate is z_k times powers of moduli; k = nullopt: powers of moduli only. Real modes
+// are not looked at.
 bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<std::size_t> k);
 
 // How often a mode and its conjugate occur in a monomial.
@@ -80,9 +80,8 @@ std::optional<int> first_oscillation(const GradedField& field, const SlowFlow& f
 std::optional<int> lowest_weight(const Series& series);
 
 // The lowest power of eps in a_j'/a_j or zeta': the flow moves on the time scale eps^-power. Where no rate
-// depends on a phase, the rates of phases do not count, only those of moduli and slow variables. Damped modes do
-// not count: they are gone before.
-// nullopt: at rest.
+// depends on a phase, the rates of phases do not count, only those of moduli and slow variables. Damped modes
+// do not count: they are gone before. nullopt: at rest.
 std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow);
 
 } // namespace resonform

@@ -2,7 +2,7 @@
 // The functions of a graph over a real type, by the names that emitted code calls.
 #pragma once
 
-#include "emit/program/graph.hpp"
+#include "emit/graph/graph.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/twice.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algebra/number/binary_parts.hpp"
-#include "emit/program/graph.hpp"
+#include "emit/graph/graph.hpp"
 #include "runtime/scaled.hpp"
 #include "verify/evaluate/graph_function.hpp"
 

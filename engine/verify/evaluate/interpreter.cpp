@@ -209,7 +209,8 @@ template <class Real> struct Interpreter<Real>::Impl {
             const auto build = [&](auto& integral) {
                 return integral.build(rate, walk[phase.start], eps, reach, uses_tables(phase.rate));
             };
-            const Status fitted = phase.decays() ? build(decays.emplace_back()) : build(phases.emplace_back());
+            const Status fitted =
+                phase.decays() ? build(decays.emplace_back()) : build(phases.emplace_back());
             if (const Cause failed = interval.shorten({fitted, plan.phase_names[k].c_str()}, reach);
                 failed.status != Status::ok)
                 return failed;
@@ -307,7 +308,8 @@ template <class Real> struct Interpreter<Real>::Impl {
         for (const ProgramFlow& variable : program->flow) size(variable.value);
         for (const ProgramTable& table : program->tables) size(table.value);
         for (const ProgramPhase& phase : program->phases)
-            for (const Graph::Node n : phase.symbols()) bounds.set(n, phase.decays() ? Real(walk[n]) : Real(1));
+            for (const Graph::Node n : phase.symbols())
+                bounds.set(n, phase.decays() ? Real(walk[n]) : Real(1));
     }
 
     // As in emitted code.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/symbolic/ring.hpp"
 
-#include "emit/program/from_expression.hpp"
+#include "emit/graph/from_expression.hpp"
 #include "model/text/canonical.hpp"
 #include "runtime/math.hpp"
 #include "verify/evaluate/graph_walk.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/flow/flow_start.hpp"
+#include "emit/program/flow_start.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 #include "verify/symbolic/map.hpp"
 #include "verify/symbolic/start.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/conditioning.hpp"
+#include "emit/graph/conditioning.hpp"
 
 #include "model/text/enclosure.hpp"
 #include "model/text/function_call.hpp"

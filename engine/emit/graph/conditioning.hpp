@@ -4,8 +4,8 @@
 
 #include "algebra/ring/ring.hpp"
 #include "algebra/signs/sign_set.hpp"
-#include "emit/program/graph.hpp"
-#include "emit/program/lower.hpp"
+#include "emit/graph/graph.hpp"
+#include "emit/graph/lower.hpp"
 
 #include <set>
 

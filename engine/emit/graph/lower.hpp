@@ -10,7 +10,7 @@
 #include "algebra/number/error.hpp"
 #include "algebra/ring/ring.hpp"
 #include "emit/display/divisor_fractions.hpp"
-#include "emit/program/graph.hpp"
+#include "emit/graph/graph.hpp"
 
 #include <cstddef>
 #include <set>

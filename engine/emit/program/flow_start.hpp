@@ -8,7 +8,7 @@
 // substitutions, each of which gains a power of eps.
 #pragma once
 
-#include "emit/program/flow/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 
 #include <map>
 #include <string>

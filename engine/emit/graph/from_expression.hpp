@@ -4,7 +4,7 @@
 #pragma once
 
 #include "algebra/number/error.hpp"
-#include "emit/program/graph.hpp"
+#include "emit/graph/graph.hpp"
 
 #include <ginac/ginac.h>
 

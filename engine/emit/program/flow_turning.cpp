@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/flow/flow_turning.hpp"
+#include "emit/program/flow_turning.hpp"
 
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
-#include "emit/program/conditioning.hpp"
+#include "emit/graph/conditioning.hpp"
 
 #include <fmt/format.h>
 

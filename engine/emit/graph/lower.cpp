@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/lower.hpp"
+#include "emit/graph/lower.hpp"
 
 #include "emit/display/display.hpp"
 #include "emit/display/divisor_fractions.hpp"

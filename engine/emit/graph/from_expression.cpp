@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/from_expression.hpp"
+#include "emit/graph/from_expression.hpp"
 
 #include "algebra/number/error.hpp"
 #include "algebra/number/number.hpp"

@@ -4,7 +4,7 @@
 //   x_j + i y_j = (u_j + i v_j) e^{chi_j + i theta_j}
 #pragma once
 
-#include "emit/program/flow/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 #include "solve/solution.hpp"
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/graph.hpp"
+#include "emit/graph/graph.hpp"
 
 #include "algebra/number/error.hpp"
 

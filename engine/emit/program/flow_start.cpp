@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/flow/flow_start.hpp"
+#include "emit/program/flow_start.hpp"
 
 #include "algebra/number/error.hpp"
 #include "emit/display/identifier.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/flow/flow_moment.hpp"
+#include "emit/program/flow_moment.hpp"
 
 #include "emit/display/divisor_fractions.hpp"
 #include "emit/program/prune.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/ring_copy.hpp"
+#include "algebra/ring/ring_copy.hpp"
 
 #include <stdexcept>
 #include <utility>
