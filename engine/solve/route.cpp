@@ -17,7 +17,10 @@ bool solves_by_quadratures(const GradedField& field) {
     const bool small = std::all_of(field.modes.begin(), field.modes.end(), [&](const Mode& mode) {
         return mode.oscillator && field.ring->generator(mode.z).weight == 1;
     });
-    return field.modes.size() <= 1 && small && field.angles.empty() && field.slow.size() <= 1 &&
+    bool functions = false;
+    for (GeneratorId id = 0; id < field.ring->size(); ++id)
+        if (field.ring->generator(id).kind == GeneratorKind::function) functions = true;
+    return field.modes.size() <= 1 && small && !functions && field.angles.empty() && field.slow.size() <= 1 &&
            std::all_of(field.slow.begin(), field.slow.end(),
                        [&](const SlowVariable& slow) { return has_explicit_law(field, slow); }) &&
            field.system().style != Style::hamiltonian &&

@@ -9,8 +9,8 @@ namespace resonform {
 // xi' = eps c
 [[nodiscard]] bool has_explicit_law(const GradedField& field, const SlowVariable& slow);
 
-// One small oscillator of weight 1 at most, at most one slow variable, xi' = eps*const, no angles, style
-// poincare, no `near`: else the solution is a slow flow.
+// One small oscillator of weight 1 at most, at most one slow variable, xi' = eps*const, no angles, no
+// functions in coefficients, style poincare, no `near`: else the solution is a slow flow.
 [[nodiscard]] bool solves_by_quadratures(const GradedField& field);
 
 } // namespace resonform

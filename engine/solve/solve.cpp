@@ -2,6 +2,7 @@
 #include "solve/solve.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/functions.hpp"
 #include "solve/amplitude_phase.hpp"
 #include "solve/drift.hpp"
 #include "solve/flow/frame.hpp"
@@ -43,11 +44,11 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
              "normalise through a higher weight",
              {system.file.string(), 0, 0, "truncation", ""}});
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
-        if (field.ring->generator(id).kind == GeneratorKind::function)
-            refuse({"a solution is for coefficients with powers and roots",
-                    field.ring->generator(id).name,
-                    "derive and print the normal form; solutions with functions of slow variables or "
-                    "parameters are not there yet",
+        if (const Generator& g = field.ring->generator(id);
+            g.kind == GeneratorKind::function && g.of.function == Function::named)
+            refuse({"a solution is for functions that have values",
+                    g.name,
+                    "write an expression in the place of " + g.of.symbol + ", or derive the normal form",
                     {system.file.string(), 0, 0, "equations", ""}});
     check_moves(field);
 }

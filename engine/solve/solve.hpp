@@ -13,8 +13,8 @@ namespace resonform {
 // quadratures are used for constant amplitudes only.
 [[nodiscard]] bool solves_by_quadratures(const NormalForm& normal_form, int time_scale);
 
-// Errors (refused): functions among the coefficients, a slow variable that does not move; by quadratures: an
-// oscillator that is damped or grows at weight 0; else those of slow_flow().
+// Errors (refused): functions known by their names among the coefficients, a slow variable that does not
+// move; by quadratures: an oscillator that is damped or grows at weight 0; else those of slow_flow().
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options);
 
 } // namespace resonform

@@ -14,11 +14,15 @@ RingCopy::RingCopy(const Ring& from, RingBuilder& to)
 GeneratorId RingCopy::add(Generator g, GeneratorId id, int factor) {
     g.radicand = (*this)(g.radicand);
     images_[static_cast<std::size_t>(id)] = {to_.next(), factor}; // an exponential's derivative contains it
-    if (g.kind == GeneratorKind::root) g.derivatives.clear();     // follow from the radicand
+    if (g.kind == GeneratorKind::root || g.kind == GeneratorKind::function)
+        g.derivatives.clear(); // follow from the radicand, or the argument and the slope
     for (auto& [variable, derivative] : g.derivatives) {
         variable = images_[static_cast<std::size_t>(variable)].id;
         derivative = (*this)(derivative);
     }
+    g.of.argument = (*this)(g.of.argument);
+    if (g.of.sine >= 0) g.of.sine = images_[static_cast<std::size_t>(g.of.sine)].id;
+    g.of.slope.reset(); // may hold later generators
     if (g.conjugate >= 0) g.conjugate = images_[static_cast<std::size_t>(g.conjugate)].id;
     return to_.add(std::move(g));
 }
@@ -34,6 +38,14 @@ GeneratorId RingCopy::copy_refined(GeneratorId root, int factor, const std::stri
 
 void RingCopy::copy_all() {
     for (GeneratorId id = Ring::imaginary_unit + 1; id < from_.size(); ++id) copy(id);
+    copy_slopes();
+}
+
+void RingCopy::copy_slopes() {
+    for (GeneratorId id = 0; id < from_.size(); ++id)
+        if (const auto& slope = from_.generator(id).of.slope;
+            slope && images_[static_cast<std::size_t>(id)].id >= 0)
+            to_.set_slope(images_[static_cast<std::size_t>(id)].id, from_, *slope);
 }
 
 Polynomial RingCopy::operator()(const Polynomial& p) const {

@@ -19,6 +19,8 @@ public:
     GeneratorId copy(GeneratorId id);
     GeneratorId copy_refined(GeneratorId root, int factor, const std::string& name);
     void copy_all();
+    // The slopes of functions, when all that they hold is copied under its own name.
+    void copy_slopes();
 
     // p over the copied generators, written for the builder. No relation is applied.
     [[nodiscard]] Polynomial operator()(const Polynomial& p) const;

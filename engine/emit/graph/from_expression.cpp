@@ -67,51 +67,16 @@ private:
         return graph_.power(root, value.numer().to_int());
     }
 
-    // By the functions that the runtime has, without loss of digits.
     Graph::Node function(const GiNaC::ex& e) const {
-        using Op = Graph::Op;
         const std::optional<Function> f = function_of(e);
         if (!f) refuse_function(e);
-        const auto of = [&](Op op) { return graph_.function(op, {(*this)(e.op(0))}); };
-        switch (*f) {
-        case Function::sine: return of(Op::sin);
-        case Function::cosine: return of(Op::cos);
-        case Function::exponential: return of(Op::exp);
-        case Function::logarithm: return of(Op::log);
-        case Function::inverse_hyperbolic_sine: return of(Op::asinh);
-        case Function::tangent: return graph_.multiply({of(Op::sin), inverse(of(Op::cos))});
-        default: break;
-        }
-        if (is_constant(e)) return graph_.rational(value_of(e)); // atan(1/3)
-        // Operands stand in braces, where they are made from left to right.
-        const Graph::Node x = (*this)(e.op(0)), one = graph_.rational(1);
-        const auto cosh = [&] {
-            const Graph::Node up = of(Op::exp);
-            return graph_.multiply({graph_.rational(Rational(1) / 2), graph_.add({up, inverse(up)})});
-        };
-        const auto root_beside_one = [&] { // sqrt((1 + x)(1 - x))
-            return graph_.root(graph_.multiply({graph_.add({one, x}), graph_.add({one, graph_.negate(x)})}),
-                               2);
-        };
-        switch (*f) {
-        case Function::hyperbolic_sine: return of(Op::sinh);
-        case Function::hyperbolic_cosine: return cosh();
-        case Function::hyperbolic_tangent: return graph_.multiply({of(Op::sinh), inverse(cosh())});
-        case Function::arc_sine: return graph_.function(Op::atan2, {x, root_beside_one()});
-        case Function::arc_tangent: return graph_.function(Op::atan2, {x, one});
-        case Function::inverse_hyperbolic_cosine: // asinh(sqrt((x + 1)(x - 1)))
-            return graph_.function(
-                Op::asinh,
-                {graph_.root(graph_.multiply({graph_.add({x, one}), graph_.add({x, graph_.rational(-1)})}),
-                             2)});
-        case Function::inverse_hyperbolic_tangent:
-            return graph_.function(Op::asinh, {graph_.multiply({x, inverse(root_beside_one())})});
-        case Function::error_function: return of(Op::erf);
-        default: refuse_function(e);
-        }
+        const bool of_runtime = *f == Function::sine || *f == Function::cosine ||
+                                *f == Function::exponential || *f == Function::logarithm ||
+                                *f == Function::tangent || *f == Function::inverse_hyperbolic_sine;
+        if (!of_runtime && is_constant(e)) return graph_.rational(value_of(e)); // atan(1/3)
+        if (*f == Function::named) refuse_function(e);
+        return function_node(graph_, *f, (*this)(e.op(0)));
     }
-
-    Graph::Node inverse(Graph::Node n) const { return graph_.power(n, -1); }
 
     // Its value to more digits than any real type has.
     [[nodiscard]] Rational value_of(const GiNaC::ex& e) const {
@@ -132,6 +97,45 @@ private:
 };
 
 } // namespace
+
+// Operands stand in braces, where they are made from left to right.
+Graph::Node function_node(Graph& graph, Function f, Graph::Node x) {
+    using Op = Graph::Op;
+    const auto of = [&](Op op) { return graph.function(op, {x}); };
+    const auto inverse = [&](Graph::Node n) { return graph.power(n, -1); };
+    const auto cosh = [&] {
+        const Graph::Node up = of(Op::exp);
+        return graph.multiply({graph.rational(Rational(1) / 2), graph.add({up, inverse(up)})});
+    };
+    const auto root_beside_one = [&] { // sqrt((1 + x)(1 - x))
+        const Graph::Node one = graph.rational(1);
+        return graph.root(graph.multiply({graph.add({one, x}), graph.add({one, graph.negate(x)})}), 2);
+    };
+    switch (f) {
+    case Function::sine: return of(Op::sin);
+    case Function::cosine: return of(Op::cos);
+    case Function::exponential: return of(Op::exp);
+    case Function::logarithm: return of(Op::log);
+    case Function::tangent: return graph.multiply({of(Op::sin), inverse(of(Op::cos))});
+    case Function::hyperbolic_sine: return of(Op::sinh);
+    case Function::hyperbolic_cosine: return cosh();
+    case Function::hyperbolic_tangent: return graph.multiply({of(Op::sinh), inverse(cosh())});
+    case Function::arc_sine: return graph.function(Op::atan2, {x, root_beside_one()});
+    case Function::arc_cosine: return graph.function(Op::atan2, {root_beside_one(), x});
+    case Function::arc_tangent: return graph.function(Op::atan2, {x, graph.rational(1)});
+    case Function::inverse_hyperbolic_sine: return of(Op::asinh);
+    case Function::inverse_hyperbolic_cosine: { // asinh(sqrt((x + 1)(x - 1)))
+        const Graph::Node one = graph.rational(1), minus_one = graph.rational(-1);
+        return graph.function(
+            Op::asinh, {graph.root(graph.multiply({graph.add({x, one}), graph.add({x, minus_one})}), 2)});
+    }
+    case Function::inverse_hyperbolic_tangent:
+        return graph.function(Op::asinh, {graph.multiply({x, inverse(root_beside_one())})});
+    case Function::error_function: return of(Op::erf);
+    case Function::named: break;
+    }
+    throw std::logic_error("function_node: a function without a value");
+}
 
 Graph::Node from_expression(Graph& graph, const GiNaC::ex& e, const std::map<std::string, Graph::Node>& names,
                             const Place& place) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/functions.hpp"
 #include "emit/graph/graph.hpp"
 
 #include <ginac/ginac.h>
@@ -19,5 +20,8 @@ namespace resonform {
 // std::logic_error: a symbol without a node (the readers of files exclude it).
 Graph::Node from_expression(Graph& graph, const GiNaC::ex& e, const std::map<std::string, Graph::Node>& names,
                             const Place& place = {});
+
+// f(x) by the functions that the runtime has, without loss of digits. Precondition: f is not `named`.
+Graph::Node function_node(Graph& graph, Function f, Graph::Node x);
 
 } // namespace resonform

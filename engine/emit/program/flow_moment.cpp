@@ -31,7 +31,7 @@ FlowMoment::FlowMoment(Program& program, const RealForm& real, const Surrounding
     define_units(real.modes(), values.modes);
     define_units(real.angles(), values.angles);
     for (std::size_t k = 0; k < values.slow.size(); ++k) define(real.slow()[k], values.slow[k]);
-    define_roots(lowering, program, surroundings, named);
+    define_roots_and_functions(lowering, program, surroundings, named);
 }
 
 // Of a real p the conjugate of each harmonic is there as well: one of them is taken twice.

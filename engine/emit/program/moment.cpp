@@ -3,11 +3,14 @@
 
 #include "emit/display/quantity.hpp"
 #include "emit/graph/conditioning.hpp"
+#include "emit/graph/from_expression.hpp"
+#include "emit/graph/function_domain.hpp"
 #include "emit/program/prune.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace resonform {
@@ -35,26 +38,45 @@ void name_roots(Program& program, Graph::Node n, int& radicands) {
     }
 }
 
+bool contains_varying(const Lowering& lowering, const Polynomial& p) {
+    const Ring& ring = lowering.ring();
+    return std::any_of(p.terms().begin(), p.terms().end(), [&](const Term& t) {
+        for (GeneratorId id = 0; id < ring.size(); ++id)
+            if (ring.exponent(t.monomial, id) != 0 && lowering.varying(id)) return true;
+        return false;
+    });
+}
+
+void define_function(Lowering& lowering, Program& program, const Surroundings& surroundings, GeneratorId id) {
+    const Ring& ring = lowering.ring();
+    const FunctionOf& of = ring.generator(id).of;
+    if (const std::optional<Polynomial> positive = positive_for(ring, of)) {
+        const Graph::Node margin = lowering.radicand(*positive);
+        if (!signs_of(program.graph, margin, surroundings.positive).is_positive())
+            program.positive.push_back({margin, quantity(ring, *positive)});
+    }
+    const Graph::Node argument = lowering.radicand(of.argument);
+    lowering.define(id, function_node(program.graph, of.function, argument),
+                    contains_varying(lowering, of.argument));
+}
+
 } // namespace
 
-void define_roots(Lowering& lowering, Program& program, const Surroundings& surroundings, bool named) {
+void define_roots_and_functions(Lowering& lowering, Program& program, const Surroundings& surroundings,
+                                bool named) {
     int radicands = 0;
     const Ring& ring = lowering.ring();
     lowering.set_positive(surroundings.positive);
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
+        if (g.kind == GeneratorKind::function) define_function(lowering, program, surroundings, id);
         if (g.kind != GeneratorKind::root) continue;
         const bool divisor = g.index == 1 && !g.positive;
         const Graph::Node radicand = divisor ? lowering.divisor(g.radicand) : lowering.radicand(g.radicand);
         if (!divisor && !signs_of(program.graph, radicand, surroundings.positive).is_positive())
             program.positive.push_back({radicand, quantity(ring, g.radicand)});
         const Graph::Node root = g.index == 1 ? radicand : program.graph.root(radicand, g.index);
-        const bool varies =
-            std::any_of(g.radicand.terms().begin(), g.radicand.terms().end(), [&](const Term& t) {
-                for (GeneratorId other = 0; other < id; ++other)
-                    if (lowering.varying(other) && ring.exponent(t.monomial, other) != 0) return true;
-                return false;
-            });
+        const bool varies = contains_varying(lowering, g.radicand);
         lowering.define(id, root, varies);
         if (varies && named) name_roots(program, root, radicands);
     }
@@ -69,7 +91,7 @@ Moment::Moment(Program& program, const Solution& solution, RingPtr ring, const S
             define(program, id, known->second);
     for (const auto& [id, node] : plan.slow_variables) define(program, own(id, solution), node);
     if (solution.slow_time) define(program, own(*solution.slow_time, solution), plan.slow_time);
-    define_roots(lowering, program, surroundings, true);
+    define_roots_and_functions(lowering, program, surroundings, true);
     define_primitives(program, solution, surroundings, plan);
 }
 

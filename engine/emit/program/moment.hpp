@@ -27,9 +27,10 @@ struct MomentPlan {
     std::function<Graph::Node(const Primitive&, Lowering&)> quadrature;
 };
 
-// Defines the roots of a ring, and adds conditions that their radicands are positive where that is not known;
-// divisors (index 1) get no condition.
-void define_roots(Lowering& lowering, Program& program, const Surroundings& surroundings, bool named);
+// Defines the roots and functions of a ring, and adds conditions that radicands are positive and arguments in
+// the domain of their function where that is not known; divisors (index 1) get no condition.
+void define_roots_and_functions(Lowering& lowering, Program& program, const Surroundings& surroundings,
+                                bool named);
 
 class Moment {
 public:

@@ -44,6 +44,7 @@ RealForm::RealForm(const GradedField& field) : field_(field) {
         else
             copy.copy(id);
     }
+    copy.copy_slopes();
     const auto name = [&](std::size_t variable) { return field.system().variables[variable].name; };
     for (const Mode& mode : field.modes)
         modes_.push_back(add_pair(builder, name(mode.variable), mode.is_real()));

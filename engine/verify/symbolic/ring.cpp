@@ -2,6 +2,7 @@
 #include "verify/symbolic/ring.hpp"
 
 #include "emit/graph/from_expression.hpp"
+#include "emit/graph/function_domain.hpp"
 #include "model/text/canonical.hpp"
 #include "runtime/math.hpp"
 #include "verify/evaluate/graph_walk.hpp"
@@ -51,8 +52,15 @@ SymbolicRing::SymbolicRing(RingPtr ring, const Fix& fix)
         if (rational.count(name) == 0) irrational_.emplace(name, number_of(value));
     for (GeneratorId id = 0; id < this->ring().size(); ++id) {
         const Generator& g = this->ring().generator(id);
-        if (g.kind == GeneratorKind::root && !fixed_.is_fixed(id))
-            roots_.push_back({id, g.index, g.index == 1 && !g.positive, fixed_(g.radicand)});
+        if (g.kind == GeneratorKind::root && !fixed_.is_fixed(id)) {
+            const bool divisor = g.index == 1 && !g.positive;
+            const SymbolicSum radicand = fixed_(g.radicand);
+            roots_.push_back({id, g.index, divisor, radicand, divisor ? SymbolicSum() : radicand});
+        }
+        if (g.kind != GeneratorKind::function) continue;
+        const std::optional<Polynomial> positive = positive_for(this->ring(), g.of);
+        roots_.push_back({id, 1, false, fixed_(g.of.argument), positive ? fixed_(*positive) : SymbolicSum(),
+                          g.of.function});
     }
 }
 
@@ -74,7 +82,7 @@ bool SymbolicRing::set_roots(SymbolicValues<Wide>& values) const {
     bool defined = true;
     for (const Root& root : roots_) {
         const Wide radicand = value_of(root.radicand, values).re;
-        if (!root.divisor && !(radicand > 0)) defined = false;
+        if (!root.positive.empty() && !(value_of(root.positive, values).re > 0)) defined = false;
         set_root(root, radicand, values);
     }
     return defined;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generators of a ring that do not depend on the solution at hand, as numbers: eps, parameters, pi, and
-// the roots, whose radicands must be positive.
+// The generators of a ring that do not depend on the solution at hand, as numbers: eps, parameters, pi, the
+// roots, whose radicands must be positive, and functions, whose arguments must be in their domain.
 #pragma once
 
 #include "model/system/system_file.hpp"
+#include "verify/symbolic/functions.hpp"
 #include "verify/symbolic/terms.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -39,11 +41,13 @@ public:
     // i, eps, parameters and pi are set.
     [[nodiscard]] SymbolicValues<Wide> constants(const SymbolicInputs& inputs) const;
 
-    struct Root {
+    struct Root { // or a function of its radicand
         GeneratorId id;
         int index;
         bool divisor; // of any sign
         SymbolicSum radicand;
+        SymbolicSum positive; // must be > 0; empty: nothing must
+        std::optional<Function> function = {};
     };
     [[nodiscard]] const std::vector<Root>& roots() const { return roots_; } // those without a fixed value
     // Precondition: the generators in radicands are set. False: a radicand that has to be positive is not.
@@ -52,6 +56,10 @@ public:
     template <class Number>
     static void set_root(const Root& root, Number radicand, SymbolicValues<Number>& values) {
         using math::sqrt;
+        if (root.function) {
+            values.set(root.id, value_of_function(*root.function, radicand));
+            return;
+        }
         int index = root.index;
         for (; index % 2 == 0; index /= 2) radicand = sqrt(radicand);
         values.set(root.id, index == 1 ? radicand : math::root(radicand, index));

@@ -2,6 +2,7 @@
 #include "verify/symbolic/solution.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/functions.hpp"
 #include "emit/program/layers.hpp"
 #include "solve/flow/slow_flow.hpp"
 
@@ -236,7 +237,7 @@ void SymbolicSolution::read_flow() {
 
 void SymbolicSolution::add_conditions() {
     for (const SymbolicRing::Root& root : ring_->roots())
-        if (!root.divisor) conditions_.push_back({SymbolicCondition::Kind::radicand, root.radicand});
+        if (!root.positive.empty()) conditions_.push_back({SymbolicCondition::Kind::radicand, root.positive});
     for (const SymbolicPrimitive& p : primitives_)
         if (p.logarithm) conditions_.push_back({SymbolicCondition::Kind::radicand, p.argument});
     const System& system = solution_.system();
@@ -326,9 +327,11 @@ std::vector<Float128> SymbolicSolution::declared_at(const std::vector<Wide>& slo
 }
 
 std::string SymbolicSolution::text() const {
-    std::string text = "symbolic 3\n";
+    std::string text = "symbolic 4\n";
     for (const SymbolicRing::Root& root : ring_->roots())
-        text += fmt::format("root {} {} {}", root.id, root.index, text_of(root.radicand));
+        text += fmt::format("root {} {} {} {}", root.id, root.index,
+                            root.function ? std::string(row_of(*root.function).name) : "",
+                            text_of(root.radicand));
     for (const SymbolicVariable& v : variables_)
         text += fmt::format("variable {} {} {} {} {} {} {}", static_cast<int>(v.kind), v.id, v.power,
                             v.phase.value_or(0), v.decay.value_or(0), v.needed, text_of(v.rate));

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes whose coefficients hold functions of slow variables and parameters: every function that is read.
+#include "model/files/read_scene.hpp"
+#include "scene_line.hpp"
+#include "support/shell.hpp"
+#include "verify/evaluate/interpreter.hpp"
+
+#include <gtest/gtest.h>
+
+namespace resonform {
+namespace {
+
+class FunctionsInCoefficients : public testing::TestWithParam<const char*> {
+protected:
+    // x'' + (stiffness) x + x^3 = 0, tau' = eps
+    Scene scene(const std::string& stiffness, const std::string& more = "") {
+        test::write(systems_ / "s/system.toml",
+                    "[system]\nname = \"s\"\n[parameters]\nal = { positive = true }\n[variables]\n"
+                    "x = { role = \"fast\" }\ntau = { role = \"slow\", positive = true }\n[domain]\npositive "
+                    "= [\"1 - tau/2\", \"cos(tau)\", \"" +
+                        stiffness + "\"]\n[equations]\nx = \"x'' + (" + stiffness +
+                        ")*x + x^3 = 0\"\ntau = \"tau' = eps\"\n");
+        test::write(systems_ / "s/scenes/s.toml",
+                    "order = 2\n[fix]\nal = \"1/3\"\n[start]\nx = \"eps\"\n\"x'\" = 0\ntau = 0.25\n"
+                    "[verify]\neps = [0.04, 0.02, 0.01]\ninterval = \"1/(2*eps)\"\n" +
+                        more);
+        return read_scene(systems_ / "s/scenes/s.toml", systems_);
+    }
+
+private:
+    test::Scratch scratch_;
+    std::filesystem::path systems_ = scratch_.path() / "systems";
+};
+
+TEST_P(FunctionsInCoefficients, AreSolved) {
+    const Verification v = test::verified(test::line_of(scene(GetParam())));
+    for (const auto& output : v.outputs) EXPECT_EQ(output.verdict, Verdict::pass) << output.reason;
+    EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryKind, FunctionsInCoefficients,
+                         testing::Values("2 + sin(3*tau)", "1 + exp(-2*tau)", "3 + log(tau)",
+                                         "1 + tan(tau)^2", "2 + atan(tau - 1)", "1 + sinh(tau)",
+                                         "cosh(al*tau)", "1 + tanh(tau)", "2 + asin(tau/2)",
+                                         "2 + acos(tau/2)", "1 + asinh(tau)", "1 + acosh(1 + tau)",
+                                         "1 + atanh(tau/2)", "1 + erf(tau)", "2 + sin(al)*cos(tau)",
+                                         "1 + exp(al)*log(1 + tau)"));
+
+// The evaluator ends where the declared domain of its functions does: cos(tau) = 0 comes before tau = 2.
+TEST_F(FunctionsInCoefficients, EndWithTheirDomain) {
+    const Interpreter<double> evaluator(test::program_of(scene("2 + asin(tau/2)")), 0.01, {}, {}, 3);
+    std::vector<double> value;
+    EXPECT_EQ(evaluator.call(130, value), Status::ok);
+    EXPECT_EQ(evaluator.call(140, value), Status::outside_domain);
+}
+
+TEST(FunctionsByName, AreNotSolved) {
+    const System named = read_system_text(
+        "[system]\nname = \"s\"\n[functions]\nomega = { of = [\"tau\"], positive = true }\n[variables]\n"
+        "x = { role = \"fast\" }\ntau = { role = \"slow\" }\n[equations]\n"
+        "x = \"x'' + omega(tau)^2*x = 0\"\ntau = \"tau' = eps\"\n",
+        "named.toml");
+    try {
+        test::derive(std::make_shared<const System>(named), 1, 2);
+        FAIL() << "accepted";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), ErrorKind::refused);
+        EXPECT_EQ(e.diagnostic().value, "omega(tau)");
+        EXPECT_EQ(e.diagnostic().hint,
+                  "write an expression in the place of omega, or derive the normal form");
+    }
+}
+
+} // namespace
+} // namespace resonform
