@@ -31,6 +31,13 @@ template <class Real, class Number> Real exponential(const Number& x) {
     return value + value * low;
 }
 
+// Of all that decays with these powers of e nothing is left that a phase beside them could turn.
+template <class Real, class... More> bool faded(const Real& power, const More&... more) {
+    if (!(power < math::epsilon<Real>() / Real(256))) return false;
+    if constexpr (sizeof...(more) > 0) return faded(more...);
+    return true;
+}
+
 template <class Real> class Decay {
 public:
     using Wide = WideNumber<Real>;

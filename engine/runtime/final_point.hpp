@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace resonform {
@@ -100,12 +101,14 @@ private:
         if (const Status status = sums.integrate(end); status != Status::ok) return status;
         tables = at_start_ ? course_.start() : sums.tables();
         Status status = Status::ok;
+        const auto angle = [&](std::size_t k) {
+            return at_start_ ? turning.start[k] : turning.start[k] + sums.angles()[k];
+        };
+        for (std::size_t k = 0; k < Course::angles; ++k)
+            if (Course::decays[k]) power[k] = exponential<Real>(angle(k));
         for (std::size_t k = 0; k < Course::angles; ++k) {
-            const Number theta = at_start_ ? turning.start[k] : turning.start[k] + sums.angles()[k];
-            if (Course::decays[k]) {
-                power[k] = exponential<Real>(theta);
-                continue;
-            }
+            if (Course::decays[k] || is_gone(k)) continue;
+            const Number theta = angle(k);
             const Real size = math::magnitude(static_cast<Real>(theta));
             if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
                 too_long_ = !(size <= Real(quick_radians));
@@ -118,6 +121,14 @@ private:
             turn(theta, cosine[k], sine[k]);
         }
         return beyond_ == Status::ok ? status : beyond_;
+    }
+
+    // Whether everything has decayed that turns with a phase.
+    [[nodiscard]] bool is_gone(std::size_t phase) const {
+        const std::uint64_t with = Course::fades[phase];
+        for (std::size_t k = 0; k < Course::angles; ++k)
+            if (((with >> k) & 1U) != 0 && !faded(power[k])) return false;
+        return with != 0;
     }
 
     const Course& course_;

@@ -22,10 +22,12 @@ public:
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
     // Real only (it contains tables). Status as fit_panels, or outside_interval: the phase gets so large that
     // it is not known to known_radians. If it is not ok, `end` is drawn back to where the phase is known, 0
-    // if nowhere.
+    // if nowhere. `fades`: what turns with it decays, so that it ends nowhere.
     template <class Rate>
-    Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false) {
+    Status build(const Rate& rate, const Wide& start, const Real& eps, Real& end, bool rounded = false,
+                 bool fades = false) {
         eps_ = eps;
+        fades_ = fades;
         FitTolerance<Wide> tolerance;
         tolerance.absolute = Wide(math::epsilon<Real>() / end);
         resolution_ = narrow(math::epsilon<Wide>());
@@ -139,7 +141,7 @@ private:
         std::vector<Real> lefts;
         for (const Panel<Wide, 1>& panel : fitted.panels) divide(panel, start, lefts);
         for (std::size_t k = 0; k < rows_.size(); ++k) {
-            if (rows_[k].known) continue;
+            if (rows_[k].known || fades_) continue;
             status = Status::outside_interval;
             end = k == 0 ? Real(0) : lefts[k];
             rows_.resize(k);
@@ -223,6 +225,7 @@ private:
     static constexpr int least_parts = 8, most_parts = 32;
     Wide turn_ = Wide(2) * math::pi<Wide>();
     Real eps_{}, resolution_{}; // resolution_: relative error of the rate
+    bool fades_ = false;
     std::size_t length_ = 1, wide_length_ = 1;
     std::vector<Row> rows_;
     PanelIndex<Real> index_;

@@ -32,6 +32,7 @@ private:
     std::string look_up() const;
     std::string widened() const;
     std::string locate() const;
+    std::string unless_faded(std::size_t phase) const;
     std::string points() const;
     std::string rows() const;
     std::string terms() const;
@@ -88,14 +89,23 @@ std::string CppFrame::locate() const {
     if (!plan_.levels.empty())
         text += fmt::format("        a.tables = look_up_{}(a.T);\n", plan_.levels.size());
     if (program_.phases.empty()) return text + "        return Status::ok;\n    }\n\n";
+    for (std::size_t k = 0; k < program_.phases.size(); ++k)
+        if (program_.phases[k].decays())
+            text += fmt::format("        a.exp_{0} = {0}_(t, low);\n", plan_.phase_names[k]);
     text += "        Status status = Status::ok;\n";
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
-        text += fmt::format(fmt::runtime(program_.phases[k].decays()
-                                             ? "        a.exp_{0} = {0}_(t, low);\n"
-                                             : "        if (const Status seen = {0}_(t, low, a.cos_{0}, "
-                                               "a.sin_{0}); seen != Status::ok) status = seen;\n"),
-                            plan_.phase_names[k]);
+        if (!program_.phases[k].decays())
+            text += fmt::format("        if (const Status seen = {0}_(t, low, a.cos_{0}, a.sin_{0}); seen != "
+                                "Status::ok{1}) status = seen;\n",
+                                plan_.phase_names[k], unless_faded(k));
     return text + "        return status;\n    }\n\n";
+}
+
+// " && !resonform::faded(a.exp_chi)" of a phase with which only decaying modes turn.
+std::string CppFrame::unless_faded(std::size_t phase) const {
+    std::vector<std::string> with;
+    for (const std::size_t k : plan_.fades_with(phase)) with.push_back("a.exp_" + plan_.phase_names[k]);
+    return with.empty() ? "" : fmt::format(" && !resonform::faded({})", fmt::join(with, ", "));
 }
 
 // What Points and Tabulated call.
@@ -224,9 +234,11 @@ std::string CppFrame::construct() const {
         text += fmt::format(
             "        const auto {}_rates = [&](const Wide& T) {{ return std::array<Wide, 1>{{{}}}; }};\n",
             name, rate);
-        text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, reach{2})", name,
-                                            plan_.members.at(plan_.phase_starts[k]),
-                                            plan_.phase_uses_tables[k] ? ", true" : ""),
+        const bool fades = !program_.phases[k].fades_with.empty();
+        const char* rounded = plan_.phase_uses_tables[k] ? ", true" : fades ? ", false" : "";
+        text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, reach{2}{3})", name,
+                                            plan_.members.at(plan_.phase_starts[k]), rounded,
+                                            fades ? ", true" : ""),
                                 name);
     }
     return text + "        return {};\n    }\n\n";

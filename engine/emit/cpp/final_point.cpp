@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace resonform {
 
@@ -96,7 +97,12 @@ std::string CppCourse::print() const {
     std::vector<std::size_t> levels;
     for (const CppLevel& level : plan_.levels) levels.push_back(level.members.size());
     std::vector<bool> decays;
-    for (const ProgramPhase& phase : program_.phases) decays.push_back(phase.decays());
+    std::vector<std::uint64_t> fades;
+    for (std::size_t k = 0; k < program_.phases.size(); ++k) {
+        decays.push_back(program_.phases[k].decays());
+        fades.push_back(0);
+        for (const std::size_t with : plan_.fades_with(k)) fades.back() |= std::uint64_t(1) << with;
+    }
     const bool none_decays = std::find(decays.begin(), decays.end(), true) == decays.end();
     const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
     const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
@@ -114,6 +120,7 @@ std::string CppCourse::print() const {
                    {"phases", std::to_string(program_.phases.size())},
                    {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
                    {"decays", fmt::format("{}", fmt::join(decays, ", "))},
+                   {"fades", fmt::format("{}", fmt::join(fades, ", "))},
                    {"start", plan_.member_list(plan_.flow_starts, "c.")},
                    {"rates", rates()},
                    {"margins", margins()},

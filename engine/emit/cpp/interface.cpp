@@ -82,9 +82,11 @@ std::string CppInterface::results(const std::string& name, const std::vector<Cpp
 
 std::string CppInterface::why() const {
     std::string phases;
-    for (std::size_t k = 0; k < program_.phases.size(); ++k)
-        if (const std::string& name = plan_.phase_names[k]; !program_.phases[k].decays())
-            phases += fmt::format("!{}_.precise() ? {} : ", name, cpp_literal(name));
+    for (const bool fading : {false, true}) // these are seldom the reason
+        for (std::size_t k = 0; k < program_.phases.size(); ++k)
+            if (!program_.phases[k].decays() && program_.phases[k].fades_with.empty() != fading)
+                phases += fmt::format("!{}_.precise() ? {} : ", plan_.phase_names[k],
+                                      cpp_literal(plan_.phase_names[k]));
     if (!phases.empty())
         phases = fmt::format("        if (status == Status::low_precision) return {}\"\";\n", phases);
     return filled(frames::why, {{"phases", phases},

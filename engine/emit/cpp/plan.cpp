@@ -89,6 +89,14 @@ std::string CppPlan::member_list(const std::vector<Value>& values, const std::st
     return text;
 }
 
+std::vector<std::size_t> CppPlan::fades_with(std::size_t phase) const {
+    std::vector<std::size_t> list;
+    for (const Graph::Node exponential : program->phases[phase].fades_with)
+        for (std::size_t k = 0; k < program->phases.size(); ++k)
+            if (program->phases[k].exponential == exponential) list.push_back(k);
+    return list;
+}
+
 bool CppPlan::rounded_phases() const {
     return std::find(phase_uses_tables.begin(), phase_uses_tables.end(), true) != phase_uses_tables.end();
 }

@@ -75,6 +75,8 @@ struct CppPlan {
     // "c.u_x, c.v_x" for prefix "c."
     [[nodiscard]] std::string member_list(const std::vector<StraightLine::Value>& values,
                                           const std::string& prefix) const;
+    // The exponents with which all decays that turns with a phase: indices of program.phases.
+    [[nodiscard]] std::vector<std::size_t> fades_with(std::size_t phase) const;
     // A phase is as exact as the tables or the flow in its rate.
     [[nodiscard]] bool rounded_phases() const;
 

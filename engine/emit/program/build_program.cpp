@@ -125,7 +125,7 @@ void ProgramBuilder::define_phase(Moment& call, Graph::Node start) {
         const Polynomial rate = mode.phase_rate.total(mode.phase_rate.through());
         const Graph::Node over_time = lower(rate, call, "theta_dot", false);
         const Graph::Node over_slow_time = graph.multiply({graph.power(program_.eps, -1), over_time});
-        program_.phases.push_back({"theta", start, over_slow_time, cosine, sine, -1});
+        program_.phases.push_back({"theta", start, over_slow_time, cosine, sine, -1, {}});
         call.harmonics.set_angle(mode.phase, cosine, sine);
     }
 }

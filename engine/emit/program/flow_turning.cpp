@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace resonform {
 
 namespace {
@@ -43,13 +46,28 @@ void FlowTurning::add_phases() {
         program_.phases.push_back(std::move(decaying));
         keep_decaying(flow_.decays[p]);
     }
+    for (std::size_t p = 0; p < flow_.phases.size(); ++p) let_fade(p);
+}
+
+void FlowTurning::let_fade(std::size_t phase) {
+    for (const FlowMode& angle : flow_.angles)
+        if (angle.phase == phase) return;
+    std::vector<Graph::Node> with;
+    for (const FlowMode& mode : flow_.modes) {
+        if (mode.phase != phase) continue;
+        if (!mode.decay) return;
+        const Graph::Node exponential = program_.phases[flow_.phases.size() + *mode.decay].exponential;
+        if (std::find(with.begin(), with.end(), exponential) == with.end()) with.push_back(exponential);
+    }
+    program_.phases[phase].fades_with = std::move(with);
 }
 
 ProgramPhase FlowTurning::phase(const std::string& name, const Polynomial& rate) {
     Graph& graph = program_.graph;
     const Graph::Node over_time = frame_.lowering.polynomial(real_(rate).re);
     program_.names.push_back({name + "_dot", over_time});
-    return {name, graph.rational(0), graph.multiply({graph.power(program_.eps, -1), over_time}), -1, -1, -1};
+    return {name, graph.rational(0), graph.multiply({graph.power(program_.eps, -1), over_time}), -1, -1, -1,
+            {}};
 }
 
 void FlowTurning::keep_decaying(const Polynomial& rate) {

@@ -25,6 +25,7 @@ public:
 private:
     void add_phases();
     [[nodiscard]] ProgramPhase phase(const std::string& name, const Polynomial& rate);
+    void let_fade(std::size_t phase);
     void keep_decaying(const Polynomial& rate);
     FlowUnit turned(FlowUnit unit, const FlowMode& mode, std::size_t variable);
 

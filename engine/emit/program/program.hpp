@@ -49,6 +49,8 @@ struct ProgramPhase {
     Graph::Node rate;  // in slow_time, construction values, values of the flow and of tables
     // The symbols that stand for cos theta and sin theta, or for e^theta, in the call section; else -1.
     Graph::Node cosine = -1, sine = -1, exponential = -1;
+    // Of an angle with which only modes turn that decay: their exponentials.
+    std::vector<Graph::Node> fades_with = {};
     [[nodiscard]] bool decays() const { return exponential >= 0; }
     [[nodiscard]] std::vector<Graph::Node> symbols() const {
         if (decays()) return {exponential};

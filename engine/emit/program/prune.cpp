@@ -79,6 +79,8 @@ void keep_phases(Program& program, const std::vector<bool>& used) {
         for (ProgramRow& row : program.rows)
             if (p < row.turns.size()) row.turns.erase(row.turns.begin() + place); // exponents come last
     }
+    for (ProgramPhase& phase : program.phases)
+        std::erase_if(phase.fades_with, [&](Graph::Node n) { return !used[static_cast<std::size_t>(n)]; });
 }
 
 } // namespace

@@ -206,11 +206,11 @@ template <class Real> struct Interpreter<Real>::Impl {
                 walk.compute(behind.varying);
                 return std::array<Wide, 1>{walk[phase.rate]};
             };
-            const auto build = [&](auto& integral) {
-                return integral.build(rate, walk[phase.start], eps, reach, uses_tables(phase.rate));
-            };
+            const bool rounded = uses_tables(phase.rate), fades = !phase.fades_with.empty();
             const Status fitted =
-                phase.decays() ? build(decays.emplace_back()) : build(phases.emplace_back());
+                phase.decays()
+                    ? decays.emplace_back().build(rate, walk[phase.start], eps, reach, rounded)
+                    : phases.emplace_back().build(rate, walk[phase.start], eps, reach, rounded, fades);
             if (const Cause failed = interval.shorten({fitted, plan.phase_names[k].c_str()}, reach);
                 failed.status != Status::ok)
                 return failed;
@@ -249,6 +249,12 @@ template <class Real> struct Interpreter<Real>::Impl {
             walk.set(program->tables[k].value, Number(tables[k](static_cast<Real>(T))[0]));
     }
 
+    // Whether everything has decayed that turns with a phase.
+    static bool is_gone(const ProgramPhase& phase, const GraphWalk<Real>& walk) {
+        return !phase.fades_with.empty() && std::all_of(phase.fades_with.begin(), phase.fades_with.end(),
+                                                        [&](Graph::Node n) { return faded(Real(walk[n])); });
+    }
+
     // All nodes behind the results at t; low_precision where the phase is, else as the domain says.
     Status walk_to(const Real& t, const Nodes& roots, GraphWalk<Real>& walk) const {
         if (cause.status != Status::ok) return cause.status;
@@ -257,14 +263,16 @@ template <class Real> struct Interpreter<Real>::Impl {
         set_slow_time(walk, T);
         walk.set(program->time, t);
         Status precision = Status::ok;
-        for (std::size_t k = 0; k < phases.size(); ++k) { // exponents come last
-            Real cosine(0), sine(0);
-            if (const Status seen = phases[k](t, cosine, sine); seen != Status::ok) precision = seen;
-            walk.set(program->phases[k].cosine, cosine);
-            walk.set(program->phases[k].sine, sine);
-        }
-        for (std::size_t k = 0; k < decays.size(); ++k)
+        for (std::size_t k = 0; k < decays.size(); ++k) // exponents come last
             walk.set(program->phases[phases.size() + k].exponential, decays[k](t));
+        for (std::size_t k = 0; k < phases.size(); ++k) {
+            const ProgramPhase& phase = program->phases[k];
+            Real cosine(0), sine(0);
+            if (const Status seen = phases[k](t, cosine, sine); seen != Status::ok && !is_gone(phase, walk))
+                precision = seen;
+            walk.set(phase.cosine, cosine);
+            walk.set(phase.sine, sine);
+        }
         Nodes all = roots;
         for (const ProgramCondition& condition : program->positive) all.push_back(condition.value);
         walk.compute(Plan(*program, all).varying);
@@ -316,8 +324,10 @@ template <class Real> struct Interpreter<Real>::Impl {
     [[nodiscard]] const char* why(Status status) const {
         if (cause.status != Status::ok) return status == cause.status ? cause.quantity : "";
         if (status == Status::low_precision)
-            for (std::size_t k = 0; k < phases.size(); ++k)
-                if (!phases[k].precise()) return plan.phase_names[k].c_str();
+            for (const bool fading : {false, true})
+                for (std::size_t k = 0; k < phases.size(); ++k)
+                    if (!phases[k].precise() && program->phases[k].fades_with.empty() != fading)
+                        return plan.phase_names[k].c_str();
         return interval.why(status, shared->conditions.c_str(), shared->results.c_str());
     }
 
