@@ -17,8 +17,9 @@ namespace resonform {
 
 namespace {
 
-// The layer at the start takes about a hundred steps, which say little about the rest.
-constexpr std::size_t pilot_implicit_steps = 1000;
+// A layer at the start takes about a hundred steps, one that oscillates while it decays takes thousands; they
+// say little about the rest.
+constexpr std::size_t pilot_implicit_steps = 3000;
 constexpr double longest_growth = 4, shortest_growth = 0.2, caution = 0.9;
 // A polynomial of high degree is no guess far beyond its step.
 constexpr double farthest_guess = 1.25;
