@@ -39,10 +39,12 @@ TEST_F(StiffLadder, HasAReference) {
     }
 }
 
-TEST_F(StiffLadder, ALiarFails) {
+TEST_F(StiffLadder, AWrongSignIsFound) {
     test::SceneLine lying = line();
-    for (SolutionOutput& output : lying.solution.outputs)
+    SlowFlow wrong = *lying.solution.flow;
+    for (FlowOutput& output : wrong.outputs)
         if (output.name == "y") output.value.set(2, -output.value.part(2));
+    lying.solution.flow = std::make_shared<const SlowFlow>(wrong);
     const Verification v = test::verified(lying);
     EXPECT_EQ(v.outputs[0].verdict, Verdict::pass) << v.outputs[0].reason;
     EXPECT_EQ(v.outputs[1].verdict, Verdict::fail) << v.outputs[1].reason;
