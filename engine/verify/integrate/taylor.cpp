@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Taylor-series integrator: steps, step lengths, dense output.
 #include "verify/integrate/integrate.hpp"
+#include "verify/integrate/step_budget.hpp"
 #include "verify/integrate/taylor_jet.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +14,7 @@ namespace resonform {
 
 namespace {
 
-// Whether a run gets to its end is estimated every pilot_steps; the estimate may be off by the factor
-// `doubt` where motions slow down.
-constexpr std::size_t pilot_steps = 10'000;
-constexpr double doubt = 4;
+constexpr std::size_t pilot_taylor_steps = 10'000;
 
 int best_order(double tolerance) {
     return std::clamp(static_cast<int>(std::ceil(1 - 0.5 * std::log(tolerance))), 6, 60);
@@ -83,16 +81,10 @@ private:
     double tolerance_;
 };
 
-// How many steps the whole way takes if the rest is like the way so far.
-bool is_too_far(std::size_t steps, std::size_t most, double t, double end) {
-    if (steps >= most) return true;
-    return steps % pilot_steps == 0 &&
-           static_cast<double>(steps) * (end / t) > doubt * static_cast<double>(most);
-}
-
 template <class Real>
 void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, std::size_t most_steps,
                 Integration<Real>& result) {
+    const StepBudget budget{most_steps, pilot_taylor_steps};
     Real t(0);
     std::size_t next = 0;
     while (next < times.size()) {
@@ -108,7 +100,7 @@ void take_steps(Stepper<Real>& stepper, const std::vector<Real>& times, std::siz
             result.failure = fmt::format("the steps shrink to {:.1e} near t = {:.6g}", h, to_double_value(t));
             return;
         }
-        if (is_too_far(++result.steps, most_steps, to_double_value(end), to_double_value(times.back()))) {
+        if (budget.is_spent(++result.steps, to_double_value(end), to_double_value(times.back()))) {
             result.too_far = true;
             result.failure =
                 fmt::format("it takes more than {} steps: the first {} lead to t = {:.3g} of {:.3g} only",

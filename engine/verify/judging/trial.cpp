@@ -7,7 +7,9 @@
 #include "model/system/scene_file.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/evaluate/scene_values.hpp"
+#include "verify/integrate/integrate.hpp"
 #include "verify/integrate/tape.hpp"
+#include "verify/judging/conditions.hpp"
 #include "verify/run/cache.hpp"
 #include "verify/run/real.hpp"
 
@@ -25,7 +27,11 @@ constexpr double reference_tolerance = 1e-32; // of a step, in double-double
 constexpr double check_tolerance = 1e-29;     // of the second, coarser run
 constexpr int check_order = 30;
 constexpr std::size_t check_points = 1000;
-constexpr double scout_tolerance = 1e-15; // steps of a double run: about six in a period
+constexpr double scout_tolerance = 1e-15;    // steps of a double run: about six in a period
+constexpr double implicit_tolerance = 1e-28; // likewise, of implicit steps
+constexpr double implicit_check_tolerance = 1e-25;
+constexpr double implicit_scout_tolerance = 1e-13; // a third as many steps as explicit ones, or more
+constexpr std::size_t scouts_per_implicit_step = 3;
 constexpr std::size_t points_per_step = 8;
 constexpr std::size_t least_points = 2000, most_points = 200'000;
 
@@ -158,22 +164,38 @@ std::vector<Float128> Trial::state_at_start(const TrialPoint& at) const {
     return state;
 }
 
+// A Taylor series where that reaches the end, in fewer than `most` steps of a run in double; implicit steps
+// where only they do, because rates far above those of the solution make the steps of a series short.
+Trial::Route Trial::route(const TrialPoint& at, std::size_t most) const {
+    const std::vector<double> parameters = convert_all<double>(at.parameters);
+    const std::vector<double> start = convert_all<double>(at.start);
+    const double eps = to_double_value(at.eps_value);
+    const auto taylor =
+        integrate_taylor<double>(tape_, parameters, eps, start, {at.interval}, scout_tolerance, 0, most);
+    if (!taylor.too_far) {
+        if (!taylor.failure.empty()) refuse_interval(at, taylor.failure);
+        return {false, taylor.steps};
+    }
+    const auto stiff =
+        integrate_implicit<double>(tape_, parameters, eps, start, {at.interval}, implicit_scout_tolerance);
+    if (stiff.too_far) return {false, std::nullopt};
+    if (!stiff.failure.empty()) refuse_interval(at, stiff.failure);
+    return {true, scouts_per_implicit_step * stiff.steps};
+}
+
 std::optional<std::size_t> Trial::steps(const TrialPoint& at, std::size_t most) const {
-    const auto run =
-        integrate_taylor<double>(tape_, convert_all<double>(at.parameters), to_double_value(at.eps_value),
-                                 convert_all<double>(at.start), {at.interval}, scout_tolerance, 0, most);
-    if (run.too_far) return std::nullopt;
-    if (!run.failure.empty()) refuse_interval(at, run.failure);
-    return run.steps;
+    return route(at, most).steps;
 }
 
 std::size_t Trial::resolving_points(std::size_t steps) {
     return std::clamp(points_per_step * steps + 1, least_points, most_points);
 }
 
-std::string Trial::cache_key(const TrialPoint& at, const std::vector<double>& times) const {
-    std::string text = fmt::format("reference 2, tolerances {} {} order {}, times", reference_tolerance,
-                                   check_tolerance, check_order);
+std::string Trial::cache_key(const TrialPoint& at, const std::vector<double>& times, bool implicit) const {
+    std::string text = implicit ? fmt::format("implicit reference 1, tolerances {} {}, times",
+                                              implicit_tolerance, implicit_check_tolerance)
+                                : fmt::format("reference 2, tolerances {} {} order {}, times",
+                                              reference_tolerance, check_tolerance, check_order);
     for (const double t : times) text += fmt::format(" {:a}", t);
     text += '\n';
     const auto put = [&text](const Float128& x) {
@@ -186,37 +208,52 @@ std::string Trial::cache_key(const TrialPoint& at, const std::vector<double>& ti
     return content_hash(text + "\n" + tape_.text());
 }
 
+Integration<DoubleDouble> Trial::integrated(const TrialPoint& at, const std::vector<double>& times,
+                                            bool implicit, bool fine) const {
+    const std::vector<DoubleDouble> parameters = convert_all<DoubleDouble>(at.parameters);
+    const std::vector<DoubleDouble> start = convert_all<DoubleDouble>(at.start);
+    const std::vector<DoubleDouble> wanted(times.begin(), times.end());
+    const auto eps = convert<DoubleDouble>(at.eps_value);
+    if (implicit)
+        return integrate_implicit(tape_, parameters, eps, start, wanted,
+                                  fine ? implicit_tolerance : implicit_check_tolerance);
+    return integrate_taylor(tape_, parameters, eps, start, wanted,
+                            fine ? reference_tolerance : check_tolerance, fine ? 0 : check_order);
+}
+
 Reference Trial::reference(const TrialPoint& at, std::vector<double> times) const {
     Reference result;
     result.times = std::move(times);
     const std::size_t points = result.times.size();
-    const std::filesystem::path file = options_.cache / (cache_key(at, result.times) + ".reference");
-    if (const auto bytes = load_checked(file); bytes && unpack(*bytes, output_states_.size(), points, result))
-        return result;
+    const auto kept = [&](bool implicit) {
+        return options_.cache / (cache_key(at, result.times, implicit) + ".reference");
+    };
+    const auto is_known = [&](bool implicit) {
+        const auto bytes = load_checked(kept(implicit));
+        return bytes && unpack(*bytes, output_states_.size(), points, result);
+    };
+    if (is_known(false)) return result;
+    const bool implicit = route(at, most_ladder_steps).implicit;
+    if (implicit && is_known(true)) return result;
 
     if (options_.progress)
         options_.progress(fmt::format("integrating directly at eps = {}", to_string(at.eps)));
     const std::size_t stride = std::max<std::size_t>(1, points / check_points);
-    const auto run = [&](double tolerance, int order, std::size_t every) {
-        std::vector<DoubleDouble> wanted;
-        for (std::size_t i = 0; i < points; i += every) wanted.emplace_back(result.times[i]);
-        return integrate_taylor<DoubleDouble>(tape_, convert_all<DoubleDouble>(at.parameters),
-                                              convert<DoubleDouble>(at.eps_value),
-                                              convert_all<DoubleDouble>(at.start), wanted, tolerance, order);
-    };
-    auto coarse = std::async(std::launch::async, [&] { return run(check_tolerance, check_order, stride); });
-    const Integration<DoubleDouble> fine = run(reference_tolerance, 0, 1), check = coarse.get();
+    std::vector<double> some;
+    for (std::size_t i = 0; i < points; i += stride) some.push_back(result.times[i]);
+    auto coarse = std::async(std::launch::async, [&] { return integrated(at, some, implicit, false); });
+    const Integration<DoubleDouble> fine = integrated(at, result.times, implicit, true), check = coarse.get();
     if (!fine.failure.empty()) refuse_interval(at, fine.failure);
     for (const std::size_t s : output_states_) {
         double error = 0;
-        for (std::size_t i = 0; i < points; i += stride)
+        for (std::size_t i = 0; i < some.size(); ++i)
             error = std::max(error, std::abs(to_double_value(
-                                        DoubleDouble(fine.values[s][i] - check.values[s][i / stride]))));
+                                        DoubleDouble(fine.values[s][i * stride] - check.values[s][i]))));
         result.error.push_back(error);
         result.values.push_back(fine.values[s]);
     }
     try {
-        store_checked(file, pack(result));
+        store_checked(kept(implicit), pack(result));
     } catch (const Error& error) { // a full disk is no reason to throw the integration away
         if (options_.progress)
             options_.progress(fmt::format("the integration is not kept: {}", error.diagnostic().value));

@@ -25,7 +25,8 @@ struct TrialPoint {
     std::vector<Float128> start;      // all states at t = 0
 };
 
-// Direct integration in double-double at given times; of the outputs only.
+// Direct integration in double-double at given times, by Taylor series or, where these do not reach the end
+// and implicit steps do, by those; of the outputs only.
 struct Reference {
     std::vector<double> times;
     std::vector<std::vector<DoubleDouble>> values; // [output][point]
@@ -51,8 +52,9 @@ public:
     // bounded_interval_length.
     [[nodiscard]] TrialPoint point(const Rational& eps) const;
 
-    // How many steps a run in double takes, about six in each period of the fastest motion; nullopt: more
-    // than `most`. Errors: refused, the solution leaves the domain.
+    // How many steps a run in double takes, about six in each period of the fastest motion, or what stands
+    // for them where implicit steps are taken; nullopt: more than `most`, and the implicit ones are too many,
+    // too. Errors: refused, the solution leaves the domain.
     [[nodiscard]] std::optional<std::size_t> steps(const TrialPoint& at, std::size_t most) const;
 
     // The number of sample times that resolve a run of so many steps (40 or more in each period), <= 200,000.
@@ -64,10 +66,19 @@ public:
     template <class Real> [[nodiscard]] Evaluator<Real> evaluator(const TrialPoint& at) const;
 
 private:
+    struct Route {
+        bool implicit;
+        std::optional<std::size_t> steps; // as steps()
+    };
+    [[nodiscard]] Route route(const TrialPoint& at, std::size_t most) const;
+    // All states; fine: the reference itself, or the run that is compared with it.
+    [[nodiscard]] Integration<DoubleDouble> integrated(const TrialPoint& at, const std::vector<double>& times,
+                                                       bool implicit, bool fine) const;
     [[nodiscard]] std::vector<Float128> state_at_start(const TrialPoint& at) const;
     [[nodiscard]] std::string without(const Rational& eps) const;
     [[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure) const;
-    [[nodiscard]] std::string cache_key(const TrialPoint& at, const std::vector<double>& times) const;
+    [[nodiscard]] std::string cache_key(const TrialPoint& at, const std::vector<double>& times,
+                                        bool implicit) const;
 
     std::shared_ptr<const FirstOrderSystem> system_;
     const Scene& scene_;
