@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::davis_skodje::onto_the_manifold {
@@ -207,8 +208,8 @@ private:
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
         a.tables = look_up_1(a.T);
-        Status status = Status::ok;
         a.exp_chi = chi_(t, low);
+        Status status = Status::ok;
         return status;
     }
 
@@ -250,6 +251,7 @@ private:
         static constexpr std::size_t columns = 1, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
         static constexpr std::array<bool, 1> decays{true};
+        static constexpr std::array<std::uint64_t, 1> fades{0};
         using Columns = std::array<Real, 1>;
 
         const Real& eps;

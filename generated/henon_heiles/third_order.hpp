@@ -59,6 +59,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::henon_heiles::third_order {
@@ -707,6 +708,7 @@ private:
         static constexpr std::size_t columns = 4, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
         static constexpr std::array<bool, 1> decays{false};
+        static constexpr std::array<std::uint64_t, 1> fades{0};
         using Columns = std::array<Real, 4>;
 
         const Real& eps;

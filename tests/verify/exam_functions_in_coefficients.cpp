@@ -38,13 +38,18 @@ TEST_P(FunctionsInCoefficients, AreSolved) {
     EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryKind, FunctionsInCoefficients,
+INSTANTIATE_TEST_SUITE_P(SlowOfEveryKind, FunctionsInCoefficients,
                          testing::Values("2 + sin(3*tau)", "1 + exp(-2*tau)", "3 + log(tau)",
                                          "1 + tan(tau)^2", "2 + atan(tau - 1)", "1 + sinh(tau)",
                                          "cosh(al*tau)", "1 + tanh(tau)", "2 + asin(tau/2)",
                                          "2 + acos(tau/2)", "1 + asinh(tau)", "1 + acosh(1 + tau)",
                                          "1 + atanh(tau/2)", "1 + erf(tau)", "2 + sin(al)*cos(tau)",
                                          "1 + exp(al)*log(1 + tau)"));
+
+TEST_F(FunctionsInCoefficients, OfTwoKindsAreSolvedTogether) {
+    const Verification v = test::verified(test::line_of(scene("2 + sin(3*tau)*exp(-al*tau)")));
+    EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
+}
 
 // The evaluator ends where the declared domain of its functions does: cos(tau) = 0 comes before tau = 2.
 TEST_F(FunctionsInCoefficients, EndWithTheirDomain) {

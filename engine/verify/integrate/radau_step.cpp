@@ -118,7 +118,7 @@ bool RadauStep<Real>::decompose(const std::vector<Real>& state, double h, const 
         }
     }
     for (std::size_t k = 0; k < size; ++k) whole[k * size + k] += 1;
-    return lu_.factor(std::move(whole));
+    return lu_.factor(whole);
 }
 
 template <class Real>
