@@ -26,8 +26,12 @@ template <class F> void each_node(Program& p, const F& f) {
         for (Node* n : {&flow.start, &flow.rate, &flow.value}) f(*n);
     for (ProgramTable& table : p.tables)
         for (Node* n : {&table.integrand, &table.value}) f(*n);
-    for (ProgramPhase& phase : p.phases)
-        for (Node* n : {&phase.start, &phase.rate, &phase.cosine, &phase.sine}) f(*n);
+    for (ProgramPhase& phase : p.phases) {
+        for (Node* n : {&phase.start, &phase.rate}) f(*n);
+        for (Node* n : {&phase.cosine, &phase.sine, &phase.exponential})
+            if (*n >= 0) f(*n);
+        for (Node& n : phase.fades_with) f(n);
+    }
     for (auto* results : {&p.slow, &p.outputs, &p.state, &p.names})
         for (ProgramOutput& result : *results) f(result.value);
     for (auto* conditions : {&p.positive, &p.layers})

@@ -16,11 +16,15 @@ namespace {
 using Texts = std::vector<std::string>;
 
 enum class SlowLaw { none, explicit_law, relaxing, driven };
+enum class Motion { oscillates, relaxes, spirals, creeps };
 
 class SceneWriter {
 public:
-    SceneWriter(std::uint64_t seed, int attempt) : draw_(seed, static_cast<std::uint64_t>(attempt)) {
-        if (draw_.chance(8))
+    SceneWriter(std::uint64_t seed, int attempt)
+        : draw_(seed, static_cast<std::uint64_t>(attempt)), decays_(seed >= first_seed_of_decay) {
+        if (decays_)
+            write_decaying_system();
+        else if (draw_.chance(8))
             write_canonical();
         else
             write_equations();
@@ -47,6 +51,9 @@ private:
     void write_canonical();
     void write_equations();
     void write_oscillator(std::size_t k);
+    void write_decaying_system();
+    void write_decaying(const std::string& x, Motion motion);
+    [[nodiscard]] std::string rate();
     void write_slow();
     void write_angle();
     void write_drifts();
@@ -65,6 +72,7 @@ private:
     void start_oscillator(const std::string& x, const std::string& velocity);
 
     Draw draw_;
+    bool decays_;
     bool finite_ = false, from_constants_ = false, hamiltonian_style_ = false;
     SlowLaw law_ = SlowLaw::none;
     Texts fast_, states_, angles_, outputs_, frequencies_, known_;
@@ -121,8 +129,9 @@ std::string SceneWriter::coefficient(double low, double high) {
         [[fallthrough]];
     default: c += number(low, high);
     }
+    static const Texts functions = {"exp(-s)", "cos(2*s)", "log(2 + s^2)", "atan(s)", "tanh(s)"};
     c = "(" + c + ")";
-    if (law_ != SlowLaw::none && draw_.chance(3)) c += "*" + draw_.any(of_slow);
+    if (law_ != SlowLaw::none && draw_.chance(3)) c += "*" + draw_.any(decays_ ? functions : of_slow);
     return c;
 }
 
@@ -201,6 +210,65 @@ void SceneWriter::write_oscillator(std::size_t k) {
     equation(x, right, "''");
     start_oscillator(x, x + "'");
     outputs_.push_back(x);
+}
+
+// Of a damped mode, 0.5 ... 3; it may depend on the slow variable.
+std::string SceneWriter::rate() {
+    static const Texts of_slow = {"(1 + s^2)", "sqrt(2 + s^2)", "(1 + exp(-s))", "(2 + cos(s))"};
+    const std::string constant = "(" + number(0.5, 3) + ")";
+    return law_ != SlowLaw::none && draw_.chance(3) ? constant + "*" + draw_.any(of_slow) : constant;
+}
+
+void SceneWriter::write_decaying(const std::string& x, Motion motion) {
+    declare(x, "fast", finite_ ? ", weight = 0" : "");
+    const std::string less = finite_ ? "eps*" : "", size = finite_ ? "" : "*eps";
+    std::string right;
+    if (motion == Motion::relaxes) {
+        right = fmt::format("-{}*{}", rate(), x);
+    } else if (motion == Motion::spirals) {
+        const std::string damping = "(" + number(0.3, 1.5) + ")";
+        right = fmt::format("-2*{0}*{1}' - ({0}^2 + {2})*{1}", damping, x, number(0.6, 4));
+    } else {
+        const std::string one = "(" + number(0.4, 1) + ")", other = "(" + number(1.3, 3) + ")";
+        right = fmt::format("-({0} + {1})*{2}' - {0}*{1}*{2}", one, other, x);
+    }
+    for (int n = 1 + draw_.pick(2); n > 0; --n)
+        right += " + " + less + monomial(finite_ ? 1 + draw_.pick(3) : 2 + draw_.pick(2));
+    if (!angles_.empty() && draw_.chance(2))
+        right += fmt::format(" + eps*{}*cos({})", coefficient(0.1, 1.5), angles_.front());
+    equation(x, right, motion == Motion::relaxes ? "'" : "''");
+    start(x, (draw_.chance(2) ? "-" : "") + decimal(0.2, 1) + size);
+    if (motion != Motion::relaxes) start(x + "'", decimal(0.1, 0.8) + size);
+    outputs_.push_back(x);
+}
+
+// One or two fast variables of which the last decays, all from physical values.
+void SceneWriter::write_decaying_system() {
+    static const std::vector<SlowLaw> laws = {SlowLaw::none, SlowLaw::explicit_law, SlowLaw::relaxing,
+                                              SlowLaw::driven};
+    static const std::vector<Motion> kinds = {Motion::relaxes, Motion::spirals, Motion::creeps};
+    law_ = draw_.any(laws);
+    finite_ = draw_.chance(2);
+    if (draw_.chance(5)) angles_ = {"p"};
+    fast_ = draw_.chance(3) ? Texts{"y"} : Texts{"x", "y"};
+    std::vector<Motion> motions;
+    for (const std::string& x : fast_) {
+        const bool oscillates = x == "x" && draw_.pick(4) > 0;
+        motions.push_back(oscillates ? Motion::oscillates : draw_.any(kinds));
+        states_.push_back(x);
+        if (motions.back() != Motion::relaxes) states_.push_back(x + "'");
+    }
+    frequencies_ = {number(0.7, 1.4), ""};
+    for (std::size_t k = 0; k < fast_.size(); ++k)
+        if (motions[k] == Motion::oscillates)
+            write_oscillator(k);
+        else
+            write_decaying(fast_[k], motions[k]);
+    write_slow();
+    write_angle();
+    most_order_ = fast_.size() == 1 && law_ != SlowLaw::driven ? 3 : 2;
+    roles_ = fmt::format("{} {}fast, decaying{}{}", fast_.size(), finite_ ? "finite " : "",
+                         law_ == SlowLaw::none ? "" : ", slow", angles_.empty() ? "" : ", angle");
 }
 
 void SceneWriter::write_slow() {

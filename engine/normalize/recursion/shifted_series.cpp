@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/recursion/shifted_series.hpp"
 
+#include "algebra/number/error.hpp"
+#include "algebra/number/functions.hpp"
+
 #include <algorithm>
 
 namespace resonform {
@@ -21,8 +24,9 @@ ShiftedSeries::ShiftedSeries(const GradedField& field) : field_(field), program_
         if (s.driven) add(s.generator);
     for (GeneratorId id = 0; id < field.ring->size(); ++id) {
         const Generator& g = field.ring->generator(id);
-        if (g.kind != GeneratorKind::root) continue;
-        const std::vector<Monomial>& monomials = g.radicand.fractions().monomials;
+        if (g.kind != GeneratorKind::root && g.kind != GeneratorKind::function) continue;
+        const Polynomial& inside = g.kind == GeneratorKind::root ? g.radicand : g.of.argument;
+        const std::vector<Monomial>& monomials = inside.fractions().monomials;
         if (std::any_of(monomials.begin(), monomials.end(), [&](const Monomial& m) {
                 return std::any_of(moving_.begin(), moving_.end(),
                                    [&](GeneratorId moved) { return field.ring->exponent(m, moved) != 0; });
@@ -73,11 +77,53 @@ Node ShiftedSeries::power(GeneratorId id, int exponent) {
     const Generator& g = field_.ring->generator(id);
     if (g.kind == GeneratorKind::phase) return turned(id, exponent);
     if (g.kind == GeneratorKind::root) return program_.power(add(g.radicand), Rational(exponent) / g.index);
-    const Node base = inputs_.at(id);
+    const Node base = g.kind == GeneratorKind::function ? function(id) : inputs_.at(id);
     if (exponent < 0) return program_.power(base, exponent);
     Node result = base;
     for (int k = 1; k < exponent; ++k) result = program_.product(result, base);
     return result;
+}
+
+// f(u) of the shifted argument u = u_0 + rest: by addition theorems, or f(u_0) + int f'(u) du, weight by
+// weight.
+Node ShiftedSeries::function(GeneratorId id) {
+    const Ring& ring = *field_.ring;
+    const FunctionOf& of = ring.generator(id).of;
+    const Node u = add(of.argument), here = program_.constant(ring.gen(id));
+    const Node rest = program_.sum({{1, u}, {-1, program_.constant(of.argument)}});
+    const auto turned = [&](GeneratorId other, int sign) { // here cos(rest) + sign other sin(rest)
+        const Node beside = program_.product(program_.constant(ring.gen(other)), program_.sine(rest));
+        return program_.sum({{1, program_.product(here, program_.cosine(rest))}, {sign, beside}});
+    };
+    const auto integral = [&](Node slope) {
+        return program_.sum({{1, here}, {1, program_.antiderivative(u, slope)}});
+    };
+    switch (of.function) {
+    case Function::exponential: return program_.product(here, program_.exponential(rest));
+    case Function::cosine: return turned(of.sine, -1);
+    case Function::sine: return turned(cosine_beside(id), 1);
+    case Function::logarithm: return integral(program_.power(u, -1));
+    case Function::arc_tangent: {
+        const Node one = program_.constant(ring.one());
+        return integral(program_.power(program_.sum({{1, one}, {1, program_.product(u, u)}}), -1));
+    }
+    default: break;
+    }
+    if (!of.slope)
+        refuse({"a map is inverted where its functions can be expanded",
+                ring.generator(id).name,
+                "write an expression in its place",
+                {field_.system().file.string(), 0, 0, "equations", ""}});
+    return integral(add(*of.slope));
+}
+
+GeneratorId ShiftedSeries::cosine_beside(GeneratorId sine) const {
+    GeneratorId id = sine;
+    while (field_.ring->generator(id).kind != GeneratorKind::function ||
+           field_.ring->generator(id).of.function != Function::cosine ||
+           field_.ring->generator(id).of.sine != sine)
+        ++id;
+    return id;
 }
 
 // e^{i k (phi + m)} = e^{i k phi} e^{i k m}

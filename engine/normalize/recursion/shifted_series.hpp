@@ -22,6 +22,8 @@ public:
 private:
     [[nodiscard]] bool moves(GeneratorId id) const;
     SeriesProgram::Node power(GeneratorId id, int exponent);
+    SeriesProgram::Node function(GeneratorId id);
+    [[nodiscard]] GeneratorId cosine_beside(GeneratorId sine) const;
     SeriesProgram::Node turned(GeneratorId phase, int exponent);
 
     const GradedField& field_;
