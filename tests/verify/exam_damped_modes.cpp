@@ -111,6 +111,26 @@ TEST_F(DampedModes, BesideAnAngleAndADrift) {
                 "X = 0\n");
 }
 
+// A start whose map is too long to be inverted, and in which y^2 is as heavy as u: substitutions go from
+// light to heavy, or each gains half a power of eps only.
+TEST_F(DampedModes, OfThreeWeightsStartWhereTheyAreTold) {
+    const Scene read = scene("[variables]\nu = { role = \"fast\", weight = 2 }\ny = { role = \"fast\" }\n"
+                             "q = { role = \"fast\", weight = 0 }\ns = { role = \"slow\" }\n[equations]\n"
+                             "u = \"u' = -(4 + s - s^3/6)*u + y^2 + eps*y*q\"\n"
+                             "y = \"y' = -y + eps*q + u - eps\"\nq = \"q' = -2*q + (1 + s)*y + eps*q^2\"\n"
+                             "s = \"s' = eps*(q + 1)\"\n",
+                             "order = 3\noutputs = [\"q\"]\n[start]\nu = \"eps^2\"\ny = \"eps\"\nq = -0.6\n"
+                             "s = 0.3\n");
+    const auto program = test::program_of(read);
+    const auto miss = [&](double eps) {
+        const Interpreter<double> evaluator(program, eps, {}, {}, 1);
+        std::vector<double> value;
+        EXPECT_EQ(evaluator.call(0, value), Status::ok);
+        return std::abs(value.at(0) + 0.6);
+    };
+    EXPECT_NEAR(std::log2(miss(1.0 / 160) / miss(1.0 / 320)), 4, 0.2);
+}
+
 // The damping 1 - s ends where s does: so does the domain.
 TEST_F(DampedModes, EndWhereTheirDampingDoes) {
     const Scene read = scene("[variables]\ns = { role = \"slow\" }\ny = { role = \"fast\", weight = 0 }\n"

@@ -75,6 +75,7 @@ private:
     FlowUnit polar(const Mode& mode);
     [[nodiscard]] bool moves_slow_or_angles() const;
     void substitute(bool modes);
+    void substitute(bool modes, int of_weight, bool others);
     FlowUnit unit(Graph::Node angle);
     FlowUnit turned(const FlowUnit& unit, Graph::Node by);
     Graph::Node drift(std::size_t k);
@@ -210,8 +211,16 @@ bool FlowStart::moves_slow_or_angles() const {
 }
 
 // zeta <- xi_0 - k(w, theta, zeta), theta <- phi_0 - m(w, theta, zeta); with `modes` w <- z_0 - h(w, theta,
-// zeta)
+// zeta), those of lower weight first: products of them may be as heavy as a mode in whose map they stand.
 void FlowStart::substitute(bool modes) {
+    std::vector<int> weights = modes ? field_.mode_weights() : std::vector<int>();
+    if (weights.empty()) weights.push_back(0);
+    std::reverse(weights.begin(), weights.end());
+    for (const int now : weights) substitute(modes, now, now == weights.front());
+}
+
+// The modes of one weight; `others`: slow variables and angles, too.
+void FlowStart::substitute(bool modes, int of_weight, bool others) {
     Graph& graph = program_.graph;
     FlowMoment now(program_, real_, surroundings_, new_, false);
     const auto shift = [&](const Series& series, int weight, bool real) {
@@ -222,16 +231,17 @@ void FlowStart::substitute(bool modes) {
     };
     const auto less = [&](Graph::Node from, Graph::Node by) { return graph.add({from, graph.negate(by)}); };
     FlowValues next = new_;
-    turns_.clear();
     for (std::size_t k = 0; modes && k < field_.modes.size(); ++k) {
+        if (weight(k) != of_weight) continue;
         const FlowUnit by = shift(map_.mode[k], weight(k), false);
         next.modes[k] = {less(given_.modes[k].u, by.u), less(given_.modes[k].v, by.v)};
     }
-    for (std::size_t k = 0; k < field_.angles.size(); ++k) {
+    if (others) turns_.clear();
+    for (std::size_t k = 0; others && k < field_.angles.size(); ++k) {
         turns_.push_back(graph.negate(shift(map_.angle[k], 0, true).u));
         next.angles[k] = turned(given_.angles[k], turns_[k]);
     }
-    for (std::size_t k = 0; k < field_.slow.size(); ++k)
+    for (std::size_t k = 0; others && k < field_.slow.size(); ++k)
         next.slow[k] = less(given_.slow[k], shift(map_.slow[k], 0, true).u);
     new_ = std::move(next);
 }

@@ -5,7 +5,7 @@
 //
 // at the full weight of the map. Angles, slow variables and drifts have physical values (drifts: or their
 // constants); where the oscillators start from constants, zeta_0 = xi_0 - k(w_0; zeta_0) is solved by M + 1
-// substitutions, each of which gains a power of eps.
+// substitutions, each of which gains a power of eps (modes of lower weight first).
 #pragma once
 
 #include "emit/program/flow_moment.hpp"

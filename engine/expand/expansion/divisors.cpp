@@ -97,7 +97,7 @@ GradedField with_divisors(const GradedField& field, const std::vector<Polynomial
         refuse(Reason::size,
                {fmt::format("i, eps, parameters, variables, roots and small divisors are at most {} together",
                             Packing::most_fields),
-                fmt::format("{} small divisors", all.values.size()),
+                fmt::format("{}, of which {} are small divisors", needed, all.values.size()),
                 instead_of_more_divisors(field),
                 {}});
     return expand(field.first_order, all);

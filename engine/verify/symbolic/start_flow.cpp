@@ -74,9 +74,7 @@ private:
         } else {
             now = old;
             for (int step = 0; step <= truncation_ && (physical_ || moves_others()); ++step) {
-                put(now);
-                now = map_.moved(old, map_.map(), values, inputs.eps, -1);
-                if (!physical_) now.modes = old.modes;
+                substitute(old, values, inputs, now, put);
             }
         }
         put(now);
@@ -86,6 +84,24 @@ private:
         for (std::size_t k = 0; k < field_.drift.size(); ++k)
             start.drifts.push_back(drift(k, inputs, values));
         return start;
+    }
+
+    // Of modes those of lower weight first, as in emitted code: products of them may be as heavy as a mode in
+    // whose map they stand. Slow variables and angles go with the first.
+    template <class Put>
+    void substitute(const SymbolicStartValues& old, const SymbolicValues<Wide>& values,
+                    const SymbolicInputs& inputs, SymbolicStartValues& now, const Put& put) const {
+        std::vector<int> weights = field_.mode_weights();
+        if (weights.empty() || !physical_) weights = {0};
+        for (auto weight = weights.rbegin(); weight != weights.rend(); ++weight) {
+            put(now);
+            SymbolicStartValues next = map_.moved(old, map_.map(), values, inputs.eps, -1);
+            for (std::size_t k = 0; physical_ && k < now.modes.size(); ++k)
+                if (field_.ring->generator(field_.modes[k].z).weight == *weight) now.modes[k] = next.modes[k];
+            if (weight != weights.rbegin()) continue;
+            now.angles = std::move(next.angles);
+            now.slow = std::move(next.slow);
+        }
     }
 
     [[nodiscard]] const std::string& name(std::size_t variable) const {
