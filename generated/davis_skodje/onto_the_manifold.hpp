@@ -146,21 +146,21 @@ private:
     // What is computed once.
     template <class Number> struct Constants {
         Number x_0{};
-        Number im_y{};
         Number c_1{};
         Number c_2{};
+        Number c_3{};
         Number u_y{};
     };
 
     template <class Number> static void compute_constants(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Number>& c) {
         c.x_0 = Number(start.x_0);
-        c.im_y = Number(0);
+        c.c_1 = Number(0);
         const Number eps = Number(given_eps);
-        c.c_1 = -(Number(1) / eps);
+        c.c_2 = -(Number(1) / eps);
         const Number y_0 = Number(start.y_0);
-        c.c_2 = Number(1) + c.x_0;
-        c.u_y = y_0 - c.x_0 * (Number(1) / c.c_2);
+        c.c_3 = Number(1) + c.x_0;
+        c.u_y = y_0 - c.x_0 * (Number(1) / c.c_3);
     }
 
     // The slow flow: dx/dT
@@ -173,7 +173,7 @@ private:
     // dchi/dT
     template <class Number> static Number chi_rate(
             const Constants<Number>& c, [[maybe_unused]] const Number& T) {
-        return c.c_1;
+        return c.c_2;
     }
 
     // What differs from call to call.
@@ -240,7 +240,7 @@ private:
         if (!within(start.x_0, 0x1p394)) return {Status::overflow, "x_0"};
         if (!within(start.y_0, 0x1p394)) return {Status::overflow, "y_0"};
         compute_constants(eps, parameters, start, c);
-        if (!(c.c_2 > Real(0))) return {Status::outside_domain, "x + 1"};
+        if (!(c.c_3 > Real(0))) return {Status::outside_domain, "x + 1"};
         return {};
     }
 
@@ -263,7 +263,7 @@ private:
         std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& columns) const {
             return flow_rates(c, T, columns);
         }
-        auto conditions() const { return std::array<Real, 1>{c.c_2}; }
+        auto conditions() const { return std::array<Real, 1>{c.c_3}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;
@@ -271,7 +271,7 @@ private:
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 compute_constants(course.eps, course.parameters, course.given, c);
-                start = {c.im_y};
+                start = {c.c_1};
             }
             std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
                 return {chi_rate(c, T)};
@@ -310,7 +310,7 @@ private:
         compute_constants(eps, parameters, start, wide);
         const auto chi_rates = [&](const Wide& T) { return std::array<Wide, 1>{chi_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {chi_.build(chi_rates, wide.im_y, eps, reach), "chi"}, reach);
+                {chi_.build(chi_rates, wide.c_1, eps, reach), "chi"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

@@ -180,7 +180,6 @@ private:
         Number c_14{};
         Number c_15{};
         Number c_16{};
-        Number im_c{};
         Number c_17{};
         Number c_18{};
         Number c_19{};
@@ -193,8 +192,8 @@ private:
         Number c_26{};
         Number c_27{};
         Number c_28{};
-        Number u_c{};
         Number c_29{};
+        Number u_c{};
         Number c_30{};
         Number c_31{};
         Number c_32{};
@@ -207,6 +206,7 @@ private:
         Number c_39{};
         Number c_40{};
         Number c_41{};
+        Number c_42{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -363,21 +363,21 @@ private:
         c.c_14 = c.eps * (c.c_2 - w.k_25) - c.c_4;
         c.c_15 = c.eps * (c.c_6 - Number(5) / Number(8) * c.eps) - Number(3);
         c.c_16 = w.k_24 - c.c_7;
-        c.im_c = Number(0);
-        c.c_17 = -c.eps - Number(36);
-        c.c_18 = -Number(13) / Number(2) * c.eps - Number(84);
-        c.c_19 = Number(3) / Number(2);
-        w.k_26 = c.c_19 * c.eps;
-        c.c_20 = c.eps * (w.k_26 - Number(18)) - Number(126);
+        c.c_17 = Number(0);
+        c.c_18 = -c.eps - Number(36);
+        c.c_19 = -Number(13) / Number(2) * c.eps - Number(84);
+        c.c_20 = Number(3) / Number(2);
+        w.k_26 = c.c_20 * c.eps;
+        c.c_21 = c.eps * (w.k_26 - Number(18)) - Number(126);
         w.k_27 = c.eps * (Number(19) / Number(4) * c.eps - Number(55) / Number(2));
-        c.c_21 = w.k_27 - Number(126);
-        c.c_22 = Number(13) / Number(4);
-        w.k_28 = c.c_22 * c.eps;
-        c.c_23 = c.eps * (c.eps * (Number(5) - w.k_28) - Number(25)) - Number(84);
-        c.c_24 = c.eps * (c.eps * (c.c_19 - w.k_26) - Number(27) / Number(2)) - Number(36);
-        c.c_25 = c.eps * (c.eps * (c.c_8 * c.eps - c.c_7) - Number(4)) - Number(9);
-        c.c_26 = c.eps * (-c.c_7 - w.k_24) - Number(1);
-        c.c_27 = Number(1) / c.eps;
+        c.c_22 = w.k_27 - Number(126);
+        c.c_23 = Number(13) / Number(4);
+        w.k_28 = c.c_23 * c.eps;
+        c.c_24 = c.eps * (c.eps * (Number(5) - w.k_28) - Number(25)) - Number(84);
+        c.c_25 = c.eps * (c.eps * (c.c_20 - w.k_26) - Number(27) / Number(2)) - Number(36);
+        c.c_26 = c.eps * (c.eps * (c.c_8 * c.eps - c.c_7) - Number(4)) - Number(9);
+        c.c_27 = c.eps * (-c.c_7 - w.k_24) - Number(1);
+        c.c_28 = Number(1) / c.eps;
         w.k_29 = w.k_3 * w.k_1;
         w.k_30 = w.s_0 * (c.c_3 - Number(2) / Number(9) * w.k_5) + Number(277) / Number(32) - Number(149) / Number(144) * w.k_5;
         w.k_31 = c.eps * w.k_30 + w.s_0 * (c.c_8 * w.s_0 + Number(39) / Number(16)) + Number(27) / Number(4);
@@ -395,12 +395,12 @@ private:
         w.k_43 = c.eps * (Number(15) / Number(4) - Number(45) / Number(8) * c.eps);
         w.k_44 = w.k_5 * (-Number(131) / Number(144) * w.k_5 - Number(149) / Number(32));
         w.k_45 = c.eps * (w.k_44 + Number(29) / Number(4)) + Number(81) / Number(16) * w.k_5 - Number(65) / Number(4);
-        c.c_28 = Number(33) / Number(8);
-        w.k_46 = c.c_6 + w.k_5 * (w.k_5 * w.k_45 + c.c_28 * c.eps - Number(2)) + c.c_11;
+        c.c_29 = Number(33) / Number(8);
+        w.k_46 = c.c_6 + w.k_5 * (w.k_5 * w.k_45 + c.c_29 * c.eps - Number(2)) + c.c_11;
         w.k_47 = w.k_5 * w.k_5;
         w.k_48 = w.s_0 * (w.k_5 * w.k_40 + w.s_0 * w.k_42 + w.k_43 - c.c_4) + c.eps * w.k_46 + Number(22) * w.k_47 - Number(3);
         w.k_49 = w.k_5 * (-Number(31) / Number(144) * w.k_5 - Number(101) / Number(32));
-        w.k_50 = c.eps * (w.k_49 + Number(31) / Number(32)) + c.c_19 * w.k_5 - Number(7) / Number(2);
+        w.k_50 = c.eps * (w.k_49 + Number(31) / Number(32)) + c.c_20 * w.k_5 - Number(7) / Number(2);
         w.k_51 = w.k_5 * (w.k_5 * w.k_50 + Number(15) / Number(8) * c.eps - c.c_6);
         w.k_52 = w.s_0 * w.k_48 + c.eps * (w.k_51 + w.k_24) + Number(5) * w.k_47 - c.c_7;
         w.k_53 = w.k_5 * (-Number(5) / Number(288) * w.k_5 - Number(39) / Number(64));
@@ -408,21 +408,21 @@ private:
         w.k_55 = w.k_5 * (c.eps * (w.k_5 * w.k_54 - Number(1) / Number(4)) + c.c_7 * w.k_5);
         w.k_56 = c.eps * (w.k_29 * w.k_29) * (w.s_0 * w.k_52 + w.k_55);
         c.u_c = w.c_0 + w.k_56 - w.k_4;
-        c.c_29 = Number(13) / Number(8) * c.u_c;
-        c.c_30 = c.c_8 * c.u_c;
-        c.c_31 = c.eps * c.u_c;
-        c.c_32 = Number(2) * c.u_c;
-        c.c_33 = c.c_7 * c.u_c;
-        c.c_34 = Number(107) / Number(16) * c.u_c;
-        c.c_35 = Number(85) / Number(16) * c.u_c;
-        c.c_36 = Number(63) / Number(8);
-        c.c_37 = Number(33) / Number(16) * c.u_c;
-        c.c_38 = Number(5) / Number(16) * c.u_c;
-        c.c_39 = Number(1) + w.s_0 + w.k_23;
+        c.c_30 = Number(13) / Number(8) * c.u_c;
+        c.c_31 = c.c_8 * c.u_c;
+        c.c_32 = c.eps * c.u_c;
+        c.c_33 = Number(2) * c.u_c;
+        c.c_34 = c.c_7 * c.u_c;
+        c.c_35 = Number(107) / Number(16) * c.u_c;
+        c.c_36 = Number(85) / Number(16) * c.u_c;
+        c.c_37 = Number(63) / Number(8);
+        c.c_38 = Number(33) / Number(16) * c.u_c;
+        c.c_39 = Number(5) / Number(16) * c.u_c;
+        c.c_40 = Number(1) + w.s_0 + w.k_23;
         w.k_57 = c.eps * c.eps;
         w.k_58 = w.k_57 * c.eps;
         w.k_59 = w.k_58 * w.k_58;
-        w.k_60 = Number(1) / c.c_39;
+        w.k_60 = Number(1) / c.c_40;
         w.k_61 = w.k_60 * w.k_60;
         w.k_62 = w.k_61 * w.k_61 * w.k_60;
         w.k_63 = w.k_62 * w.k_62;
@@ -450,28 +450,28 @@ private:
         w.k_81 = c.eps * (Number(3) / Number(16) + w.k_80) + Number(3) * c.u_c + Number(7) / Number(2);
         w.k_82 = c.c_7 + c.c_10 * w.k_79 + c.eps * (w.k_64 * w.k_81 - Number(1) / Number(8) * c.eps) - Number(5) * w.k_64;
         w.k_83 = c.u_c * (-Number(29) / Number(144) * c.u_c - Number(25) / Number(64));
-        w.k_84 = Number(1) / Number(4) + c.eps * (w.k_83 + Number(7) / Number(16)) + c.c_38;
+        w.k_84 = Number(1) / Number(4) + c.eps * (w.k_83 + Number(7) / Number(16)) + c.c_39;
         w.k_85 = c.c_10 * w.k_82 + w.k_64 * (c.eps * w.k_84 - c.c_7);
         w.k_86 = w.c_0 + w.k_56 + c.eps * w.k_63 * w.k_85 - w.k_4 - w.k_5;
-        c.c_40 = w.k_47 + w.k_59 + w.k_57 * (w.k_63 * w.k_63) * (w.k_85 * w.k_85) - Number(4) * (w.k_86 * w.k_86);
+        c.c_41 = w.k_47 + w.k_59 + w.k_57 * (w.k_63 * w.k_63) * (w.k_85 * w.k_85) - Number(4) * (w.k_86 * w.k_86);
         w.k_87 = w.k_61 * w.k_60;
         w.k_88 = w.k_87 * w.k_87 * w.k_60;
         w.k_89 = c.eps * (c.u_c * (-c.c_10 - Number(95) / Number(24)) - c.c_3) + c.c_10 * (w.s_0 + w.k_23 + Number(21) / Number(4)) + Number(91) / Number(8);
         w.k_90 = c.eps * (-Number(37) / Number(6) * c.u_c - Number(27) / Number(4));
         w.k_91 = Number(21) / Number(4) + c.u_c * (c.c_10 * w.k_89 + w.k_90 + Number(13)) + c.c_10 * (w.s_0 + Number(15) / Number(4) + w.k_23) - c.eps;
         w.k_92 = c.u_c * (-Number(151) / Number(32) * c.u_c - Number(201) / Number(32));
-        w.k_93 = c.c_22 + c.c_10 * w.k_91 + c.eps * (w.k_92 - Number(9) / Number(8)) + Number(33) / Number(4) * c.u_c;
+        w.k_93 = c.c_23 + c.c_10 * w.k_91 + c.eps * (w.k_92 - Number(9) / Number(8)) + Number(33) / Number(4) * c.u_c;
         w.k_94 = c.c_10 * (c.c_10 * (-c.c_10 - Number(13) / Number(2)) - Number(18));
         w.k_95 = c.c_10 * (c.c_10 * (w.k_94 - Number(55) / Number(2)) - Number(25));
         w.k_96 = c.u_c * (-c.c_2 - Number(85) / Number(48) * c.u_c) - Number(1) / Number(8);
         w.k_97 = c.eps * (c.eps * w.k_96 + Number(11) / Number(4) * c.u_c + c.c_9);
         w.k_98 = c.c_10 * (c.eps * w.k_93 + w.k_95 - Number(27) / Number(2)) + w.k_97 - Number(4);
         w.k_99 = c.u_c * (-Number(25) / Number(96) * c.u_c - Number(7) / Number(32));
-        w.k_100 = c.c_10 * w.k_98 + c.eps * (c.eps * (Number(1) / Number(8) + w.k_99) + c.c_30) - c.c_7;
+        w.k_100 = c.c_10 * w.k_98 + c.eps * (c.eps * (Number(1) / Number(8) + w.k_99) + c.c_31) - c.c_7;
         w.k_101 = Number(1) / Number(16) * w.k_64 * w.k_57 * (w.k_88 * w.k_88) * (w.k_100 * w.k_100);
         w.k_102 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
         w.k_103 = w.k_23 + c.eps * c.u_c * w.k_88 * w.k_100;
-        c.c_41 = w.k_59 + w.k_101 + w.k_102 * (w.s_0 * w.s_0) - Number(4) * (w.k_103 * w.k_103);
+        c.c_42 = w.k_59 + w.k_101 + w.k_102 * (w.s_0 * w.s_0) - Number(4) * (w.k_103 * w.k_103);
     }
 
     template <class Number> static void compute_constants(
@@ -498,30 +498,30 @@ private:
         keep(scaled.c_14, c.c_14, "c_14 in s");
         keep(scaled.c_15, c.c_15, "c_15 in s");
         keep(scaled.c_16, c.c_16, "c_16 in s");
-        keep(scaled.im_c, c.im_c, "im_c");
-        keep(scaled.c_17, c.c_17, "c_17 in chi");
+        keep(scaled.c_17, c.c_17, "c_17");
         keep(scaled.c_18, c.c_18, "c_18 in chi");
-        keep(scaled.c_19, c.c_19, "c_19 in c_1");
-        keep(scaled.c_20, c.c_20, "c_20 in chi");
+        keep(scaled.c_19, c.c_19, "c_19 in chi");
+        keep(scaled.c_20, c.c_20, "c_20 in c_1");
         keep(scaled.c_21, c.c_21, "c_21 in chi");
-        keep(scaled.c_22, c.c_22, "c_22 in c_");
-        keep(scaled.c_23, c.c_23, "c_23 in chi");
+        keep(scaled.c_22, c.c_22, "c_22 in chi");
+        keep(scaled.c_23, c.c_23, "c_23 in c_");
         keep(scaled.c_24, c.c_24, "c_24 in chi");
         keep(scaled.c_25, c.c_25, "c_25 in chi");
         keep(scaled.c_26, c.c_26, "c_26 in chi");
         keep(scaled.c_27, c.c_27, "c_27 in chi");
-        keep(scaled.c_28, c.c_28, "c_28 in c_");
+        keep(scaled.c_28, c.c_28, "c_28 in chi");
+        keep(scaled.c_29, c.c_29, "c_29 in c_");
         keep(scaled.u_c, c.u_c, "u_c");
-        keep(scaled.c_29, c.c_29, "c_29 in s");
         keep(scaled.c_30, c.c_30, "c_30 in s");
         keep(scaled.c_31, c.c_31, "c_31 in s");
-        keep(scaled.c_32, c.c_32, "c_32 in c_1");
+        keep(scaled.c_32, c.c_32, "c_32 in s");
         keep(scaled.c_33, c.c_33, "c_33 in c_1");
-        keep(scaled.c_34, c.c_34, "c_34 in c_");
+        keep(scaled.c_34, c.c_34, "c_34 in c_1");
         keep(scaled.c_35, c.c_35, "c_35 in c_");
         keep(scaled.c_36, c.c_36, "c_36 in c_");
         keep(scaled.c_37, c.c_37, "c_37 in c_");
         keep(scaled.c_38, c.c_38, "c_38 in c_");
+        keep(scaled.c_39, c.c_39, "c_39 in c_");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -530,9 +530,9 @@ private:
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
         if (!(scaled.c_1 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
-        if (!(scaled.c_39 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
-        if (!(scaled.c_40 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
-        if (!(scaled.c_41 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s"};
+        if (!(scaled.c_40 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
+        if (!(scaled.c_41 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
+        if (!(scaled.c_42 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -567,9 +567,9 @@ private:
         const Number per_s = per(s_);
         const Number q_1 = per_s * per_s;
         const Number q_2 = q_1 * q_1;
-        const Number q_3 = s * (s * (s * (s * (-s - Number(9)) + c.c_17) + c.c_18) + c.c_20);
-        const Number q_4 = s * (s * (s * (s * (q_3 + c.c_21) + c.c_23) + c.c_24) + c.c_25) + c.c_26;
-        return c.c_27 * (q_2 * q_2) * q_4;
+        const Number q_3 = s * (s * (s * (s * (-s - Number(9)) + c.c_18) + c.c_19) + c.c_21);
+        const Number q_4 = s * (s * (s * (s * (q_3 + c.c_22) + c.c_24) + c.c_25) + c.c_26) + c.c_27;
+        return c.c_28 * (q_2 * q_2) * q_4;
     }
 
     // What differs from call to call.
@@ -587,17 +587,17 @@ private:
         const Real q_2 = q_1 * per_s;
         const Real q_3 = q_1 * q_1;
         const Real s_1 = c.u_c * a.exp_chi * per_s * (-s - c.c_7);
-        const Real q_4 = s * (c.u_c * a.exp_chi * (s + c.c_2) + Real(1)) + c.c_29 * a.exp_chi + c.c_9;
-        const Real q_5 = c.eps * (s_1 + c.c_31 * a.exp_chi * q_3 * (s * q_4 + c.c_30 * a.exp_chi));
+        const Real q_4 = s * (c.u_c * a.exp_chi * (s + c.c_2) + Real(1)) + c.c_30 * a.exp_chi + c.c_9;
+        const Real q_5 = c.eps * (s_1 + c.c_32 * a.exp_chi * q_3 * (s * q_4 + c.c_31 * a.exp_chi));
         const Real re_c = c.u_c * a.exp_chi;
         const Real c_0 = per_s * (re_c + s * (re_c + Real(1)));
-        const Real q_6 = s * (c.u_c * a.exp_chi * (-s - c.c_3) - Real(1)) - c.c_32 * a.exp_chi - c.c_19;
-        const Real q_7 = c.u_c * a.exp_chi * (s * q_6 - c.c_33 * a.exp_chi - c.c_7) + c.c_7 * s;
+        const Real q_6 = s * (c.u_c * a.exp_chi * (-s - c.c_3) - Real(1)) - c.c_33 * a.exp_chi - c.c_20;
+        const Real q_7 = c.u_c * a.exp_chi * (s * q_6 - c.c_34 * a.exp_chi - c.c_7) + c.c_7 * s;
         const Real c_1 = q_3 * q_7;
-        const Real q_8 = s * (c.u_c * a.exp_chi * (s + c.c_28) + c.c_3) + c.c_34 * a.exp_chi + c.c_4;
-        const Real q_9 = s + c.u_c * a.exp_chi * (s * q_8 + c.c_35 * a.exp_chi + c.c_36) + c.c_5;
-        const Real q_10 = s * q_9 + c.u_c * a.exp_chi * (c.c_37 * a.exp_chi + c.c_22) + c.c_9;
-        const Real q_11 = c.u_c * a.exp_chi * (s * q_10 + c.u_c * a.exp_chi * (c.c_38 * a.exp_chi + c.c_8));
+        const Real q_8 = s * (c.u_c * a.exp_chi * (s + c.c_29) + c.c_3) + c.c_35 * a.exp_chi + c.c_4;
+        const Real q_9 = s + c.u_c * a.exp_chi * (s * q_8 + c.c_36 * a.exp_chi + c.c_37) + c.c_5;
+        const Real q_10 = s * q_9 + c.u_c * a.exp_chi * (c.c_38 * a.exp_chi + c.c_23) + c.c_9;
+        const Real q_11 = c.u_c * a.exp_chi * (s * q_10 + c.u_c * a.exp_chi * (c.c_39 * a.exp_chi + c.c_8));
         const Real q_12 = c.eps * (c_1 + c.eps * (q_2 * q_2 * per_s) * (q_11 - c.c_6 * (s * s)));
         if (!(s > Real(0))) return Status::outside_domain;
         values.s = s + q_5;
@@ -685,7 +685,7 @@ private:
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.im_c};
+                start = {c.c_17};
             }
             std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
                 return {chi_rate(c, T, widened<Number>(columns))};
@@ -731,7 +731,7 @@ private:
             return lost;
         const auto chi_rates = [&](const Wide& T) { return std::array<Wide, 1>{chi_rate(wide, T, widened<Wide>(look_up_1(static_cast<Real>(T))))}; };
         if (const Cause failed = interval_.shorten(
-                {chi_.build(chi_rates, wide.im_c, eps, reach, true), "chi"}, reach);
+                {chi_.build(chi_rates, wide.c_17, eps, reach, true), "chi"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

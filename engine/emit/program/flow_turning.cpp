@@ -90,7 +90,7 @@ FlowUnit FlowTurning::turned(FlowUnit unit, const FlowMode& mode, std::size_t va
     }
     const std::string name = identifier(field_.system().variables[variable].name);
     program_.names.push_back({"re_" + name, unit.u});
-    program_.names.push_back({"im_" + name, unit.v});
+    if (mode.phase) program_.names.push_back({"im_" + name, unit.v}); // of a real mode it is 0
     return unit;
 }
 
