@@ -229,7 +229,7 @@ template <class Number>
 void SymbolicMoment<Number>::put_mode(const SymbolicFrame& frame, const SymbolicVariable& variable,
                                       const Complex& a) {
     const Complex z = narrowed<Number>(math::power(frame.eps, variable.weight)) * a;
-    const Number size = z.size();
+    const Number size = z.size() * narrowed<Number>(frame.start.mode_spreads[variable.start]);
     values.set(variable.id, z, size);
     values.set(variable.conjugate, z.conjugate(), size);
 }

@@ -17,8 +17,11 @@ struct SymbolicStart {
     Status status = Status::ok;
     std::vector<Wide> slow;         // in the order of the solution's slow variables
     std::vector<WideComplex> modes; // of a slow flow: z_j/eps^weight
-    std::vector<Wide> angles;       // of a slow flow; of a closed solution with an oscillator: theta_0
-    Wide amplitude = 0;             // of that oscillator
+    // By how much the terms of the sum from which a mode starts, in their norm, are larger than it: 1 for an
+    // oscillator, but those of two real modes of one variable may cancel.
+    std::vector<Wide> mode_spreads;
+    std::vector<Wide> angles; // of a slow flow; of a closed solution with an oscillator: theta_0
+    Wide amplitude = 0;       // of that oscillator
     struct Sum {
         Wide value = 0, scale = 0;
     };

@@ -79,6 +79,8 @@ private:
         }
         put(now);
         start.modes = now.modes;
+        for (std::size_t k = 0; k < now.modes.size(); ++k)
+            start.mode_spreads.push_back(physical_ ? spread(k, now.modes[k], inputs, values) : Wide(1));
         start.angles = now.angles;
         start.slow = now.slow;
         for (std::size_t k = 0; k < field_.drift.size(); ++k)
@@ -119,6 +121,20 @@ private:
             sum = sum + measured * value_of(rows_[k][s], values);
         }
         return (1 / map_.scale_of_mode(k, inputs.eps)) * sum;
+    }
+
+    [[nodiscard]] Wide spread(std::size_t k, const WideComplex& started, const SymbolicInputs& inputs,
+                              const SymbolicValues<Wide>& values) const {
+        Wide squares = 0;
+        for (std::size_t s = 0; s < rows_[k].size(); ++s) {
+            if (rows_[k][s].empty()) continue;
+            const std::string& state = field_.first_order->states[field_.basis.states[s]].name;
+            const Wide measured = inputs.start_of(state) - value_of(shifts_[s], values).re;
+            const Wide term = measured * value_of(rows_[k][s], values).size();
+            squares += term * term;
+        }
+        const Wide norm = sqrt(squares) / map_.scale_of_mode(k, inputs.eps), size = started.size();
+        return size > 0 && norm > size ? Wide(norm / size) : Wide(1);
     }
 
     [[nodiscard]] bool moves_others() const {
