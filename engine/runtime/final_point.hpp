@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform {
@@ -125,7 +124,7 @@ private:
 
     // Whether everything has decayed that turns with a phase.
     [[nodiscard]] bool is_gone(std::size_t phase) const {
-        const std::uint64_t with = Course::fades[phase];
+        const unsigned long long with = Course::fades[phase];
         for (std::size_t k = 0; k < Course::angles; ++k)
             if (((with >> k) & 1U) != 0 && !faded(power[k])) return false;
         return with != 0;

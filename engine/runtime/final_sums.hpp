@@ -38,7 +38,7 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
 //   static constexpr std::size_t columns, angles;
 //   static constexpr std::array<bool, angles> rounded;     the rate of a phase needs columns
 //   static constexpr std::array<bool, angles> decays;      it is an exponent
-//   static constexpr std::array<std::uint64_t, angles> fades;   what turns with it decays with these
+//   static constexpr std::array<unsigned long long, angles> fades;   what turns with it decays with these
 //   std::array<Real, columns> start() const;
 //   std::array<Real, levels[L]> rates(std::integral_constant<std::size_t, L>, const Real& T,
 //                                     const std::array<Real, columns>&) const;

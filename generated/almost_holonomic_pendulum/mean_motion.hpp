@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::almost_holonomic_pendulum::mean_motion {
@@ -341,7 +340,7 @@ private:
         static constexpr std::size_t columns = 1, angles = 0;
         static constexpr std::array<bool, 0> rounded{};
         static constexpr std::array<bool, 0> decays{};
-        static constexpr std::array<std::uint64_t, 0> fades{};
+        static constexpr std::array<unsigned long long, 0> fades{};
         using Columns = std::array<Real, 1>;
 
         const Real& eps;

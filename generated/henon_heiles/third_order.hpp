@@ -59,7 +59,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::henon_heiles::third_order {
@@ -708,7 +707,7 @@ private:
         static constexpr std::size_t columns = 4, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
         static constexpr std::array<bool, 1> decays{false};
-        static constexpr std::array<std::uint64_t, 1> fades{0};
+        static constexpr std::array<unsigned long long, 1> fades{0};
         using Columns = std::array<Real, 4>;
 
         const Real& eps;

@@ -47,7 +47,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::michaelis_menten::from_no_complex {
@@ -664,7 +663,7 @@ private:
         static constexpr std::size_t columns = 1, angles = 1;
         static constexpr std::array<bool, 1> rounded{true};
         static constexpr std::array<bool, 1> decays{true};
-        static constexpr std::array<std::uint64_t, 1> fades{0};
+        static constexpr std::array<unsigned long long, 1> fades{0};
         using Columns = std::array<Real, 1>;
 
         const Real& eps;

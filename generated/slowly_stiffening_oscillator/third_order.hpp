@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::slowly_stiffening_oscillator::third_order {
@@ -638,7 +637,7 @@ private:
         static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
         static constexpr std::array<bool, 1> decays{false};
-        static constexpr std::array<std::uint64_t, 1> fades{0};
+        static constexpr std::array<unsigned long long, 1> fades{0};
         using Columns = std::array<Real, 0>;
 
         const Real& eps;

@@ -41,7 +41,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::spring_pendulum::exchange {
@@ -524,7 +523,7 @@ private:
         static constexpr std::size_t columns = 4, angles = 2;
         static constexpr std::array<bool, 2> rounded{false, false};
         static constexpr std::array<bool, 2> decays{false, false};
-        static constexpr std::array<std::uint64_t, 2> fades{0, 0};
+        static constexpr std::array<unsigned long long, 2> fades{0, 0};
         using Columns = std::array<Real, 4>;
 
         const Real& eps;

@@ -53,7 +53,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::stiff_spring::very_stiff {
@@ -802,7 +801,7 @@ private:
         static constexpr std::size_t columns = 2, angles = 3;
         static constexpr std::array<bool, 3> rounded{false, true, true};
         static constexpr std::array<bool, 3> decays{false, false, true};
-        static constexpr std::array<std::uint64_t, 3> fades{0, 4, 0};
+        static constexpr std::array<unsigned long long, 3> fades{0, 4, 0};
         using Columns = std::array<Real, 2>;
 
         const Real& eps;

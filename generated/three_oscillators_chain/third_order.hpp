@@ -181,7 +181,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
 namespace resonform::generated::three_oscillators_chain::third_order {
@@ -1802,7 +1801,7 @@ private:
         static constexpr std::size_t columns = 0, angles = 3;
         static constexpr std::array<bool, 3> rounded{false, false, false};
         static constexpr std::array<bool, 3> decays{false, false, false};
-        static constexpr std::array<std::uint64_t, 3> fades{0, 0, 0};
+        static constexpr std::array<unsigned long long, 3> fades{0, 0, 0};
         using Columns = std::array<Real, 0>;
 
         const Real& eps;

@@ -20,7 +20,7 @@ protected:
                       stiffness + "\"]\n[equations]\nx = \"x'' + (" + stiffness +
                       ")*x + x^3 = 0\"\ntau = \"tau' = eps\"\n",
                   "order = 2\n[fix]\nal = \"1/3\"\n[start]\nx = \"eps\"\n\"x'\" = 0\ntau = 0.25\n"
-                  "[verify]\neps = [0.04, 0.02, 0.01]\ninterval = \"1/(2*eps)\"\n");
+                  "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\ninterval = \"1/(2*eps)\"\n");
     }
 
     Scene of(const std::string& system, const std::string& text) {

@@ -78,7 +78,7 @@ std::string runtime(const Program& program, bool inlined) {
 
 std::string includes(const Program& program, bool inline_runtime) {
     return runtime(program, inline_runtime) +
-           "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include <cstdint>\n#include "
+           "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include "
            "<type_traits>\n\n";
 }
 
