@@ -16,8 +16,9 @@ inline constexpr double compared_share = 0.1;
 // |value - exact| over the spacing of Real at the scale of an output (docs/theory.md); infinite if there is
 // no value.
 template <class Real, class Value> double in_ulp(const Value& value, const Wide& exact, const Wide& scale) {
-    const Wide spacing = scale * Wide(std::numeric_limits<Real>::epsilon()),
-               least(std::numeric_limits<Real>::denorm_min());
+    // The least of them is no denormal number on its way into Wide: with clang that became 0.
+    const Wide one = std::numeric_limits<Real>::epsilon(), spacing = scale * one,
+               least = Wide(std::numeric_limits<Real>::min()) * one;
     const Wide error = abs(Wide(Wide(value) - exact)) / (spacing < least ? least : spacing);
     return isfinite(error) ? static_cast<double>(error) : std::numeric_limits<double>::infinity();
 }
