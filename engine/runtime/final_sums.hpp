@@ -122,8 +122,8 @@ private:
     static constexpr bool several = !std::is_same_v<typename OneOf<Real>::type, Real>;
     using Seen = std::conditional_t<wide && !several, Number, Real>;
     using AngleSums = std::array<GaussSum<Number, Seen, n>, phases>;
-    // No rate needs an integral: all are evaluated in one loop, where a compiler computes what they share
-    // once.
+    // No rate needs an integral. All are evaluated in one loop, so that the compiler computes common
+    // sub-expressions once.
     static constexpr bool together = Course::levels.size() == 1 && !Course::flow;
 
     static Real narrow(const Number& x) { return static_cast<Real>(x); }

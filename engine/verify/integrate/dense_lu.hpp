@@ -17,7 +17,7 @@ public:
     DenseLu(const DenseLu&) = delete; // columns_ are places in lu_
     DenseLu& operator=(const DenseLu&) = delete;
 
-    // matrix: square, row by row. False if it is singular or holds what is no number.
+    // matrix: square, row by row. False if it is singular, or holds NaN or infinity.
     bool factor(const std::vector<double>& matrix);
     // A x = b in place. Precondition: factor() returned true.
     void solve(std::vector<double>& b);

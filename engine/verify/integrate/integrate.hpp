@@ -52,10 +52,10 @@ Integration<Real> integrate_taylor(const FirstOrderSystem& system, const std::ve
 // (15 at 1e-14, 26 at 1e-28), and the collocation polynomial serves as dense output: a step is as long as
 // its last two Legendre coefficients allow, |q_k| <= tolerance * scale of the state, the rule of the Taylor
 // series. At the ends of steps the order is 2s - 1, and errors are rounding errors where nothing is stiff.
-// Rounding: rates of size K that cancel leave K t units in the last place of what they drive, for any
-// method; tolerances are not met below that, as a second run shows, and those below 1000 units in the last
-// place are taken as that. Failures are those of integrate_taylor; `steps` counts rejected ones, too. A step
-// in double-double takes 0.2 ms for three states, 20 ms for seventeen.
+// Where rates of size K cancel, rounding leaves an error of K t units in the last place, with any method.
+// Tolerances below that are not met, as a second run shows; those below 1000 units in the last place are
+// raised to that. Failures are those of integrate_taylor; `steps` counts rejected ones, too. A step in
+// double-double takes 0.2 ms for three states, 20 ms for seventeen.
 constexpr std::size_t most_implicit_steps = 200'000;
 template <class Real>
 Integration<Real> integrate_implicit(const Tape& tape, const std::vector<Real>& parameters, const Real& eps,

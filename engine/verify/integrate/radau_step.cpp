@@ -16,7 +16,7 @@ constexpr int most_iterations = 20;
 // iteration that gets nowhere, which is at its end if its changes are rounding errors; above `diverging` a
 // bad guess.
 constexpr double slow = 1e-2, stalled = 0.25, diverging = 2;
-constexpr double safety = 1e-3;        // what is left of the iteration, in tolerances
+constexpr double safety = 1e-3;        // Newton's error at its end, in units of the tolerance
 constexpr double rounding_errors = 64; // in each rate, and in its way through the matrix
 
 // 1 for a state that has been zero all the time.

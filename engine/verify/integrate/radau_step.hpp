@@ -26,7 +26,7 @@ public:
 
     // increments[stage * states + state]: a guess, and the solution after it. scales: of the states, the
     // largest values so far; larger after it where the step has larger values. False if the iteration
-    // does not converge or meets what is no number; then both are garbage.
+    // does not converge or meets NaN or infinity; increments and scales are not to be used then.
     bool solve(const std::vector<Real>& state, const Real& h, std::vector<Real>& increments,
                std::vector<double>& scales);
 

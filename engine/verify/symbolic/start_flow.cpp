@@ -110,30 +110,31 @@ private:
         return field_.system().variables[variable].name;
     }
 
-    // sum of row * state, over eps^weight
-    [[nodiscard]] WideComplex mode(std::size_t k, const SymbolicInputs& inputs,
-                                   const SymbolicValues<Wide>& values) const {
-        WideComplex sum;
+    // row * state, over eps^weight: the terms of a mode.
+    [[nodiscard]] std::vector<WideComplex> terms_of(std::size_t k, const SymbolicInputs& inputs,
+                                                    const SymbolicValues<Wide>& values) const {
+        std::vector<WideComplex> terms;
         for (std::size_t s = 0; s < rows_[k].size(); ++s) {
             if (rows_[k][s].empty()) continue;
             const std::string& state = field_.first_order->states[field_.basis.states[s]].name;
             const Wide measured = inputs.start_of(state) - value_of(shifts_[s], values).re;
-            sum = sum + measured * value_of(rows_[k][s], values);
+            terms.push_back((measured / map_.scale_of_mode(k, inputs.eps)) * value_of(rows_[k][s], values));
         }
-        return (1 / map_.scale_of_mode(k, inputs.eps)) * sum;
+        return terms;
+    }
+
+    [[nodiscard]] WideComplex mode(std::size_t k, const SymbolicInputs& inputs,
+                                   const SymbolicValues<Wide>& values) const {
+        WideComplex sum;
+        for (const WideComplex& term : terms_of(k, inputs, values)) sum = sum + term;
+        return sum;
     }
 
     [[nodiscard]] Wide spread(std::size_t k, const WideComplex& started, const SymbolicInputs& inputs,
                               const SymbolicValues<Wide>& values) const {
         Wide squares = 0;
-        for (std::size_t s = 0; s < rows_[k].size(); ++s) {
-            if (rows_[k][s].empty()) continue;
-            const std::string& state = field_.first_order->states[field_.basis.states[s]].name;
-            const Wide measured = inputs.start_of(state) - value_of(shifts_[s], values).re;
-            const Wide term = measured * value_of(rows_[k][s], values).size();
-            squares += term * term;
-        }
-        const Wide norm = sqrt(squares) / map_.scale_of_mode(k, inputs.eps), size = started.size();
+        for (const WideComplex& term : terms_of(k, inputs, values)) squares += term.size() * term.size();
+        const Wide norm = sqrt(squares), size = started.size();
         return size > 0 && norm > size ? Wide(norm / size) : Wide(1);
     }
 
