@@ -136,9 +136,9 @@ Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normaliz
     return solution;
 }
 
-Solution solve_system(std::shared_ptr<const System> system, int order, int truncation, Watch& watch) {
+Solution solve_system(std::shared_ptr<const System> system, const SolveOptions& options, Watch& watch) {
     const Expanded expanded = expand_shared(std::move(system), watch);
-    return solve_under(watch, normalize_certified(expanded, truncation, watch), {order, truncation});
+    return solve_under(watch, normalize_certified(expanded, options.truncation, watch), options);
 }
 
 Scene read_scene_of(const std::string& argument, const Home& home) {
@@ -158,7 +158,8 @@ SceneLine solve_scene(Scene scene, Watch& watch) {
         const auto normalization = normalize_certified(line.expanded, line.count.truncation, watch);
         line.solution =
             solve_under(watch, normalization,
-                        {line.scene.order, line.count.truncation, line.scene.time_scale.value_or(1)});
+                        {line.scene.order, line.count.truncation, line.scene.time_scale.value_or(1),
+                         line.scene.transients});
         check_time_scale(line.solution, line.scene);
     });
     return line;

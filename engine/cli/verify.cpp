@@ -65,8 +65,8 @@ Guarantees guarantees_apart(const Scene& scene, const Solution& solution, const 
     limits.json = false; // the document is that of the verdicts
     const auto derive = [&](const std::shared_ptr<const System>& system, int order, int truncation) {
         try {
-            return watched(limits,
-                           [&](Watch& watch) { return solve_system(system, order, truncation, watch); });
+            const SolveOptions options{order, truncation, 1, scene.transients};
+            return watched(limits, [&](Watch& watch) { return solve_system(system, options, watch); });
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::check_failed) throw;
             refuse({error.diagnostic().rule, error.diagnostic().value, "", {}});

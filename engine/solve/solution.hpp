@@ -91,6 +91,7 @@ struct SolveOptions {
     int order = 3;      // N
     int truncation = 4; // M
     int time_scale = 1; // p: for times of order eps^-p
+    bool transients = true; // false: the slow manifold alone, without modes that decay at eps = 0
 };
 
 // The power of eps of the first oscillating term of an output. nullopt: it has none through the order.

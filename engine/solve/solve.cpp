@@ -148,8 +148,8 @@ Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOp
         Solution solution;
         solution.order = options.order;
         solution.truncation = options.truncation;
-        solution.flow =
-            std::make_shared<const SlowFlow>(slow_flow(*normalization, options.order, options.truncation));
+        solution.flow = std::make_shared<const SlowFlow>(
+            slow_flow(*normalization, options.order, options.truncation, options.transients));
         solution.normalization = std::move(normalization);
         return solution;
     }

@@ -26,7 +26,7 @@ std::optional<int> lightest(const GradedField& field) {
     if (!field.angles.empty()) return 0;
     std::optional<int> least;
     for (const Mode& mode : field.modes) {
-        if (!mode.growth.empty() || mode.is_real()) continue;
+        if (mode.is_damped() || mode.is_real()) continue;
         const int weight = field.ring->generator(mode.z).weight;
         least = std::min(least.value_or(weight), weight);
     }

@@ -50,7 +50,7 @@ const BadInput bad_scenes[] = {
      "    ^\n"
      "  found: oder\n"
      "  hint:  did you mean 'order'? Known are: system, title, order, time_scale, truncation, outputs, "
-     "oscillating, fix, start, emit, verify"},
+     "oscillating, transients, fix, start, emit, verify"},
     {"BothTimeScaleAndTruncation", "time_scale = 1", "time_scale = 1\ntruncation = 4",
      "2 scene.toml:5:14: truncation: the scene gives both time_scale and truncation\n"
      "    truncation = 4\n"
@@ -99,6 +99,18 @@ const BadInput bad_scenes[] = {
      "                   ^\n"
      "  found: \"no\"\n"
      "  hint:  write true or false, without quotes"},
+    {"TransientsNoBoolean", "outputs = ", "transients = 0\noutputs = ",
+     "2 scene.toml:5:14: transients: 'transients' is true or false\n"
+     "    transients = 0\n"
+     "                 ^\n"
+     "  found: 0\n"
+     "  hint:  write true or false, without quotes"},
+    {"TransientsOfAMeanMotion", "outputs = ", "oscillating = false\ntransients = true\noutputs = ",
+     "2 scene.toml:6:14: transients: a scene that does not oscillate has no transients\n"
+     "    transients = true\n"
+     "                 ^\n"
+     "  found: true\n"
+     "  hint:  remove it, or write oscillating = true"},
     {"OtherSystem", "system = \"almost_holonomic_pendulum\"", "system = \"another\"",
      "2 scene.toml:1:11: system: a scene names the system of its folder, 'almost_holonomic_pendulum'\n"
      "    system = \"another\"\n"

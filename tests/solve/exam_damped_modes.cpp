@@ -123,6 +123,30 @@ TEST(ADampedMode, IsNoPartOfTheMeanMotion) {
     }
 }
 
+// On the slow manifold nothing is left of them, but at the start.
+TEST(ADampedMode, IsLeftOutWithoutTransients) {
+    SolveOptions options{3, 4};
+    options.transients = false;
+    const Solution all = solution_of_text(spiral, 3, 4),
+                   solution = solution_of(read_system_text(spiral, "test.toml"), options);
+    const SlowFlow& flow = *solution.flow;
+    const GradedField& f = field(solution);
+    EXPECT_TRUE(flow.decays.empty());
+    EXPECT_EQ(flow.phases.size(), 1U);
+    EXPECT_TRUE(flow.modes[1].is_left_out);
+    ASSERT_EQ(flow.outputs.size(), all.flow->outputs.size());
+    for (std::size_t k = 0; k < flow.outputs.size(); ++k) {
+        const Polynomial lasting = flow.outputs[k].value.total(3);
+        const Polynomial left_out = all.flow->outputs[k].value.total(3) - lasting;
+        EXPECT_FALSE(lasting.empty());
+        EXPECT_FALSE(left_out.empty());
+        for (const Term& t : lasting.terms()) EXPECT_FALSE(has_damped_mode(f, t.monomial));
+        for (const Term& t : left_out.terms()) EXPECT_TRUE(has_damped_mode(f, t.monomial));
+    }
+    for (std::size_t k = 0; k < flow.state.size(); ++k)
+        EXPECT_EQ(flow.state[k].value.total(4), all.flow->state[k].value.total(4));
+}
+
 // Nothing turns for long: no phase needs one weight more.
 TEST(Truncation, OfDampedModesCountsNoPhase) {
     Scene scene;

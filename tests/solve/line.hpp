@@ -20,10 +20,14 @@ inline std::shared_ptr<const GradedField> field_of(System system) {
     return std::make_shared<const GradedField>(expand(std::move(first_order)));
 }
 
-inline Solution solution_of(System system, int order, int truncation, int time_scale = 1) {
+inline Solution solution_of(System system, const SolveOptions& options) {
     auto normalization =
-        std::make_shared<const Normalization>(normalize_poincare(field_of(std::move(system)), truncation));
-    return solve(std::move(normalization), {order, truncation, time_scale});
+        std::make_shared<const Normalization>(normalize_poincare(field_of(std::move(system)), options.truncation));
+    return solve(std::move(normalization), options);
+}
+
+inline Solution solution_of(System system, int order, int truncation, int time_scale = 1) {
+    return solution_of(std::move(system), {order, truncation, time_scale});
 }
 
 inline Solution solution_of_text(const std::string& toml, int order, int truncation, int time_scale = 1) {

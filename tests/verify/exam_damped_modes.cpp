@@ -143,6 +143,51 @@ TEST_F(DampedModes, EndWhereTheirDampingDoes) {
     EXPECT_STREQ(evaluator.why(Status::outside_domain), "-s + 1");
 }
 
+// On the slow manifold every output is as accurate behind the layer, and no exponential is left.
+TEST_F(DampedModes, LeaveTheManifoldBehindThem) {
+    Scene read = scene(spiral, "order = 2\ntransients = false\n" + let_go);
+    read.verify.eps.insert(read.verify.eps.begin(), Rational(1) / Rational(2)); // all of it is layer
+    const Verification v = test::verified(test::line_of(read));
+    for (const auto& output : v.outputs) EXPECT_EQ(output.verdict, Verdict::pass) << output.reason;
+    EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
+    EXPECT_EQ(v.conditions.within_layer, std::vector<Rational>{Rational(1) / Rational(2)});
+    EXPECT_GT(v.conditions.layer_end, 10);
+    EXPECT_EQ(v.outputs[0].ladder.size(), 4U);
+    for (const ProgramPhase& phase : test::program_of(read)->phases) EXPECT_FALSE(phase.decays());
+}
+
+// The base point is that of the start off the manifold, which moves it along the fibre.
+TEST_F(DampedModes, MatterForTheBasePoint) {
+    const std::string system = "[variables]\ns = { role = \"slow\", positive = true }\n"
+                               "c = { role = \"fast\", weight = 0 }\n[equations]\n"
+                               "s = \"s' = eps*(-s + (s + 1/2)*c)\"\nc = \"c' = s - (s + 1)*c\"\n"
+                               "[equilibrium]\nc = \"solve\"\n";
+    const std::string start = "order = 1\noutputs = [\"s\"]\ntransients = false\n[start]\ns = 1\nc = ";
+    const Verification right = test::verified(test::line_of(scene(system, start + "0\n")));
+    EXPECT_EQ(right.outputs[0].verdict, Verdict::pass) << right.outputs[0].reason;
+    const auto value = [&](const std::string& c) {
+        const Interpreter<double> evaluator(test::program_of(scene(system, start + c + "\n")), 0.01, {}, {}, 1);
+        std::vector<double> s;
+        EXPECT_EQ(evaluator.call(50, s), Status::ok);
+        return s.at(0);
+    };
+    EXPECT_GT(std::abs(value("0") - value("0.5")), 1e-3); // eps c(0) times the fibre
+}
+
+TEST_F(DampedModes, ThatAreAllOfAnOutputAreWantedThere) {
+    try {
+        test::program_of(scene("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+                               "x = \"x'' + x = 0\"\ny = \"y' = -y + x*y\"\n",
+                               "order = 2\noutputs = [\"x\", \"y\"]\ntransients = false\n[start]\n"
+                               "x = \"eps\"\n\"x'\" = 0\ny = \"eps\"\n"));
+        FAIL() << "accepted";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), ErrorKind::bad_input);
+        EXPECT_EQ(e.diagnostic().value, "y = O(eps^3) on the slow manifold");
+        EXPECT_EQ(e.diagnostic().place.key, "transients");
+    }
+}
+
 TEST_F(DampedModes, ThatAreRealHaveNoPhaseToStartFrom) {
     const Scene read = scene("[variables]\ny = { role = \"fast\" }\n[equations]\ny = \"y' = -y + y^2\"\n",
                              "order = 1\noutputs = [\"y\"]\n[start]\namplitude.y = 1\nphase.y = 0\n");

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace resonform {
 namespace {
@@ -39,6 +40,28 @@ TEST(Times, HalfAreEvenAndTheOthersCrowdAtBothEnds) {
 TEST(Times, AFastRateSetsTheFirst) {
     EXPECT_DOUBLE_EQ(crowded_times(400, 2000, 1e8).first, 1e-11);
     EXPECT_DOUBLE_EQ(crowded_times(400, 2000, 0).first, 4e-7);
+}
+
+TEST(Times, MayBeginBehindALayer) {
+    const SampleTimes times = crowded_times(400, 2000, 1, 100);
+    EXPECT_EQ(times.all.front(), 100);
+    EXPECT_EQ(times.all.back(), 400);
+    EXPECT_DOUBLE_EQ(times.first - 100, 3e-7);
+    ASSERT_EQ(times.even.size(), 1000U);
+    for (std::size_t i = 0; i < times.even.size(); ++i)
+        EXPECT_DOUBLE_EQ(times.all[times.even[i]], 100 + 300 * static_cast<double>(i) / 999);
+}
+
+// c decays as e^{-2t} at the start: of 1 is left 10^-3 eps^3.
+TEST(Times, ALayerEndsWhereNothingIsLeft) {
+    test::SceneLine line = test::line_of(test::scene_of("michaelis_menten", "from_no_complex"));
+    const auto end = [&] {
+        return layer_end(*line.solution.normalization->normal_form.field, line.scene,
+                         Rational(1) / Rational(100));
+    };
+    EXPECT_EQ(end(), 0);
+    line.scene.transients = false;
+    EXPECT_NEAR(std::exp(-2 * end()), 1e-9, 1e-15);
 }
 
 TEST(Times, TheLargestRateIsAFrequencyToo) {

@@ -35,6 +35,10 @@ public:
         Section section{"frame", {}};
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
+            if (flow_.modes[k].is_left_out) {
+                define(section, mode.name, by_weight({}, frame_));
+                continue;
+            }
             DisplaySum value = symbol_sum(amplitude(2 * k + 1));
             if (DisplaySum exponent = exponent_of(flow_.modes[k]); !exponent.terms.empty())
                 value.terms.front().tail.push_back(function_factor("exp", std::move(exponent)));
@@ -61,7 +65,8 @@ public:
             if (remainders_ && rate.through() >= 0) value.remainder = rate.through() + 1;
             define(section, name + "'", std::move(value));
         };
-        for (std::size_t k = 0; k < field_.modes.size(); ++k) add(amplitude(2 * k + 1), flow_.modes[k].rate);
+        for (std::size_t k = 0; k < field_.modes.size(); ++k)
+            if (!flow_.modes[k].is_left_out) add(amplitude(2 * k + 1), flow_.modes[k].rate);
         for (std::size_t k = 0; k < field_.angles.size(); ++k) add(offset(k), flow_.angles[k].rate);
         for (std::size_t k = 0; k < field_.slow.size(); ++k) add(field_.slow[k].name, flow_.slow[k]);
         for (std::size_t k = 0; k < field_.drift.size(); ++k) {

@@ -194,7 +194,7 @@ void FlowProgram::integrate_drifts() {
 std::vector<FlowUnit> FlowProgram::lasting_modes() {
     std::vector<FlowUnit> modes = moving_.modes;
     for (std::size_t k = 0; k < modes.size(); ++k)
-        if (flow_.modes[k].decay) modes[k].u = modes[k].v = program_.graph.rational(0);
+        if (field_.modes[k].is_damped()) modes[k].u = modes[k].v = program_.graph.rational(0);
     return modes;
 }
 
@@ -247,6 +247,10 @@ void FlowProgram::define_results() {
     if (options_.rows && !flow_.decays.empty()) program_.form_reason = "no tables of modes that decay";
     for (const std::string& wanted : scene_.outputs) {
         const FlowOutput& output = output_of(wanted);
+        if (!scene_.transients && scene_.oscillating && !output.drift && !lowest_weight(output.value))
+            bad_input({"without transients an output has something that lasts",
+                       fmt::format("{} = O(eps^{}) on the slow manifold", wanted, solution_.order + 1),
+                       "remove it from outputs, or write transients = true", scene_.transients_place});
         if (options_.rows && flow_.decays.empty()) append_rows(output);
         program_.outputs.push_back({wanted, result(output, scene_.oscillating)});
     }

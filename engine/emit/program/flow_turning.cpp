@@ -44,8 +44,9 @@ void FlowTurning::add_phases() {
         ProgramPhase decaying = phase(numbered("chi", p, flow_.decays.size()), flow_.decays[p]);
         decaying.exponential = graph.symbol("exp " + decaying.name);
         program_.phases.push_back(std::move(decaying));
-        keep_decaying(flow_.decays[p]);
     }
+    for (const Mode& mode : field_.modes)
+        if (mode.is_damped()) keep_decaying(-mode.growth);
     for (std::size_t p = 0; p < flow_.phases.size(); ++p) let_fade(p);
 }
 
@@ -70,8 +71,7 @@ ProgramPhase FlowTurning::phase(const std::string& name, const Polynomial& rate)
             {}};
 }
 
-void FlowTurning::keep_decaying(const Polynomial& rate) {
-    const Polynomial damping = -field_.ring->by_weight(rate, 0).front();
+void FlowTurning::keep_decaying(const Polynomial& damping) {
     const Graph::Node node = frame_.lowering.polynomial(real_(damping).re);
     if (!signs_of(program_.graph, node, surroundings_.positive).is_positive())
         program_.positive.push_back({node, quantity(*field_.ring, damping)});

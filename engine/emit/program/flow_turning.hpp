@@ -26,7 +26,7 @@ private:
     void add_phases();
     [[nodiscard]] ProgramPhase phase(const std::string& name, const Polynomial& rate);
     void let_fade(std::size_t phase);
-    void keep_decaying(const Polynomial& rate);
+    void keep_decaying(const Polynomial& damping);
     FlowUnit turned(FlowUnit unit, const FlowMode& mode, std::size_t variable);
 
     Program& program_;

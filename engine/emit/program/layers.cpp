@@ -16,19 +16,12 @@ namespace {
 
 const Rational least_divisor = Rational(1) / 10'000; // |D| > 10^-4 eps
 
-// Whether a monomial contains a mode that decays: soon nothing is left of it.
-bool decays(const GradedField& field, const Monomial& monomial) {
-    for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (!field.modes[k].growth.empty() && degree_in(field, monomial, k) > 0) return true;
-    return false;
-}
-
 // One divisor of each kind D = factor * primitive, the one with the smallest factor > 0.
 std::vector<Polynomial> smallest_of_each(const Normalization& normalization, bool lasting) {
     std::vector<std::pair<Polynomial, Rational>> known; // primitive, factor
     for (const DivisorRecord& record : normalization.divisors) {
         if (record.verdict != DivisorVerdict::removed) continue;
-        if (lasting && decays(*normalization.normal_form.field, record.monomial)) continue;
+        if (lasting && has_damped_mode(*normalization.normal_form.field, record.monomial)) continue;
         const Rational lead = record.divisor.terms().front().coefficient, factor = cln::abs(lead);
         const Polynomial primitive = (1 / lead) * record.divisor;
         const auto same = std::find_if(known.begin(), known.end(),

@@ -32,6 +32,8 @@ struct Mode {
     SeriesProgram::Node rate; // z' - lambda z - sum n z_k =: f, as a node
 
     [[nodiscard]] bool is_real() const { return z == zbar; }
+    // It decays (or grows) at eps = 0.
+    [[nodiscard]] bool is_damped() const { return !growth.empty(); }
 };
 
 // phi' = frequency(xi) + f; harmonics e^{i k phi} are powers of the generator `phase`.

@@ -32,7 +32,7 @@ const std::vector<std::string>& keys_of_systems() {
 
 const std::vector<std::string>& keys_of_scenes() {
     static const std::vector<std::string> keys = {"system",     "title",   "order",       "time_scale",
-                                                  "truncation", "outputs", "oscillating", "fix",
+                                                  "truncation", "outputs", "oscillating", "transients", "fix",
                                                   "start",      "emit",    "verify"};
     return keys;
 }

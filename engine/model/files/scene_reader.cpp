@@ -51,12 +51,12 @@ SceneReader::SceneReader(TomlNode root, const std::filesystem::path& file,
     scene_.start_place = place_of_key("start");
     scene_.order_place = place_of_key("order");
     scene_.time_scale_place = place_of_key("time_scale");
+    scene_.transients_place = place_of_key("transients");
 }
 
 Scene SceneReader::read() {
     scene_.title = heading_of_scene(root_, scene_.file).title;
-    if (const TomlNode* oscillating = root_.find("oscillating"))
-        scene_.oscillating = boolean_of(*oscillating);
+    read_parts();
     read_orders();
     read_system_of_scene();
     read_outputs();
@@ -66,6 +66,16 @@ Scene SceneReader::read() {
     read_emit();
     scene_.verify = read_verify(root_.find("verify"), scene_);
     return std::move(scene_);
+}
+
+void SceneReader::read_parts() {
+    if (const TomlNode* oscillating = root_.find("oscillating"))
+        scene_.oscillating = boolean_of(*oscillating);
+    const TomlNode* transients = root_.find("transients");
+    scene_.transients = transients == nullptr ? scene_.oscillating : boolean_of(*transients);
+    if (scene_.transients && !scene_.oscillating)
+        bad_value(*transients, "a scene that does not oscillate has no transients",
+                  "remove it, or write oscillating = true");
 }
 
 void SceneReader::read_emit() {

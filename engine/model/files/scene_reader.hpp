@@ -17,6 +17,7 @@ private:
     void read_orders();
     void read_outputs();
     void read_fix();
+    void read_parts();
     void read_emit();
     [[nodiscard]] static GiNaC::ex fixed_value(const TomlNode& node, const Parameter& parameter);
 

@@ -65,11 +65,13 @@ struct Scene {
     std::optional<int> truncation; // M
     std::vector<std::string> outputs;
     bool oscillating = true;
+    bool transients = true; // modes that decay at eps = 0; where nothing oscillates they are left out, too
     EmitForm form = EmitForm::automatic;
     std::map<std::string, GiNaC::ex> fix;            // parameter -> exact value: 5/4, sqrt(2)
     std::vector<StartValue> start;                   // in the order of the file
     Place fix_place, start_place;                    // of the tables, else of the file: for missing entries
-    Place order_place, time_scale_place, form_place; // of the values, else of the file
+    // Of the values, else of the file.
+    Place order_place, time_scale_place, form_place, transients_place;
     VerifyPlan verify;
 
     // Whether it is among the outputs.

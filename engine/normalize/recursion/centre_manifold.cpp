@@ -45,7 +45,7 @@ void require_invariance(const GradedField& field, const Mode& mode, const Series
 
 void require_slaved_modes(const GradedField& field) {
     const auto& modes = field.modes;
-    if (std::any_of(modes.begin(), modes.end(), [](const Mode& m) { return !m.growth.empty(); })) return;
+    if (std::any_of(modes.begin(), modes.end(), [](const Mode& m) { return m.is_damped(); })) return;
     const System& system = field.system();
     refuse({"a centre manifold is for systems with modes that decay or grow at eps = 0",
             fmt::format("no mode of {} does", system.name),
@@ -60,8 +60,8 @@ CentreManifold centre_manifold(const Normalization& normalization) {
     CentreManifold result{{}, normalization.normal_form, normalization.map, {}};
     std::vector<GeneratorId> slaved;
     for (const Mode& mode : field.modes) {
-        result.slaved.push_back(!mode.growth.empty());
-        if (mode.growth.empty()) continue;
+        result.slaved.push_back(mode.is_damped());
+        if (!mode.is_damped()) continue;
         slaved.push_back(mode.z);
         if (!mode.is_real()) slaved.push_back(mode.zbar);
     }

@@ -90,7 +90,7 @@ template <class Domain> auto DivisorTable<Domain>::multiples_of(const Monomial& 
         const int own = static_cast<int>(m) == mode_ ? 1 : 0;
         const int alpha = ring.exponent(monomial, mode.z) - own;
         const int conjugate = mode.is_real() ? 0 : ring.exponent(monomial, mode.zbar);
-        multiples.push_back(mode.growth.empty() ? 0 : alpha + conjugate);
+        multiples.push_back(mode.is_damped() ? alpha + conjugate : 0);
         multiples.push_back(mode.is_real() ? 0 : alpha - conjugate);
     }
     for (const AngleVariable& angle : field_.angles)

@@ -37,9 +37,9 @@ void check_modes(const NormalForm& normal_form) {
 // The frame in which theta_j' are the frequencies at eps = 0, or those of all weights; chi_j' likewise.
 class Framing {
 public:
-    Framing(const Normalization& normalization, int through)
+    Framing(const Normalization& normalization, int through, bool transients)
         : normal_form_(normalization.normal_form), field_(*normal_form_.field), ring_(*field_.ring),
-          through_(through), alone_(damped_modes_decay_alone()) {}
+          through_(through), transients_(transients), alone_(damped_modes_decay_alone()) {}
 
     SlowFlow build() {
         if (field_.slow.empty() && field_.angles.empty() && keeps_moduli()) {
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_damped(std::size_t k) const { return !field_.modes[k].growth.empty(); }
+    [[nodiscard]] bool is_damped(std::size_t k) const { return field_.modes[k].is_damped(); }
 
     // Is every rate of a damped mode this mode times something free of all damped ones?
     [[nodiscard]] bool damped_modes_decay_alone() const {
@@ -95,6 +95,10 @@ private:
         SlowFlow flow;
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
+            if (mode.is_damped() && !transients_) {
+                flow.modes.emplace_back().is_left_out = true;
+                continue;
+            }
             const Polynomial rate = normal_form_.mode[k].total(through_);
             const bool all = is_damped(k) ? alone_ : whole && !mode.is_real();
             const Polynomial own = all ? without(rate, mode.z) : field_.eigenvalue(mode);
@@ -166,7 +170,7 @@ private:
     const GradedField& field_;
     const Ring& ring_;
     int through_;
-    bool alone_;
+    bool transients_, alone_;
 };
 
 // Writes every state in the old modes z and slow variables, then substitutes the map.
@@ -228,17 +232,32 @@ private:
     const Ring& ring_;
 };
 
+// The terms without damped modes.
+Series lasting(const GradedField& field, const Series& value) {
+    Series result;
+    for (int n = 0; n <= value.through(); ++n) {
+        std::vector<Term> terms;
+        for (const Term& t : value.part(n).terms())
+            if (!has_damped_mode(field, t.monomial)) terms.push_back(t);
+        result.set(n, Polynomial::from_terms(std::move(terms)));
+    }
+    return result;
+}
+
 } // namespace
 
-SlowFlow slow_flow(const Normalization& normalization, int order, int truncation) {
+SlowFlow slow_flow(const Normalization& normalization, int order, int truncation, bool transients) {
     check_modes(normalization.normal_form);
     const GradedField& field = *normalization.normal_form.field;
-    SlowFlow flow = Framing(normalization, truncation).build();
+    SlowFlow flow = Framing(normalization, truncation, transients).build();
     const Outputs outputs(normalization);
     for (const State& state : field.first_order->states) {
         const Role role = field.system().variables[state.variable].role;
         if (role == Role::angle) continue;
-        if (state.derivative == 0) flow.outputs.push_back(outputs.of(state, order));
+        if (state.derivative == 0) {
+            flow.outputs.push_back(outputs.of(state, order));
+            if (!transients) flow.outputs.back().value = lasting(field, flow.outputs.back().value);
+        }
         if (role != Role::slow) flow.state.push_back(outputs.of(state, truncation));
     }
     return flow;

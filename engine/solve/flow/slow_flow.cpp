@@ -14,7 +14,7 @@ bool depends_on_phases(const GradedField& field, const SlowFlow& flow) {
                            [&](const Term& t) { return !turns_as(field, t.monomial, as); });
     };
     for (std::size_t k = 0; k < flow.modes.size(); ++k)
-        if (!flow.modes[k].decay && turns(flow.modes[k].rate, k)) return true;
+        if (!field.modes[k].is_damped() && turns(flow.modes[k].rate, k)) return true;
     return std::any_of(flow.angles.begin(), flow.angles.end(),
                        [&](const FlowMode& angle) { return turns(angle.rate, std::nullopt); }) ||
            std::any_of(flow.slow.begin(), flow.slow.end(),
@@ -83,6 +83,12 @@ int degree_in(const GradedField& field, const Monomial& monomial, std::size_t k)
     return mode.is_real() ? degree : degree + field.ring->exponent(monomial, mode.zbar);
 }
 
+bool has_damped_mode(const GradedField& field, const Monomial& monomial) {
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (field.modes[k].is_damped() && degree_in(field, monomial, k) > 0) return true;
+    return false;
+}
+
 Polynomial mean_part(const GradedField& field, const SlowFlow& flow, const Polynomial& p) {
     std::vector<Term> terms;
     for (const Term& t : p.terms())
@@ -114,7 +120,7 @@ std::optional<int> flow_power(const GradedField& field, const SlowFlow& flow) {
     };
     const bool phases_act = depends_on_phases(field, flow);
     for (std::size_t k = 0; k < flow.modes.size(); ++k) {
-        if (flow.modes[k].decay) continue;
+        if (field.modes[k].is_damped()) continue;
         const Series& rate = flow.modes[k].rate;
         lower(phases_act ? rate : of_modulus(field, field.modes[k], rate),
               field.ring->generator(field.modes[k].z).weight);

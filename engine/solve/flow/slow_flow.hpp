@@ -34,6 +34,7 @@ struct FlowMode {
     std::optional<std::size_t> phase; // theta_j: index into SlowFlow::phases; angles and complex modes
     std::optional<std::size_t> decay; // chi_j: index into SlowFlow::decays; damped modes
     Series rate; // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
+    bool is_left_out = false; // a damped mode, by SolveOptions::transients: in no output
 };
 
 struct FlowOutput {
@@ -68,6 +69,9 @@ bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<
 
 // How often a mode and its conjugate occur in a monomial.
 int degree_in(const GradedField& field, const Monomial& monomial, std::size_t k);
+
+// Whether a monomial contains a mode that decays: soon nothing is left of it.
+bool has_damped_mode(const GradedField& field, const Monomial& monomial);
 
 // p without its oscillating and decaying terms.
 Polynomial mean_part(const GradedField& field, const SlowFlow& flow, const Polynomial& p);

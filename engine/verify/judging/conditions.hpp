@@ -32,6 +32,11 @@ struct Conditions {
     double first = std::numeric_limits<double>::quiet_NaN(); // the least above 0, at the smallest eps
     double per_fast_period = std::numeric_limits<double>::quiet_NaN(); // even ones, where they are the fewest
 
+    // Without transients: where the times begin, at the smallest eps, and the eps whose interval is hardly
+    // longer than that.
+    double layer_end = 0;
+    std::vector<Rational> within_layer;
+
     std::optional<LadderEnd> ladder_end;
 };
 

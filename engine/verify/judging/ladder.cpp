@@ -26,6 +26,7 @@ namespace {
 // A default ladder that has not settled goes on with these, as long as a rung is affordable.
 constexpr std::array<int, 3> extensions{20'000, 50'000, 100'000}; // 1/eps
 constexpr double affordable_steps = 150'000;                      // seconds in double-double
+constexpr double longest_layer = 0.5;                             // of an interval that is looked at
 
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -92,6 +93,10 @@ public:
                     eps, fmt::format("the interval is longer than {:g} there", longest_interval)};
                 break;
             }
+            if (layer_end(field_, scene_, eps) > longest_layer * interval_length(scene_, eps)) {
+                result_.conditions.within_layer.push_back(eps);
+                continue;
+            }
             Rung rung = planned(eps);
             if (!rung.steps) {
                 result_.conditions.ladder_end = {
@@ -108,7 +113,7 @@ public:
     // A default ladder that has not settled goes on.
     void further() {
         for (const int inverse : extensions) {
-            if (result_.conditions.ladder_end) return;
+            if (result_.conditions.ladder_end || result_.outputs.front().ladder.empty()) return;
             if (std::all_of(result_.outputs.begin(), result_.outputs.end(), settled)) return;
             const Rational eps = Rational(1) / Rational(inverse);
             const double ratio = to_double(result_.outputs.front().ladder.back().eps) / to_double(eps);
@@ -131,8 +136,11 @@ private:
 
     void add(const Rung& plan) {
         const double rate = largest_rate(field_, scene_, plan.at.eps);
-        const SampleTimes times = crowded_times(plan.at.interval, Trial::resolving_points(*plan.steps), rate);
-        note(times, plan.at.interval, rate);
+        const double from = layer_end(field_, scene_, plan.at.eps);
+        const SampleTimes times =
+            crowded_times(plan.at.interval, Trial::resolving_points(*plan.steps), rate, from);
+        result_.conditions.layer_end = from;
+        note(times, plan.at.interval - from, rate);
         const Reference reference = trial_.reference(plan.at, times.all);
         const Deviation found = deviation(trial_, plan.at, reference);
         for (std::size_t k = 0; k < result_.outputs.size(); ++k) {
@@ -150,13 +158,13 @@ private:
         steps_of_last_ = *plan.steps;
     }
 
-    void note(const SampleTimes& times, double interval, double rate) {
+    void note(const SampleTimes& times, double length, double rate) {
         Conditions& conditions = result_.conditions;
         conditions.count = times.all.size();
         conditions.first = times.first;
         if (rate == 0) return;
         const double period = 2 * std::numbers::pi / rate;
-        const double here = static_cast<double>(times.even.size() - 1) * period / interval;
+        const double here = static_cast<double>(times.even.size() - 1) * period / length;
         conditions.per_fast_period = std::fmin(conditions.per_fast_period, here); // the first is no number
     }
 
@@ -201,7 +209,7 @@ ErrorCurves error_curves(std::shared_ptr<const FirstOrderSystem> system, const S
                          const VerifyOptions& options) {
     const Trial trial(std::move(system), scene, solution, options);
     const TrialPoint at = trial.point(eps);
-    const Reference reference = trial.reference(at, even_times(at.interval, points));
+    const Reference reference = trial.reference(at, even_times(at.interval, points, layer_end(*solution.normalization->normal_form.field, scene, eps)));
     ErrorCurves curves;
     curves.eps = to_double(eps);
     curves.times = reference.times;

@@ -11,26 +11,56 @@ namespace resonform {
 namespace {
 
 constexpr double of_fastest_rate = 1e-3, of_interval = 1e-9;
+constexpr double of_allowed_error = 1e-3; // what may be left of a transient
+
+// The size of an expression where the motion starts; 0: it is no number there, such as at a singularity of
+// the frequency.
+class SizeAtStart {
+public:
+    SizeAtStart(const GradedField& field, const Scene& scene, const Rational& eps)
+        : scene_(scene), eps_(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(eps))) {
+        for (const SlowVariable& slow : field.slow)
+            if (const StartValue* value = scene.start_of(slow.name))
+                start_[scene.system->variables[slow.variable].jet.front()] = value->value;
+    }
+
+    double operator()(const GiNaC::ex& value) const {
+        const auto found = where_regular([&] {
+            const GiNaC::ex number = scene_.fixed(value.subs(start_)).subs(eps_).evalf();
+            return GiNaC::is_a<GiNaC::numeric>(number)
+                       ? std::abs(GiNaC::ex_to<GiNaC::numeric>(number).to_double())
+                       : 0.0;
+        });
+        return found.value_or(0.0);
+    }
+
+private:
+    const Scene& scene_;
+    GiNaC::ex eps_;
+    GiNaC::exmap start_;
+};
 
 } // namespace
 
-std::vector<double> even_times(double interval, std::size_t points) {
+std::vector<double> even_times(double interval, std::size_t points, double from) {
     std::vector<double> times(points);
     for (std::size_t i = 0; i < points; ++i)
-        times[i] = interval * (static_cast<double>(i) / static_cast<double>(points - 1));
+        times[i] = from + (interval - from) * (static_cast<double>(i) / static_cast<double>(points - 1));
     return times;
 }
 
-SampleTimes crowded_times(double interval, std::size_t points, double rate) {
-    const std::vector<double> even = even_times(interval, points / 2);
+SampleTimes crowded_times(double interval, std::size_t points, double rate, double from) {
+    const std::vector<double> even = even_times(interval, points / 2, from);
     const std::size_t quarter = points / 4;
+    const double length = interval - from,
+                 nearest = std::min(of_fastest_rate / rate, of_interval * length); // of rate 0: infinity
     SampleTimes times;
-    times.first = std::min(of_fastest_rate / rate, of_interval * interval); // of rate 0: infinity
+    times.first = from + nearest;
     times.all = even;
     for (std::size_t i = 0; i < quarter; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(quarter);
-        const double distance = times.first * std::pow(interval / times.first, share);
-        times.all.push_back(distance);
+        const double distance = nearest * std::pow(length / nearest, share);
+        times.all.push_back(from + distance);
         times.all.push_back(interval - distance);
     }
     std::sort(times.all.begin(), times.all.end());
@@ -44,26 +74,23 @@ SampleTimes crowded_times(double interval, std::size_t points, double rate) {
 }
 
 double largest_rate(const GradedField& field, const Scene& scene, const Rational& eps) {
-    GiNaC::exmap start;
-    for (const SlowVariable& slow : field.slow)
-        if (const StartValue* value = scene.start_of(slow.name))
-            start[scene.system->variables[slow.variable].jet.front()] = value->value;
-    const auto size = [&](const GiNaC::ex& value) {
-        const auto found = where_regular([&] {
-            const GiNaC::ex number = scene.fixed(value.subs(start))
-                                         .subs(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(eps)))
-                                         .evalf();
-            return GiNaC::is_a<GiNaC::numeric>(number)
-                       ? std::abs(GiNaC::ex_to<GiNaC::numeric>(number).to_double())
-                       : 0.0;
-        });
-        return found.value_or(0.0); // it may start at a singularity of the frequency
-    };
+    const SizeAtStart size(field, scene, eps);
     double rate = 0;
     for (const ModeShape& mode : field.basis.modes)
         rate = std::max(rate, std::hypot(size(mode.eigenvalue.re), size(mode.eigenvalue.im)));
     for (const AngleVariable& angle : field.angles) rate = std::max(rate, size(angle.law));
     return rate;
+}
+
+double layer_end(const GradedField& field, const Scene& scene, const Rational& eps) {
+    if (scene.transients) return 0;
+    const SizeAtStart size(field, scene, eps);
+    const double decades = -std::log(of_allowed_error) - (scene.order + 1) * std::log(to_double(eps));
+    double end = 0;
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (field.modes[k].is_damped())
+            end = std::max(end, decades / size(field.basis.modes[k].eigenvalue.re));
+    return end;
 }
 
 } // namespace resonform

@@ -10,8 +10,8 @@
 
 namespace resonform {
 
-// Evenly spread over [0, interval], both ends included; points >= 2.
-std::vector<double> even_times(double interval, std::size_t points);
+// Evenly spread over [from, interval], both ends included; points >= 2.
+std::vector<double> even_times(double interval, std::size_t points, double from = 0);
 
 struct SampleTimes {
     std::vector<double> all;       // ascending, both ends of the interval included
@@ -19,13 +19,17 @@ struct SampleTimes {
     double first = 0;              // the least above 0
 };
 
-// Half of the points even; a quarter in geometric progression from each end, the first at 10^-3/rate or
-// 10^-9 of the interval, whichever is smaller: an error that lives in a layer at an end is met at every
-// length of the layer. Times that coincide are counted once. points >= 8, rate >= 0.
-SampleTimes crowded_times(double interval, std::size_t points, double rate);
+// Half of the points even over [from, interval]; a quarter in geometric progression from each end, the first
+// 10^-3/rate or 10^-9 of the length away, whichever is smaller: an error that lives in a layer at an end is
+// met at every length of the layer. Times that coincide are counted once. points >= 8, rate >= 0.
+SampleTimes crowded_times(double interval, std::size_t points, double rate, double from = 0);
 
 // The largest |lambda| of the linear part, or frequency of an angle, where the motion starts; 0: there is
 // none that is a number. Precondition: [fix] gives every parameter.
 double largest_rate(const GradedField& field, const Scene& scene, const Rational& eps);
+
+// Where a solution without transients may be judged: there the slowest of them, from amplitudes of order 1
+// with its rate at the start, has become 10^-3 eps^{N+1}. 0: nothing is left out.
+double layer_end(const GradedField& field, const Scene& scene, const Rational& eps);
 
 } // namespace resonform

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/work_precision.hpp"
 
+#include "algebra/number/error.hpp"
 #include "emit/program/build_program.hpp"
+#include "model/files/interval_length.hpp"
 #include "solve/solve.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/integrate/compiled_tape.hpp"
@@ -68,8 +70,10 @@ Tape fixed_rates(const FirstOrderSystem& system, const Scene& scene) {
 // All methods at one eps. Nothing is integrated before a row wants it.
 class Comparer {
 public:
-    Comparer(const Trial& trial, const Tape& rates, const Rational& eps, const CompareOptions& options)
-        : trial_(trial), options_(options), at_(trial.point(eps)),
+    // from: errors at earlier times do not count.
+    Comparer(const Trial& trial, const Tape& rates, const Rational& eps, double from,
+             const CompareOptions& options)
+        : trial_(trial), options_(options), at_(trial.point(eps)), from_(from),
           judged_(even_times(at_.interval, judged_points)), tape_(rates) {
         workloads_.push_back({Task::final, {judged_.back()}, judged_points - 1, 1});
         // Every interval of the reference is divided evenly.
@@ -187,6 +191,7 @@ private:
         for (std::size_t k = 0; k < values.size(); ++k) {
             double worst = 0;
             for (std::size_t i = 0; work.first_judged + i < judged_points; ++i) {
+                if (judged_[work.first_judged + i] < from_) continue;
                 const DoubleDouble error =
                     DoubleDouble(values[k][i * work.stride]) - reference.values[k][work.first_judged + i];
                 const double size = std::abs(to_double_value(error));
@@ -199,6 +204,7 @@ private:
     const Trial& trial_;
     const CompareOptions& options_;
     TrialPoint at_;
+    double from_;
     std::vector<double> judged_; // where the reference is known
     const Tape& tape_;
     std::optional<Reference> reference_;
@@ -327,10 +333,21 @@ Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& 
     for (const ProgramOutput& output : trial.program()->outputs) result.outputs.push_back(output.name);
     std::vector<Emitted> codes;
     for (int order = 1; order <= scene.order; ++order)
-        codes.emplace_back(scene, solve(solution.normalization, {order, solution.truncation}), options);
-    for (const Rational& eps : options.eps)
+        codes.emplace_back(
+            scene,
+            solve(solution.normalization,
+                  {order, solution.truncation, scene.time_scale.value_or(1), scene.transients}),
+            options);
+    for (const Rational& eps : options.eps) {
+        const double from = layer_end(*solution.normalization->normal_form.field, scene, eps);
+        if (from > interval_length(scene, eps))
+            refuse(Reason::integration,
+                   {"the interval reaches beyond the layer that a scene without transients leaves out",
+                    fmt::format("the layer takes {:.3g} at eps = {}", from, to_string(eps)),
+                    "take a smaller --eps, or write transients = true", scene.transients_place});
         result.by_eps.push_back(
-            {eps, compare_at(Comparer(trial, rates, eps, options), codes, options, result.rows)});
+            {eps, compare_at(Comparer(trial, rates, eps, from, options), codes, options, result.rows)});
+    }
     return result;
 }
 

@@ -30,12 +30,17 @@ Json of(const LadderRung& r) {
 // The conditions of all verdicts, between the names and the outputs.
 void add(Json& json, const Conditions& c) {
     json["times"] = {
-        {"count", c.count}, {"first", number(c.first)}, {"per_fast_period", number(c.per_fast_period)}};
+        {"count", c.count},
+        {"first", number(c.first)},
+        {"per_fast_period", number(c.per_fast_period)},
+        {"from", c.layer_end}};
     json["interval"] = c.interval;
     json["promised"] = c.promised;
     json["shorter_than_promised"] = c.shorter_than_promised;
     json["start"] = Json::object();
     for (const auto& [name, text] : c.start) json["start"][name] = text;
+    json["within_layer"] = Json::array();
+    for (const Rational& eps : c.within_layer) json["within_layer"].push_back(to_double(eps));
     json["ladder_end"] =
         c.ladder_end ? Json{{"eps", to_double(c.ladder_end->eps)}, {"reason", c.ladder_end->reason}} : Json();
 }

@@ -74,7 +74,9 @@ std::string unanswered(const Verification& v) {
 
 std::string conditions_text(const Verification& v) {
     const Conditions& c = v.conditions;
-    std::string text = fmt::format("  on 0 <= t <= {}", c.interval);
+    const std::string from =
+        c.layer_end > 0 ? fmt::format("{:.3g} (the layer, at the smallest eps)", c.layer_end) : "0";
+    std::string text = fmt::format("  on {} <= t <= {}", from, c.interval);
     if (c.count > 0) {
         const std::vector<LadderRung>& ladder = v.outputs.front().ladder;
         text += fmt::format(", eps = {:g} ... {:g}; {} times at the smallest, half of them even",
@@ -86,6 +88,12 @@ std::string conditions_text(const Verification& v) {
     std::vector<std::string> start;
     for (const auto& [name, value] : c.start) start.push_back(fmt::format("{} = {}", name, value));
     if (!start.empty()) text += fmt::format("\n  start: {}", fmt::join(start, ", "));
+    if (!c.within_layer.empty()) {
+        std::vector<double> eps;
+        for (const Rational& e : c.within_layer) eps.push_back(to_double(e));
+        text += fmt::format("\n  left out, as the layer takes half of the interval: eps = {:g}",
+                            fmt::join(eps, ", "));
+    }
     if (c.ladder_end)
         text += fmt::format("\n  the ladder ends above eps = {:g}: {}", to_double(c.ladder_end->eps),
                             c.ladder_end->reason);

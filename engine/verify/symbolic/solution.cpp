@@ -94,12 +94,12 @@ void SymbolicSolution::add_layers(const std::function<Polynomial(const Polynomia
 
 void SymbolicSolution::add_corrections() {
     if (!solution_.modes.empty()) modulus_ = ring_->fixed()(leading_modulus(solution_));
+    const std::vector<Mode>& modes = solution_.normalization->normal_form.field->modes;
     for (FirstCorrection& correction : first_corrections(solution_)) {
         SymbolicCorrection added{std::move(correction), {}, modulus_, true};
         if (solution_.flow)
             for (const std::size_t k : added.correction.modes)
-                if (!solution_.flow->modes[k].decay)
-                    added.needs.push_back({1, {{solution_.normalization->normal_form.field->modes[k].z, 1}}});
+                if (!modes[k].is_damped()) added.needs.push_back({1, {{modes[k].z, 1}}});
         for (const Polynomial& p : added.correction.polynomials()) {
             added.polynomials.push_back(ring_->fixed()(p));
             added.needs.insert(added.needs.end(), added.polynomials.back().begin(),
@@ -114,10 +114,13 @@ void SymbolicSolution::add_corrections() {
 
 std::vector<Wide> SymbolicSolution::moduli(const SymbolicValues<Wide>& values, const Wide& eps) const {
     if (!solution_.flow) return {value_of(modulus_, values).size()};
+    const std::vector<Mode>& modes = solution_.normalization->normal_form.field->modes;
     std::vector<Wide> result;
     for (const SymbolicVariable& v : variables_)
         if (v.kind == Of::mode)
-            result.push_back(v.decay ? Wide(0) : Wide(values[v.id].size() / math::power(eps, v.weight)));
+            result.push_back(modes[v.start].is_damped()
+                                 ? Wide(0)
+                                 : Wide(values[v.id].size() / math::power(eps, v.weight)));
     return result;
 }
 
@@ -227,9 +230,9 @@ void SymbolicSolution::read_flow() {
         outputs_.push_back({name, fixed.written_out(p), std::nullopt});
         if (output.drift) outputs_.back().drift = drifts + *output.drift;
     }
-    for (const Polynomial& rate : flow.decays)
-        conditions_.push_back(
-            {SymbolicCondition::Kind::radicand, fixed(-field.ring->by_weight(rate, 0).front())});
+    for (const Mode& mode : field.modes)
+        if (mode.is_damped())
+            conditions_.push_back({SymbolicCondition::Kind::radicand, fixed(-mode.growth)});
     for (const SymbolicRing::Root& root : ring_->roots())
         if (root.divisor) conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
     add_layers([](const Polynomial& p) { return p; });
