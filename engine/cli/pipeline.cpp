@@ -156,10 +156,9 @@ SceneLine solve_scene(Scene scene, Watch& watch) {
     at_place(whole_file(line.scene.file), [&] {
         line.count = count_truncation(*line.expanded.field, line.scene);
         const auto normalization = normalize_certified(line.expanded, line.count.truncation, watch);
-        line.solution =
-            solve_under(watch, normalization,
-                        {line.scene.order, line.count.truncation, line.scene.time_scale.value_or(1),
-                         line.scene.transients});
+        line.solution = solve_under(watch, normalization,
+                                    {line.scene.order, line.count.truncation,
+                                     line.scene.time_scale.value_or(1), line.scene.transients});
         check_time_scale(line.solution, line.scene);
     });
     return line;

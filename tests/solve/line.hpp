@@ -21,8 +21,8 @@ inline std::shared_ptr<const GradedField> field_of(System system) {
 }
 
 inline Solution solution_of(System system, const SolveOptions& options) {
-    auto normalization =
-        std::make_shared<const Normalization>(normalize_poincare(field_of(std::move(system)), options.truncation));
+    auto normalization = std::make_shared<const Normalization>(
+        normalize_poincare(field_of(std::move(system)), options.truncation));
     return solve(std::move(normalization), options);
 }
 

@@ -54,6 +54,27 @@ TEST(Judge, CleanSlopes) {
     }
 }
 
+// Of a layer the ladder sees nothing here: its errors are smaller than those of the rest on every rung.
+TEST(Judge, ALayerIsJudgedByItself) {
+    const auto rest = [](double e) { return 100 * std::pow(e, 3); };
+    const auto with_layer = [&](const ErrorLaw& within) {
+        OutputVerdict output = ladder(rest, 3);
+        output.layer = ladder(within, 3).ladder;
+        judge(output);
+        return output;
+    };
+    const OutputVerdict lost = with_layer([](double e) { return 1e-3 * e * e; });
+    EXPECT_EQ(lost.verdict, Verdict::fail);
+    EXPECT_EQ(lost.found_order, std::nullopt);
+    EXPECT_NEAR(lost.layer_slope, 2, 1e-9);
+    EXPECT_EQ(lost.reason.rfind("within the layer, t <= 20/|Re lambda|: claimed eps^3, found eps^2", 0), 0U)
+        << lost.reason;
+    EXPECT_EQ(with_layer([](double e) { return std::pow(e, 3); }).verdict, Verdict::pass);
+    EXPECT_EQ(with_layer([](double e) { return std::pow(e, 4.5); }).verdict, Verdict::pass)
+        << "any slope above";
+    EXPECT_EQ(with_layer([](double) { return 0.0; }).verdict, Verdict::pass) << "an exact one";
+}
+
 // The psi of eq. (22) as measured: e/eps^3 -> 2.53e-3, slope 4.03 at 0.01, 3.25 at 5e-4.
 TEST(Judge, BentSlopeOfThePublishedPsi) {
     const auto bent = [](double e) { return 2.53e-3 * std::pow(e, 3) + 0.77 * std::pow(e, 4); };

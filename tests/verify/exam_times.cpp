@@ -46,7 +46,7 @@ TEST(Times, MayBeginBehindALayer) {
     const SampleTimes times = crowded_times(400, 2000, 1, 100);
     EXPECT_EQ(times.all.front(), 100);
     EXPECT_EQ(times.all.back(), 400);
-    EXPECT_DOUBLE_EQ(times.first - 100, 3e-7);
+    EXPECT_NEAR(times.first - 100, 3e-7, 1e-12);
     ASSERT_EQ(times.even.size(), 1000U);
     for (std::size_t i = 0; i < times.even.size(); ++i)
         EXPECT_DOUBLE_EQ(times.all[times.even[i]], 100 + 300 * static_cast<double>(i) / 999);

@@ -166,9 +166,7 @@ void judge_few(OutputVerdict& output, const std::vector<Point>& points) {
                                   points.size(), output.ladder.size()));
 }
 
-} // namespace
-
-void judge(OutputVerdict& output) {
+void judge_ladder(OutputVerdict& output) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     output.slope = output.slope_low_eps = output.slope_high_eps = output.constant = none;
     output.found_order.reset();
@@ -210,6 +208,23 @@ void judge(OutputVerdict& output) {
     if (!holds)
         output.reason = fmt::format("claimed eps^{}, found eps^{}: max|error| -> {:.3g} eps^{}",
                                     output.claimed_order, order, output.constant, order);
+}
+
+} // namespace
+
+void judge(OutputVerdict& output) {
+    judge_ladder(output);
+    output.layer_slope = std::numeric_limits<double>::quiet_NaN();
+    if (output.layer.empty()) return;
+    OutputVerdict within;
+    within.claimed_order = output.claimed_order;
+    within.ladder = output.layer;
+    judge_ladder(within);
+    output.layer_slope = within.slope;
+    if (within.verdict != Verdict::fail || output.verdict == Verdict::fail) return;
+    output.verdict = Verdict::fail;
+    output.found_order.reset();
+    output.reason = "within the layer, t <= 20/|Re lambda|: " + within.reason;
 }
 
 void weigh(OutputVerdict& output, const Guarantee& guarantee) {

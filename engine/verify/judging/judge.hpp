@@ -32,10 +32,12 @@ struct OutputVerdict {
     double constant = 0;                                     // lim max|error| / eps^found_order
     std::string reason;                                      // when undecided or failed
     std::vector<LadderRung> ladder;                          // eps descending
-    std::vector<double> local_slopes;                        // between rungs; one fewer
+    std::vector<LadderRung> layer;    // the same within t <= 20/|Re lambda|, where modes decay
+    double layer_slope = 0;           // as slope, of the layer
+    std::vector<double> local_slopes; // between rungs; one fewer
 };
 
-// Pure. Reads name, claimed_order, expected and ladder; fills the rest:
+// Pure. Reads name, claimed_order, expected, ladder and layer; fills the rest:
 //   usable rungs     max_error >= 100 max(reference_error, floor)
 //   local slopes     s_k = ln(e_k/e_{k+1}) / ln(eps_k/eps_{k+1})
 //   slope            its limit as eps -> 0, extrapolated from the smallest usable eps
@@ -44,6 +46,8 @@ struct OutputVerdict {
 // slope not within 0.3 of an integer (a straight one: more than 0.05 below it), still bending or leaving
 // the integer; the reason says which. An output without a usable rung passes if 100 max(reference_error,
 // floor) <= 1e-3 min(1, scale) eps^claimed_order on half of the rungs and on 3: else it is undecided.
+// Where the layer by itself fails, so does the output: errors of the rest may hide it in the ladder. More is
+// not asked of it, for an error that begins with t^n has any slope there.
 void judge(OutputVerdict& output);
 
 // Weighs the guaranteed order against the claim. A claim above it fails if it is refuted; if open, it is

@@ -18,6 +18,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 
 namespace resonform {
 
@@ -72,10 +73,24 @@ Guarantees guarantees_of(const Scene& scene, const Solution& solution,
     });
 }
 
-double largest_value(const std::vector<DoubleDouble>& values) {
+double largest_value(std::span<const DoubleDouble> values) {
     double most = 0;
     for (const DoubleDouble& v : values) most = std::max(most, std::abs(to_double_value(v)));
     return most;
+}
+
+// A rung of the first `count` times alone, which crowd at the start.
+LadderRung of_layer(LadderRung rung, const std::vector<double>& error,
+                    const std::vector<DoubleDouble>& values, std::size_t count) {
+    double most = 0, squares = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        most = std::fmax(most, std::abs(error[i]));
+        squares += error[i] * error[i];
+    }
+    rung.max_error = most;
+    rung.rms_error = std::sqrt(squares / static_cast<double>(count));
+    rung.scale = largest_value(std::span(values).first(count));
+    return rung;
 }
 
 // Goes down a ladder and writes the results into a Verification.
@@ -143,7 +158,11 @@ private:
         note(times, plan.at.interval - from, rate);
         const Reference reference = trial_.reference(plan.at, times.all);
         const Deviation found = deviation(trial_, plan.at, reference);
+        const double layer = layer_length(field_, scene_, plan.at.eps);
+        const auto behind = std::upper_bound(times.all.begin(), times.all.end(), layer);
+        const auto within = static_cast<std::size_t>(behind - times.all.begin());
         for (std::size_t k = 0; k < result_.outputs.size(); ++k) {
+            OutputVerdict& output = result_.outputs[k];
             LadderRung rung;
             rung.eps = plan.at.eps;
             rung.max_error = largest(found.error[k], times.even);
@@ -153,7 +172,9 @@ private:
             rung.floor = found.floor[k];
             rung.refusal = found.refusal;
             rung.scale = largest_value(reference.values[k]);
-            result_.outputs[k].ladder.push_back(std::move(rung));
+            if (layer > 0)
+                output.layer.push_back(of_layer(rung, found.error[k], reference.values[k], within));
+            output.ladder.push_back(std::move(rung));
         }
         steps_of_last_ = *plan.steps;
     }
@@ -209,7 +230,9 @@ ErrorCurves error_curves(std::shared_ptr<const FirstOrderSystem> system, const S
                          const VerifyOptions& options) {
     const Trial trial(std::move(system), scene, solution, options);
     const TrialPoint at = trial.point(eps);
-    const Reference reference = trial.reference(at, even_times(at.interval, points, layer_end(*solution.normalization->normal_form.field, scene, eps)));
+    const Reference reference =
+        trial.reference(at, even_times(at.interval, points,
+                                       layer_end(*solution.normalization->normal_form.field, scene, eps)));
     ErrorCurves curves;
     curves.eps = to_double(eps);
     curves.times = reference.times;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double of_fastest_rate = 1e-3, of_interval = 1e-9;
 constexpr double of_allowed_error = 1e-3; // what may be left of a transient
+constexpr double powers_of_layer = 20;    // of e
 
 // The size of an expression where the motion starts; 0: it is no number there, such as at a singularity of
 // the frequency.
@@ -39,6 +40,16 @@ private:
     GiNaC::ex eps_;
     GiNaC::exmap start_;
 };
+
+// max 1/|Re lambda| of the modes that are damped; 0: there are none.
+double longest_decay(const GradedField& field, const Scene& scene, const Rational& eps) {
+    const SizeAtStart size(field, scene, eps);
+    double longest = 0;
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (field.modes[k].is_damped())
+            longest = std::max(longest, 1 / size(field.basis.modes[k].eigenvalue.re));
+    return longest;
+}
 
 } // namespace
 
@@ -82,15 +93,14 @@ double largest_rate(const GradedField& field, const Scene& scene, const Rational
     return rate;
 }
 
+double layer_length(const GradedField& field, const Scene& scene, const Rational& eps) {
+    return scene.transients ? powers_of_layer * longest_decay(field, scene, eps) : 0;
+}
+
 double layer_end(const GradedField& field, const Scene& scene, const Rational& eps) {
     if (scene.transients) return 0;
-    const SizeAtStart size(field, scene, eps);
-    const double decades = -std::log(of_allowed_error) - (scene.order + 1) * std::log(to_double(eps));
-    double end = 0;
-    for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (field.modes[k].is_damped())
-            end = std::max(end, decades / size(field.basis.modes[k].eigenvalue.re));
-    return end;
+    const double powers = -std::log(of_allowed_error) - (scene.order + 1) * std::log(to_double(eps));
+    return powers * longest_decay(field, scene, eps);
 }
 
 } // namespace resonform

@@ -28,6 +28,10 @@ SampleTimes crowded_times(double interval, std::size_t points, double rate, doub
 // none that is a number. Precondition: [fix] gives every parameter.
 double largest_rate(const GradedField& field, const Scene& scene, const Rational& eps);
 
+// 20/min |Re lambda| of the modes that are damped, at the start: where modes decay, errors are judged apart
+// up to there. 0: none decays, or the scene is without transients.
+double layer_length(const GradedField& field, const Scene& scene, const Rational& eps);
+
 // Where a solution without transients may be judged: there the slowest of them, from amplitudes of order 1
 // with its rate at the start, has become 10^-3 eps^{N+1}. 0: nothing is left out.
 double layer_end(const GradedField& field, const Scene& scene, const Rational& eps);

@@ -29,11 +29,10 @@ Json of(const LadderRung& r) {
 
 // The conditions of all verdicts, between the names and the outputs.
 void add(Json& json, const Conditions& c) {
-    json["times"] = {
-        {"count", c.count},
-        {"first", number(c.first)},
-        {"per_fast_period", number(c.per_fast_period)},
-        {"from", c.layer_end}};
+    json["times"] = {{"count", c.count},
+                     {"first", number(c.first)},
+                     {"per_fast_period", number(c.per_fast_period)},
+                     {"from", c.layer_end}};
     json["interval"] = c.interval;
     json["promised"] = c.promised;
     json["shorter_than_promised"] = c.shorter_than_promised;
@@ -59,6 +58,7 @@ Json of(const OutputVerdict& o) {
              {"constant", number(o.constant)}};
     if (!o.reason.empty()) out["reason"] = o.reason;
     out["ladder"] = std::move(ladder);
+    for (const LadderRung& r : o.layer) out["layer"].push_back(of(r));
     return out;
 }
 

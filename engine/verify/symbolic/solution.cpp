@@ -231,8 +231,7 @@ void SymbolicSolution::read_flow() {
         if (output.drift) outputs_.back().drift = drifts + *output.drift;
     }
     for (const Mode& mode : field.modes)
-        if (mode.is_damped())
-            conditions_.push_back({SymbolicCondition::Kind::radicand, fixed(-mode.growth)});
+        if (mode.is_damped()) conditions_.push_back({SymbolicCondition::Kind::radicand, fixed(-mode.growth)});
     for (const SymbolicRing::Root& root : ring_->roots())
         if (root.divisor) conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
     add_layers([](const Polynomial& p) { return p; });
