@@ -169,7 +169,7 @@ EmittedCheck SceneTrial::checked(const Derived& d, const Program& program, std::
     VerifyOptions how = verify_;
     how.compiled = options_.compiled;
     const auto shared = std::make_shared<const Program>(program);
-    return check_emitted(program, library_of(shared, how), d.solution, d.scene,
+    return check_emitted(program, library_of(shared, how, "dl"), d.solution, d.scene,
                          {options_.folder, {}, starts, 20, seed});
 }
 

@@ -25,8 +25,8 @@ class ThirdOrder : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
         program_ = test::program_of(test::pendulum_scene("third_order"), {false, true});
-        library_ = EvaluatorLibrary::build(*program_,
-                                           std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache", {});
+        library_ = EvaluatorLibrary::build(
+            *program_, std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache", {}, "dlq");
     }
     static void TearDownTestSuite() {
         program_.reset();

@@ -49,7 +49,7 @@ EmittedCheck checked(const Made& m, const std::shared_ptr<const EvaluatorLibrary
 }
 
 EmittedCheck checked(const Made& m, const fs::path& folder = cache()) {
-    return checked(m, EvaluatorLibrary::build(m.program, folder, {}), folder);
+    return checked(m, EvaluatorLibrary::build(m.program, folder, {}, "dl"), folder);
 }
 
 std::shared_ptr<const EvaluatorLibrary> interpreted(const Made& m) {

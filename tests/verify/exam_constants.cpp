@@ -32,7 +32,7 @@ protected:
     }
     static std::shared_ptr<const EvaluatorLibrary> library(const std::shared_ptr<const Program>& program) {
         return EvaluatorLibrary::build(*program, std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache",
-                                       {});
+                                       {}, "dlq");
     }
     // The outputs at t in 100 digits, interpreted.
     static std::vector<double> exact(const std::shared_ptr<const Program>& program, double eps, double t,

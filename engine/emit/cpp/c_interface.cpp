@@ -26,7 +26,7 @@ std::string stores(const std::vector<CppResult>& results, const std::string& tar
 
 } // namespace
 
-std::string cpp_c_interface(const Program& program, const std::string& evaluator) {
+std::string cpp_c_interface(const Program& program, const std::string& evaluator, std::string_view types) {
     const CppPlan plan(program);
     std::string arrays;
     for (std::size_t k = 0; k < plan.outputs.size(); ++k) arrays += fmt::format("outputs[{}], ", k);
@@ -34,16 +34,18 @@ std::string cpp_c_interface(const Program& program, const std::string& evaluator
         "\n" + filled(frames::library, {{"Evaluator", evaluator},
                                         {"parameters", elements("parameters", program.parameters.size())},
                                         {"start", elements("start", program.start.size())},
-                                        {"outputs", stores(plan.outputs, "outputs")},
-                                        {"arrays", arrays}});
+                                        {"outputs", stores(plan.outputs, "outputs")}});
     if (!plan.state.empty())
         text += "\n" + filled(frames::library_state,
                               {{"Evaluator", evaluator}, {"state", stores(plan.state, "state")}});
     text += "\nextern \"C\" {\n";
     for (const auto& [letter, real] :
-         {std::pair("d", "double"), std::pair("l", "long double"), std::pair("q", "resonform::Float128")}) {
-        text += "\n" +
-                filled(frames::library_names, {{"letter", letter}, {"Real", real}, {"Evaluator", evaluator}});
+         {std::pair('d', "double"), std::pair('l', "long double"), std::pair('q', "resonform::Float128")}) {
+        if (types.find(letter) == std::string_view::npos) continue;
+        text += "\n" + filled(frames::library_names,
+                              {{"letter", std::string(1, letter)}, {"Real", real}, {"Evaluator", evaluator}});
+        if (letter == 'd')
+            text += filled(frames::library_many, {{"Evaluator", evaluator}, {"arrays", arrays}});
         if (!plan.state.empty())
             text += fmt::format("int rf_state_{0}(const void* scene, const {1}* t, {1}* state) {{ return "
                                 "library_state(scene, t, state); }}\n",

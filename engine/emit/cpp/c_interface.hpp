@@ -5,10 +5,11 @@
 #include "emit/program/program.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace resonform {
 
-// evaluator: the qualified name of the class template.
-std::string cpp_c_interface(const Program& program, const std::string& evaluator);
+// evaluator: the qualified name of the class template; types: their letters.
+std::string cpp_c_interface(const Program& program, const std::string& evaluator, std::string_view types);
 
 } // namespace resonform

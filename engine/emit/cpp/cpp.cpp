@@ -98,11 +98,11 @@ std::string emit_cpp(const Program& program, const CppOptions& options) {
 }
 
 // Several are loaded at run time, and what has the same name in two orders of a scene would be shared.
-std::string emit_library(const Program& program) {
+std::string emit_library(const Program& program, std::string_view types) {
     const bool tabulated = !program.rows.empty();
     return banner(program) + (tabulated ? std::string(frames::library_loops) : "") +
            includes(program, false) + body(program, true) +
-           cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator");
+           cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator", types);
 }
 
 } // namespace resonform

@@ -5,6 +5,7 @@
 #include "emit/program/program.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace resonform {
 
@@ -16,16 +17,18 @@ struct CppOptions {
 std::string emit_cpp(const Program& program, const CppOptions& options = {});
 
 // A translation unit with a C interface around the header's text, for a shared library that
-// verify/evaluate/evaluator.hpp loads. For each real type R in {double: "d", long double: "l", __float128:
-// "q"}:
+// verify/evaluate/evaluator.hpp loads. For each letter R of `types`, of double: "d", long double: "l",
+// __float128: "q", for each takes the compiler seconds:
 //   void* rf_new_R(const R* eps, const R* parameters, const R* start, const R* slow_time_end);
 //   void  rf_delete_R(void*);
 //   int   rf_call_R(const void*, const R* t, R* outputs);           status, 0 = ok
 //   int   rf_state_R(const void*, const R* t, R* state);            only if program.state is filled
-//   int   rf_prepare_R(const void*);                                status: builds tables
-//   void  rf_batch_R(const void*, const R* t, long n, R* const* outputs, unsigned char* status);
-//   void  rf_grid_R(const void*, const R* t0, const R* dt, long n, R* const* outputs, unsigned char* status);
+// of double besides
+//   int   rf_prepare_d(const void*);                                status: builds tables
+//   void  rf_batch_d(const void*, const double* t, long n, double* const* outputs, unsigned char* status);
+//   void  rf_grid_d(const void*, const double* t0, const double* dt, long n, double* const* outputs,
+//                   unsigned char* status);
 // and, if the program has rows, rf_loops, which must be called before batches: with &kernel::loops.
-std::string emit_library(const Program& program);
+std::string emit_library(const Program& program, std::string_view types);
 
 } // namespace resonform

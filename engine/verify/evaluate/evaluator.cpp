@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace resonform {
@@ -61,12 +62,12 @@ std::string told(Status status, const std::string& why) {
 
 std::shared_ptr<const EvaluatorLibrary>
 EvaluatorLibrary::build(const Program& program, const std::filesystem::path& cache,
-                        const std::function<void(const std::string&)>& progress) {
+                        const std::function<void(const std::string&)>& progress, std::string_view types) {
     const auto announce = [&] {
         if (progress)
             progress(fmt::format("compiling the emitted code of {}, order {}", program.scene, program.order));
     };
-    SharedObject object = SharedObject::load(emit_library(program), cache, announce);
+    SharedObject object = SharedObject::load(emit_library(program, types), cache, announce);
     using Loops = const kernel::Loops& (*)() noexcept;
     if (const auto take = reinterpret_cast<void (*)(Loops)>(object.symbol("rf_loops"))) take(&kernel::loops);
     return std::make_shared<const EvaluatorLibrary>(std::move(object));
@@ -101,6 +102,7 @@ void Evaluator<Real>::compiled(Real eps, const std::vector<Real>& parameters, co
     grid_ = find<decltype(grid_)>(object, "grid", suffix<Real>);
     using New = void* (*)(const Real*, const Real*, const Real*, const Real*);
     const New make = find<New>(object, "new", suffix<Real>);
+    if (make == nullptr) throw std::logic_error("the library has no code of this real type");
     object_ = {make(&eps, parameters.data(), start.data(), &slow_time_end),
                find<void (*)(void*)>(object, "delete", suffix<Real>)};
 }

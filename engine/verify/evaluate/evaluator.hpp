@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,10 +21,11 @@ namespace resonform {
 // The emitted code of a scene.
 class EvaluatorLibrary {
 public:
-    // Errors: those of SharedObject.
+    // types: of those Evaluators that are made of it, as emit_library has them. Errors: those of
+    // SharedObject.
     static std::shared_ptr<const EvaluatorLibrary>
     build(const Program& program, const std::filesystem::path& cache,
-          const std::function<void(const std::string&)>& progress);
+          const std::function<void(const std::string&)>& progress, std::string_view types = "d");
     // No compiler runs: the interpreter stands for the code, with the same operations in the same real types.
     static std::shared_ptr<const EvaluatorLibrary> interpreted(std::shared_ptr<const Program> program);
 
@@ -41,8 +43,8 @@ private:
     std::shared_ptr<const Interpretation> interpretation_;
 };
 
-// An emitted evaluator with numbers put in. Real: double, long double, Float128. Calls are
-// thread-safe.
+// An emitted evaluator with numbers put in. Real: double, long double, Float128. Calls are thread-safe.
+// Precondition: the library is interpreted, or has the type; many points: interpreted, or double.
 template <class Real> class Evaluator {
 public:
     // parameters, start: in the order of the program's.

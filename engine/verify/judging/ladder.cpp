@@ -59,7 +59,7 @@ std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Solution& so
 // Checks the code that `generate` writes, without the state that the ladder starts from.
 EmittedCheck emitted_check(const Scene& scene, const Solution& solution, const VerifyOptions& options) {
     const auto program = std::make_shared<const Program>(build_program(solution, scene, {true, false, true}));
-    return check_emitted(*program, library_of(program, options), solution, scene,
+    return check_emitted(*program, library_of(program, options, "dl"), solution, scene,
                          {options.cache, options.progress, options.emitted_starts});
 }
 

@@ -6,9 +6,9 @@
 namespace resonform {
 
 std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
-                                                   const VerifyOptions& options) {
+                                                   const VerifyOptions& options, std::string_view types) {
     if (!options.compiled) return EvaluatorLibrary::interpreted(std::move(program));
-    return EvaluatorLibrary::build(*program, options.cache, options.progress);
+    return EvaluatorLibrary::build(*program, options.cache, options.progress, types);
 }
 
 } // namespace resonform

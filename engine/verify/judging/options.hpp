@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace resonform {
 
@@ -23,8 +24,8 @@ struct VerifyOptions {
     bool compiled = true;            // false: programs are interpreted, and no compiler is waited for
 };
 
-// The emitted code of a scene, compiled or interpreted.
+// The emitted code of a scene, compiled (for these types, as emit_library has them) or interpreted.
 std::shared_ptr<const EvaluatorLibrary> library_of(std::shared_ptr<const Program> program,
-                                                   const VerifyOptions& options);
+                                                   const VerifyOptions& options, std::string_view types);
 
 } // namespace resonform

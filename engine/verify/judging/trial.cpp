@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstring>
 #include <future>
+#include <type_traits>
 
 namespace resonform {
 
@@ -114,17 +115,18 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
     for (const ProgramOutput& output : program_->outputs)
         output_states_.push_back(
             static_cast<std::size_t>(&system_->state(output.name) - system_->states.data()));
-    library_ = library_of(program_, options_);
+    library_ = library_of(program_, options_, "l");
+    interpreted_ = EvaluatorLibrary::interpreted(program_);
 }
 
 template <class Real> Evaluator<Real> Trial::evaluator(const TrialPoint& at) const {
     const Real eps = convert<Real>(at.eps_value);
     const std::vector<Real> parameters = default_parameters<Real>(*program_, eps);
-    return Evaluator<Real>(library_, eps, parameters, default_start<Real>(*program_, eps, parameters),
-                           convert<Real>(at.slow_time_end));
+    const bool compiled = std::is_same_v<Real, long double>;
+    return Evaluator<Real>(compiled ? library_ : interpreted_, eps, parameters,
+                           default_start<Real>(*program_, eps, parameters), convert<Real>(at.slow_time_end));
 }
 
-template Evaluator<double> Trial::evaluator(const TrialPoint&) const;
 template Evaluator<long double> Trial::evaluator(const TrialPoint&) const;
 template Evaluator<Float128> Trial::evaluator(const TrialPoint&) const;
 

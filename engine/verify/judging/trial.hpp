@@ -63,6 +63,8 @@ public:
     // Cached. times: ascending, not negative. Errors: refused, the solution leaves the domain.
     [[nodiscard]] Reference reference(const TrialPoint& at, std::vector<double> times) const;
 
+    // Real: long double, the emitted code; Float128, the same program interpreted, which takes the compiler
+    // no time and is as fast, for arithmetic is all of it.
     template <class Real> [[nodiscard]] Evaluator<Real> evaluator(const TrialPoint& at) const;
 
 private:
@@ -85,7 +87,7 @@ private:
     VerifyOptions options_;
     EpsFrom eps_from_;
     std::shared_ptr<const Program> program_;
-    std::shared_ptr<const EvaluatorLibrary> library_;
+    std::shared_ptr<const EvaluatorLibrary> library_, interpreted_;
     Tape tape_, start_tape_; // start_tape_: the interval, then the given start values
     std::vector<Float128> parameters_;
     DeclaredDomain domain_;
