@@ -61,7 +61,7 @@ void SystemReader::read_domain() {
     }
     Scope scope;
     for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
-    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
+    system_.define_functions(scope);
     for (const Variable& v : system_.variables) {
         if (v.role == Role::slow) scope.define(v.name, v.jet.front());
     }

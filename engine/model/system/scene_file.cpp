@@ -53,6 +53,7 @@ Scope Scene::constants() const {
     Scope scope = system->constants();
     for (const Parameter& p : system->cancelled)
         if (const auto found = fix.find(p.name); found != fix.end()) scope.define(p.name, found->second);
+    system->define_functions(scope);
     return scope;
 }
 
