@@ -17,15 +17,17 @@ class FunctionValues : public testing::Test {
 protected:
     Scene scene(const std::string& declared, const std::string& damping, const std::string& stiffness,
                 const std::string& values) {
-        test::write(systems_ / "s/system.toml",
-                    "[system]\nname = \"s\"\n[parameters]\nk = { positive = true }\n" + declared +
+        return read("[parameters]\nk = { positive = true }\n" + declared +
                         "[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\", positive = true }\n"
                         "[equations]\nx = \"x'' + 2*eps*" +
-                        damping + "*x' + " + stiffness + "*x + x^3 = 0\"\ns = \"s' = eps*k\"\n");
-        test::write(systems_ / "s/scenes/s.toml",
-                    "order = 2\n" + values +
-                        "[fix]\nk = 0.5\n[start]\nx = \"eps\"\n\"x'\" = 0\ns = 0.25\n"
-                        "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\n");
+                        damping + "*x' + " + stiffness + "*x + x^3 = 0\"\ns = \"s' = eps*k\"\n",
+                    values + "[fix]\nk = 0.5\n[start]\nx = \"eps\"\n\"x'\" = 0\ns = 0.25\n"
+                             "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\n");
+    }
+
+    Scene read(const std::string& system, const std::string& scene) {
+        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
+        test::write(systems_ / "s/scenes/s.toml", "order = 2\n" + scene);
         return read_scene(systems_ / "s/scenes/s.toml", systems_);
     }
 
@@ -64,6 +66,33 @@ TEST_F(FunctionValues, AreInTheReferenceToo) {
         const Verification v = test::verified(test::line_of(given(d, "sqrt(1 + k^2)")));
         EXPECT_TRUE(v.as_expected()) << to_text(v);
         EXPECT_EQ(v.outputs.front().found_order, 3) << d;
+        EXPECT_NE(to_text(v).find("\n  w(k) = (1 + k^2)^(1/2)\n"), std::string::npos) << to_text(v);
+    }
+}
+
+// Also with a parameter that a relation gives, or that the equations of a mechanism do not hold.
+TEST_F(FunctionValues, StandInStartValues) {
+    const std::string named = "[functions]\nf = { of = [\"s\"], positive = true }\n"
+                              "[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\" }\n";
+    const auto scene_with = [](const std::string& fix) {
+        return "[functions]\nf = \"m*(1 + s^2)\"\n[fix]\n" + fix +
+               "[start]\nx = \"eps\"\n\"x'\" = \"eps*f(2)\"\ns = 0\n";
+    };
+    const std::string related = "[parameters]\nm = { positive = true }\nk = { positive = true }\n"
+                                "[relations]\nm = \"2*k\"\n" +
+                                named + "[equations]\nx = \"x'' + f(s)*x = 0\"\ns = \"s' = eps\"\n";
+    const std::string cancelled = "[parameters]\nm = { positive = true }\n" + named +
+                                  "[coordinates]\nx = {}\n[prescribed]\ns = \"s' = eps\"\n"
+                                  "[particles]\nq = { mass = \"m\", position = [\"x\", \"s\"] }\n"
+                                  "[energy]\npotential = \"f(s)*x^2/2\"\n";
+    for (const Scene& scene : {read(related, scene_with("k = 3\n")), read(cancelled, scene_with("m = 6\n"))})
+        EXPECT_TRUE(scene.fixed(scene.start_of("x'")->value).is_equal(30 * scene.system->eps));
+    try {
+        read(cancelled, scene_with(""));
+        FAIL() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+        EXPECT_EQ(error.diagnostic().value, "f");
     }
 }
 
