@@ -9,8 +9,6 @@
 #include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 
-#include <algorithm>
-
 namespace resonform {
 
 std::string SystemReader::argument_of(const TomlEntry& entry) const {
