@@ -46,10 +46,11 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
         if (const Generator& g = field.ring->generator(id);
             g.kind == GeneratorKind::function && g.of.function == Function::named)
-            refuse({"a solution is for functions that have values",
-                    g.name,
-                    "write an expression in the place of " + g.of.symbol + ", or derive the normal form",
-                    {system.file.string(), 0, 0, "equations", ""}});
+            refuse(
+                {"a solution is for functions that have values",
+                 g.name,
+                 "give " + g.of.symbol + " a value under [functions] of a scene, or derive the normal form",
+                 {system.file.string(), 0, 0, "equations", ""}});
     check_moves(field);
 }
 

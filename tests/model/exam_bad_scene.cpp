@@ -50,7 +50,7 @@ const BadInput bad_scenes[] = {
      "    ^\n"
      "  found: oder\n"
      "  hint:  did you mean 'order'? Known are: system, title, order, time_scale, truncation, outputs, "
-     "oscillating, transients, fix, start, emit, verify"},
+     "oscillating, transients, functions, fix, start, emit, verify"},
     {"BothTimeScaleAndTruncation", "time_scale = 1", "time_scale = 1\ntruncation = 4",
      "2 scene.toml:5:14: truncation: the scene gives both time_scale and truncation\n"
      "    truncation = 4\n"

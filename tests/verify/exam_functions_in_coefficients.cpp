@@ -86,7 +86,7 @@ TEST(FunctionsByName, AreNotSolved) {
         EXPECT_EQ(e.kind(), ErrorKind::refused);
         EXPECT_EQ(e.diagnostic().value, "omega(tau)");
         EXPECT_EQ(e.diagnostic().hint,
-                  "write an expression in the place of omega, or derive the normal form");
+                  "give omega a value under [functions] of a scene, or derive the normal form");
     }
 }
 

@@ -189,6 +189,11 @@ std::string fixed_values(const System& system, const Scene& scene) {
     return text;
 }
 
+// "omega(tau) = sqrt(1 + tau^2)"
+std::string given_value(const NamedFunction& f) {
+    return fmt::format("{}({}) = {}", f.name, f.of, spell(f.value->value));
+}
+
 Program built(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
     return solution.flow ? build_flow_program(solution, scene, options)
                          : ProgramBuilder(solution, scene, options).build();
@@ -228,6 +233,8 @@ Program build_program(const Solution& solution, const Scene& scene, const Progra
     Program program = built_with_reason(solution, scene, options);
     prune(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
+    for (const NamedFunction& f : solution.system().functions)
+        if (f.value) program.notes.push_back(given_value(f));
     if (options.fold_fixed && !scene.fix.empty())
         program.notes.push_back(fixed_values(solution.system(), scene));
     if (!solution.system().source.empty()) program.notes.push_back("source: " + solution.system().source);

@@ -43,7 +43,7 @@ void SystemReader::read_equilibrium() {
     Scope scope;
     scope.define("eps", system_.eps);
     for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
-    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
+    system_.define_functions(scope);
     for (const Variable& v : system_.variables) {
         scope.define(v.name, v.jet.front());
         if (v.role == Role::fast) fast.push_back(v.name);

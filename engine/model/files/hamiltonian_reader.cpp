@@ -70,7 +70,7 @@ void SystemReader::read_energy() {
     if (!system_.hamiltonian) return;
     Hamiltonian& hamiltonian = *system_.hamiltonian;
     Scope scope = system_.constants();
-    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
+    system_.define_functions(scope);
     for (const Variable& v : system_.variables) scope.define(v.name, v.jet.front());
     hamiltonian.energy = read_expression(hamiltonian.text, scope, hamiltonian.source);
 

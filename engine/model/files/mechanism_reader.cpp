@@ -38,7 +38,7 @@ const std::vector<std::string>& mechanism_tables() {
 
 MechanismReader::MechanismReader(const TomlNode& root, const System& system)
     : root_(root), system_(system), constants_(system.constants()) {
-    for (const NamedFunction& f : system.functions) constants_.define_function(f.name);
+    system.define_functions(constants_);
 }
 
 Mechanism MechanismReader::read() {

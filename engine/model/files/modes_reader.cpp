@@ -84,7 +84,7 @@ class ModesReader {
 public:
     ModesReader(const TomlNode& table, const System& system) : table_(table), system_(system) {
         for (const Parameter& p : system.parameters) scope_.define(p.name, p.symbol);
-        for (const NamedFunction& f : system.functions) scope_.define_function(f.name);
+        system.define_functions(scope_);
         for (const Variable& v : system.variables) {
             if (v.role == Role::slow) scope_.define(v.name, v.jet.front());
             if (v.role != Role::fast) continue;

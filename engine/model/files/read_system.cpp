@@ -46,10 +46,13 @@ std::filesystem::path find_system(const std::string& argument, const std::filesy
                suggest(argument, names_in(systems)) + "; all systems: resonform list", Place{}});
 }
 
-System read_system(const std::filesystem::path& file) { return read_system_text(read_text(file), file); }
+System read_system(const std::filesystem::path& file, const FunctionValues* values) {
+    return read_system_text(read_text(file), file, values);
+}
 
-System read_system_text(std::string_view toml, const std::filesystem::path& file) {
-    return SystemReader(read_toml(toml, file), file).read();
+System read_system_text(std::string_view toml, const std::filesystem::path& file,
+                        const FunctionValues* values) {
+    return SystemReader(read_toml(toml, file), file, values).read();
 }
 
 } // namespace resonform

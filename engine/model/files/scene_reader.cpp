@@ -96,6 +96,9 @@ void SceneReader::read_emit() {
 }
 
 void SceneReader::read_system_of_scene() {
+    FunctionValues values{root_.find("functions"), whole_file(scene_.file)};
+    if (values.table != nullptr) values.place = place_of(values.table->source);
+    values.place.key = "functions";
     const TomlNode* name = root_.find("system");
     const std::string given = name == nullptr ? "" : string_of(*name);
     const std::filesystem::path beside =
@@ -104,7 +107,7 @@ void SceneReader::read_system_of_scene() {
     if (std::filesystem::is_regular_file(beside, ignored)) {
         // Named relative to the scene, so that messages and banners do not depend on where one stands.
         const auto system = std::make_shared<System>(
-            read_system((scene_.file.parent_path() / ".." / "system.toml").lexically_normal()));
+            read_system((scene_.file.parent_path() / ".." / "system.toml").lexically_normal(), &values));
         if (name != nullptr && given != system->name) {
             bad_value(*name, "a scene names the system of its folder, " + in_quotes(system->name),
                       "write system = \"" + system->name + "\"");
@@ -118,7 +121,7 @@ void SceneReader::read_system_of_scene() {
     }
     if (!is_identifier(given)) bad_value(*name, identifier_rule("a system's name"), identifier_hint());
     try {
-        scene_.system = std::make_shared<System>(read_system(find_system(given, systems_)));
+        scene_.system = std::make_shared<System>(read_system(find_system(given, systems_), &values));
     } catch (const Error& error) {
         if (!error.diagnostic().place.file.empty()) throw;
         Diagnostic d = error.diagnostic();

@@ -73,7 +73,8 @@ Rational weight_of(const TomlNode& table, Role role) {
 
 } // namespace
 
-SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file) : root_(std::move(root)) {
+SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file, const FunctionValues* values)
+    : root_(std::move(root)), values_(values) {
     system_.file = file;
 }
 
@@ -83,6 +84,7 @@ System SystemReader::read() {
     read_parameters();
     read_variables();
     read_functions();
+    give_values();
     read_pairs();
     if (is_mechanism())
         derive_equations();
@@ -92,6 +94,7 @@ System SystemReader::read() {
     read_equations();
     read_energy();
     read_domain();
+    check_given_signs();
     read_modes();
     read_equilibrium();
     read_relations();
@@ -164,25 +167,6 @@ void SystemReader::read_functions() {
         function.nonzero = nonzero_of(entry.value, function.positive);
         system_.functions.push_back(std::move(function));
     }
-}
-
-std::string SystemReader::argument_of(const TomlEntry& entry) const {
-    const TomlNode* of = entry.value.find("of");
-    const std::string hint = "write " + entry.key + " = { of = [\"tau\"] }";
-    if (of == nullptr || of->type != TomlNode::Type::array || of->items.size() != 1)
-        bad_input({"the function is not declared with the one name that it is a function of",
-                   in_quotes(entry.key), hint, of == nullptr ? entry.place : place_of(of->source)});
-    std::string name = string_of(of->items.front());
-    const Variable* variable = system_.variable(name);
-    if (system_.parameter(name) == nullptr && (variable == nullptr || variable->role != Role::slow)) {
-        std::vector<std::string> known;
-        for (const Parameter& p : system_.parameters) known.push_back(p.name);
-        for (const Variable& v : system_.variables)
-            if (v.role == Role::slow) known.push_back(v.name);
-        bad_value(of->items.front(), "a declared function depends on neither a slow variable nor a parameter",
-                  suggest(name, known));
-    }
-    return name;
 }
 
 Variable SystemReader::variable_of(const TomlEntry& entry) {
@@ -287,7 +271,7 @@ void SystemReader::check_order(const Variable& variable, int highest) const {
 
 void SystemReader::read_equations() {
     Scope scope = system_.constants();
-    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
+    system_.define_functions(scope);
     for (const Variable& variable : system_.variables) {
         for (int k = 0; k <= variable.order; ++k) {
             scope.define_derivative(variable.name, k, variable.jet[static_cast<std::size_t>(k)]);

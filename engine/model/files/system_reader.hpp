@@ -11,11 +11,13 @@
 namespace resonform {
 
 struct Coordinate;
+struct FunctionValues;
 struct GivenRelation;
 
 class SystemReader {
 public:
-    SystemReader(TomlNode root, const std::filesystem::path& file);
+    // nullptr: functions are known by their names only. What it points to outlives the reader.
+    SystemReader(TomlNode root, const std::filesystem::path& file, const FunctionValues* values = nullptr);
     System read();
 
 private:
@@ -23,7 +25,9 @@ private:
     void read_parameters();
     void read_variables();
     void read_functions();
-    void read_pairs(); // of a Hamiltonian, whose variables need no equations
+    void give_values();             // to the functions (functions_reader.cpp)
+    void check_given_signs() const; // what is declared of a function holds of its value
+    void read_pairs();              // of a Hamiltonian, whose variables need no equations
     [[nodiscard]] bool is_mechanism() const;
     void require_coordinates() const; // if there are other tables of a mechanism
     void derive_equations();          // of a mechanism (mechanism_system.cpp)
@@ -54,7 +58,8 @@ private:
                                                  const Place& place) const;
     [[nodiscard]] bool is_canonical(const Variable& variable) const; // one of a pair
     void check_canonical(const Equation& equation, const GiNaC::exmap& rates) const;
-    [[nodiscard]] std::string argument_of(const TomlEntry& entry) const;
+    [[nodiscard]] std::string argument_of(const TomlEntry& entry) const; // of a function
+    [[nodiscard]] FunctionValue value_of(const NamedFunction& function, const TomlNode& node) const;
     void check_order(const Variable& variable, int highest) const;
     [[nodiscard]] const TomlNode& table(const std::string& key, const std::string& hint) const;
     // Refuses reserved and ill-formed names and those that are taken.
@@ -62,6 +67,7 @@ private:
     [[nodiscard]] std::vector<std::string> variable_names() const;
 
     TomlNode root_;
+    const FunctionValues* values_;
     System system_;
     std::vector<std::pair<GiNaC::symbol, Rational>> small_; // parameters of positive weight
     std::vector<Rational> weights_;                         // of the variables

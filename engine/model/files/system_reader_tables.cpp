@@ -61,7 +61,7 @@ void SystemReader::read_domain() {
     }
     Scope scope;
     for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
-    for (const NamedFunction& f : system_.functions) scope.define_function(f.name);
+    system_.define_functions(scope);
     for (const Variable& v : system_.variables) {
         if (v.role == Role::slow) scope.define(v.name, v.jet.front());
     }
@@ -132,6 +132,8 @@ void SystemReader::read_relations() {
     for (Declaration& declaration : system_.positive)
         declaration.value =
             declaration.value.subs(values, GiNaC::subs_options::no_pattern).subs(system_.eps == 0);
+    for (NamedFunction& f : system_.functions)
+        if (f.value) put(f.value->value);
     for (GivenMode& mode : system_.modes) for_each_part(mode, put);
     for (Equilibrium& at : system_.equilibrium) {
         put(at.value);

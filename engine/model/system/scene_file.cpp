@@ -51,8 +51,19 @@ const StartValue* Scene::start_of(const std::string& canonical) const {
 
 Scope Scene::constants() const {
     Scope scope = system->constants();
+    GiNaC::exmap cancelled;
     for (const Parameter& p : system->cancelled)
-        if (const auto found = fix.find(p.name); found != fix.end()) scope.define(p.name, found->second);
+        if (const auto found = fix.find(p.name); found != fix.end()) {
+            scope.define(p.name, found->second);
+            cancelled.emplace(p.symbol, found->second);
+        }
+    for (const NamedFunction& f : system->functions) {
+        if (!f.value) continue;
+        const GiNaC::ex value = f.value->value.subs(cancelled, GiNaC::subs_options::no_pattern);
+        const bool known = std::none_of(system->cancelled.begin(), system->cancelled.end(),
+                                        [&](const Parameter& p) { return value.has(p.symbol); });
+        if (known) scope.define_function(f.name, FunctionValue{f.value->argument, value});
+    }
     return scope;
 }
 

@@ -78,8 +78,8 @@ struct Scene {
     [[nodiscard]] bool wants(const std::string& output) const;
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").
     [[nodiscard]] const StartValue* start_of(const std::string& canonical) const;
-    // The symbols that start values and intervals may contain: parameters, eps, and cancelled parameters that
-    // are fixed.
+    // What start values and intervals may contain: parameters, eps, cancelled parameters that are fixed, and
+    // the functions of the system.
     [[nodiscard]] Scope constants() const;
     // An expression with the values of [fix] put in; GiNaC throws if a denominator becomes zero.
     [[nodiscard]] GiNaC::ex fixed(const GiNaC::ex& value) const;

@@ -77,4 +77,8 @@ Scope System::constants() const {
     return scope;
 }
 
+void System::define_functions(Scope& scope) const {
+    for (const NamedFunction& f : functions) scope.define_function(f.name, f.value);
+}
+
 } // namespace resonform

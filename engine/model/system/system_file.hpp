@@ -61,7 +61,8 @@ struct NamedFunction { // [functions] omega = { of = ["tau"], positive = true }
     std::string name;
     std::string of; // the parameter or slow variable that it is a function of
     bool positive = false;
-    bool nonzero = false; // implied by positive
+    bool nonzero = false;               // implied by positive
+    std::optional<FunctionValue> value; // given by a scene: it stands in all expressions of the system
 };
 
 // [hamiltonian]: x' = dH/dp, p' = -dH/dx for each pair
@@ -171,6 +172,8 @@ struct System {
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
     // The parameters and eps: the symbols that start values and intervals may contain.
     [[nodiscard]] Scope constants() const;
+    // The functions of the file, in the scope of a text.
+    void define_functions(Scope& scope) const;
 };
 
 } // namespace resonform

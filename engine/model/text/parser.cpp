@@ -201,6 +201,7 @@ Parser::Piece Parser::call() {
     }
     const Piece argument = parenthesis();
     check_argument(function, argument);
+    if (const FunctionValue* value = scope_.value_of(function)) return value_at(token, *value, argument);
     Piece piece = argument;
     piece.begin = token.begin;
     // The argument stays unexpanded inside the function, which is one factor from now on.

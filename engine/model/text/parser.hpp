@@ -36,6 +36,7 @@ private:
     Piece name();
     Piece call();
     Piece parenthesis();
+    Piece value_at(const Token& call, const FunctionValue& function, const Piece& argument);
 
     Piece reciprocal(const Piece& denominator);
     Piece raise(const Piece& base, const Piece& exponent);

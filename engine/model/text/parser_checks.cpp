@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checks of the parser and their messages.
+// The checks of the parser and their messages; functions that have a value.
 #include "algebra/number/error.hpp"
 #include "algebra/number/functions.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/function_call.hpp"
+#include "model/text/growth.hpp"
 #include "model/text/nearest.hpp"
 #include "model/text/parser.hpp"
 #include "model/text/scope.hpp"
+#include "model/text/why_unreal.hpp"
 #include "model/text/zero_test.hpp"
 
 #include <optional>
@@ -14,6 +16,19 @@
 namespace resonform {
 
 using GiNaC::numeric;
+
+namespace {
+
+constexpr int most_slopes = 9;
+
+// sqrt(1 - x) at x = 2, which the library makes I, or at x = 7.
+bool is_unreal(const GiNaC::ex& e) {
+    for (auto it = e.preorder_begin(); it != e.preorder_end(); ++it)
+        if (GiNaC::is_a<numeric>(*it) && !GiNaC::ex_to<numeric>(*it).is_real()) return true;
+    return !why_unreal(e, {}).empty();
+}
+
+} // namespace
 
 void Parser::expect_end(bool equation) {
     const Token& token = next();
@@ -28,6 +43,29 @@ void Parser::expect_end(bool equation) {
                  "write decimals with a point; functions take one argument");
     }
     complain(token.begin, token.end, "a ')' closes nothing", "remove it or add the '('");
+}
+
+// omega''(2*tau) where omega has a value: as if it stood here.
+Parser::Piece Parser::value_at(const Token& call, const FunctionValue& function, const Piece& argument) {
+    if (call.primes > most_slopes)
+        complain(call.begin, call.end,
+                 "a function that has a value is differentiated at most " + std::to_string(most_slopes) +
+                     " times",
+                 "write fewer primes");
+    Piece piece = argument;
+    piece.begin = call.begin;
+    FunctionValue slope = function;
+    for (int k = 0; k < call.primes; ++k) {
+        slope = slope.slope();
+        check_growth(of_expression(slope.value), piece.begin, piece.end);
+    }
+    piece.growth = of_substitution(slope.value, slope.argument, argument.growth);
+    check_growth(piece.growth, piece.begin, piece.end);
+    piece.value = evaluate(piece.begin, piece.end, [&] { return slope.at(argument.value); });
+    if (is_unreal(piece.value))
+        complain(piece.begin, piece.end, "the value of a function is real",
+                 "correct the argument, or the expression that gives the function");
+    return piece;
 }
 
 numeric Parser::checked_exponent(const Piece& exponent) {

@@ -13,8 +13,9 @@ void Scope::define_derivative(const std::string& name, int primes, const GiNaC::
     values_[{name, primes}] = value;
 }
 
-bool Scope::is_function(const std::string& name) const {
-    return std::find(functions_.begin(), functions_.end(), name) != functions_.end();
+const FunctionValue* Scope::value_of(const std::string& function) const {
+    const auto found = functions_.find(function);
+    return found != functions_.end() && found->second ? &*found->second : nullptr;
 }
 
 const GiNaC::ex* Scope::find(const std::string& name, int primes) const {

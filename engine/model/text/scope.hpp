@@ -2,10 +2,11 @@
 // The symbols that the text of an expression may use, and the limits on its size.
 #pragma once
 
-#include <ginac/ginac.h>
+#include "model/text/function_value.hpp"
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,16 +20,21 @@ public:
     // The k-th time derivative of a declared variable; using a k that is not defined is an error that names
     // the variable and the largest k.
     void define_derivative(const std::string& name, int primes, const GiNaC::ex& value);
-    // A function that is known by its name only: omega(tau), omega'(tau).
-    void define_function(const std::string& name) { functions_.push_back(name); }
-    [[nodiscard]] bool is_function(const std::string& name) const;
+    // A function of the file, omega(tau), omega'(tau): known by its name only, or its value is read in its
+    // place.
+    void define_function(const std::string& name, std::optional<FunctionValue> value = std::nullopt) {
+        functions_[name] = std::move(value);
+    }
+    [[nodiscard]] bool is_function(const std::string& name) const { return functions_.count(name) != 0; }
+    // nullptr: it is known by its name only.
+    [[nodiscard]] const FunctionValue* value_of(const std::string& function) const;
     [[nodiscard]] const GiNaC::ex* find(const std::string& name, int primes) const;
     [[nodiscard]] std::vector<std::string> names() const; // for "nearest known"
     [[nodiscard]] bool has_derivatives() const;           // as equations have them
 
 private:
     std::map<std::pair<std::string, int>, GiNaC::ex> values_;
-    std::vector<std::string> functions_;
+    std::map<std::string, std::optional<FunctionValue>> functions_;
 };
 
 // The limits on one expression. All are checked before GiNaC evaluates anything.

@@ -3,6 +3,7 @@
 
 #include "model/files/interval_length.hpp"
 #include "model/files/verify_reader.hpp"
+#include "model/text/canonical.hpp"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,8 @@ Conditions conditions_of(const Scene& scene) {
     conditions.shorter_than_promised =
         std::any_of(scene.verify.eps.begin(), scene.verify.eps.end(),
                     [&](const Rational& eps) { return is_shorter(scene, promised.interval, eps); });
+    for (const NamedFunction& f : scene.system->functions)
+        if (f.value) conditions.functions.emplace_back(f.name + "(" + f.of + ")", spell(f.value->value));
     for (const StartValue& value : scene.start) conditions.start.emplace_back(value.name, value.text);
     return conditions;
 }

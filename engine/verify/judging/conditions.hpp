@@ -25,7 +25,8 @@ struct LadderEnd {
 struct Conditions {
     std::string interval, promised;     // "1/eps", "1/eps^2": as measured, as time_scale promises
     bool shorter_than_promised = false; // at one of the eps
-    std::vector<std::pair<std::string, std::string>> start; // as the scene spells it
+    std::vector<std::pair<std::string, std::string>> functions; // omega(tau) and what the scene gives it
+    std::vector<std::pair<std::string, std::string>> start;     // as the scene spells it
 
     // The times of comparison, half of them evenly spread.
     std::size_t count = 0;                                   // at the smallest eps

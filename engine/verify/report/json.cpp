@@ -36,6 +36,7 @@ void add(Json& json, const Conditions& c) {
     json["interval"] = c.interval;
     json["promised"] = c.promised;
     json["shorter_than_promised"] = c.shorter_than_promised;
+    for (const auto& [call, value] : c.functions) json["functions"][call] = value;
     json["start"] = Json::object();
     for (const auto& [name, text] : c.start) json["start"][name] = text;
     json["within_layer"] = Json::array();

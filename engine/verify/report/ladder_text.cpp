@@ -90,6 +90,7 @@ std::string conditions_text(const Verification& v) {
             text += fmt::format(" ({:.3g} or more in a fast period)", c.per_fast_period);
         text += fmt::format(", the others crowd at both ends, the first at t = {:.1e}", c.first);
     }
+    for (const auto& [call, value] : c.functions) text += fmt::format("\n  {} = {}", call, value);
     std::vector<std::string> start;
     for (const auto& [name, value] : c.start) start.push_back(fmt::format("{} = {}", name, value));
     if (!start.empty()) text += fmt::format("\n  start: {}", fmt::join(start, ", "));

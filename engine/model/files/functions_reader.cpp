@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What functions depend on, and the values that a scene gives to those that are known by their names only.
+#include "algebra/number/error.hpp"
+#include "model/files/read_system.hpp"
+#include "model/files/system_reader.hpp"
+#include "model/signs/sign_prover.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/expression.hpp"
+#include "model/text/nearest.hpp"
+#include "model/text/toml_values.hpp"
+
+namespace resonform {
+
+std::string SystemReader::argument_of(const TomlEntry& entry) const {
+    const TomlNode* of = entry.value.find("of");
+    const std::string hint = "write " + entry.key + " = { of = [\"tau\"] }";
+    if (of == nullptr || of->type != TomlNode::Type::array || of->items.size() != 1)
+        bad_input({"the function is not declared with the one name that it is a function of",
+                   in_quotes(entry.key), hint, of == nullptr ? entry.place : place_of(of->source)});
+    std::string name = string_of(of->items.front());
+    const Variable* variable = system_.variable(name);
+    if (system_.parameter(name) == nullptr && (variable == nullptr || variable->role != Role::slow)) {
+        std::vector<std::string> known;
+        for (const Parameter& p : system_.parameters) known.push_back(p.name);
+        for (const Variable& v : system_.variables)
+            if (v.role == Role::slow) known.push_back(v.name);
+        bad_value(of->items.front(), "a declared function depends on neither a slow variable nor a parameter",
+                  suggest(name, known));
+    }
+    return name;
+}
+
+// Each function has its value, and each value its function.
+void SystemReader::give_values() {
+    if (values_ == nullptr) return;
+    if (values_->table != nullptr) check_table(*values_->table);
+    std::vector<std::string> names;
+    for (const NamedFunction& f : system_.functions) names.push_back(f.name);
+    if (values_->table != nullptr)
+        for (const TomlEntry& entry : values_->table->entries)
+            if (system_.function(entry.key) == nullptr)
+                bad_input(
+                    Reason::name,
+                    {"[functions] of a scene gives values to functions of its system", in_quotes(entry.key),
+                     names.empty() ? "the system has none: remove the table" : suggest(entry.key, names),
+                     entry.place});
+    for (NamedFunction& f : system_.functions) {
+        const TomlNode* node = values_->table == nullptr ? nullptr : values_->table->find(f.name);
+        if (node == nullptr)
+            bad_input(
+                {"a scene gives a value to every function that its system knows by its name only",
+                 "no value of " + in_quotes(f.name),
+                 "write under [functions] its expression, as " + f.name + " = \"sqrt(1 + " + f.of + "^2)\"",
+                 values_->place});
+        f.value = value_of(f, *node);
+    }
+}
+
+// An expression in the argument and parameters.
+FunctionValue SystemReader::value_of(const NamedFunction& function, const TomlNode& node) const {
+    FunctionValue result{GiNaC::symbol(function.of), 0};
+    Scope scope;
+    for (const Parameter& p : system_.parameters) scope.define(p.name, p.symbol);
+    scope.define(function.of, result.argument);
+    result.value = expression_of(node, scope);
+    return result;
+}
+
+void SystemReader::check_given_signs() const {
+    for (const NamedFunction& f : system_.functions) {
+        if (!f.value || !f.nonzero) continue;
+        const Variable* variable = system_.variable(f.of);
+        const GiNaC::ex value =
+            f.value->at(variable != nullptr ? variable->jet.front() : system_.parameter(f.of)->symbol);
+        if (f.positive ? provably_positive(value, system_) : provably_nonzero(value, system_)) continue;
+        const std::string sign = f.positive ? "positive" : "nonzero";
+        bad_value(*values_->table->find(f.name),
+                  "the system declares " + f.name + " " + sign +
+                      ", and its value is not proved to be so wherever " + f.of + " lies in the domain",
+                  "give another value; or let the sign bound the motion: write positive = [\"" + f.name +
+                      "(" + f.of + ")\"] under [domain] of the system");
+    }
+}
+
+} // namespace resonform
