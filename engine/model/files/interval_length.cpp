@@ -66,12 +66,12 @@ Size sum(const std::vector<Size>& terms) {
     return {total < 0 ? -1 : 1, largest + std::log(std::abs(total))};
 }
 
-Size product(const Size& a, const Size& b) {
+Size size_of_product(const Size& a, const Size& b) {
     if (a.sign * b.sign == 0) return std::isnan(a.log + b.log) ? unknown : Size{};
     return {a.sign * b.sign, a.log + b.log};
 }
 
-Size power(const Size& base, const Size& exponent) {
+Size size_of_power(const Size& base, const Size& exponent) {
     const double n = plain(exponent);
     if (base.sign == 0) return n > 0 ? Size{} : unknown;
     if (base.sign > 0) return {1, n == 0 ? 0 : base.log * n};
@@ -87,14 +87,14 @@ public:
     [[nodiscard]] Size of(const GiNaC::ex& e) const {
         if (e.is_equal(eps_)) return {1, log_eps_};
         if (!e.has(eps_)) return of_constant(e);
-        if (GiNaC::is_a<GiNaC::power>(e)) return power(of(e.op(0)), of(e.op(1)));
+        if (GiNaC::is_a<GiNaC::power>(e)) return size_of_power(of(e.op(0)), of(e.op(1)));
         if (GiNaC::is_a<GiNaC::function>(e)) return function(e);
         if (!GiNaC::is_a<GiNaC::add>(e) && !GiNaC::is_a<GiNaC::mul>(e)) return unknown;
         std::vector<Size> parts;
         for (const GiNaC::ex& part : e) parts.push_back(of(part));
         if (GiNaC::is_a<GiNaC::add>(e)) return sum(parts);
         Size result{1, 0};
-        for (const Size& factor : parts) result = product(result, factor);
+        for (const Size& factor : parts) result = size_of_product(result, factor);
         return result;
     }
 

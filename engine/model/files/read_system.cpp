@@ -48,6 +48,16 @@ std::filesystem::path find_system(const std::string& argument, const std::filesy
 
 System read_system(const std::filesystem::path& file) { return read_system_text(read_text(file), file); }
 
+System read_system(const std::filesystem::path& file, const std::vector<Setting>& settings,
+                   const std::string& option) {
+    try {
+        return read_system(file);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::refused || settings.empty()) throw;
+    }
+    return SystemReader(read_toml(read_text(file), file), file).read(settings, option);
+}
+
 System read_system_text(std::string_view toml, const std::filesystem::path& file) {
     return SystemReader(read_toml(toml, file), file).read();
 }

@@ -17,6 +17,10 @@ std::filesystem::path find_system(const std::string& argument, const std::filesy
 // Reads and checks a system file (docs/file_formats.md). Errors: bad_input: a rule there is broken; refused:
 // the format foresees it, but the engine does not do it yet.
 System read_system(const std::filesystem::path& file);
+// The same where this is not refused; else with numbers put in before the equilibrium is proved or found, as
+// `settings` of the system tell. Those that name no parameter are left out. `option` is where they come from.
+System read_system(const std::filesystem::path& file, const std::vector<Setting>& settings,
+                   const std::string& option);
 System read_system_text(std::string_view toml, const std::filesystem::path& file);
 
 } // namespace resonform

@@ -149,4 +149,24 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
     return system;
 }
 
+bool is_set(const System& system, const std::string& parameter) {
+    return std::any_of(system.settings.begin(), system.settings.end(),
+                       [&](const Setting& setting) { return setting.parameter == parameter; });
+}
+
+std::shared_ptr<const System> system_with_fix(const Scene& scene) {
+    std::vector<Setting> settings;
+    for (const Parameter& p : scene.system->parameters)
+        if (const auto fixed = scene.fix.find(p.name); fixed != scene.fix.end())
+            settings.push_back({p.name, spell(fixed->second)});
+    return std::make_shared<const System>(with_settings(*scene.system, settings, "[fix]"));
+}
+
+Scene with_fix_put_in(Scene scene) {
+    for (StartValue& start : scene.start) start.value = scene.fixed(start.value);
+    scene.verify.interval = scene.fixed(scene.verify.interval);
+    scene.system = system_with_fix(scene);
+    return scene;
+}
+
 } // namespace resonform

@@ -53,6 +53,9 @@ Scope Scene::constants() const {
     Scope scope = system->constants();
     for (const Parameter& p : system->cancelled)
         if (const auto found = fix.find(p.name); found != fix.end()) scope.define(p.name, found->second);
+    for (const Setting& set : system->settings)
+        if (const auto found = fix.find(set.parameter); found != fix.end())
+            scope.define(set.parameter, found->second);
     return scope;
 }
 
