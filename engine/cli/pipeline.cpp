@@ -4,6 +4,7 @@
 #include "cli/output.hpp"
 #include "emit/display/decided.hpp"
 #include "emit/program/build_program.hpp"
+#include "emit/program/fixed_divisors.hpp"
 #include "model/exact/first_order_system.hpp"
 #include "model/files/read_scene.hpp"
 #include "model/files/read_system.hpp"
@@ -52,7 +53,11 @@ Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
 } // namespace
 
 System changed_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home) {
-    System system = with_settings(read_system(file), changes.settings, "--set");
+    System system = read_system(file, changes.settings, "--set");
+    std::vector<Setting> left;
+    for (const Setting& setting : changes.settings)
+        if (!is_set(system, setting.parameter)) left.push_back(setting);
+    system = with_settings(std::move(system), left, "--set");
     check_name_of_folder(system, home);
     if (changes.style) system.style = *changes.style;
     system.digits = changes.digits;
@@ -149,7 +154,9 @@ Scene read_scene_of(const std::string& argument, const Home& home) {
     return scene;
 }
 
-SceneLine solve_scene(Scene scene, Watch& watch) {
+namespace {
+
+SceneLine solve_as_given(Scene scene, Watch& watch) {
     SceneLine line;
     line.scene = std::move(scene);
     line.expanded = expand_shared(line.scene.system, watch);
@@ -160,8 +167,41 @@ SceneLine solve_scene(Scene scene, Watch& watch) {
                                     {line.scene.order, line.count.truncation,
                                      line.scene.time_scale.value_or(1), line.scene.transients});
         check_time_scale(line.solution, line.scene);
+        if (!line.scene.fix.empty()) require_divisors(*normalization, line.scene);
     });
     return line;
+}
+
+// Whether numbers in place of parameters may change the answer.
+bool concerns_symbols(const Error& error) {
+    switch (error.diagnostic().reason) {
+    case Reason::time:
+    case Reason::memory:
+    case Reason::terms:
+    case Reason::fault: return false;
+    default: return error.kind() != ErrorKind::check_failed;
+    }
+}
+
+} // namespace
+
+SceneLine solve_scene(Scene scene, Watch& watch) {
+    if (scene.fix.empty()) return solve_as_given(std::move(scene), watch);
+    std::optional<Error> with_symbols;
+    try {
+        return solve_as_given(scene, watch);
+    } catch (const Error& error) {
+        if (!concerns_symbols(error)) throw;
+        with_symbols = error;
+    }
+    watch.enter("once more, with the values of [fix] put in");
+    try {
+        return solve_as_given(with_fix_put_in(std::move(scene)), watch);
+    } catch (const Error& error) { // what was known with symbols says more than what is undecided in numbers
+        const bool undecided = error.diagnostic().reason == Reason::undecided;
+        if (undecided && with_symbols->diagnostic().reason != Reason::undecided) throw *with_symbols;
+        throw;
+    }
 }
 
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch) {

@@ -36,6 +36,19 @@ TEST(ExpandErrors, ADoubleEigenvalueIsNamedByItsVariables) {
     EXPECT_TRUE(test::has(m, "found: two equal eigenvalues with one eigenvector: y, h\n"));
 }
 
+TEST(ExpandErrors, CriticalDampingIsSaid) {
+    const std::string damped =
+        test::refusal(system_with("x'' + 2*g*x' + g^2*x + x^3 = 0"), ErrorKind::refused);
+    EXPECT_TRUE(test::has(damped, "semisimple; at critical damping it is not"));
+    EXPECT_TRUE(test::has(damped, "found: x has the eigenvalue -g twice, with one eigenvector\n"));
+    EXPECT_TRUE(test::has(damped, "hint:  take a little more or less damping"));
+    const std::string driven = test::refusal(system_with("x'' - 2*x' + x = 0"), ErrorKind::refused);
+    EXPECT_TRUE(test::has(driven, "found: x has the eigenvalue 1 twice, with one eigenvector\n"));
+    EXPECT_FALSE(test::has(driven, "critical damping"));
+    const std::string free = test::refusal(system_with("x'' + x^3 = 0"), ErrorKind::refused);
+    EXPECT_FALSE(test::has(free, "critical damping"));
+}
+
 TEST(ExpandErrors, BlocksThatAreTooLarge) {
     const std::string m = test::refusal(
         test::system_text("s", {{"x", "fast", "x'' + x' - y' + x = 0"}, {"y", "fast", "y'' + x' + y = 0"}}),

@@ -5,6 +5,7 @@
 #include "emit/derive/derive.hpp"
 #include "emit/display/json.hpp"
 #include "emit/display/page.hpp"
+#include "model/mechanics/derivation.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/nearest.hpp"
 #include "normalize/recursion/centre_manifold.hpp"
@@ -80,7 +81,7 @@ std::string print_equations(const System& system, Format format) {
 
 std::string print_derivation(const System& system, Stage stage, Format format) {
     require_printable(stage, format);
-    if (!system.derivation)
+    if (!system.derivation || !system.derivation->is_of_mechanism())
         bad_input({"stage " + std::string(to_string(stage)) + " is one of a mechanism",
                    "the file has the equations themselves", "ask for stage equations",
                    whole_file(system.file)});

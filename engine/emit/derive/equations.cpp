@@ -7,6 +7,7 @@
 #include "model/exact/first_order_system.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/exact/written_form.hpp"
+#include "model/mechanics/derivation.hpp"
 #include "model/system/names.hpp"
 #include "model/text/canonical.hpp"
 
@@ -117,6 +118,26 @@ void append_equilibrium(Page& page, const System& system) {
     page.sections.push_back(std::move(section));
 }
 
+// What the file has, in the variables that [change] replaces.
+void append_change(Page& page, const System& system) {
+    if (!system.derivation || system.derivation->change.empty()) return;
+    Section before{"before the change of variables", {}}, change{"change of variables", {}};
+    for (const EquationBefore& e : system.derivation->before)
+        before.formulas.push_back(formula_of({{}, e.text, 0, {}}, system.settings));
+    for (const EquationBefore& e : system.derivation->change)
+        change.formulas.push_back(formula_of({{}, e.variable + " = " + e.text, 0, {}}, system.settings));
+    page.sections.push_back(std::move(before));
+    page.sections.push_back(std::move(change));
+}
+
+Json change_json(const Derivation& derivation) {
+    Json equations = Json::array(), values = Json::object();
+    for (const EquationBefore& e : derivation.before)
+        equations.push_back({{"variable", e.variable}, {"equation", e.text}});
+    for (const EquationBefore& e : derivation.change) values[e.variable] = e.text;
+    return {{"equations", std::move(equations)}, {"values", std::move(values)}};
+}
+
 } // namespace
 
 Page equations_page(const System& system) {
@@ -126,6 +147,7 @@ Page equations_page(const System& system) {
     for (const Equation& equation : system.equations)
         section.formulas.push_back(formula_of(equation, system.settings));
     page.sections.push_back(std::move(section));
+    append_change(page, system);
     append_relations(page, system);
     append_equilibrium(page, system);
     return page;
@@ -144,6 +166,8 @@ Json equations_json(const System& system) {
     document.update(Json{{"parameters", std::move(parameters)},
                          {"relations", relations_json(system)},
                          {"variables", std::move(variables)}});
+    if (system.derivation && !system.derivation->change.empty())
+        document["change"] = change_json(*system.derivation);
     if (!system.equilibrium.empty()) document["equilibrium"] = equilibrium_json(system);
     return document;
 }

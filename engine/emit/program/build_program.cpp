@@ -181,11 +181,13 @@ void ProgramBuilder::define_results(Moment& call) {
 // "with g = 1, r = 1, v = 1", in the order of the system's file
 std::string fixed_values(const System& system, const Scene& scene) {
     std::string text;
+    const auto add = [&](const std::string& name) {
+        if (const auto fixed = scene.fix.find(name); fixed != scene.fix.end())
+            text += fmt::format("{} {} = {}", text.empty() ? "with" : ",", name, spell(fixed->second));
+    };
+    for (const Setting& setting : system.settings) add(setting.parameter);
     for (const auto* list : {&system.parameters, &system.cancelled})
-        for (const Parameter& parameter : *list)
-            if (const auto fixed = scene.fix.find(parameter.name); fixed != scene.fix.end())
-                text += fmt::format("{} {} = {}", text.empty() ? "with" : ",", parameter.name,
-                                    spell(fixed->second));
+        for (const Parameter& parameter : *list) add(parameter.name);
     return text;
 }
 

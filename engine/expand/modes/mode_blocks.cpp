@@ -27,13 +27,31 @@ enum class Sign { negative, zero, positive };
          name.place});
 }
 
-// The sign of an expression that decides whether eigenvalues are real.
-Sign sign_of(const ex& e, const std::string& what, const System& system, const BlockName& name) {
+// x'' + 2 d x' + d^2 x, between an oscillation and two real rates.
+[[noreturn]] void refuse_critical(const ex& eigenvalue, const System& system, const BlockName& name) {
+    const bool decays = provably_positive(-eigenvalue, system);
+    refuse({decays ? "the linear part of the fast variables is semisimple; at critical damping it is not"
+                   : "the linear part of the fast variables is semisimple (has as many eigenvectors as "
+                     "variables)",
+            fmt::format("{} has the eigenvalue {} twice, with one eigenvector", name.variables,
+                        spell(eigenvalue)),
+            decays
+                ? "take a little more or less damping; or write style = \"inner_product\" in [normal_form], "
+                  "which derives the normal form and has no scenes"
+                : "take another coefficient of the velocity; or write style = \"inner_product\" in "
+                  "[normal_form], which derives the normal form and has no scenes",
+            name.place});
+}
+
+// The sign of an expression that decides whether eigenvalues, of mean `middle`, are real.
+Sign sign_of(const ex& e, const ex& middle, const std::string& what, const System& system,
+             const BlockName& name) {
     if (provably_positive(e, system)) return Sign::positive;
     if (provably_positive(-e, system)) return Sign::negative;
     const std::string value = fmt::format("{} = {} for {}", what, spell(e), name.variables);
     if (vanishes(e) == Zero::yes) {
         if (system.style == Style::inner_product) return Sign::zero;
+        if (name.oscillator && vanishes(middle) != Zero::yes) refuse_critical(middle, system, name);
         refuse_nilpotent(
             name.oscillator ? value : "two equal eigenvalues with one eigenvector: " + name.variables, name);
     }
@@ -59,7 +77,7 @@ Eigenvalues eigenvalues_of(const Matrix& a, const System& system, const BlockNam
     const ex middle = ((a[0][0] + a[1][1]) / 2).normal();
     const ex square = (-discriminant_of(a)).normal();
     const std::string what = name.oscillator ? "omega^2" : "(Im lambda)^2";
-    const Sign sign = sign_of(square, what, system, name);
+    const Sign sign = sign_of(square, middle, what, system, name);
     if (sign == Sign::zero) return {middle, 0, sign};
     return {middle, GiNaC::sqrt(sign == Sign::negative ? (-square).normal() : square), sign};
 }

@@ -17,7 +17,8 @@ using GiNaC::ex;
 
 class EquilibriumShift {
 public:
-    explicit EquilibriumShift(const FirstOrderSystem& from) : from_(from), system_(*from.system) {
+    explicit EquilibriumShift(const FirstOrderSystem& from)
+        : from_(from), system_(*from.system), motion_(motion_of(from)) {
         for (const Equilibrium& at : system_.equilibrium) shift(at);
     }
 
@@ -58,14 +59,8 @@ private:
             shifts_[jet] = derivative;
             old_[jet] = fresh + derivative;
             named_[fresh] = jet;
-            derivative = along(derivative);
+            derivative = along(derivative, motion_);
         }
-    }
-
-    [[nodiscard]] ex along(const ex& e) const {
-        ex rate = 0;
-        for (const State& state : from_.states) rate += e.diff(state.symbol) * state.rate;
-        return rate;
     }
 
     [[nodiscard]] bool is_fixed() const {
@@ -105,6 +100,7 @@ private:
 
     const FirstOrderSystem& from_;
     const System& system_;
+    std::vector<TimeDerivative> motion_; // of the states
     GiNaC::exmap shifts_; // jet -> the old variable minus the new one, as a function of old variables
     GiNaC::exmap old_;    // jet -> itself by a new symbol
     GiNaC::exmap named_;  // the new symbol -> jet

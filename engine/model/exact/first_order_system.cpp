@@ -237,6 +237,12 @@ std::size_t FirstOrderSystem::index(std::size_t variable, int derivative) const 
     return first + static_cast<std::size_t>(derivative);
 }
 
+std::vector<TimeDerivative> motion_of(const FirstOrderSystem& system) {
+    std::vector<TimeDerivative> motion;
+    for (const State& state : system.states) motion.push_back({state.symbol, state.rate});
+    return motion;
+}
+
 FirstOrderSystem solve_for_highest(std::shared_ptr<const System> system) {
     const std::vector<ex> highest = HighestDerivatives(*system).solve();
     FirstOrderSystem result;

@@ -5,6 +5,7 @@
 //   psi'' (xi^2 + r^2) + ... = 0, xi' = eps v   ->   (psi)' = psi', (psi')' = -(...)/(xi^2 + r^2), ...
 #pragma once
 
+#include "model/exact/substitution.hpp"
 #include "model/signs/sign_prover.hpp"
 #include "model/system/system_file.hpp"
 
@@ -31,6 +32,9 @@ struct FirstOrderSystem {
     [[nodiscard]] const State& state(const std::string& name) const;
     [[nodiscard]] std::size_t index(std::size_t variable, int derivative) const;
 };
+
+// The states with their rates, for along().
+std::vector<TimeDerivative> motion_of(const FirstOrderSystem& system);
 
 // Solves the equations for the highest derivatives: an equation with a single unknown one is solved for it,
 // and the result is put into the others (so xi' = eps v may stand squared elsewhere); the equations left are

@@ -117,7 +117,7 @@ ExactForm::Fraction ExactForm::fraction(const ex& e) {
         if (!f.denominator.is_zero()) f = quotient(f.numerator / f.denominator);
     }
     if (f.denominator.is_zero())
-        bad_input({"a denominator is zero", excerpt(spell(e)), "correct the mechanism", place_});
+        bad_input({"a denominator is zero", excerpt(spell(e)), "correct the expression", place_});
     if (f.numerator.is_zero()) return {0, 1};
     // The sign is that of the first term of the denominator.
     const ex denominator = GiNaC::is_a<GiNaC::add>(f.denominator) ? canonical_sign(meaning(f.denominator))

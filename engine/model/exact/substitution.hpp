@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace resonform {
 
@@ -21,6 +22,18 @@ inline std::optional<GiNaC::ex> put_through(GiNaC::ex e, const GiNaC::exmap& val
     };
     for (std::size_t k = 0; k < values.size() && holds_one(); ++k) e = put(e, values);
     return holds_one() ? std::nullopt : std::optional<GiNaC::ex>(e);
+}
+
+struct TimeDerivative {
+    GiNaC::symbol of;
+    GiNaC::ex value;
+};
+
+// d/dt of e by the chain rule; symbols without a derivative in the list are constant.
+inline GiNaC::ex along(const GiNaC::ex& e, const std::vector<TimeDerivative>& motion) {
+    GiNaC::ex sum = 0;
+    for (const TimeDerivative& derivative : motion) sum += e.diff(derivative.of) * derivative.value;
+    return sum;
 }
 
 } // namespace resonform

@@ -36,7 +36,7 @@ bool SystemReader::is_mechanism() const { return root_.find("coordinates") != nu
 void SystemReader::require_coordinates() const {
     if (is_mechanism()) return;
     for (const std::string& key : mechanism_tables())
-        if (const TomlNode* node = root_.find(key))
+        if (const TomlNode* node = root_.find(key); node != nullptr && key != "change")
             bad_input({"the mechanism has no table [coordinates]", "[" + key + "] without it",
                        "declare coordinates, as x = { unit = \"m\" }", place_of(node->source)});
 }
@@ -133,7 +133,7 @@ void SystemReader::check_roles() const {
                    "write role = \"fast\", \"angle\" or \"slow\"", system_.variable(name)->place});
 }
 
-// Moves parameters that the equations do not hold, as a mass that cancels, into System::cancelled.
+// Moves parameters that derived equations do not hold, as a mass that cancels, into System::cancelled.
 void SystemReader::drop_cancelled() {
     if (!derivation_) return;
     const auto used = [&](const Parameter& p) {

@@ -50,6 +50,16 @@ System read_system(const std::filesystem::path& file, const FunctionValues* valu
     return read_system_text(read_text(file), file, values);
 }
 
+System read_system(const std::filesystem::path& file, const std::vector<Setting>& settings,
+                   const std::string& option, const FunctionValues* values) {
+    try {
+        return read_system(file, values);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::refused || settings.empty()) throw;
+    }
+    return SystemReader(read_toml(read_text(file), file), file, values).read(settings, option);
+}
+
 System read_system_text(std::string_view toml, const std::filesystem::path& file,
                         const FunctionValues* values) {
     return SystemReader(read_toml(toml, file), file, values).read();

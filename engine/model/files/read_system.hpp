@@ -26,6 +26,10 @@ std::filesystem::path find_system(const std::string& argument, const std::filesy
 // the format foresees it, but the engine does not do it yet. With `values` every function of the file has
 // one, which is read wherever the function stands: the system is as if its user had written that.
 System read_system(const std::filesystem::path& file, const FunctionValues* values = nullptr);
+// The same where this is not refused; else with numbers put in before the equilibrium is proved or found, as
+// `settings` of the system tell. Those that name no parameter are left out. `option` is where they come from.
+System read_system(const std::filesystem::path& file, const std::vector<Setting>& settings,
+                   const std::string& option, const FunctionValues* values = nullptr);
 System read_system_text(std::string_view toml, const std::filesystem::path& file,
                         const FunctionValues* values = nullptr);
 

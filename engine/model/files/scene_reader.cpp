@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "model/files/heading.hpp"
 #include "model/files/read_system.hpp"
+#include "model/files/settings.hpp"
 #include "model/files/start_domain.hpp"
 #include "model/files/start_reader.hpp"
 #include "model/files/verify_reader.hpp"
@@ -107,7 +108,8 @@ void SceneReader::read_system_of_scene() {
     if (std::filesystem::is_regular_file(beside, ignored)) {
         // Named relative to the scene, so that messages and banners do not depend on where one stands.
         const auto system = std::make_shared<System>(
-            read_system((scene_.file.parent_path() / ".." / "system.toml").lexically_normal(), &values));
+            read_system((scene_.file.parent_path() / ".." / "system.toml").lexically_normal(),
+                        settings_of_fix(), "[fix]", &values));
         if (name != nullptr && given != system->name) {
             bad_value(*name, "a scene names the system of its folder, " + in_quotes(system->name),
                       "write system = \"" + system->name + "\"");
@@ -121,7 +123,8 @@ void SceneReader::read_system_of_scene() {
     }
     if (!is_identifier(given)) bad_value(*name, identifier_rule("a system's name"), identifier_hint());
     try {
-        scene_.system = std::make_shared<System>(read_system(find_system(given, systems_), &values));
+        scene_.system = std::make_shared<System>(
+            read_system(find_system(given, systems_), settings_of_fix(), "[fix]", &values));
     } catch (const Error& error) {
         if (!error.diagnostic().place.file.empty()) throw;
         Diagnostic d = error.diagnostic();
@@ -201,6 +204,16 @@ GiNaC::ex SceneReader::fixed_value(const TomlNode& node, const Parameter& parame
     return value;
 }
 
+std::vector<Setting> SceneReader::settings_of_fix() const {
+    std::vector<Setting> settings;
+    const TomlNode* fix = root_.find("fix");
+    if (fix == nullptr) return settings;
+    check_table(*fix);
+    for (const TomlEntry& entry : fix->entries) settings.push_back({entry.key, entry.value.text});
+    return settings;
+}
+
+// Of parameters; one that is put in already was held against its declaration then.
 void SceneReader::read_fix() {
     const TomlNode* fix = root_.find("fix");
     if (fix == nullptr) return;
@@ -210,6 +223,10 @@ void SceneReader::read_fix() {
         for (const Parameter& p : *list) known.push_back(p.name);
     for (const TomlEntry& entry : fix->entries) {
         const Parameter* parameter = scene_.system->declared_parameter(entry.key);
+        if (is_set(*scene_.system, entry.key)) {
+            scene_.fix.emplace(entry.key, fixed_value(entry.value, {}));
+            continue;
+        }
         if (parameter == nullptr) {
             bad_input(Reason::name, {"[fix] gives values of parameters", in_quotes(entry.key),
                                      suggest(entry.key, known), entry.place});

@@ -16,6 +16,7 @@ private:
     void read_system_of_scene();
     void read_orders();
     void read_outputs();
+    [[nodiscard]] std::vector<Setting> settings_of_fix() const;
     void read_fix();
     void read_parts();
     void read_emit();

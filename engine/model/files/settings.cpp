@@ -142,11 +142,33 @@ System with_settings(System system, const std::vector<Setting>& settings, const 
         for (GivenMode::Entry& entry : mode.column) put_into_number(entry.value);
     }
     for (Equilibrium& at : system.equilibrium) put_into(at.value, place_of(at.source));
+    for (NamedFunction& f : system.functions)
+        if (f.value) put_into(f.value->value, {system.file.string(), 0, 0, "functions." + f.name, ""});
     const auto is_set = [&](const Parameter& p) { return values.count(p.symbol) != 0; };
     system.settings.insert(system.settings.end(), settings.begin(), settings.end());
     system.parameters.erase(std::remove_if(system.parameters.begin(), system.parameters.end(), is_set),
                             system.parameters.end());
     return system;
+}
+
+bool is_set(const System& system, const std::string& parameter) {
+    return std::any_of(system.settings.begin(), system.settings.end(),
+                       [&](const Setting& setting) { return setting.parameter == parameter; });
+}
+
+std::shared_ptr<const System> system_with_fix(const Scene& scene) {
+    std::vector<Setting> settings;
+    for (const Parameter& p : scene.system->parameters)
+        if (const auto fixed = scene.fix.find(p.name); fixed != scene.fix.end())
+            settings.push_back({p.name, spell(fixed->second)});
+    return std::make_shared<const System>(with_settings(*scene.system, settings, "[fix]"));
+}
+
+Scene with_fix_put_in(Scene scene) {
+    for (StartValue& start : scene.start) start.value = scene.fixed(start.value);
+    scene.verify.interval = scene.fixed(scene.verify.interval);
+    scene.system = system_with_fix(scene);
+    return scene;
 }
 
 } // namespace resonform

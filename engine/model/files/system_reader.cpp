@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "model/files/dimension.hpp"
 #include "model/files/heading.hpp"
+#include "model/files/settings.hpp"
 #include "model/system/names.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/eps_powers.hpp"
@@ -78,9 +79,10 @@ SystemReader::SystemReader(TomlNode root, const std::filesystem::path& file, con
     system_.file = file;
 }
 
-System SystemReader::read() {
+System SystemReader::read(const std::vector<Setting>& early, const std::string& option) {
     read_header();
     require_coordinates();
+    require_equations_to_change();
     read_parameters();
     read_variables();
     read_functions();
@@ -88,6 +90,8 @@ System SystemReader::read() {
     read_pairs();
     if (is_mechanism())
         derive_equations();
+    else if (changes_variables())
+        change_equations();
     else
         read_equation_texts();
     set_orders();
@@ -101,11 +105,19 @@ System SystemReader::read() {
     drop_cancelled();
     scale_small_parameters();
     refine_weights();
+    put_in(early, option);
     settle_equilibrium();
     read_normal_form();
     read_notation();
     check_names_of_results();
     return std::move(system_);
+}
+
+void SystemReader::put_in(const std::vector<Setting>& early, const std::string& option) {
+    std::vector<Setting> known;
+    for (const Setting& setting : early)
+        if (system_.declared_parameter(setting.parameter) != nullptr) known.push_back(setting);
+    if (!known.empty()) system_ = with_settings(std::move(system_), known, option);
 }
 
 void SystemReader::read_header() {

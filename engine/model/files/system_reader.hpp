@@ -10,6 +10,7 @@
 
 namespace resonform {
 
+struct ChangeOfEquations;
 struct Coordinate;
 struct FunctionValues;
 struct GivenRelation;
@@ -18,7 +19,8 @@ class SystemReader {
 public:
     // nullptr: functions are known by their names only. What it points to outlives the reader.
     SystemReader(TomlNode root, const std::filesystem::path& file, const FunctionValues* values = nullptr);
-    System read();
+    // `early` are put in before the equilibrium is proved or found; what names no parameter is left out.
+    System read(const std::vector<Setting>& early = {}, const std::string& option = "");
 
 private:
     void read_header();
@@ -32,6 +34,13 @@ private:
     void require_coordinates() const; // if there are other tables of a mechanism
     void derive_equations();          // of a mechanism (mechanism_system.cpp)
     void take_constant(const Coordinate& constant, Role role);
+    [[nodiscard]] bool changes_variables() const; // of equations, not of a mechanism
+    void require_equations_to_change() const;
+    void change_equations(); // (change_reader.cpp)
+    [[nodiscard]] Variable replaced_variable(const TomlEntry& entry);
+    [[nodiscard]] std::vector<Variable> variables_before(const std::vector<std::string>& fresh);
+    void take_symbols(const std::vector<Variable>& before);
+    [[nodiscard]] ChangeOfEquations change_from(System before) const;
     void make_parameter(const std::string& name);
     void check_roles() const;
     void drop_cancelled();      // parameters that the derived equations do not hold
@@ -41,9 +50,10 @@ private:
     void read_energy(); // completes the equations, checks those that were given
     void read_domain();
     [[nodiscard]] std::vector<GivenRelation> relation_values() const;
-    void read_relations();     // puts the values into equations and domain
-    void read_modes();         // modes_reader.cpp
-    void read_equilibrium();   // equilibrium_reader.cpp
+    void read_relations();   // puts the values into equations and domain
+    void read_modes();       // modes_reader.cpp
+    void read_equilibrium(); // equilibrium_reader.cpp
+    void put_in(const std::vector<Setting>& early, const std::string& option);
     void settle_equilibrium(); // checked or solved for, in the equations as they are in the end
     void scale_small_parameters();
     void refine_weights(); // to integers, with a root of eps
@@ -72,7 +82,7 @@ private:
     std::vector<std::pair<GiNaC::symbol, Rational>> small_; // parameters of positive weight
     std::vector<Rational> weights_;                         // of the variables
     std::vector<std::string> undecided_;                    // variables of a mechanism without a role
-    std::shared_ptr<Derivation> derivation_;                // of a mechanism
+    std::shared_ptr<Derivation> derivation_;                // of a mechanism, or by a change of variables
     std::map<std::string, std::string> taken_;              // name -> the kind of thing that has it
 };
 

@@ -2,6 +2,7 @@
 #include "model/mechanics/change_of_variables.hpp"
 
 #include "algebra/number/error.hpp"
+#include "model/exact/invertible.hpp"
 #include "model/exact/solution.hpp"
 #include "model/exact/substitution.hpp"
 #include "model/exact/written_form.hpp"
@@ -110,19 +111,11 @@ void ChangeOfVariables::require_invertible() const {
     for (const std::size_t i : constraints_.independent)
         if (change_of(motion_.mechanism(), i) != nullptr) values.push_back(positions_.at(coordinates[i].at));
     if (values.empty()) return;
-    GiNaC::matrix jacobian(static_cast<unsigned>(fresh.size()), static_cast<unsigned>(fresh.size()));
-    for (unsigned r = 0; r < jacobian.rows(); ++r)
-        for (unsigned c = 0; c < jacobian.cols(); ++c) jacobian(r, c) = values[r].diff(fresh[c].at);
-    const Zero zero = motion_.form().vanishes(at_origin(jacobian.determinant()));
-    const Place place = place_of(motion_.mechanism().changes.front().value.source);
-    if (zero == Zero::yes)
-        bad_input({"a change of variables is invertible where the equations are expanded",
-                   "the determinant of its derivatives is zero at the origin of the new variables",
-                   "correct it, or choose another origin", place});
-    if (zero == Zero::unknown)
-        refuse(Reason::undecided, {"a change of variables is seen to be invertible",
-                                   "the determinant of its derivatives can be told neither zero nor nonzero",
-                                   "write it in a plainer form", place});
+    std::vector<GiNaC::symbol> variables;
+    for (const Coordinate& c : fresh) variables.push_back(c.at);
+    resonform::require_invertible(at_origin(determinant_of_slopes(values, variables)), motion_.form(),
+                                  motion_.system(),
+                                  place_of(motion_.mechanism().changes.front().value.source));
 }
 
 // R' = F + sum of G R' where a change of variables holds constants: G is of order eps, as these rates are.

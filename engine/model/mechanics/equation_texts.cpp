@@ -12,23 +12,46 @@ namespace resonform {
 
 using GiNaC::ex;
 
-std::vector<std::string> EquationTexts::of(const std::vector<ex>& residuals,
-                                           const std::vector<Coordinate>& unknowns) {
+namespace {
+
+// Exact forms that fit in texts, or residuals that fit in none as they are.
+bool are_worth_exact_form(const std::vector<ex>& residuals) {
     constexpr double shortest_term = 10; // bytes
     double exact = 0, as_put_in = 0;
     for (const ex& residual : residuals) {
         exact = std::max(exact, terms_in_exact_form(residual));
         as_put_in = std::max(as_put_in, of_expression(residual).terms);
     }
-    if (exact * shortest_term <= static_cast<double>(Limits{}.length) || as_put_in > Limits{}.terms)
-        return of_exact(residuals, unknowns);
+    return exact * shortest_term <= static_cast<double>(Limits{}.length) || as_put_in > Limits{}.terms;
+}
+
+} // namespace
+
+std::vector<std::string> EquationTexts::rates_of(const std::vector<ex>& residuals,
+                                                 const std::vector<GiNaC::symbol>& unknowns) {
+    if (!are_worth_exact_form(residuals)) return {};
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        const ex residual = form_.simplified(residuals[i]), slope = residual.diff(unknowns[i]);
+        if (!slope.is_equal(1) && !slope.is_equal(-1)) return {};
+        const ex rate = form_.simplified(unknowns[i] - residual / slope);
+        if (std::any_of(unknowns.begin(), unknowns.end(), [&](const auto& u) { return rate.has(u); }))
+            return {};
+        texts.push_back(unknowns[i].get_name() + " = " + written(form_, rate));
+    }
+    return texts;
+}
+
+std::vector<std::string> EquationTexts::of(const std::vector<ex>& residuals,
+                                           const std::vector<GiNaC::symbol>& unknowns) {
+    if (are_worth_exact_form(residuals)) return of_exact(residuals, unknowns);
     std::vector<std::string> texts;
     for (const ex& residual : residuals) texts.push_back(spell(residual) + " = 0");
     return texts;
 }
 
 std::vector<std::string> EquationTexts::of_exact(std::vector<ex> residuals,
-                                                 const std::vector<Coordinate>& unknowns) {
+                                                 const std::vector<GiNaC::symbol>& unknowns) {
     for (ex& residual : residuals) residual = form_.simplified(residual);
     std::vector<std::string> texts = solved(rows_of(residuals, unknowns), unknowns);
     if (texts.empty())
@@ -37,9 +60,9 @@ std::vector<std::string> EquationTexts::of_exact(std::vector<ex> residuals,
     return texts;
 }
 
-// Solved for the accelerations; empty where the equations are not coupled, or a solution is too long.
+// Solved for the unknowns; empty where the equations are not coupled, or a solution is too long.
 std::vector<std::string> EquationTexts::solved(const std::vector<ExactRow>& rows,
-                                               const std::vector<Coordinate>& unknowns) {
+                                               const std::vector<GiNaC::symbol>& unknowns) {
     bool coupled = false;
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (std::size_t k = 0; k < unknowns.size(); ++k)
@@ -47,7 +70,7 @@ std::vector<std::string> EquationTexts::solved(const std::vector<ExactRow>& rows
     if (!coupled) return {};
     std::vector<std::string> texts;
     for (const ex& solution : solve_if_short(rows, form_, place_)) {
-        texts.push_back(unknowns[texts.size()].name + "'' = " + written(form_, solution));
+        texts.push_back(unknowns[texts.size()].get_name() + " = " + written(form_, solution));
         if (texts.back().size() > Limits{}.length || of_expression(solution).terms > Limits{}.terms)
             return {};
     }
@@ -55,13 +78,13 @@ std::vector<std::string> EquationTexts::solved(const std::vector<ExactRow>& rows
 }
 
 std::vector<ExactRow> EquationTexts::rows_of(const std::vector<ex>& residuals,
-                                             const std::vector<Coordinate>& unknowns) {
+                                             const std::vector<GiNaC::symbol>& unknowns) {
     GiNaC::exmap none;
-    for (const Coordinate& c : unknowns) none[c.acceleration] = 0;
+    for (const GiNaC::symbol& unknown : unknowns) none[unknown] = 0;
     std::vector<ExactRow> rows;
     for (const ex& residual : residuals) {
         ExactRow row;
-        for (const Coordinate& c : unknowns) row.push_back(form_.simplified(residual.diff(c.acceleration)));
+        for (const GiNaC::symbol& unknown : unknowns) row.push_back(form_.simplified(residual.diff(unknown)));
         row.push_back(form_.simplified(-residual.subs(none, GiNaC::subs_options::no_pattern)));
         rows.push_back(std::move(row));
     }

@@ -146,13 +146,13 @@ void Deriver::write_prescribed() {
 
 void Deriver::write_independent(const ChangeOfVariables& change) {
     std::vector<ex> residuals;
-    std::vector<Coordinate> unknowns;
+    std::vector<GiNaC::symbol> unknowns;
     for (std::size_t i = 0; i < appell_.equations.size(); ++i) {
         residuals.push_back(change(appell_.equations[i]));
-        unknowns.push_back(change.variable(i));
+        unknowns.push_back(change.variable(i).acceleration);
     }
     const std::vector<std::string> texts = texts_.of(residuals, unknowns);
-    for (std::size_t i = 0; i < texts.size(); ++i) derived(unknowns[i].name, texts[i]);
+    for (std::size_t i = 0; i < texts.size(); ++i) derived(change.variable(i).name, texts[i]);
 }
 
 bool Deriver::quasi_velocities_are_variables() const {

@@ -30,22 +30,22 @@ Motion::Motion(const Mechanism& mechanism, const System& system, ExactForm& form
     for (const QuasiVelocity& u : mechanism.quasi_velocities) {
         form.add(u.acceleration, ExactForm::Kind::acceleration);
         form.add(u.velocity, ExactForm::Kind::velocity);
-        steps_.push_back({u.velocity, u.acceleration});
+        derivatives_.push_back({u.velocity, u.acceleration});
     }
     for (const Prescribed& p : mechanism.prescribed) {
         const Variable* variable = system.variable(p.coordinate.name);
         const bool turns = variable != nullptr && variable->role == Role::angle;
         form.add(p.coordinate.velocity, ExactForm::Kind::rate);
         form.add(p.coordinate.at, turns ? ExactForm::Kind::coordinate : ExactForm::Kind::slow);
-        steps_.push_back({p.coordinate.at, p.coordinate.velocity});
+        derivatives_.push_back({p.coordinate.at, p.coordinate.velocity});
         laws_[p.coordinate.velocity] = p.rate;
     }
     for (const Parameter& p : system.parameters) form.add(p.symbol, ExactForm::Kind::parameter);
     form.add(system.eps, ExactForm::Kind::eps);
-    std::vector<Step> second; // xi'' from the law of xi
+    std::vector<TimeDerivative> second; // xi'' from the law of xi
     for (const Prescribed& p : mechanism.prescribed)
         second.push_back({p.coordinate.velocity, derivative(p.rate)});
-    steps_.insert(steps_.end(), second.begin(), second.end());
+    derivatives_.insert(derivatives_.end(), second.begin(), second.end());
 }
 
 void Motion::add_symbols(const std::vector<const Coordinate*>& all) {
@@ -55,18 +55,14 @@ void Motion::add_symbols(const std::vector<const Coordinate*>& all) {
         const Variable* variable = system_->variable(c->name);
         const bool slow = variable != nullptr && variable->role == Role::slow;
         form_->add(c->at, slow ? ExactForm::Kind::slow : ExactForm::Kind::coordinate);
-        steps_.push_back({c->at, c->velocity});
-        steps_.push_back({c->velocity, c->acceleration});
+        derivatives_.push_back({c->at, c->velocity});
+        derivatives_.push_back({c->velocity, c->acceleration});
     }
 }
 
 void Motion::add(const Coordinate& constant) { add_symbols({&constant}); }
 
-ex Motion::derivative(const ex& e) const {
-    ex sum = 0;
-    for (const Step& step : steps_) sum += e.diff(step.from) * step.to;
-    return sum;
-}
+ex Motion::derivative(const ex& e) const { return along(e, derivatives_); }
 
 ex Motion::with_laws(const ex& e) const { return e.subs(laws_, GiNaC::subs_options::no_pattern); }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/exact/form.hpp"
+#include "model/exact/substitution.hpp"
 #include "model/system/mechanism.hpp"
 
 namespace resonform {
@@ -31,14 +32,10 @@ public:
 
 private:
     void add_symbols(const std::vector<const Coordinate*>& all);
-    struct Step {
-        GiNaC::symbol from;
-        GiNaC::ex to;
-    };
     const Mechanism* mechanism_;
     const System* system_;
     ExactForm* form_;
-    std::vector<Step> steps_;
+    std::vector<TimeDerivative> derivatives_;
     GiNaC::exmap laws_; // xi' -> eps*v
 };
 

@@ -57,6 +57,9 @@ Scope Scene::constants() const {
             scope.define(p.name, found->second);
             cancelled.emplace(p.symbol, found->second);
         }
+    for (const Setting& set : system->settings)
+        if (const auto found = fix.find(set.parameter); found != fix.end())
+            scope.define(set.parameter, found->second);
     for (const NamedFunction& f : system->functions) {
         if (!f.value) continue;
         const GiNaC::ex value = f.value->value.subs(cancelled, GiNaC::subs_options::no_pattern);

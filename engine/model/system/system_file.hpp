@@ -114,7 +114,7 @@ struct Equilibrium {
     SourceText source;
 };
 
-struct Derivation; // of the equations of a mechanism (model/mechanics/derivation.hpp)
+struct Derivation; // of the equations (model/mechanics/derivation.hpp)
 
 // A number in place of a parameter, as the user wrote it: an expression in numbers (4/5, 0.8, sqrt(2)).
 struct Setting {
@@ -146,8 +146,9 @@ struct System {
     std::vector<Equilibrium> equilibrium; // of the fast variables that do not rest at 0
     Rational near = 0;                    // [normal_form] near: divisors up to this size are not divided by
     Style style = Style::poincare;        // [normal_form] style
-    std::shared_ptr<const Derivation> derivation; // of a mechanism; nullptr: the file has the equations
-    int digits = 0;                               // of coefficients in numbers (--digits); 0: they are exact
+    // Of a mechanism, or by a change of variables; nullptr: the equations are those of the file.
+    std::shared_ptr<const Derivation> derivation;
+    int digits = 0; // of coefficients in numbers (--digits); 0: they are exact
     // Weights are held as integers, in units of 1/eps_root, and the symbol `eps` stands for
     // eps^(1/eps_root), whose weight is that unit: 1 if the file has no weight and no power of eps that is
     // not an integer.

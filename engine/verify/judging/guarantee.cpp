@@ -27,14 +27,6 @@ std::optional<int> time_power(const Scene& scene) {
     return std::max(scene.time_scale.value_or(1), *power);
 }
 
-std::shared_ptr<const System> with_fix(const Scene& scene) {
-    std::vector<Setting> settings;
-    for (const Parameter& p : scene.system->parameters)
-        if (const auto fixed = scene.fix.find(p.name); fixed != scene.fix.end())
-            settings.push_back({p.name, spell(fixed->second)});
-    return std::make_shared<const System>(with_settings(*scene.system, settings, "[fix]"));
-}
-
 std::string told(const Error& error) {
     const Diagnostic& d = error.diagnostic();
     return d.value.empty() ? d.rule : fmt::format("{} ({})", d.rule, d.value);
@@ -125,7 +117,7 @@ private:
 
     // Derives one more weight and settles the claims that it decides.
     void look(int weight, Guarantees& found, Claims& open) {
-        if (!fixed_) fixed_ = with_fix(scene_);
+        if (!fixed_) fixed_ = system_with_fix(scene_);
         const Solution richer = derive_(fixed_, weight, weight);
         const Neglected neglected(richer, formula_);
         const int known = counted(*richer.normalization->normal_form.field, weight, weight);

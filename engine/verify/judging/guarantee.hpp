@@ -3,6 +3,7 @@
 // by deriving the next weights and testing whether they vanish.
 #pragma once
 
+#include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
 
 #include <functional>
