@@ -141,9 +141,9 @@ Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normaliz
     return solution;
 }
 
-Solution solve_system(std::shared_ptr<const System> system, const SolveOptions& options, Watch& watch) {
+Solution solve_system(std::shared_ptr<const System> system, int order, int truncation, Watch& watch) {
     const Expanded expanded = expand_shared(std::move(system), watch);
-    return solve_under(watch, normalize_certified(expanded, options.truncation, watch), options);
+    return solve_under(watch, normalize_certified(expanded, truncation, watch), {order, truncation});
 }
 
 Scene read_scene_of(const std::string& argument, const Home& home) {

@@ -62,8 +62,8 @@ template <class Options> Options with_progress(const CacheFolder& cache) {
     return options;
 }
 
-// The solution of a system, with normal form and map through options.truncation.
-Solution solve_system(std::shared_ptr<const System> system, const SolveOptions& options, Watch& watch);
+// The solution of a system through an order, with normal form and map through a weight.
+Solution solve_system(std::shared_ptr<const System> system, int order, int truncation, Watch& watch);
 
 // SCENE of the command line; errors: those of find_scene and read_scene.
 Scene read_scene_of(const std::string& argument, const Home& home);

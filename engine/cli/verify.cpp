@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform verify SCENE [--report DIR]: the eps-ladder of every output, and a report to look at.
 #include "algebra/number/error.hpp"
-#include "cli/apart.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/complaint.hpp"
@@ -9,8 +8,8 @@
 #include "cli/locations.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
+#include "cli/verify_apart.hpp"
 #include "cli/watch.hpp"
-#include "verify/judging/guarantee.hpp"
 #include "verify/judging/stability.hpp"
 #include "verify/report/json.hpp"
 #include "verify/report/plot.hpp"
@@ -43,40 +42,6 @@ void write_report(const std::filesystem::path& folder, const report::Page& page)
 void require_place_for_report(const std::filesystem::path& folder) {
     require_writable_folder(folder);
     require_writable_folder(folder / "figures");
-}
-
-std::string packed(const Guarantees& guarantees) {
-    nlohmann::json all;
-    for (const auto& [name, g] : guarantees) all[name] = {g.order.value_or(-1), g.refuted, g.reason};
-    return all.dump();
-}
-
-Guarantees unpacked(const std::string& text) {
-    Guarantees guarantees;
-    const nlohmann::json all = nlohmann::json::parse(text);
-    for (const auto& [name, g] : all.items())
-        guarantees[name] = {g[0] < 0 ? std::nullopt : std::optional<int>(g[0]), g[1], g[2]};
-    return guarantees;
-}
-
-// Derives in a process of its own: where a derivation meets its limits, the ladder's results are kept.
-Guarantees guarantees_apart(const Scene& scene, const Solution& solution, const Claims& claims,
-                            DerivationLimits limits) {
-    limits.json = false; // the document is that of the verdicts
-    const auto derive = [&](const std::shared_ptr<const System>& system, int order, int truncation) {
-        try {
-            const SolveOptions options{order, truncation, 1, scene.transients};
-            return watched(limits, [&](Watch& watch) { return solve_system(system, options, watch); });
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::check_failed) throw;
-            refuse({error.diagnostic().rule, error.diagnostic().value, "", {}});
-        }
-    };
-    const auto nothing = [](const auto&, int, int) -> Solution {
-        refuse({"it is derived within --time-limit, --memory-limit and --term-limit", "", "", {}});
-    };
-    const Apart done = done_apart([&] { return packed(guarantees(scene, solution, claims, derive)); });
-    return done.ended ? unpacked(done.text) : guarantees(scene, solution, claims, nothing);
 }
 
 // A report is replaced by a newer one of the same scene, and by nothing else.
@@ -138,6 +103,9 @@ int run_verify(const VerifyRequest& request) {
     auto options = with_progress<VerifyOptions>(cache);
     options.guarantee = [&](const Scene& s, const Solution& solution, const Claims& claims) {
         return guarantees_apart(s, solution, claims, request.limits);
+    };
+    options.estimate = [&](const Scene& s, const Solution& solution, const std::vector<Rational>& eps) {
+        return error_estimates_apart(s, solution, eps, request.limits);
     };
     const Verification verification = verify(system, line.scene, line.solution, options);
     put("{}", request.format == "json" ? document_text(to_json(verification)) : to_text(verification));

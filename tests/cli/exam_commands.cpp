@@ -111,6 +111,23 @@ TEST(Commands, EvaluatePrintsCsv) {
     EXPECT_NE(csv.find("\n-1,,,outside_interval\n"), std::string::npos) << csv;
 }
 
+// |x(order 4) - x(order 3)|: (23) lacks terms of eps^4.
+TEST(Commands, EvaluateEstimatesErrors) {
+    const std::string command = "resonform evaluate " + scenes + "xy_only.toml --t 0,10,-1 --errors --eps ";
+    const Json rough = json_of(command + "0.1"), fine = json_of(command + "0.05");
+    for (const char* name : {"x", "y"}) {
+        const Json &r = rough["error_estimate"][name], &f = fine["error_estimate"][name];
+        ASSERT_EQ(r.size(), 3U);
+        EXPECT_TRUE(r[2].is_null());
+        EXPECT_GT(r[1].get<double>(), 1e-7) << name;
+        EXPECT_LT(r[1].get<double>(), 1e-3) << name;
+        EXPECT_LT(f[1].get<double>(), r[1].get<double>() / 4) << name;
+    }
+    const std::string csv = output_of(command + "0.1");
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "t,x,y,status,error_x,error_y");
+    EXPECT_NE(csv.find("\n-1,,,outside_interval,,\n"), std::string::npos) << csv;
+}
+
 TEST(Commands, GenerateWritesTheCommittedHeader) {
     const Scratch scratch;
     const std::string file = (scratch.path() / "xy.hpp").string();

@@ -69,6 +69,23 @@ TEST_F(VerifyCommand, WhatLimitsEndIsOpen) {
         "what comes next cannot be derived: normal form and map have at most 6 terms (weight 5 reached");
 }
 
+TEST_F(VerifyCommand, ErrorsAreEstimatedWithinLimits) {
+    const auto [code, x] = claiming("x", 4);
+    EXPECT_EQ(code, 0);
+    EXPECT_NEAR(x["error_estimate"]["ratio"].get<double>(), 1, 0.1);
+    EXPECT_EQ(x["error_estimate"]["next_order"], 4);
+    const auto [code_of_limited, limited] = claiming("x", 4, "--term-limit 6");
+    EXPECT_EQ(code_of_limited, 0);
+    EXPECT_EQ(limited["verdict"], "pass");
+    EXPECT_EQ(limited["error_estimate"]["ratio"], nullptr);
+    EXPECT_EQ(limited["error_estimate"]["reason"].get<std::string>().substr(0, 79),
+              "the next weight cannot be derived: normal form and map have at most 6 terms (we");
+    const auto [code_of_exact, exact] = claiming("y", 4);
+    EXPECT_EQ(code_of_exact, 0);
+    EXPECT_EQ(exact["error_estimate"]["next_order"], nullptr);
+    EXPECT_EQ(exact["error_estimate"]["ladder"].size(), 0U);
+}
+
 // One coefficient of the phase is edited by 10^-12 of itself: no ladder sees it.
 TEST_F(VerifyCommand, AnEditedCoefficientHasExitCodeOne) {
     const std::string from = "Number(3) / Number(8)";

@@ -5,9 +5,27 @@
 
 namespace resonform {
 
+namespace {
+
+// The nodes behind some results and the conditions that change from call to call, operands first.
+std::vector<Graph::Node> at_call(const Program& program, const std::vector<bool>& changes,
+                                 const std::vector<ProgramOutput>& results) {
+    std::vector<Graph::Node> roots, nodes;
+    for (const ProgramOutput& result : results) roots.push_back(result.value);
+    for (const ProgramCondition& condition : program.positive) roots.push_back(condition.value);
+    const std::vector<bool> used = reachable(program.graph, roots);
+    for (std::size_t n = 0; n < used.size(); ++n)
+        if (used[n] && changes[n]) nodes.push_back(static_cast<Graph::Node>(n));
+    return nodes;
+}
+
+} // namespace
+
 Interpretation::Interpretation(std::shared_ptr<const Program> p)
     : program(std::move(p)), plan(*program), changes(depending(program->graph, varying_symbols(*program))),
-      conditions(plan.conditions_text()), results(plan.results_text()) {
+      outputs_at_call(at_call(*program, changes, program->outputs)),
+      state_at_call(at_call(*program, changes, program->state)), conditions(plan.conditions_text()),
+      results(plan.results_text()) {
     for (std::size_t n = 0; n < program->graph.size(); ++n) {
         const Graph::Entry& e = program->graph.at(static_cast<Graph::Node>(n));
         numbers.push_back(e.op == Graph::Op::rational ? binary_parts(e.value) : BinaryParts{});

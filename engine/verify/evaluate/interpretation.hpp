@@ -16,10 +16,11 @@ struct Interpretation {
 
     std::shared_ptr<const Program> program;
     CppPlan plan;
-    std::vector<bool> changes;             // of the nodes, those that are computed at each call
-    std::string conditions, results;       // causes of a status
-    std::vector<BinaryParts> numbers;      // of the graph, by node
-    std::vector<BinaryParts> plan_numbers; // of plan.code, by value
+    std::vector<bool> changes; // of the nodes, those that are computed at each call
+    std::vector<Graph::Node> outputs_at_call, state_at_call; // those behind them and behind the conditions
+    std::string conditions, results;                         // causes of a status
+    std::vector<BinaryParts> numbers;                        // of the graph, by node
+    std::vector<BinaryParts> plan_numbers;                   // of plan.code, by value
 };
 
 } // namespace resonform

@@ -25,11 +25,10 @@ using Nodes = std::vector<Graph::Node>;
 
 // The nodes behind some roots, operands first: the constant ones or those that change from call to call.
 struct Plan {
-    Plan(const Program& program, const Nodes& roots) {
-        const std::vector<bool> used = reachable(program.graph, roots);
-        const std::vector<bool> changes = depending(program.graph, varying_symbols(program));
+    Plan(const Interpretation& shared, const Nodes& roots) {
+        const std::vector<bool> used = reachable(shared.program->graph, roots);
         for (std::size_t n = 0; n < used.size(); ++n)
-            if (used[n]) (changes[n] ? varying : constant).push_back(static_cast<Graph::Node>(n));
+            if (used[n]) (shared.changes[n] ? varying : constant).push_back(static_cast<Graph::Node>(n));
     }
     Nodes constant, varying;
 };
@@ -133,7 +132,7 @@ template <class Real> struct Interpreter<Real>::Impl {
             rates.push_back(variable.rate);
             starts.push_back(constants[variable.start]);
         }
-        const Plan behind(*program, rates);
+        const Plan behind(*shared, rates);
         GraphWalk<Real> walk = constants;
         const auto rates_at = [&](const Real& T, const std::vector<Real>& values) {
             set_flow(walk, T, values);
@@ -156,7 +155,7 @@ template <class Real> struct Interpreter<Real>::Impl {
 
     void plan_margins() {
         for (const ProgramCondition& margin : program->layers) margins.push_back(margin.value);
-        if (!margins.empty()) behind_margins.emplace(*program, margins);
+        if (!margins.empty()) behind_margins.emplace(*shared, margins);
     }
 
     Cause keep_clear_of_layers() {
@@ -176,7 +175,7 @@ template <class Real> struct Interpreter<Real>::Impl {
     Cause build_tables() {
         for (std::size_t k = 0; k < program->tables.size(); ++k) {
             const ProgramTable& table = program->tables[k];
-            const Plan behind(*program, {table.integrand});
+            const Plan behind(*shared, {table.integrand});
             GraphWalk<Real> walk = constants;
             PrimitiveTable<Real, 1> built;
             const Status fitted = built.build(
@@ -200,7 +199,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         if (const Cause lost = set_constants(walk); lost.status != Status::ok) return lost;
         for (std::size_t k = 0; k < program->phases.size(); ++k) {
             const ProgramPhase& phase = program->phases[k];
-            const Plan behind(*program, {phase.rate});
+            const Plan behind(*shared, {phase.rate});
             const auto rate = [&](const Wide& T) {
                 set_slow_time(walk, T);
                 walk.compute(behind.varying);
@@ -255,8 +254,8 @@ template <class Real> struct Interpreter<Real>::Impl {
                                                         [&](Graph::Node n) { return faded(Real(walk[n])); });
     }
 
-    // All nodes behind the results at t; low_precision where the phase is, else as the domain says.
-    Status walk_to(const Real& t, const Nodes& roots, GraphWalk<Real>& walk) const {
+    // These nodes at t, conditions among them; low_precision where the phase is, else as the domain says.
+    Status walk_to(const Real& t, const Nodes& nodes, GraphWalk<Real>& walk) const {
         if (cause.status != Status::ok) return cause.status;
         Real T(0);
         if (const Status located = interval.locate(t, T); located != Status::ok) return located;
@@ -273,21 +272,19 @@ template <class Real> struct Interpreter<Real>::Impl {
             walk.set(phase.cosine, cosine);
             walk.set(phase.sine, sine);
         }
-        Nodes all = roots;
-        for (const ProgramCondition& condition : program->positive) all.push_back(condition.value);
-        walk.compute(Plan(*program, all).varying);
+        walk.compute(nodes);
         for (const ProgramCondition& condition : program->positive)
             if (varies(condition) && !(walk[condition.value] > Real(0))) return Status::outside_domain;
         return precision;
     }
 
-    Status call(const Real& t, const std::vector<ProgramOutput>& wanted, std::vector<Real>& values) const {
+    Status call(const Real& t, const std::vector<ProgramOutput>& wanted, const Nodes& nodes,
+                std::vector<Real>& values) const {
         values.assign(wanted.size(), math::not_a_number<Real>());
         GraphWalk<Real> walk = constants;
-        const Nodes roots = values_of(wanted);
-        const Status walked = walk_to(t, roots, walk);
+        const Status walked = walk_to(t, nodes, walk);
         if (walked != Status::ok && walked != Status::low_precision) return walked;
-        std::vector<Real> computed = numbers_of(walk, roots);
+        std::vector<Real> computed = numbers_of(walk, values_of(wanted));
         if (!all_finite(computed)) return Status::overflow;
         values = std::move(computed);
         return walked;
@@ -297,9 +294,9 @@ template <class Real> struct Interpreter<Real>::Impl {
         scales.assign(program->outputs.size(), math::not_a_number<Real>());
         GraphWalk<Real> walk = constants;
         const Nodes roots = values_of(program->outputs);
-        const Status walked = walk_to(t, roots, walk);
+        const Status walked = walk_to(t, shared->outputs_at_call, walk);
         if (walked != Status::ok && walked != Status::low_precision) return walked;
-        const Plan behind(*program, roots);
+        const Plan behind(*shared, roots);
         GraphWalk<Real> bounds(program->graph);
         set_symbol_bounds(walk, bounds);
         walk.compute_scale(behind.constant, bounds);
@@ -363,10 +360,10 @@ template <class Real> Interpreter<Real>::~Interpreter() = default;
 template <class Real> Interpreter<Real>::Interpreter(Interpreter&&) noexcept = default;
 
 template <class Real> Status Interpreter<Real>::call(Real t, std::vector<Real>& outputs) const {
-    return impl_->call(t, impl_->program->outputs, outputs);
+    return impl_->call(t, impl_->program->outputs, impl_->shared->outputs_at_call, outputs);
 }
 template <class Real> Status Interpreter<Real>::state(Real t, std::vector<Real>& state) const {
-    return impl_->call(t, impl_->program->state, state);
+    return impl_->call(t, impl_->program->state, impl_->shared->state_at_call, state);
 }
 template <class Real> Status Interpreter<Real>::scale(Real t, std::vector<Real>& scale) const {
     return impl_->scale(t, scale);

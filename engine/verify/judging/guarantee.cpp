@@ -3,9 +3,6 @@
 
 #include "algebra/number/error.hpp"
 #include "model/files/interval_length.hpp"
-#include "model/files/settings.hpp"
-#include "model/system/start_names.hpp"
-#include "model/text/canonical.hpp"
 #include "solve/neglected.hpp"
 #include "solve/route.hpp"
 #include "solve/solve.hpp"
@@ -19,18 +16,6 @@
 namespace resonform {
 
 namespace {
-
-// The p of an interval that grows as eps^-p, at least what the scene promises; none where no power bounds it.
-std::optional<int> time_power(const Scene& scene) {
-    const std::optional<int> power = growth_power(scene, scene.verify.interval);
-    if (!power) return {};
-    return std::max(scene.time_scale.value_or(1), *power);
-}
-
-std::string told(const Error& error) {
-    const Diagnostic& d = error.diagnostic();
-    return d.value.empty() ? d.rule : fmt::format("{} ({})", d.rule, d.value);
-}
 
 // Normal form and map through a weight and outputs through eps^order guarantee O(eps^q) on t <= T/eps^p, q -
 // 1 the largest order not above that asks for no larger weight. Errors (refused): there is none; those of
@@ -62,12 +47,6 @@ void require_count(const Scene& scene, const Solution& solution, int p) {
                 {}});
 }
 
-bool starts_from_constants(const Scene& scene) {
-    return std::any_of(scene.start.begin(), scene.start.end(), [&](const StartValue& start) {
-        return canonical_start(start.name, *scene.system).find('.') != std::string::npos;
-    });
-}
-
 Guarantees unguaranteed(const Claims& claims, const std::string& why) {
     Guarantees found;
     for (const auto& [name, claim] : claims)
@@ -78,9 +57,7 @@ Guarantees unguaranteed(const Claims& claims, const std::string& why) {
 class Search {
 public:
     Search(const Scene& scene, const Solution& solution, const Derive& derive, int p)
-        : scene_(scene), solution_(solution),
-          derive_(derive), formula_{solution.order, solution.truncation, p, scene.oscillating,
-                                    starts_from_constants(scene)} {}
+        : scene_(scene), solution_(solution), derive_(derive), formula_(formula_of(scene, solution, p)) {}
 
     Guarantees of(const Claims& claims) {
         Guarantees found;

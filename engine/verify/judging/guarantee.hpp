@@ -5,8 +5,8 @@
 
 #include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
+#include "verify/judging/next_weight.hpp"
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,9 +21,6 @@ struct Guarantee {
 
 using Guarantees = std::map<std::string, Guarantee>; // by output
 using Claims = std::map<std::string, int>;           // the order claimed of each
-
-// The solution through an order, with normal form and map through a weight, of a system.
-using Derive = std::function<Solution(std::shared_ptr<const System>, int order, int truncation)>;
 
 // Each weight above that of `solution` is derived, with [fix] put in, as
 // long as a claim is neither reached nor refuted; a refusal by `derive` or on the way leaves it open,

@@ -30,10 +30,6 @@ struct Point {
 // Errors below this may be the arithmetic's or the reference's own.
 double noise(const LadderRung& rung) { return above_floor * std::max(rung.reference_error, rung.floor); }
 
-bool usable(const LadderRung& rung) {
-    return std::isfinite(rung.max_error) && rung.max_error > 0 && rung.max_error >= noise(rung);
-}
-
 // Drops unusable rungs. One between usable rungs is a zero of the error, not the end of the ladder.
 std::vector<Point> usable_points(const std::vector<LadderRung>& ladder) {
     std::vector<Point> points;
@@ -211,6 +207,10 @@ void judge_ladder(OutputVerdict& output) {
 }
 
 } // namespace
+
+bool usable(const LadderRung& rung) {
+    return std::isfinite(rung.max_error) && rung.max_error > 0 && rung.max_error >= noise(rung);
+}
 
 void judge(OutputVerdict& output) {
     judge_ladder(output);

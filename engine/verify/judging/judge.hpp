@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/system/scene_file.hpp"
+#include "verify/judging/error_estimate.hpp"
 #include "verify/judging/guarantee.hpp"
 
 #include <optional>
@@ -32,10 +33,15 @@ struct OutputVerdict {
     double constant = 0;                                     // lim max|error| / eps^found_order
     std::string reason;                                      // when undecided or failed
     std::vector<LadderRung> ladder;                          // eps descending
-    std::vector<LadderRung> layer;    // the same within t <= 20/|Re lambda|, where modes decay
-    double layer_slope = 0;           // as slope, of the layer
-    std::vector<double> local_slopes; // between rungs; one fewer
+    std::vector<LadderRung> layer;         // the same within t <= 20/|Re lambda|, where modes decay
+    double layer_slope = 0;                // as slope, of the layer
+    std::vector<double> local_slopes;      // between rungs; one fewer
+    std::optional<ErrorEstimate> estimate; // none: it was not asked for
+    std::optional<double> estimate_ratio;  // estimated/true; none: nothing to compare
 };
+
+// The error is clear of the reference's and the arithmetic's own.
+bool usable(const LadderRung& rung);
 
 // Pure. Reads name, claimed_order, expected, ladder and layer; fills the rest:
 //   usable rungs     max_error >= 100 max(reference_error, floor)
@@ -53,6 +59,14 @@ void judge(OutputVerdict& output);
 // Weighs the guaranteed order against the claim. A claim above it fails if it is refuted; if open, it is
 // undecided unless the ladder makes it fail. A guaranteed claim must still be confirmed by the ladder.
 void weigh(OutputVerdict& output, const Guarantee& guarantee);
+
+// Holds the estimated maxima against the true ones, on the two smallest usable rungs: estimate_ratio is that
+// of the two which is farther from 1. Where it is not within 1/3 ... 3, or there is none, estimate->reason
+// says why, as far as a test tells that does not read the ladder.
+void weigh_estimate(OutputVerdict& output, ErrorEstimate estimate);
+
+// The estimate at the smallest usable rung, else at the smallest; nullptr: there is none.
+const EstimatedRung* told_estimate(const OutputVerdict& output);
 
 // Whatever the ladder shows, the verdict is undecided, with this reason.
 void leave_open(OutputVerdict& output, std::string reason);

@@ -73,6 +73,15 @@ Guarantees guarantees_of(const Scene& scene, const Solution& solution,
     });
 }
 
+void add_estimates(const Scene& scene, const Solution& solution, const VerifyOptions& options,
+                   std::vector<OutputVerdict>& outputs) {
+    if (!options.estimate || outputs.empty()) return;
+    std::vector<Rational> eps;
+    for (const LadderRung& rung : outputs.front().ladder) eps.push_back(rung.eps);
+    const ErrorEstimates estimates = options.estimate(scene, solution, eps);
+    for (OutputVerdict& output : outputs) weigh_estimate(output, estimates.at(output.name));
+}
+
 double largest_value(std::span<const DoubleDouble> values) {
     double most = 0;
     for (const DoubleDouble& v : values) most = std::max(most, std::abs(to_double_value(v)));
@@ -218,6 +227,7 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     descent.along(scene.verify.eps);
     if (!scene.verify.eps_given) descent.further();
     for (OutputVerdict& output : result.outputs) weigh(output, guaranteed.at(output.name));
+    add_estimates(scene, solution, options, result.outputs);
     result.emitted = emitted_check(scene, solution, options);
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())
         for (OutputVerdict& output : result.outputs) leave_open(output, complaint);

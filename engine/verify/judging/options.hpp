@@ -4,6 +4,7 @@
 
 #include "emit/program/program.hpp"
 #include "verify/evaluate/evaluator.hpp"
+#include "verify/judging/error_estimate.hpp"
 #include "verify/judging/guarantee.hpp"
 
 #include <cstddef>
@@ -20,6 +21,8 @@ struct VerifyOptions {
     std::function<void(const std::string&)> progress;
     // The guaranteed orders of a scene; empty: the count of weights alone, which derives nothing.
     std::function<Guarantees(const Scene&, const Solution&, const Claims&)> guarantee;
+    // Estimated errors at these eps; empty: none.
+    std::function<ErrorEstimates(const Scene&, const Solution&, const std::vector<Rational>&)> estimate;
     std::size_t emitted_starts = 50; // of emitted = symbolic, with 20 times each
     bool compiled = true;            // false: programs are interpreted, and no compiler is waited for
 };

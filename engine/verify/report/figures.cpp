@@ -167,6 +167,14 @@ Figure Figures::ladder(const OutputVerdict& output) const {
                 fmt::format("slope {} (claimed)", output.claimed_order), colour::grey, errors.x,
                 errors.y.front() / std::pow(errors.x.front(), output.claimed_order), output.claimed_order));
     }
+    if (output.estimate && output.estimate->next_order > 0) {
+        Curve estimated{"estimated", colour::orange, Curve::Style::line_points, {}, {}};
+        for (const EstimatedRung& rung : output.estimate->ladder) {
+            estimated.x.push_back(to_double(rung.eps));
+            estimated.y.push_back(rung.error);
+        }
+        plot.curves.push_back(std::move(estimated));
+    }
     plot.curves.push_back(floor);
     return draw(plot, fmt::format("{}: claimed O(ε^{}), found slope {:.3f}, {}", pretty(output.name),
                                   output.claimed_order, output.slope, to_string(output.verdict)));

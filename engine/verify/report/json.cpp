@@ -2,6 +2,7 @@
 #include "verify/report/json.hpp"
 
 #include "algebra/number/number.hpp"
+#include "verify/judging/judge.hpp"
 
 #include <cmath>
 
@@ -45,6 +46,24 @@ void add(Json& json, const Conditions& c) {
         c.ladder_end ? Json{{"eps", to_double(c.ladder_end->eps)}, {"reason", c.ladder_end->reason}} : Json();
 }
 
+// Of the estimated error, beside the true one.
+Json estimate_of(const OutputVerdict& o) {
+    const ErrorEstimate& e = *o.estimate;
+    Json ladder = Json::array();
+    for (std::size_t i = 0; i < e.ladder.size() && e.next_order > 0; ++i)
+        ladder.push_back({{"eps", to_double(e.ladder[i].eps)},
+                          {"estimated", number(e.ladder[i].error)},
+                          {"true", number(o.ladder[i].max_error)}});
+    const EstimatedRung* told = told_estimate(o);
+    Json out{{"map", told ? number(told->map) : Json()},
+             {"flow", told ? number(told->flow) : Json()},
+             {"ratio", o.estimate_ratio ? number(*o.estimate_ratio) : Json()},
+             {"next_order", e.next_order > 0 ? Json(e.next_order) : Json()}};
+    if (!e.reason.empty()) out["reason"] = e.reason;
+    out["ladder"] = std::move(ladder);
+    return out;
+}
+
 Json of(const OutputVerdict& o) {
     Json ladder = Json::array();
     for (const LadderRung& r : o.ladder) ladder.push_back(of(r));
@@ -60,6 +79,7 @@ Json of(const OutputVerdict& o) {
     if (!o.reason.empty()) out["reason"] = o.reason;
     out["ladder"] = std::move(ladder);
     for (const LadderRung& r : o.layer) out["layer"].push_back(of(r));
+    if (o.estimate) out["error_estimate"] = estimate_of(o);
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/number.hpp"
 #include "verify/judging/conditions.hpp"
+#include "verify/judging/judge.hpp"
 #include "verify/judging/ladder.hpp"
 
 #include <fmt/format.h>
@@ -38,6 +39,20 @@ std::string verdict_line(const OutputVerdict& o, const Conditions& c) {
     const bool told = o.verdict == Verdict::fail && o.found_order && *o.found_order < o.claimed_order;
     if (!o.reason.empty() && !told) line += "\n           " + o.reason;
     return line + "\n";
+}
+
+// "  error of x, estimated by order 4: 2.0e-08 at eps = 0.01 (map 1.5e-08, flow 7.0e-09), 1.01 of the true
+// one"
+std::string estimate_line(const OutputVerdict& o) {
+    if (!o.estimate) return "";
+    const ErrorEstimate& e = *o.estimate;
+    std::string line = fmt::format("  estimated error of {}", o.name);
+    if (const EstimatedRung* told = told_estimate(o)) {
+        line += fmt::format(": {:.2e} at eps = {:g} (map {:.2e}, flow {:.2e}; by order {})", told->error,
+                            to_double(told->eps), told->map, told->flow, e.next_order);
+        if (o.estimate_ratio) line += fmt::format(", {:.3g} times the true one", *o.estimate_ratio);
+    }
+    return line + (e.reason.empty() ? "\n" : ": " + e.reason + "\n");
 }
 
 // The slope above rung i; nothing where an error is zero or no number.
@@ -112,6 +127,7 @@ std::string to_text(const Verification& v) {
     text += unanswered(v);
     text += conditions_text(v);
     for (const OutputVerdict& o : v.outputs) text += verdict_line(o, v.conditions);
+    for (const OutputVerdict& o : v.outputs) text += estimate_line(o);
     return text + to_text(v.emitted);
 }
 

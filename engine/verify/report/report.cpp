@@ -116,6 +116,21 @@ Table verdict_table(const Verification& verification) {
     return table;
 }
 
+// Estimated beside true errors; no rows where nothing is estimated.
+Table estimate_table(const OutputVerdict& output) {
+    Table table{fmt::format("{}: error estimated by the next weight", pretty(output.name)),
+                {"ε", "map", "flow", "estimated error", "max error", "estimated / true"},
+                {}};
+    if (!output.estimate || output.estimate->next_order == 0) return table;
+    for (std::size_t i = 0; i < output.ladder.size(); ++i) {
+        const EstimatedRung& e = output.estimate->ladder[i];
+        const double error = output.ladder[i].max_error;
+        table.rows.push_back({short_number(to_double(e.eps)), short_number(e.map), short_number(e.flow),
+                              short_number(e.error), short_number(error), short_number(e.error / error)});
+    }
+    return table;
+}
+
 Section accuracy(const Findings& f, const Figures& figures) {
     Section section{"Order of accuracy",
                     {verdict_table(f.verification), Preformatted{conditions_text(f.verification)}}};
@@ -123,7 +138,14 @@ Section accuracy(const Findings& f, const Figures& figures) {
         if (!o.reason.empty())
             section.blocks.push_back(Paragraph{fmt::format("{}: {}", pretty(o.name), o.reason)});
     section.blocks.push_back(figures.ladders(f.verification.outputs));
-    for (const OutputVerdict& o : f.verification.outputs) section.blocks.push_back(ladder_table(o));
+    for (const OutputVerdict& o : f.verification.outputs) {
+        section.blocks.push_back(ladder_table(o));
+        if (Table estimated = estimate_table(o); !estimated.rows.empty())
+            section.blocks.push_back(std::move(estimated));
+        if (o.estimate && !o.estimate->reason.empty())
+            section.blocks.push_back(
+                Paragraph{fmt::format("Estimated error of {}: {}", pretty(o.name), o.estimate->reason)});
+    }
     section.blocks.push_back(Paragraph{
         "What covers what: the ladder sees errors of the formulas down to the order found; the certificate "
         "sees every coefficient of normal form and map; what lies between the solution and the compiled code "

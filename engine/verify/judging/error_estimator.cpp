@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/judging/error_estimator.hpp"
+
+#include "emit/program/build_program.hpp"
+#include "model/system/scene_file.hpp"
+#include "solve/solve.hpp"
+#include "solve/truncation.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/run/real.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+constexpr int most_weights = 2; // of those that may all vanish
+
+using Indices = std::vector<std::size_t>;
+
+// M' of a formula of order N'.
+int next_truncation(const Scene& scene, const Solution& solution, int order) {
+    Scene further = scene;
+    further.order = order;
+    further.truncation.reset();
+    const GradedField& field = *solution.normalization->normal_form.field;
+    return std::max(solution.truncation + order - solution.order,
+                    count_truncation(field, further).truncation);
+}
+
+std::shared_ptr<const Interpretation> interpretation(const Solution& solution, const Scene& scene) {
+    return std::make_shared<const Interpretation>(
+        std::make_shared<const Program>(build_program(solution, scene)));
+}
+
+// The outputs that are known not to change through the order of `richer`, and the others.
+std::pair<Indices, Indices> unmoved_and_moved(const Scene& scene, const Solution& solution,
+                                              const Solution& richer, const Indices& outputs) {
+    const std::optional<int> power = time_power(scene);
+    if (!power) return {{}, outputs};
+    std::pair<Indices, Indices> parts;
+    try {
+        const Neglected neglected(richer, formula_of(scene, solution, *power));
+        for (const std::size_t k : outputs) {
+            const std::optional<ErrorPower> error = neglected.power(scene.outputs[k]);
+            (error && error->power <= richer.order ? parts.second : parts.first).push_back(k);
+        }
+    } catch (const Error&) { // no power bounds what neighbouring solutions part by
+        return {{}, outputs};
+    }
+    return parts;
+}
+
+// The next weight may hold parameters that the formula does not.
+void require_values(const Scene& scene, const std::vector<std::shared_ptr<const Program>>& programs) {
+    std::vector<std::string> missing;
+    for (const auto& program : programs)
+        for (const ProgramInput& parameter : program->parameters)
+            if (std::find(missing.begin(), missing.end(), parameter.name) == missing.end())
+                missing.push_back(parameter.name);
+    if (!missing.empty())
+        not_fixed(scene, "the error estimate needs a value for every parameter of the next weight", missing);
+}
+
+template <class Real> struct Evaluated {
+    Interpreter<Real> evaluator;
+    std::vector<Real> values;
+
+    Evaluated(const std::shared_ptr<const Interpretation>& shared, const Real& eps, const Real& end)
+        : evaluator(shared, eps, {}, {}, end) {}
+    bool answers(double t) {
+        const Status status = evaluator.call(static_cast<Real>(t), values);
+        return status == Status::ok || status == Status::low_precision;
+    }
+};
+
+} // namespace
+
+ErrorEstimator::ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive)
+    : formula_(interpretation(solution, scene)), order_(solution.order) {
+    const Scene fixed = scene_with_fix(scene);
+    Indices open(scene.outputs.size());
+    std::iota(open.begin(), open.end(), std::size_t(0));
+    for (const std::string& name : scene.outputs) outputs_.push_back({name, 0, ""});
+    for (int order = order_ + 1; order <= order_ + most_weights && !open.empty(); ++order) {
+        try {
+            const Solution richer = derive(fixed.system, order, next_truncation(scene, solution, order));
+            auto [unmoved, moved] = unmoved_and_moved(scene, solution, richer, open);
+            if (!moved.empty()) compare_with(richer, fixed, moved);
+            open = std::move(unmoved);
+        } catch (const Error& error) {
+            if (order == order_ + 1) throw;
+            for (const std::size_t k : open)
+                outputs_[k].reason =
+                    "what comes after the next weight, which vanishes identically, cannot be "
+                    "derived: " +
+                    told(error);
+            return;
+        }
+    }
+    for (const std::size_t k : open) outputs_[k].reason = "the next two weights vanish identically";
+}
+
+void ErrorEstimator::compare_with(const Solution& richer, const Scene& fixed, const Indices& moved) {
+    Scene scene = fixed;
+    scene.outputs.clear();
+    for (const std::size_t k : moved) {
+        scene.outputs.push_back(outputs_[k].name);
+        outputs_[k].next_order = richer.order;
+    }
+    const int p = scene.time_scale.value_or(1);
+    const auto of_order = [&](int order) {
+        return solve(richer.normalization, {order, richer.truncation, p, scene.transients});
+    };
+    Further further{moved, interpretation(of_order(order_), scene), nullptr};
+    scene.oscillating = true;
+    further.whole = interpretation(of_order(richer.order), scene);
+    require_values(scene, {further.flow->program, further.whole->program});
+    further_.push_back(std::move(further));
+}
+
+template <class Real>
+ErrorParts ErrorEstimator::parts(Real eps, Real slow_time_end, const std::vector<double>& times) const {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    ErrorParts result;
+    result.map = result.flow =
+        std::vector<std::vector<double>>(outputs_.size(), std::vector<double>(times.size(), 0.0));
+    Evaluated<Real> formula(formula_, eps, slow_time_end);
+    for (const Further& further : further_) {
+        Evaluated<Real> flow(further.flow, eps, slow_time_end), whole(further.whole, eps, slow_time_end);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            const bool known = formula.answers(times[i]) && flow.answers(times[i]) && whole.answers(times[i]);
+            for (std::size_t j = 0; j < further.outputs.size(); ++j) {
+                const std::size_t k = further.outputs[j];
+                result.flow[k][i] = known ? static_cast<double>(flow.values[j] - formula.values[k]) : none;
+                result.map[k][i] = known ? static_cast<double>(whole.values[j] - flow.values[j]) : none;
+            }
+        }
+    }
+    return result;
+}
+
+template ErrorParts ErrorEstimator::parts(double, double, const std::vector<double>&) const;
+template ErrorParts ErrorEstimator::parts(long double, long double, const std::vector<double>&) const;
+template ErrorParts ErrorEstimator::parts(Float128, Float128, const std::vector<double>&) const;
+
+} // namespace resonform

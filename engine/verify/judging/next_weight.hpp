@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What guaranteed orders and error estimates have in common: both derive more weights than a scene uses, with
+// its values under [fix] put in.
+#pragma once
+
+#include "algebra/number/error.hpp"
+#include "model/system/scene_file.hpp"
+#include "solve/neglected.hpp"
+#include "solve/solution.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace resonform {
+
+// The solution through an order, with normal form and map through a weight, of a system.
+using Derive = std::function<Solution(std::shared_ptr<const System>, int order, int truncation)>;
+
+// The system of a scene, and the scene itself, with the values of [fix] put in.
+std::shared_ptr<const System> with_fix(const Scene& scene);
+Scene scene_with_fix(const Scene& scene);
+
+// The p of an interval that grows as eps^-p, at least what the scene promises; none where no power bounds it.
+std::optional<int> time_power(const Scene& scene);
+
+// How the formula of a scene is cut, over times of eps^-time_power.
+Formula formula_of(const Scene& scene, const Solution& solution, int time_power);
+
+// Rule and value of an error that ends a derivation, as the reason why something is not known.
+std::string told(const Error& error);
+
+} // namespace resonform
