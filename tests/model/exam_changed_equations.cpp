@@ -202,12 +202,19 @@ INSTANTIATE_TEST_SUITE_P(
                  "  found: psi\n"
                  "  hint:  did you mean 'phi'? Known are: eps, g, phi, r, v, x, xi"},
         BadInput{"DeclaredStill", "xi = { role", "phi = { role = \"fast\" }\nxi = { role",
-                 "2 system.toml:17:1: change.phi: a variable that [change] replaces is no variable of the "
-                 "system any more\n"
+                 "2 system.toml:17:1: change.phi: [change] gives old variables by new ones, and only the new "
+                 "ones are declared\n"
                  "    phi = \"psi + atan(xi/r)\"\n"
                  "    ^\n"
                  "  found: 'phi' is declared under [variables]\n"
-                 "  hint:  declare the new variable there, by another name, and leave this one out"},
+                 "  hint:  write it the other way round, or leave the old variable out of [variables]"},
+        BadInput{"OtherWayRound", "phi = \"psi + atan", "psi = \"phi - atan",
+                 "2 system.toml:16:1: change.psi: [change] gives old variables by new ones, and only the new "
+                 "ones are declared\n"
+                 "    psi = \"phi - atan(xi/r)\"\n"
+                 "    ^\n"
+                 "  found: 'psi' is declared under [variables]\n"
+                 "  hint:  write it the other way round, or leave the old variable out of [variables]"},
         BadInput{"EquationOfNew", "phi = \"(xi", "psi = \"(xi",
                  "2 system.toml:15:1: change: [change] has one new variable for each one that it replaces: "
                  "those of [variables] without an equation are new\n"

@@ -34,9 +34,10 @@ void SystemReader::require_equations_to_change() const {
 // One of [change]: known by its equations and values only.
 Variable SystemReader::replaced_variable(const TomlEntry& entry) {
     if (system_.variable(entry.key) != nullptr)
-        bad_input({"a variable that [change] replaces is no variable of the system any more",
+        bad_input({"[change] gives old variables by new ones, and only the new ones are declared",
                    in_quotes(entry.key) + " is declared under [variables]",
-                   "declare the new variable there, by another name, and leave this one out", entry.place});
+                   "write it the other way round, or leave the old variable out of [variables]",
+                   entry.place});
     claim_name(entry, "a replaced variable");
     Variable variable;
     variable.name = entry.key;
