@@ -2,6 +2,7 @@
 #include "verify/judging/error_estimator.hpp"
 
 #include "emit/program/build_program.hpp"
+#include "model/files/settings.hpp"
 #include "model/system/scene_file.hpp"
 #include "solve/solve.hpp"
 #include "solve/truncation.hpp"
@@ -81,7 +82,7 @@ template <class Real> struct Evaluated {
 
 ErrorEstimator::ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive)
     : formula_(interpretation(solution, scene)), order_(solution.order) {
-    const Scene fixed = scene_with_fix(scene);
+    const Scene fixed = with_fix_put_in(scene);
     Indices open(scene.outputs.size());
     std::iota(open.begin(), open.end(), std::size_t(0));
     for (const std::string& name : scene.outputs) outputs_.push_back({name, 0, ""});

@@ -2,9 +2,7 @@
 #include "verify/judging/next_weight.hpp"
 
 #include "model/files/interval_length.hpp"
-#include "model/files/settings.hpp"
 #include "model/system/start_names.hpp"
-#include "model/text/canonical.hpp"
 
 #include <fmt/format.h>
 
@@ -26,23 +24,6 @@ std::optional<int> time_power(const Scene& scene) {
     const std::optional<int> power = growth_power(scene, scene.verify.interval);
     if (!power) return {};
     return std::max(scene.time_scale.value_or(1), *power);
-}
-
-std::shared_ptr<const System> with_fix(const Scene& scene) {
-    std::vector<Setting> settings;
-    for (const Parameter& p : scene.system->parameters)
-        if (const auto fixed = scene.fix.find(p.name); fixed != scene.fix.end())
-            settings.push_back({p.name, spell(fixed->second)});
-    return std::make_shared<const System>(with_settings(*scene.system, settings, "[fix]"));
-}
-
-Scene scene_with_fix(const Scene& scene) {
-    Scene fixed = scene;
-    fixed.system = with_fix(scene);
-    for (StartValue& start : fixed.start) start.value = scene.fixed(start.value);
-    fixed.verify.interval = scene.fixed(scene.verify.interval);
-    fixed.fix.clear();
-    return fixed;
 }
 
 Formula formula_of(const Scene& scene, const Solution& solution, int time_power) {

@@ -18,10 +18,6 @@ namespace resonform {
 // The solution through an order, with normal form and map through a weight, of a system.
 using Derive = std::function<Solution(std::shared_ptr<const System>, int order, int truncation)>;
 
-// The system of a scene, and the scene itself, with the values of [fix] put in.
-std::shared_ptr<const System> with_fix(const Scene& scene);
-Scene scene_with_fix(const Scene& scene);
-
 // The p of an interval that grows as eps^-p, at least what the scene promises; none where no power bounds it.
 std::optional<int> time_power(const Scene& scene);
 
