@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/guarantee.hpp"
 
-#include "model/files/settings.hpp"
 #include "algebra/number/error.hpp"
 #include "model/files/interval_length.hpp"
+#include "model/files/settings.hpp"
 #include "solve/neglected.hpp"
 #include "solve/route.hpp"
 #include "solve/solve.hpp"
