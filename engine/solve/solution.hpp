@@ -88,9 +88,9 @@ struct Solution {
 };
 
 struct SolveOptions {
-    int order = 3;      // N
-    int truncation = 4; // M
-    int time_scale = 1; // p: for times of order eps^-p
+    int order = 3;          // N
+    int truncation = 4;     // M
+    int time_scale = 1;     // p: for times of order eps^-p
     bool transients = true; // false: the slow manifold alone, without modes that decay at eps = 0
 };
 

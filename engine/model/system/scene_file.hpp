@@ -67,9 +67,9 @@ struct Scene {
     bool oscillating = true;
     bool transients = true; // modes that decay at eps = 0; where nothing oscillates they are left out, too
     EmitForm form = EmitForm::automatic;
-    std::map<std::string, GiNaC::ex> fix;            // parameter -> exact value: 5/4, sqrt(2)
-    std::vector<StartValue> start;                   // in the order of the file
-    Place fix_place, start_place;                    // of the tables, else of the file: for missing entries
+    std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
+    std::vector<StartValue> start;        // in the order of the file
+    Place fix_place, start_place;         // of the tables, else of the file: for missing entries
     // Of the values, else of the file.
     Place order_place, time_scale_place, form_place, transients_place;
     VerifyPlan verify;
