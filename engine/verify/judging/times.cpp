@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/times.hpp"
 
+#include "algebra/number/number.hpp"
 #include "model/text/regular.hpp"
 
 #include <algorithm>
