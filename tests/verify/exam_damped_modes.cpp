@@ -131,6 +131,19 @@ TEST_F(DampedModes, OfThreeWeightsStartWhereTheyAreTold) {
     EXPECT_NEAR(std::log2(miss(1.0 / 160) / miss(1.0 / 320)), 4, 0.2);
 }
 
+// A map whose real form is so long that it is summed by harmonics: x e^{i phi} and x e^{-i phi} are
+// conjugate, though the real mode x has the same power in both.
+TEST_F(DampedModes, BesideAnAngleStartWhereTheyAreToldByALongMap) {
+    const Scene read = scene("[variables]\nx = { role = \"fast\", weight = 0 }\ns = { role = \"slow\" }\n"
+                             "phi = { role = \"angle\" }\n[equations]\nx = \"x' = -x\"\n"
+                             "s = \"s' = eps*(x - s)*sin(phi)\"\nphi = \"phi' = 1 + s^2\"\n",
+                             "order = 2\noutputs = [\"s\"]\n[start]\nx = 1\ns = 1\nphi = 0.5\n");
+    const Interpreter<double> evaluator(test::program_of(read), 0.01, {}, {}, 1);
+    std::vector<double> s;
+    EXPECT_EQ(evaluator.call(0, s), Status::ok);
+    EXPECT_NEAR(s.at(0), 1, 20 * std::pow(0.01, 3));
+}
+
 // The damping 1 - s ends where s does: so does the domain.
 TEST_F(DampedModes, EndWhereTheirDampingDoes) {
     const Scene read = scene("[variables]\ns = { role = \"slow\" }\ny = { role = \"fast\", weight = 0 }\n"
@@ -174,6 +187,14 @@ TEST_F(DampedModes, MatterForTheBasePoint) {
         return s.at(0);
     };
     EXPECT_GT(std::abs(value("0") - value("0.5")), 1e-3); // eps c(0) times the fibre
+}
+
+TEST_F(DampedModes, OfOtherVariablesMayBeAllOfThem) {
+    const std::string system = "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
+                               "x = \"x'' + x = y^2\"\ny = \"y' = -y + x*y\"\n";
+    const std::string start = "order = 2\noutputs = [\"x\"]\n[start]\nx = \"eps\"\n\"x'\" = 0\ny = \"eps\"\n";
+    EXPECT_EQ(test::program_of(scene(system, "transients = false\n" + start))->outputs.size(), 1U);
+    EXPECT_EQ(test::program_of(scene(system, "oscillating = false\n" + start))->outputs.size(), 1U);
 }
 
 TEST_F(DampedModes, ThatAreAllOfAnOutputAreWantedThere) {

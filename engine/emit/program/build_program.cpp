@@ -225,7 +225,7 @@ Program without_savings(const Solution& solution, Scene scene) {
     if (solution.flow)
         for (const FlowOutput& output : solution.flow->outputs) scene.outputs.push_back(output.name);
     for (const SolutionOutput& output : solution.outputs) scene.outputs.push_back(output.name);
-    scene.oscillating = true;
+    scene.oscillating = scene.transients = true; // what is only a transient may be listed
     return built(solution, scene, {false, false});
 }
 

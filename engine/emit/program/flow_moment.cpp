@@ -34,6 +34,20 @@ FlowMoment::FlowMoment(Program& program, const RealForm& real, const Surrounding
     define_roots_and_functions(lowering, program, surroundings, named);
 }
 
+namespace {
+
+// Whether a harmonic turns (1, or -1 where its conjugate counts as turning forward), by the first mode or
+// angle that does; 0: it is real. Powers of a real mode turn nothing.
+int sense(const RealForm& form, const FlowSum::Harmonic& harmonic) {
+    for (std::size_t k = 0; k < harmonic.turns.size(); ++k) {
+        if (k < form.modes().size() && form.modes()[k].is_real()) continue;
+        if (harmonic.turns[k] != 0) return harmonic.turns[k] > 0 ? 1 : -1;
+    }
+    return 0;
+}
+
+} // namespace
+
 // Of a real p the conjugate of each harmonic is there as well: one of them is taken twice.
 FlowSum flow_sum(const RealForm& form, const Polynomial& p, int power, bool real) {
     constexpr std::size_t longest = 20000; // of a real form
@@ -55,10 +69,9 @@ FlowSum flow_sum(const RealForm& form, const Polynomial& p, int power, bool real
             harmonic.moduli.push_back(std::min(a, b));
         }
         harmonic.turns.insert(harmonic.turns.end(), h.angles.begin(), h.angles.end());
-        const auto first =
-            std::find_if(harmonic.turns.begin(), harmonic.turns.end(), [](int n) { return n != 0; });
-        if (real && first != harmonic.turns.end() && *first < 0) continue;
-        const Rational factor = real && first != harmonic.turns.end() ? 2 : 1;
+        const int turning = sense(form, harmonic);
+        if (real && turning < 0) continue;
+        const Rational factor = real && turning > 0 ? 2 : 1;
         harmonic.re = fractions(h.coefficient.re, factor);
         harmonic.im = fractions(h.coefficient.im, factor);
         sum.harmonics.push_back(std::move(harmonic));

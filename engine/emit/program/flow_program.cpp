@@ -247,7 +247,9 @@ void FlowProgram::define_results() {
     if (options_.rows && !flow_.decays.empty()) program_.form_reason = "no tables of modes that decay";
     for (const std::string& wanted : scene_.outputs) {
         const FlowOutput& output = output_of(wanted);
-        if (!scene_.transients && scene_.oscillating && !output.drift && !lowest_weight(output.value))
+        const bool its_own = solution_.order == scene_.order; // lower orders may be 0
+        if (!scene_.transients && scene_.oscillating && its_own && !output.drift &&
+            !lowest_weight(output.value))
             bad_input({"without transients an output has something that lasts",
                        fmt::format("{} = O(eps^{}) on the slow manifold", wanted, solution_.order + 1),
                        "remove it from outputs, or write transients = true", scene_.transients_place});

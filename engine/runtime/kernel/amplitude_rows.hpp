@@ -164,7 +164,7 @@ private:
         }
         panels_.pop_back();
         divide(amplitudes, root, level + 1, 2 * index, worst);
-        if (status == Status::ok) divide(amplitudes, root, level + 1, 2 * index + 1, worst);
+        if (status == Status::ok && resolved) divide(amplitudes, root, level + 1, 2 * index + 1, worst);
     }
 
     // False: the scale of an output changes by more than a factor of 4.

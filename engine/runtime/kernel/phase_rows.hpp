@@ -76,6 +76,7 @@ public:
 private:
     template <class Rate>
     void divide(const Rate& rate, double root, int level, std::size_t index, double parent) {
+        if (!resolved) return;
         const double width = std::ldexp(root, -level), left = width * static_cast<double>(index);
         std::array<Wide, nodes> values;
         const Wide half(width / 2), middle(left + width / 2); // both exact

@@ -47,7 +47,7 @@ std::string estimate_line(const OutputVerdict& o) {
     if (!o.estimate) return "";
     const ErrorEstimate& e = *o.estimate;
     std::string line = fmt::format("  estimated error of {}", o.name);
-    if (const EstimatedRung* told = told_estimate(o)) {
+    if (const EstimatedRung* told = told_estimate(o); told != nullptr && std::isfinite(told->error)) {
         line += fmt::format(": {:.2e} at eps = {:g} (map {:.2e}, flow {:.2e}; by order {})", told->error,
                             to_double(told->eps), told->map, told->flow, e.next_order);
         if (o.estimate_ratio) line += fmt::format(", {:.3g} times the true one", *o.estimate_ratio);
