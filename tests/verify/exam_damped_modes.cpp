@@ -167,7 +167,8 @@ TEST_F(DampedModes, LeaveTheManifoldBehindThem) {
     EXPECT_EQ(v.conditions.within_layer, short_ones);
     EXPECT_GT(v.conditions.layer_end, 10);
     EXPECT_EQ(v.outputs[0].ladder.size(), 3U);
-    for (const ProgramPhase& phase : test::program_of(read)->phases) EXPECT_FALSE(phase.decays());
+    const auto program = test::program_of(read);
+    for (const ProgramPhase& phase : program->phases) EXPECT_FALSE(phase.decays());
 }
 
 // The base point is that of the start off the manifold, which moves it along the fibre.
