@@ -8,6 +8,7 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/watch.hpp"
+#include "emit/display/json.hpp"
 #include "model/files/interval_length.hpp"
 #include "model/system/scene_file.hpp"
 #include "verify/evaluate/interpreter.hpp"
@@ -86,12 +87,6 @@ std::vector<std::vector<double>> estimated_errors(const ErrorEstimator& estimato
 
 bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
 
-Json numbers_or_null(const std::vector<double>& values) {
-    Json list = Json::array();
-    for (const double x : values) list.push_back(std::isfinite(x) ? Json(x) : Json(nullptr));
-    return list;
-}
-
 void print_json(const Program& program, const Values& values) {
     Json outputs = Json::object(), status = Json::array(), why = Json::array();
     for (std::size_t k = 0; k < program.outputs.size(); ++k) {
@@ -111,7 +106,7 @@ void print_json(const Program& program, const Values& values) {
                   {"status", status},
                   {"why", why}};
     for (std::size_t k = 0; values.errors && k < program.outputs.size(); ++k)
-        document["error_estimate"][program.outputs[k].name] = numbers_or_null((*values.errors)[k]);
+        document["error_estimate"][program.outputs[k].name] = json_numbers((*values.errors)[k]);
     put("{}", document_text(document));
 }
 

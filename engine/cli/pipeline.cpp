@@ -197,7 +197,8 @@ SceneLine solve_scene(Scene scene, Watch& watch) {
     watch.enter("once more, with the values of [fix] put in");
     try {
         return solve_as_given(with_fix_put_in(std::move(scene)), watch);
-    } catch (const Error& error) { // what was known with symbols says more than what is undecided in numbers
+    } catch (const Error& error) {
+        // A definite refusal with symbols tells the user more than "undecided" with numbers.
         const bool undecided = error.diagnostic().reason == Reason::undecided;
         if (undecided && with_symbols->diagnostic().reason != Reason::undecided) throw *with_symbols;
         throw;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of [fix] are put in before anything is refused: a scene that cannot be solved with symbols gives
-// what it gives with the numbers written into the equations.
+// Values of [fix] are put in before anything is refused: a scene that cannot be solved with symbols has the
+// same numbers as one whose equations are written with the values of [fix].
 #include "support/command.hpp"
 
 #include <nlohmann/json.hpp>
@@ -120,7 +120,7 @@ TEST_F(FixedFirst, WhatVanishesWithItsParameter) {
     expect_as_written("0", {{"x", "fast", "x'' + x + x^3 + k*log(k + 2) + x*sqrt(1 - k) = 0", start}});
 }
 
-// Parameters that are not fixed stay arguments of what is emitted.
+// A parameter without a value under [fix] is still an argument of the emitted evaluator.
 TEST_F(FixedFirst, OthersStayParameters) {
     files("k = {}\nw = { positive = true }\n",
           {{"x", "fast", "x'' + (w + k^2 - 1)*x + x^3 = 0", "x = \"k*eps\"\n\"x'\" = 0"}}, "k = 1\n");

@@ -2,6 +2,7 @@
 #include "verify/report/json.hpp"
 
 #include "algebra/number/number.hpp"
+#include "emit/display/json.hpp"
 #include "verify/judging/judge.hpp"
 
 #include <cmath>
@@ -12,27 +13,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-
-Json numbers(const std::vector<double>& values) {
-    Json list = Json::array();
-    for (const double x : values) list.push_back(number(x));
-    return list;
-}
-
 Json of(const LadderRung& r) {
     return {{"eps", to_double(r.eps)},
-            {"max_error", number(r.max_error)},
-            {"rms_error", number(r.rms_error)},
+            {"max_error", json_number(r.max_error)},
+            {"rms_error", json_number(r.rms_error)},
             {"digits", r.digits},
-            {"reference_error", number(r.reference_error)}};
+            {"reference_error", json_number(r.reference_error)}};
 }
 
 // The conditions of all verdicts, between the names and the outputs.
 void add(Json& json, const Conditions& c) {
     json["times"] = {{"count", c.count},
-                     {"first", number(c.first)},
-                     {"per_fast_period", number(c.per_fast_period)},
+                     {"first", json_number(c.first)},
+                     {"per_fast_period", json_number(c.per_fast_period)},
                      {"from", c.layer_end}};
     json["interval"] = c.interval;
     json["promised"] = c.promised;
@@ -52,12 +45,12 @@ Json estimate_of(const OutputVerdict& o) {
     Json ladder = Json::array();
     for (std::size_t i = 0; i < e.ladder.size() && e.next_order > 0; ++i)
         ladder.push_back({{"eps", to_double(e.ladder[i].eps)},
-                          {"estimated", number(e.ladder[i].error)},
-                          {"true", number(o.ladder[i].max_error)}});
+                          {"estimated", json_number(e.ladder[i].error)},
+                          {"true", json_number(o.ladder[i].max_error)}});
     const EstimatedRung* told = told_estimate(o);
-    Json out{{"map", told ? number(told->map) : Json()},
-             {"flow", told ? number(told->flow) : Json()},
-             {"ratio", o.estimate_ratio ? number(*o.estimate_ratio) : Json()},
+    Json out{{"map", told ? json_number(told->map) : Json()},
+             {"flow", told ? json_number(told->flow) : Json()},
+             {"ratio", o.estimate_ratio ? json_number(*o.estimate_ratio) : Json()},
              {"next_order", e.next_order > 0 ? Json(e.next_order) : Json()}};
     if (!e.reason.empty()) out["reason"] = e.reason;
     out["ladder"] = std::move(ladder);
@@ -73,9 +66,9 @@ Json of(const OutputVerdict& o) {
              {"found_order", o.found_order ? Json(*o.found_order) : Json(nullptr)},
              {"verdict", to_string(o.verdict)},
              {"expected", to_string(o.expected)},
-             {"slope", number(o.slope)},
-             {"slope_window", {number(o.slope_low_eps), number(o.slope_high_eps)}},
-             {"constant", number(o.constant)}};
+             {"slope", json_number(o.slope)},
+             {"slope_window", {json_number(o.slope_low_eps), json_number(o.slope_high_eps)}},
+             {"constant", json_number(o.constant)}};
     if (!o.reason.empty()) out["reason"] = o.reason;
     out["ladder"] = std::move(ladder);
     for (const LadderRung& r : o.layer) out["layer"].push_back(of(r));
@@ -92,13 +85,13 @@ Json of(const ComparisonRow& r) {
              {"setting", r.setting},
              {"task", to_string(r.task)},
              {"points", r.points},
-             {"max_error", r.failure.empty() ? number(worst) : Json(nullptr)},
-             {"seconds", number(r.seconds.median)},
-             {"seconds_low", number(r.seconds.low)},
-             {"seconds_high", number(r.seconds.high)},
+             {"max_error", r.failure.empty() ? json_number(worst) : Json(nullptr)},
+             {"seconds", json_number(r.seconds.median)},
+             {"seconds_low", json_number(r.seconds.low)},
+             {"seconds_high", json_number(r.seconds.high)},
              {"repetitions", r.seconds.repetitions},
-             {"construction_seconds", number(r.construction_seconds)},
-             {"max_error_by_output", numbers(r.max_error)}};
+             {"construction_seconds", json_number(r.construction_seconds)},
+             {"max_error_by_output", json_numbers(r.max_error)}};
     if (!r.failure.empty()) out["failure"] = r.failure;
     return out;
 }
@@ -107,36 +100,38 @@ Json of(const BreakEven& b) {
     Json rivals = Json::array();
     for (const RivalAtEqualAccuracy& r : b.rivals)
         rivals.push_back({{"method", r.method},
-                          {"seconds", r.seconds ? number(*r.seconds) : Json(nullptr)},
-                          {"ratio", r.ratio ? number(*r.ratio) : Json(nullptr)}});
+                          {"seconds", r.seconds ? json_number(*r.seconds) : Json(nullptr)},
+                          {"ratio", r.ratio ? json_number(*r.ratio) : Json(nullptr)}});
     const bool compared = b.failure.empty();
-    return {{"emitted_seconds", compared ? number(b.emitted_seconds) : Json(nullptr)},
+    return {{"emitted_seconds", compared ? json_number(b.emitted_seconds) : Json(nullptr)},
             {"rivals", rivals},
             {"winner", compared ? Json(b.winner) : Json(nullptr)}};
 }
 
 Json of(const WorstPoint& w) {
     Json at = Json::object();
-    for (const auto& [name, value] : w.at) at[name] = number(value);
-    return {
-        {"output", w.output}, {"ulp", number(w.ulp)}, {"unavoidable_ulp", number(w.unavoidable)}, {"at", at}};
+    for (const auto& [name, value] : w.at) at[name] = json_number(value);
+    return {{"output", w.output},
+            {"ulp", json_number(w.ulp)},
+            {"unavoidable_ulp", json_number(w.unavoidable)},
+            {"at", at}};
 }
 
 Json of(const EmittedCheck& check) {
     Json types = Json::array();
     for (const EmittedInType& type : check.types) {
         Json at = Json::object();
-        for (const auto& [name, value] : type.at) at[name] = number(value);
+        for (const auto& [name, value] : type.at) at[name] = json_number(value);
         Json row{{"type", type.type},         {"points", type.points},
-                 {"compared", type.compared}, {"ulp", number(type.ulp)},
-                 {"output", type.output},     {"phase_share", number(type.phase_share)},
+                 {"compared", type.compared}, {"ulp", json_number(type.ulp)},
+                 {"output", type.output},     {"phase_share", json_number(type.phase_share)},
                  {"at", std::move(at)}};
         if (type.output.empty()) row["output"] = row["phase_share"] = Json();
         if (!type.has_seen()) row["at"] = Json();
         if (!type.statuses.empty()) row["statuses"] = type.statuses;
         types.push_back(std::move(row));
     }
-    Json out{{"threshold_ulp", number(check.threshold)}, {"verdict", to_string(check.verdict)}};
+    Json out{{"threshold_ulp", json_number(check.threshold)}, {"verdict", to_string(check.verdict)}};
     if (!check.reason.empty()) out["reason"] = check.reason;
     out["real_types"] = std::move(types);
     return out;
@@ -150,7 +145,7 @@ Json to_json(const Verification& v) {
     Json json{{"schema", "resonform.verification/1"}, {"system", v.system}, {"scene", v.scene}};
     add(json, v.conditions);
     json["outputs"] = std::move(outputs);
-    json["emitted_against_symbolic_ulp"] = number(v.emitted.worst());
+    json["emitted_against_symbolic_ulp"] = json_number(v.emitted.worst());
     json["emitted_equals_symbolic"] = of(v.emitted);
     return json;
 }
@@ -175,11 +170,12 @@ Json to_json(const Comparison& c) {
 Json to_json(const Stability& s) {
     Json worst = Json::array(), median = Json::object(), refused = Json::object(), ranges = Json::object(),
          swept = Json::object();
-    for (const SweptInput& input : s.inputs) ranges[input.name] = {number(input.low), number(input.high)};
+    for (const SweptInput& input : s.inputs)
+        ranges[input.name] = {json_number(input.low), json_number(input.high)};
     for (const SweptInput& input : s.swept)
-        swept[input.name] = input.high > 0 ? Json{number(input.low), number(input.high)} : Json();
+        swept[input.name] = input.high > 0 ? Json{json_number(input.low), json_number(input.high)} : Json();
     for (const WorstPoint& w : s.worst) worst.push_back(of(w));
-    for (const auto& [name, ulp] : s.median) median[name] = number(ulp);
+    for (const auto& [name, ulp] : s.median) median[name] = json_number(ulp);
     for (const auto& [status, count] : s.refused_by) refused[status] = count;
     Json json{{"schema", "resonform.stability/1"},
               {"system", s.system},
