@@ -164,8 +164,7 @@ SceneLine solve_as_given(Scene scene, Watch& watch) {
         line.count = count_truncation(*line.expanded.field, line.scene);
         const auto normalization = normalize_certified(line.expanded, line.count.truncation, watch);
         line.solution = solve_under(watch, normalization,
-                                    {line.scene.order, line.count.truncation,
-                                     line.scene.time_scale.value_or(1), line.scene.transients});
+                                    options_of(line.scene, line.scene.order, line.count.truncation));
         check_time_scale(line.solution, line.scene);
         if (!line.scene.fix.empty()) require_divisors(*normalization, line.scene);
     });

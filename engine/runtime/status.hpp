@@ -10,7 +10,8 @@ enum class Status : unsigned char {
     outside_domain = 1, // a root or logarithm of something not positive, a divisor that is zero or too small
     outside_interval = 2, // t < 0, or eps t beyond the slow time that was asked for or can be tabulated
     bad_argument = 3,     // NaN or infinite t, eps <= 0, NaN parameter
-    low_precision = 4,    // the phase exceeds 10^14 or is estimated to be off by more than 10^-9 radians
+    low_precision = 4,    // the phase exceeds 10^14 or is estimated to be off by more than 10^-9 radians,
+                          // or a mode that grows has used up the digits
     overflow = 5,         // a result is not finite
     no_memory = 6,        // for the tables
 };

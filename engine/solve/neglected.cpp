@@ -52,7 +52,7 @@ template <class Choice> Polynomial part_of(const Polynomial& p, const Choice& ch
 Neglected::Neglected(const Solution& richer, const Formula& formula)
     : richer_(richer), formula_(formula), field_(*richer.normalization->normal_form.field),
       ring_(*field_.ring),
-      flow_(richer.flow ? *richer.flow : slow_flow(*richer.normalization, richer.order, richer.truncation)),
+      flow_(richer.flow ? *richer.flow : slow_flow(*richer.normalization, {richer.order, richer.truncation})),
       by_series_(!richer.flow && formula.time_power <= 1) {
     add_quantities();
     add_start_errors();

@@ -15,6 +15,7 @@
 
 #include "normalize/recursion/normal_form.hpp"
 #include "solve/flow/slow_flow.hpp"
+#include "solve/flow/solve_options.hpp"
 
 #include <memory>
 #include <optional>
@@ -85,13 +86,6 @@ struct Solution {
     // The drift variables without oscillation are the parts of `outputs` free of e^{i theta}.
 
     [[nodiscard]] const System& system() const { return normalization->normal_form.field->system(); }
-};
-
-struct SolveOptions {
-    int order = 3;          // N
-    int truncation = 4;     // M
-    int time_scale = 1;     // p: for times of order eps^-p
-    bool transients = true; // false: the slow manifold alone, without modes that decay at eps = 0
 };
 
 // The power of eps of the first oscillating term of an output. nullopt: it has none through the order.

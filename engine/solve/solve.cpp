@@ -138,6 +138,18 @@ void fill_state(Draft& draft) {
 
 } // namespace
 
+namespace {
+
+void check_projected(const Solution& solution, const SolveOptions& options) {
+    if (options.growing == Growing::project && !(solution.flow && solution.flow->grows()))
+        bad_input({"a start is projected where a mode grows at eps = 0",
+                   "growing = \"project\", and none grows",
+                   "remove growing",
+                   {solution.system().file.string(), 0, 0, "growing", ""}});
+}
+
+} // namespace
+
 bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
     return solves_by_quadratures(*normal_form.field) &&
            (time_scale < 2 || amplitude_is_constant(normal_form));
@@ -149,9 +161,9 @@ Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOp
         Solution solution;
         solution.order = options.order;
         solution.truncation = options.truncation;
-        solution.flow = std::make_shared<const SlowFlow>(
-            slow_flow(*normalization, options.order, options.truncation, options.transients));
+        solution.flow = std::make_shared<const SlowFlow>(slow_flow(*normalization, options));
         solution.normalization = std::move(normalization);
+        check_projected(solution, options);
         return solution;
     }
     const EnvelopePlan plan = plan_envelope(normalization->normal_form);
@@ -160,6 +172,7 @@ Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOp
     solve_drift(draft);
     fill_outputs(draft);
     fill_state(draft);
+    check_projected(draft.solution, options);
     return std::move(draft.solution);
 }
 

@@ -50,7 +50,13 @@ const BadInput bad_scenes[] = {
      "    ^\n"
      "  found: oder\n"
      "  hint:  did you mean 'order'? Known are: system, title, order, time_scale, truncation, outputs, "
-     "oscillating, transients, functions, fix, start, emit, verify"},
+     "oscillating, transients, growing, functions, fix, start, emit, verify"},
+    {"GrowingOtherwise", "order = 3", "order = 3\ngrowing = \"projekt\"",
+     "2 scene.toml:4:12: growing: what grows is followed with a status, or the start is projected: project\n"
+     "    growing = \"projekt\"\n"
+     "               ^\n"
+     "  found: \"projekt\"\n"
+     "  hint:  did you mean 'project'? Known are: project, status"},
     {"BothTimeScaleAndTruncation", "time_scale = 1", "time_scale = 1\ntruncation = 4",
      "2 scene.toml:5:14: truncation: the scene gives both time_scale and truncation\n"
      "    truncation = 4\n"

@@ -34,13 +34,6 @@ TEST(Refusal, ASlowVariableThatRests) {
     expect_error(resting, 2, 2, ErrorKind::refused, "tau' = 0", "declare tau as a parameter");
 }
 
-TEST(Refusal, AModeThatGrows) {
-    const std::string growing =
-        test::system_text("growing", {{"x", "fast", "x'' + x + x*y = 0"}, {"y", "fast", "y' = y + x^2"}});
-    expect_error(growing, 1, 1, ErrorKind::refused, "z3, a mode of y, grows",
-                 "multiply its rate by eps, or derive and print the normal form");
-}
-
 // Within the threshold the monomial stays, but it turns: nothing would be slow.
 TEST(Refusal, AResonanceThatIsOnlyNear) {
     const std::string near = test::system_text(

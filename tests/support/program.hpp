@@ -21,8 +21,7 @@ inline Solution solution_of(const Scene& scene) {
     const auto field = std::make_shared<const GradedField>(expand(first_order));
     const int truncation = count_truncation(*field, scene).truncation;
     auto normalization = std::make_shared<const Normalization>(normalize(field, truncation));
-    return solve(std::move(normalization),
-                 {scene.order, truncation, scene.time_scale.value_or(1), scene.transients});
+    return solve(std::move(normalization), options_of(scene, scene.order, truncation));
 }
 
 // systems/<system>/scenes/<name>.toml

@@ -2,9 +2,8 @@
 // Closed solutions start where their map is close to the identity, from values as from constants; what they
 // are held against says the same.
 #include "emit/program/build_program.hpp"
-#include "model/files/read_scene.hpp"
+#include "own_system.hpp"
 #include "support/program.hpp"
-#include "support/shell.hpp"
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/symbolic/evaluator.hpp"
@@ -15,7 +14,7 @@
 namespace resonform {
 namespace {
 
-class ClosedFrom : public testing::Test {
+class ClosedFrom : public test::OwnSystem {
 protected:
     struct Answer {
         Status status = Status::ok;
@@ -26,9 +25,7 @@ protected:
     // At t = 0, interpreted; what emitted code is held against says the same, and that code if it is
     // `compiled`.
     Answer answer(const std::string& system, const std::string& scene, double eps, bool compiled = false) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", scene);
-        const Scene read = read_scene(systems_ / "s/scenes/s.toml", systems_);
+        const Scene read = written(system, scene);
         const Solution solution = test::solution_of(read);
         const auto program = std::make_shared<const Program>(build_program(solution, read));
         const std::vector<double> start = default_start<double>(*program, eps, {});
@@ -62,8 +59,6 @@ protected:
 
 private:
     static constexpr double untaken_ = 1e6;
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
 std::string duffing(const std::string& frequency) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Constants of the construction: exact numbers with many digits, powers of parameters that leave the range of
 // the real type, what has no place there, and what an evaluator says of it.
-#include "support/program.hpp"
-#include "support/shell.hpp"
-
 #include "emit/cpp/cpp.hpp"
 #include "emit/cpp/plan.hpp"
-#include "model/files/read_scene.hpp"
+#include "own_system.hpp"
+#include "support/program.hpp"
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
@@ -22,13 +20,11 @@ namespace {
 using Fifty = boost::multiprecision::cpp_bin_float_50;
 using Hundred = boost::multiprecision::cpp_bin_float_100;
 
-class ConstantsOf : public testing::Test {
+class ConstantsOf : public test::OwnSystem {
 protected:
     std::shared_ptr<const Program> program(const std::string& system, const std::string& scene,
                                            const ProgramOptions& options = {}) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", scene);
-        return test::program_of(read_scene(systems_ / "s/scenes/s.toml", systems_), options);
+        return test::program_of(written(system, scene), options);
     }
     static std::shared_ptr<const EvaluatorLibrary> library(const std::shared_ptr<const Program>& program) {
         return EvaluatorLibrary::build(*program, std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache",
@@ -62,10 +58,6 @@ protected:
             EXPECT_NEAR(static_cast<double>(emitted[k]), expected[k], 1e-13 * std::abs(expected[k]));
         }
     }
-
-private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
 const std::string many_digits =

@@ -2,9 +2,8 @@
 // Along the motion the near-identity map stays near the identity: evaluators end where amplitudes have grown
 // beyond it, interpreted and emitted, in what they are held against as well.
 #include "emit/program/build_program.hpp"
-#include "model/files/read_scene.hpp"
+#include "own_system.hpp"
 #include "support/program.hpp"
-#include "support/shell.hpp"
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/symbolic/evaluator.hpp"
@@ -17,12 +16,10 @@
 namespace resonform {
 namespace {
 
-class MapAlong : public testing::Test {
+class MapAlong : public test::OwnSystem {
 protected:
     void read(const std::string& system, const std::string& scene) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", scene);
-        scene_ = read_scene(systems_ / "s/scenes/s.toml", systems_);
+        scene_ = written(system, scene);
         solution_ = test::solution_of(scene_);
         program_ = std::make_shared<const Program>(build_program(solution_, scene_));
     }
@@ -68,8 +65,6 @@ protected:
     }
 
 private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
     Scene scene_;
     Solution solution_;
     std::shared_ptr<const Program> program_;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ladders of scenes with modes that are damped at eps = 0, the first moments included, and liars among them.
-#include "model/files/read_scene.hpp"
-#include "scene_line.hpp"
+#include "own_system.hpp"
 #include "solve/flow/slow_flow.hpp"
-#include "support/shell.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
 #include <gtest/gtest.h>
@@ -22,22 +20,14 @@ test::SceneLine kinetics(int order, std::vector<int> inverses) {
     return test::line_of(std::move(scene));
 }
 
-class DampedModes : public testing::Test {
+class DampedModes : public test::OwnSystem {
 protected:
     Scene scene(const std::string& system, const std::string& text) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", text + "[verify]\neps = [0.05, 0.02, 0.01, 0.005]\n");
-        return read_scene(systems_ / "s/scenes/s.toml", systems_);
+        return written(system, text + "[verify]\neps = [0.05, 0.02, 0.01, 0.005]\n");
     }
     void expect_pass(const std::string& system, const std::string& text) {
-        const Verification v = test::verified(test::line_of(scene(system, text)));
-        for (const auto& output : v.outputs) EXPECT_EQ(output.verdict, Verdict::pass) << output.reason;
-        EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
+        OwnSystem::expect_pass(scene(system, text));
     }
-
-private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
 const std::string spiral = "[variables]\nx = { role = \"fast\", weight = 0 }\n"

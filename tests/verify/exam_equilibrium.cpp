@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes about an equilibrium that is not the origin, against the equations as the user wrote them.
-#include "model/files/read_scene.hpp"
-#include "scene_line.hpp"
-#include "support/shell.hpp"
+#include "own_system.hpp"
 #include "verify/judging/stability.hpp"
 #include "verify/judging/start_scaling.hpp"
 
@@ -11,23 +9,15 @@
 namespace resonform {
 namespace {
 
-class AboutEquilibrium : public testing::Test {
+class AboutEquilibrium : public test::OwnSystem {
 protected:
-    Scene scene(const std::string& system, const std::string& text) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", text);
-        return read_scene(systems_ / "s/scenes/s.toml", systems_);
-    }
+    Scene scene(const std::string& system, const std::string& text) { return written(system, text); }
     void expect_pass(const std::string& system, const std::string& text) {
         const Verification v = test::verified(
             test::line_of(scene(system, text + "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\n")));
         for (const auto& output : v.outputs) EXPECT_EQ(output.verdict, Verdict::pass) << output.reason;
         EXPECT_TRUE(v.as_expected());
     }
-
-private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
 const std::string resting_well = "[variables]\nx = { role = \"fast\" }\n[equilibrium]\nx = 1\n[equations]\n"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slow flows from physical starts: two modes of one block, starts that the series do not reach, large angles.
-#include "model/files/read_scene.hpp"
+#include "own_system.hpp"
 #include "support/program.hpp"
-#include "support/shell.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -13,12 +12,10 @@
 namespace resonform {
 namespace {
 
-class FlowFrom : public testing::Test {
+class FlowFrom : public test::OwnSystem {
 protected:
     std::shared_ptr<const Program> program(const std::string& system, const std::string& scene) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", scene);
-        return test::program_of(read_scene(systems_ / "s/scenes/s.toml", systems_));
+        return test::program_of(written(system, scene));
     }
     // Of each output at t, or the status.
     static std::vector<double> values(const std::shared_ptr<const Program>& program, double eps, double t) {
@@ -32,10 +29,6 @@ protected:
         std::vector<double> result;
         return evaluator.call(0, result);
     }
-
-private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
 // p'' + eps p' + w^2 p = 0

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that give their system's functions a value: derived, emitted and verified as if it had been written.
 #include "emit/cpp/cpp.hpp"
-#include "model/files/read_scene.hpp"
-#include "scene_line.hpp"
-#include "support/shell.hpp"
+#include "own_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +11,7 @@ namespace resonform {
 namespace {
 
 // x'' + 2 eps damping(s) x' + stiffness x + x^3 = 0
-class FunctionValues : public testing::Test {
+class FunctionValues : public test::OwnSystem {
 protected:
     Scene scene(const std::string& declared, const std::string& damping, const std::string& stiffness,
                 const std::string& values) {
@@ -26,19 +24,13 @@ protected:
     }
 
     Scene read(const std::string& system, const std::string& scene) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", "order = 2\n" + scene);
-        return read_scene(systems_ / "s/scenes/s.toml", systems_);
+        return written(system, "order = 2\n" + scene);
     }
 
     Scene given(const std::string& d, const std::string& w) {
         return scene("[functions]\nd = { of = [\"s\"] }\nw = { of = [\"k\"], positive = true }\n", "d(2*s)",
                      "w(k)^2*(2 + d'(s))", "[functions]\nd = \"" + d + "\"\nw = \"" + w + "\"\n");
     }
-
-private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
 std::string without_notes(const std::string& header) {

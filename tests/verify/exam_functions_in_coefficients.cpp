@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes whose coefficients hold functions of slow variables and parameters: every function that is read.
-#include "model/files/read_scene.hpp"
-#include "scene_line.hpp"
-#include "support/shell.hpp"
+#include "own_system.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +8,7 @@
 namespace resonform {
 namespace {
 
-class FunctionsInCoefficients : public testing::TestWithParam<const char*> {
+class FunctionsInCoefficients : public testing::TestWithParam<const char*>, protected test::WrittenSystem {
 protected:
     // x'' + (stiffness) x + x^3 = 0, tau' = eps
     Scene scene(const std::string& stiffness) {
@@ -23,15 +21,7 @@ protected:
                   "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\ninterval = \"1/(2*eps)\"\n");
     }
 
-    Scene of(const std::string& system, const std::string& text) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", text);
-        return read_scene(systems_ / "s/scenes/s.toml", systems_);
-    }
-
-private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
+    Scene of(const std::string& system, const std::string& text) { return written(system, text); }
 };
 
 TEST_P(FunctionsInCoefficients, AreSolved) {

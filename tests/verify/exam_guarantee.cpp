@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The order that the weights guarantee, and what a short ladder, a layer or a short interval cannot hide.
-#include "model/files/read_scene.hpp"
-#include "scene_line.hpp"
-#include "support/shell.hpp"
+#include "own_system.hpp"
 #include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
@@ -17,17 +15,9 @@ std::vector<Rational> inverses(const std::vector<int>& list) {
 }
 
 // A scene with its own system.
-class OwnSystem : public testing::Test {
+class OwnSystem : public test::OwnSystem {
 protected:
-    Scene scene(const std::string& system, const std::string& scene) {
-        test::write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
-        test::write(systems_ / "s/scenes/s.toml", scene);
-        return read_scene(systems_ / "s/scenes/s.toml", systems_);
-    }
-
-private:
-    test::Scratch scratch_;
-    std::filesystem::path systems_ = scratch_.path() / "systems";
+    Scene scene(const std::string& system, const std::string& scene) { return written(system, scene); }
 };
 
 Guarantee guarantee(const Scene& scene, const std::string& output, int claim) {

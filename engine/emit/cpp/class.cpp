@@ -23,14 +23,15 @@ public:
     explicit CppFrame(const CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() const {
-        return aliases() + look_up() + widened() + locate() + points() + rows() + cpp_begin(plan_) +
-               cpp_course(plan_) + construct() + data_members();
+        return aliases() + look_up() + widened() + precise() + locate() + points() + rows() +
+               cpp_begin(plan_) + cpp_course(plan_) + construct() + data_members();
     }
 
 private:
     std::string aliases() const;
     std::string look_up() const;
     std::string widened() const;
+    std::string precise() const;
     std::string locate() const;
     std::string unless_faded(std::size_t phase) const;
     std::string points() const;
@@ -98,7 +99,22 @@ std::string CppFrame::locate() const {
             text += fmt::format("        if (const Status seen = {0}_(t, low, a.cos_{0}, a.sin_{0}); seen != "
                                 "Status::ok{1}) status = seen;\n",
                                 plan_.phase_names[k], unless_faded(k));
-    return text + "        return status;\n    }\n\n";
+    return text +
+           (plan_.growths.empty() ? "" : "        if (!precise(c_, a)) status = Status::low_precision;\n") +
+           "        return status;\n    }\n\n";
+}
+
+// Whether modes that grow leave digits.
+std::string CppFrame::precise() const {
+    if (plan_.growths.empty()) return "";
+    std::vector<std::string> all;
+    for (const CppPlan::Growth& growth : plan_.growths)
+        all.push_back(fmt::format("a.exp_{} * c.{} <= Real(1)", plan_.phase_names[growth.phase],
+                                  plan_.members.at(growth.factor)));
+    return fmt::format("    // What grows leaves digits.\n"
+                       "    static bool precise(const Constants<Real>& c, const Arguments& a) noexcept {{\n"
+                       "        return {};\n    }}\n\n",
+                       fmt::join(all, " && "));
 }
 
 // " && !resonform::faded(a.exp_chi)" of a phase with which only decaying modes turn.

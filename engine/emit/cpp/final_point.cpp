@@ -111,25 +111,29 @@ std::string CppCourse::print() const {
         program_.phases.empty()
             ? ""
             : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
-    return filled(frames::course,
-                  {{"flow", program_.flow.empty() ? "false" : "true"},
-                   {"nested", nested ? "true" : "false"},
-                   {"level_count", std::to_string(levels.size())},
-                   {"levels", fmt::format("{}", fmt::join(levels, ", "))},
-                   {"columns", std::to_string(plan_.columns_before(levels.size()))},
-                   {"phases", std::to_string(program_.phases.size())},
-                   {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
-                   {"decays", fmt::format("{}", fmt::join(decays, ", "))},
-                   {"fades", fmt::format("{}", fmt::join(fades, ", "))},
-                   {"start", plan_.member_list(plan_.flow_starts, "c.")},
-                   {"rates", rates()},
-                   {"margins", margins()},
-                   {"conditions", conditions()},
-                   {"packs", plan_.range.native && program_.flow.empty() && none_decays ? "true" : "false"},
-                   {"constants", constants},
-                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
-                   {"phase_rates", phase_rates()},
-                   {"arguments", arguments()}});
+    return filled(
+        frames::course,
+        {{"flow", program_.flow.empty() ? "false" : "true"},
+         {"nested", nested ? "true" : "false"},
+         {"level_count", std::to_string(levels.size())},
+         {"levels", fmt::format("{}", fmt::join(levels, ", "))},
+         {"columns", std::to_string(plan_.columns_before(levels.size()))},
+         {"phases", std::to_string(program_.phases.size())},
+         {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
+         {"decays", fmt::format("{}", fmt::join(decays, ", "))},
+         {"fades", fmt::format("{}", fmt::join(fades, ", "))},
+         {"start", plan_.member_list(plan_.flow_starts, "c.")},
+         {"rates", rates()},
+         {"margins", margins()},
+         {"conditions", conditions()},
+         {"packs", plan_.range.native && program_.flow.empty() && none_decays ? "true" : "false"},
+         {"constants", constants},
+         {"starts", plan_.member_list(plan_.phase_starts, "c.")},
+         {"phase_rates", phase_rates()},
+         {"arguments", arguments()},
+         {"precise", plan_.growths.empty() ? ""
+                                           : "        if (status == Status::ok && !precise(c, a)) return "
+                                             "Status::low_precision;\n"}});
 }
 
 } // namespace

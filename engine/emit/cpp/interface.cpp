@@ -87,8 +87,10 @@ std::string CppInterface::why() const {
             if (!program_.phases[k].decays() && program_.phases[k].fades_with.empty() != fading)
                 phases += fmt::format("!{}_.precise() ? {} : ", plan_.phase_names[k],
                                       cpp_literal(plan_.phase_names[k]));
-    if (!phases.empty())
-        phases = fmt::format("        if (status == Status::low_precision) return {}\"\";\n", phases);
+    const std::string otherwise = plan_.growths.empty() ? "" : plan_.phase_names[plan_.growths.front().phase];
+    if (!phases.empty() || !otherwise.empty())
+        phases = fmt::format("        if (status == Status::low_precision) return {}{};\n", phases,
+                             cpp_literal(otherwise));
     return filled(frames::why, {{"phases", phases},
                                 {"conditions", cpp_literal(plan_.conditions_text())},
                                 {"results", cpp_literal(plan_.results_text())}});

@@ -122,6 +122,7 @@ void CppPlan::lower_results() {
         phase_names.push_back(names.unique(phase.name));
         phase_starts.push_back(code.lower(phase.start));
         phase_rates.push_back(code.lower(phase.rate));
+        if (phase.growth >= 0) growths.push_back({phase_names.size() - 1, code.lower(phase.growth)});
         const std::vector<bool> used = reachable(program->graph, {phase.rate});
         phase_uses_tables.push_back(
             std::any_of(looked_up.begin(), looked_up.end(),
@@ -150,6 +151,7 @@ std::vector<Value> CppPlan::roots() const {
     std::vector<Value> all = integrands;
     for (const std::vector<Value>* more : {&flow_starts, &flow_rates, &phase_starts, &phase_rates})
         all.insert(all.end(), more->begin(), more->end());
+    for (const Growth& growth : growths) all.push_back(growth.factor);
     for (const std::vector<CppCondition>* conditions : {&varying_conditions, &layers})
         for (const CppCondition& condition : *conditions) all.push_back(condition.value);
     for (const std::vector<CppResult>* results : {&outputs, &state})
@@ -170,6 +172,7 @@ void CppPlan::find_members(bool conditions) {
 
     std::set<Value> in_any_case(phase_starts.begin(), phase_starts.end()); // whatever they are
     in_any_case.insert(flow_starts.begin(), flow_starts.end());
+    for (const Growth& growth : growths) in_any_case.insert(growth.factor);
     for (const CppCondition& condition : constant_conditions) in_any_case.insert(condition.value);
     CppNames names;
     members.clear();

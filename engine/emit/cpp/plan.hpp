@@ -47,6 +47,11 @@ struct CppPlan {
     std::vector<StraightLine::Value> phase_starts, phase_rates; // of program.phases
     std::vector<std::string> phase_names;
     std::vector<bool> phase_uses_tables; // or the flow
+    struct Growth {                      // of an exponent that grows
+        std::size_t phase;
+        StraightLine::Value factor;
+    };
+    std::vector<Growth> growths;
     std::vector<CppResult> outputs, state;
     std::vector<CppRow> rows; // empty: many points are computed one by one
     std::vector<CppCondition> constant_conditions, varying_conditions;

@@ -34,11 +34,14 @@ public:
         open(field_.ring->generator(field_.eps).name);
         start_ = flow_start(program_, solution_, scene_, real_, surroundings_, names_);
         define_flow();
+        FlowMoment at_start(program_, real_, surroundings_, start_, false);
+        add_start_layers(program_, *solution_.normalization, surroundings_,
+                         [&](const Polynomial& p) { return at_start.lowering.polynomial(real_(p).re); });
         frame_.emplace(program_, real_, surroundings_, moving_, true);
         keep_signs();
         lower_rates();
         integrate_drifts();
-        turned_ = FlowTurning(program_, *frame_, solution_, real_, surroundings_).turned(moving_);
+        turned_ = FlowTurning(program_, *frame_, solution_, real_, surroundings_).turned(moving_, start_);
         define_results();
         const auto lower = [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); };
         add_layers(program_, *solution_.normalization, surroundings_, lower);

@@ -4,6 +4,7 @@
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
 #include "emit/graph/conditioning.hpp"
+#include "emit/program/layers.hpp"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,15 @@ std::string numbered(const char* name, std::size_t k, std::size_t count) {
 
 } // namespace
 
-FlowValues FlowTurning::turned(const FlowValues& within_frame) {
+FlowValues FlowTurning::turned(const FlowValues& within_frame, const FlowValues& start) {
     add_phases();
+    for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+        const FlowMode& mode = flow_.modes[k];
+        if (!mode.grows || mode.is_left_out) continue;
+        Graph::Node& growing = program_.phases[flow_.phases.size() + *mode.decay].growth;
+        const Graph::Node own = growth(k, start);
+        growing = growing < 0 ? own : program_.graph.add({growing, own});
+    }
     FlowValues result;
     result.slow = within_frame.slow;
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
@@ -45,8 +53,8 @@ void FlowTurning::add_phases() {
         decaying.exponential = graph.symbol("exp " + decaying.name);
         program_.phases.push_back(std::move(decaying));
     }
-    for (const Mode& mode : field_.modes)
-        if (mode.is_damped()) keep_decaying(-mode.growth);
+    for (std::size_t k = 0; k < field_.modes.size(); ++k)
+        if (field_.modes[k].is_damped()) keep_sign(flow_.modes[k].leading_rate(field_.modes[k]));
     for (std::size_t p = 0; p < flow_.phases.size(); ++p) let_fade(p);
 }
 
@@ -67,14 +75,33 @@ ProgramPhase FlowTurning::phase(const std::string& name, const Polynomial& rate)
     Graph& graph = program_.graph;
     const Graph::Node over_time = frame_.lowering.polynomial(real_(rate).re);
     program_.names.push_back({name + "_dot", over_time});
-    return {name, graph.rational(0), graph.multiply({graph.power(program_.eps, -1), over_time}), -1, -1, -1,
-            {}};
+    return {
+        name, graph.rational(0), graph.multiply({graph.power(program_.eps, -1), over_time}), -1, -1, -1, {},
+        -1};
 }
 
-void FlowTurning::keep_decaying(const Polynomial& damping) {
-    const Graph::Node node = frame_.lowering.polynomial(real_(damping).re);
+void FlowTurning::keep_sign(const Polynomial& rate) {
+    const Graph::Node node = frame_.lowering.polynomial(real_(rate).re);
     if (!signs_of(program_.graph, node, surroundings_.positive).is_positive())
-        program_.positive.push_back({node, quantity(*field_.ring, damping)});
+        program_.positive.push_back({node, quantity(*field_.ring, rate)});
+}
+
+// Of z = eps^w a e^chi + ... errors of weight N + 1 grow likewise, and so do the neglected powers of z: with
+// r the ratio of one power in the map to the one before, digits are left while both are below a thousandth,
+//
+//   eps^{N+1} e^chi <= 10^-3 eps^w,   (r e^chi)^N <= 10^-3
+//
+// The bounds of e^{-chi} that follow, added.
+Graph::Node FlowTurning::growth(std::size_t mode, const FlowValues& start) {
+    Graph& graph = program_.graph;
+    FlowMoment at(program_, real_, surroundings_, start, false);
+    const Graph::Node ratio =
+        corrections_of(program_, solution_, surroundings_, mode, start.modes,
+                       [&](const Polynomial& p) { return at.lowering.polynomial(real_(p).re); });
+    const int weight = field_.ring->generator(field_.modes[mode].z).weight, order = solution_.order;
+    const Graph::Node allowed = graph.rational(1000);
+    const Graph::Node linear = graph.multiply({allowed, graph.power(program_.eps, order + 1 - weight)});
+    return graph.add({linear, graph.multiply({ratio, order == 1 ? allowed : graph.root(allowed, order)})});
 }
 
 FlowUnit FlowTurning::turned(FlowUnit unit, const FlowMode& mode, std::size_t variable) {

@@ -16,21 +16,24 @@ public:
     // frame: at the values that `turned` gets. Preconditions: solution.flow; the program has no phases yet.
     FlowTurning(Program& program, FlowMoment& frame, const Solution& solution, const RealForm& real,
                 const Surroundings& surroundings)
-        : program_(program), frame_(frame), flow_(*solution.flow),
+        : program_(program), frame_(frame), solution_(solution), flow_(*solution.flow),
           field_(*solution.normalization->normal_form.field), real_(real), surroundings_(surroundings) {}
 
-    // Adds the phases, then the exponents, with the condition that their leading rates stay negative.
-    FlowValues turned(const FlowValues& within_frame);
+    // Adds the phases, then the exponents, with the condition that their leading rates keep their signs.
+    // start: the modes at t = 0.
+    FlowValues turned(const FlowValues& within_frame, const FlowValues& start);
 
 private:
     void add_phases();
     [[nodiscard]] ProgramPhase phase(const std::string& name, const Polynomial& rate);
     void let_fade(std::size_t phase);
-    void keep_decaying(const Polynomial& damping);
+    void keep_sign(const Polynomial& rate);
+    [[nodiscard]] Graph::Node growth(std::size_t mode, const FlowValues& start);
     FlowUnit turned(FlowUnit unit, const FlowMode& mode, std::size_t variable);
 
     Program& program_;
     FlowMoment& frame_;
+    const Solution& solution_;
     const SlowFlow& flow_;
     const GradedField& field_;
     const RealForm& real_;

@@ -17,11 +17,13 @@ namespace {
 const Rational least_divisor = Rational(1) / 10'000; // |D| > 10^-4 eps
 
 // One divisor of each kind D = factor * primitive, the one with the smallest factor > 0.
-std::vector<Polynomial> smallest_of_each(const Normalization& normalization, bool lasting) {
+enum class Of { all, lasting, transient };
+std::vector<Polynomial> smallest_of_each(const Normalization& normalization, Of which) {
     std::vector<std::pair<Polynomial, Rational>> known; // primitive, factor
     for (const DivisorRecord& record : normalization.divisors) {
         if (record.verdict != DivisorVerdict::removed) continue;
-        if (lasting && has_damped_mode(*normalization.normal_form.field, record.monomial)) continue;
+        const bool transient = has_damped_mode(*normalization.normal_form.field, record.monomial);
+        if (which != Of::all && transient != (which == Of::transient)) continue;
         const Rational lead = record.divisor.terms().front().coefficient, factor = cln::abs(lead);
         const Polynomial primitive = (1 / lead) * record.divisor;
         const auto same = std::find_if(known.begin(), known.end(),
@@ -65,6 +67,32 @@ bool varies(const Program& program, Graph::Node n) {
     return depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(n)];
 }
 
+std::vector<MovingDivisor> moving_of(const Normalization& normalization, Of which) {
+    std::vector<MovingDivisor> moving;
+    for (const Polynomial& divisor : smallest_of_each(normalization, which)) {
+        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
+        if (rate && !rate->empty()) moving.push_back({divisor, *rate});
+    }
+    return moving;
+}
+
+// |D|^2 -+ both parts of D', without those that are known to be positive.
+template <class Lower>
+std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const MovingDivisor& moving,
+                                    const Surroundings& surroundings, const Lower& lower) {
+    const auto [re, im] = parts(ring, moving.divisor, lower);
+    const Graph::Node square = graph.add({graph.power(re, 2), graph.power(im, 2)});
+    const auto [re_rate, im_rate] = parts(ring, moving.rate, lower);
+    std::vector<Graph::Node> margins;
+    for (const Graph::Node component : {re_rate, im_rate})
+        for (const Graph::Node change : {component, graph.negate(component)}) {
+            const Graph::Node margin = graph.add({square, change});
+            if (margin != square && !signs_of(graph, margin, surroundings.positive).is_positive())
+                margins.push_back(margin);
+        }
+    return margins;
+}
+
 class GraphAlgebra {
 public:
     GraphAlgebra(Graph& graph, const std::set<Graph::Node>& positive) : graph_(graph), positive_(positive) {}
@@ -105,12 +133,11 @@ private:
 } // namespace
 
 std::vector<MovingDivisor> moving_divisors(const Normalization& normalization) {
-    std::vector<MovingDivisor> moving;
-    for (const Polynomial& divisor : smallest_of_each(normalization, true)) {
-        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
-        if (rate && !rate->empty()) moving.push_back({divisor, *rate});
-    }
-    return moving;
+    return moving_of(normalization, Of::lasting);
+}
+
+std::vector<MovingDivisor> moving_divisors_at_start(const Normalization& normalization) {
+    return moving_of(normalization, Of::transient);
 }
 
 std::vector<StandingDivisor> standing_divisors(const Normalization& normalization) {
@@ -119,7 +146,7 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
     const Polynomial eps = ring.gen(field.eps, ring.weights_in_one());
     const Polynomial floor = (least_divisor * least_divisor) * ring.multiply(eps, eps);
     std::vector<StandingDivisor> standing;
-    for (const Polynomial& divisor : smallest_of_each(normalization, false)) {
+    for (const Polynomial& divisor : smallest_of_each(normalization, Of::all)) {
         const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
         if (rate && rate->empty())
             standing.push_back({divisor, ring.multiply(divisor, ring.conjugate(divisor)) - floor});
@@ -132,17 +159,8 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
     Graph& graph = program.graph;
     const Ring& ring = *normalization.normal_form.field->ring;
     for (const MovingDivisor& moving : moving_divisors(normalization)) {
-        const auto [re, im] = parts(ring, moving.divisor, lower);
-        const Graph::Node square = graph.add({graph.power(re, 2), graph.power(im, 2)});
-        const auto [re_rate, im_rate] = parts(ring, moving.rate, lower);
-        const std::string name = quantity(ring, moving.divisor);
-        for (const Graph::Node component : {re_rate, im_rate})
-            for (const Graph::Node change : {component, graph.negate(component)}) {
-                const Graph::Node margin = graph.add({square, change});
-                const bool holds = signs_of(graph, margin, surroundings.positive).is_positive();
-                if (varies(program, margin) && !holds && margin != square)
-                    program.layers.push_back({margin, name});
-            }
+        for (const Graph::Node margin : margins_of(graph, ring, moving, surroundings, lower))
+            if (varies(program, margin)) program.layers.push_back({margin, quantity(ring, moving.divisor)});
     }
     const Graph::Node largest =
         graph.rational(least_divisor * least_divisor / 4); // (10^-4 eps)^2 at eps = 1/2
@@ -152,6 +170,40 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
         if (!signs_of(graph, rest, surroundings.positive).is_positive())
             program.positive.push_back({lower(standing.margin), quantity(ring, standing.divisor)});
     }
+}
+
+void add_start_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
+                      const std::function<Graph::Node(const Polynomial&)>& lower) {
+    const Ring& ring = *normalization.normal_form.field->ring;
+    for (const MovingDivisor& moving : moving_divisors_at_start(normalization))
+        for (const Graph::Node margin : margins_of(program.graph, ring, moving, surroundings, lower))
+            program.positive.push_back({margin, quantity(ring, moving.divisor)});
+}
+
+Graph::Node corrections_of(Program& program, const Solution& solution, const Surroundings& surroundings,
+                           std::size_t growing, const std::vector<FlowUnit>& modes,
+                           const std::function<Graph::Node(const Polynomial&)>& lower) {
+    const GraphAlgebra algebra(program.graph, surroundings.positive);
+    std::vector<Graph::Node> moduli;
+    for (const FlowUnit& a : modes) moduli.push_back(algebra.hypot(a.u, a.v));
+    std::vector<Graph::Node> addends;
+    for (const FirstCorrection& correction : first_corrections(solution)) {
+        const auto place = std::find(correction.modes.begin(), correction.modes.end(), growing);
+        if (place == correction.modes.end() || correction.quantity) continue;
+        const auto own = static_cast<std::size_t>(place - correction.modes.begin());
+        for (const FirstCorrection::Term& term : correction.sums.front()) {
+            if (term.powers[own] < 1) continue;
+            const auto [re, im] =
+                parts(*solution.normalization->normal_form.field->ring, term.coefficient, lower);
+            std::vector<Graph::Node> factors{algebra.hypot(re, im),
+                                             algebra.power(program.eps, term.power_of_eps)};
+            for (std::size_t k = 0; k < correction.modes.size(); ++k)
+                if (k != own) factors.push_back(algebra.power(moduli[correction.modes[k]], term.powers[k]));
+            const Graph::Node size = algebra.multiply(factors);
+            addends.push_back(term.powers[own] == 1 ? size : program.graph.root(size, term.powers[own]));
+        }
+    }
+    return algebra.multiply({moduli[growing], algebra.add(std::move(addends))});
 }
 
 void add_corrections(Program& program, const Solution& solution, const Surroundings& surroundings,

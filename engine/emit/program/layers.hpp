@@ -22,6 +22,10 @@ struct MovingDivisor {
 };
 std::vector<MovingDivisor> moving_divisors(const Normalization& normalization);
 
+// Those of monomials with modes that decay or grow: they matter at the start alone, for what decays is gone
+// before the divisor moves far.
+std::vector<MovingDivisor> moving_divisors_at_start(const Normalization& normalization);
+
 // A constant divisor is as good as zero where the phase D t stays small on t <= 1/eps: then the monomial that
 // was divided by it cancels against its start value, but only in exact arithmetic. It must satisfy
 // margin = |D|^2 - (10^-4 eps)^2 > 0, so that two divisions by D leave eight digits of the real type. Of
@@ -38,6 +42,20 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
 // every eps <= 1/2.
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                 const std::function<Graph::Node(const Polynomial&)>& lower);
+
+// Adds the margins of moving_divisors_at_start to program.positive. `lower`: the node at t = 0.
+void add_start_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
+                      const std::function<Graph::Node(const Polynomial&)>& lower);
+
+// The first corrections of the near-identity map (solve/first_correction.hpp) in which a mode stands that
+// grows, at the start, in units of eps^weight: with terms T |a|^p, |a| its modulus,
+//
+//   |a| sum T^{1/p}
+//
+// so that this times e^chi is about the ratio of one power of the mode in the map to the one before.
+Graph::Node corrections_of(Program& program, const Solution& solution, const Surroundings& surroundings,
+                           std::size_t growing, const std::vector<FlowUnit>& modes,
+                           const std::function<Graph::Node(const Polynomial&)>& lower);
 
 // Adds the margins of solve/first_correction.hpp to program.layers. One that needs a quadrature becomes a
 // condition of every call instead (program.positive), since tables are built only after the layers. modes:

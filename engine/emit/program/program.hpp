@@ -42,7 +42,7 @@ struct ProgramTable {
 
 // An angle theta(t) = start + int_0^T rate(T') dT', T = eps t, where rate = theta'/eps is large. Only its
 // cosine and sine enter the outputs, so that it can be kept in more digits than it is asked for. Or the
-// exponent of a mode that decays, of which e^theta enters.
+// exponent of a mode that decays (or grows), of which e^theta enters.
 struct ProgramPhase {
     std::string name;  // "theta", "chi"
     Graph::Node start; // in construction values
@@ -51,6 +51,8 @@ struct ProgramPhase {
     Graph::Node cosine = -1, sine = -1, exponential = -1;
     // Of an angle with which only modes turn that decay: their exponentials.
     std::vector<Graph::Node> fades_with = {};
+    // Of an exponent that grows, in construction values: where this times e^theta exceeds 1, digits are lost.
+    Graph::Node growth = -1;
     [[nodiscard]] bool decays() const { return exponential >= 0; }
     [[nodiscard]] std::vector<Graph::Node> symbols() const {
         if (decays()) return {exponential};

@@ -65,6 +65,7 @@ std::vector<bool> needed_nodes(const Program& program) {
             if (!is_seen(phase, used)) continue;
             add(phase.start);
             add(phase.rate);
+            if (phase.growth >= 0) add(phase.growth);
         }
     }
     return reachable(program.graph, roots);

@@ -32,8 +32,8 @@ const std::vector<std::string>& keys_of_systems() {
 
 const std::vector<std::string>& keys_of_scenes() {
     static const std::vector<std::string> keys = {
-        "system",     "title",     "order", "time_scale", "truncation", "outputs", "oscillating",
-        "transients", "functions", "fix",   "start",      "emit",       "verify"};
+        "system",     "title",   "order",     "time_scale", "truncation", "outputs", "oscillating",
+        "transients", "growing", "functions", "fix",        "start",      "emit",    "verify"};
     return keys;
 }
 

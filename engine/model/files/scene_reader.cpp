@@ -35,6 +35,16 @@ bool is_moderate(const RealBall& value) {
            arb_gt(size.get(), RealBall(power_of_ten(decades), bits_of_fixed).get()) == 0;
 }
 
+template <class Value>
+Value word_of(const TomlNode& node, const std::string& rule, const std::map<std::string, Value>& words) {
+    const std::string word = string_of(node);
+    const auto known = words.find(word);
+    if (known != words.end()) return known->second;
+    std::vector<std::string> names;
+    for (const auto& [name, value] : words) names.push_back(name);
+    bad_value(node, rule, suggest(word, names));
+}
+
 } // namespace
 
 SceneReader::SceneReader(TomlNode root, const std::filesystem::path& file,
@@ -77,6 +87,10 @@ void SceneReader::read_parts() {
     if (scene_.transients && !scene_.oscillating)
         bad_value(*transients, "a scene that does not oscillate has no transients",
                   "remove it, or write oscillating = true");
+    const std::map<std::string, Growing> words{{"status", Growing::status}, {"project", Growing::project}};
+    if (const TomlNode* growing = root_.find("growing"))
+        scene_.growing = word_of(
+            *growing, "what grows is followed with a status, or the start is projected: project", words);
 }
 
 void SceneReader::read_emit() {
@@ -85,14 +99,10 @@ void SceneReader::read_emit() {
     check_keys(*emit, {"form"});
     const TomlNode* form = emit->find("form");
     if (form == nullptr) return;
-    const std::string word = string_of(*form);
     const std::map<std::string, EmitForm> words{
-        {"auto", EmitForm::automatic}, {"tables", EmitForm::tables}, {"direct", EmitForm::direct}};
-    const auto known = words.find(word);
-    if (known == words.end())
-        bad_value(*form, "many points are computed from tables, direct, or as is cheaper: auto",
-                  suggest(word, {"auto", "tables", "direct"}));
-    scene_.form = known->second;
+        {"auto", EmitForm::automatic}, {"direct", EmitForm::direct}, {"tables", EmitForm::tables}};
+    scene_.form =
+        word_of(*form, "many points are computed from tables, direct, or as is cheaper: auto", words);
     scene_.form_place = place_of(form->source);
 }
 

@@ -20,6 +20,10 @@ const char* to_string(Verdict verdict);
 // How emitted code computes many points.
 enum class EmitForm { automatic, tables, direct };
 
+// What becomes of modes that grow at eps = 0: they are followed, as long as they leave digits; or the start
+// is moved along the fibres onto the manifold on which there are none.
+enum class Growing { status, project };
+
 struct StartValue {
     std::string name; // "xi", "C_delta", "psi", "psi'"
     GiNaC::ex value;  // in parameters and eps
@@ -66,6 +70,7 @@ struct Scene {
     std::vector<std::string> outputs;
     bool oscillating = true;
     bool transients = true; // modes that decay at eps = 0; where nothing oscillates they are left out, too
+    Growing growing = Growing::status;
     EmitForm form = EmitForm::automatic;
     std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
     std::vector<StartValue> start;        // in the order of the file

@@ -2,7 +2,6 @@
 #include "solve/flow/frame.hpp"
 
 #include "algebra/number/error.hpp"
-#include "model/signs/sign_prover.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 
 #include <fmt/format.h>
@@ -18,14 +17,10 @@ void check_modes(const NormalForm& normal_form) {
     const System& system = field.system();
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const Mode& mode = field.modes[k];
-        const Place place = system.place_of(mode.variable);
-        if (provably_positive(field.basis.modes[k].eigenvalue.re, system))
-            refuse({"a solution is for modes that do not grow at eps = 0",
-                    fmt::format("{}, a mode of {}, grows", mode.name, system.variables[mode.variable].name),
-                    "multiply its rate by eps, or derive and print the normal form", place});
         if (!field.couplings(k).empty())
             refuse({"a solution is for a linear part that is semisimple",
-                    mode.name + " is driven by another mode", "derive and print the normal form", place});
+                    mode.name + " is driven by another mode", "derive and print the normal form",
+                    system.place_of(mode.variable)});
     }
     if (field.basis.numeric)
         refuse({"a solution is for modes in closed form",
@@ -34,12 +29,34 @@ void check_modes(const NormalForm& normal_form) {
                 {system.file.string(), 0, 0, "equations", ""}});
 }
 
+// The terms without modes that are left out.
+Polynomial without_left_out(const GradedField& field, const std::vector<FlowMode>& modes,
+                            const Polynomial& p) {
+    std::vector<Term> terms;
+    for (const Term& t : p.terms()) {
+        bool lasts = true;
+        for (std::size_t k = 0; k < modes.size(); ++k)
+            lasts = lasts && !(modes[k].is_left_out && degree_in(field, t.monomial, k) > 0);
+        if (lasts) terms.push_back(t);
+    }
+    return Polynomial::from_terms(std::move(terms));
+}
+
 // The frame in which theta_j' are the frequencies at eps = 0, or those of all weights; chi_j' likewise.
 class Framing {
 public:
-    Framing(const Normalization& normalization, int through, bool transients)
+    Framing(const Normalization& normalization, const SolveOptions& options)
         : normal_form_(normalization.normal_form), field_(*normal_form_.field), ring_(*field_.ring),
-          through_(through), transients_(transients), alone_(damped_modes_decay_alone()) {}
+          through_(options.truncation) {
+        for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+            FlowMode mode;
+            mode.grows = resonform::grows(field_, k);
+            mode.is_left_out =
+                is_damped(k) && (!options.transients || (mode.grows && options.growing == Growing::project));
+            modes_.push_back(std::move(mode));
+        }
+        alone_ = damped_modes_decay_alone();
+    }
 
     SlowFlow build() {
         if (field_.slow.empty() && field_.angles.empty() && keeps_moduli()) {
@@ -67,8 +84,8 @@ private:
             return all;
         };
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
-            if (!is_damped(k)) continue;
-            const Polynomial rate = normal_form_.mode[k].total(through_);
+            if (!is_damped(k) || modes_[k].is_left_out) continue;
+            const Polynomial rate = total(normal_form_.mode[k]);
             for (const Term& t : rate.terms())
                 if (ring_.exponent(t.monomial, field_.modes[k].z) != 1 || degrees(t.monomial) != 1)
                     return false;
@@ -81,9 +98,9 @@ private:
     [[nodiscard]] bool keeps_moduli() const {
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             if (is_damped(k)) continue;
-            if (field_.modes[k].is_real() && !normal_form_.mode[k].total(through_).empty()) return false;
-            for (const auto& [monomial, coefficient] :
-                 ring_.collect(normal_form_.mode[k].total(through_), field_.outer())) {
+            const Polynomial rate = total(normal_form_.mode[k]);
+            if (field_.modes[k].is_real() && !rate.empty()) return false;
+            for (const auto& [monomial, coefficient] : ring_.collect(rate, field_.outer())) {
                 if (!turns_as(field_, monomial, k)) return false;
                 if (!(coefficient + ring_.conjugate(coefficient)).empty()) return false;
             }
@@ -95,31 +112,34 @@ private:
         SlowFlow flow;
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
-            if (mode.is_damped() && !transients_) {
-                flow.modes.emplace_back().is_left_out = true;
-                continue;
-            }
-            const Polynomial rate = normal_form_.mode[k].total(through_);
+            FlowMode& framed = flow.modes.emplace_back(modes_[k]);
+            if (framed.is_left_out) continue;
+            const Polynomial rate = total(normal_form_.mode[k]);
             const bool all = is_damped(k) ? alone_ : whole && !mode.is_real();
             const Polynomial own = all ? without(rate, mode.z) : field_.eigenvalue(mode);
-            FlowMode framed{std::nullopt, std::nullopt, cut(rate - ring_.multiply(own, ring_.gen(mode.z)))};
+            framed.rate = cut(rate - ring_.multiply(own, ring_.gen(mode.z)));
             const Polynomial back = ring_.conjugate(own), half_i = Rational(-1) / 2 * ring_.imaginary();
             if (is_damped(k)) framed.decay = index(flow.decays, Rational(1) / 2 * (own + back));
             if (!mode.is_real()) framed.phase = index(flow.phases, ring_.multiply(half_i, own - back));
-            flow.modes.push_back(std::move(framed));
         }
         for (std::size_t k = 0; k < field_.angles.size(); ++k) {
-            const Polynomial rate = normal_form_.angle[k].total(through_);
             const Polynomial& turning = field_.angles[k].frequency;
-            flow.angles.push_back({index(flow.phases, turning), std::nullopt, cut(rate - turning)});
+            FlowMode& angle = flow.angles.emplace_back();
+            angle.phase = index(flow.phases, turning);
+            angle.rate = cut(total(normal_form_.angle[k]) - turning);
         }
         for (std::size_t k = 0; k < field_.slow.size(); ++k)
             flow.slow.push_back(
                 field_.slow[k].driven
-                    ? cut(normal_form_.slow[k].total(through_))
+                    ? cut(total(normal_form_.slow[k]))
                     : Series(ring_.by_weight(field_.slow[k].rate, heaviest(field_.slow[k].rate))));
-        for (const Series& rate : normal_form_.drift) flow.drift.push_back(cut(rate.total(through_)));
+        for (const Series& rate : normal_form_.drift) flow.drift.push_back(cut(total(rate)));
         return flow;
+    }
+
+    // On the manifold: without the modes that are left out.
+    [[nodiscard]] Polynomial total(const Series& series) const {
+        return without_left_out(field_, modes_, series.total(through_));
     }
 
     [[nodiscard]] Series cut(const Polynomial& rate) const { return Series::split(ring_, rate, through_); }
@@ -170,7 +190,8 @@ private:
     const GradedField& field_;
     const Ring& ring_;
     int through_;
-    bool transients_, alone_;
+    std::vector<FlowMode> modes_; // what grows, and what is left out
+    bool alone_ = true;
 };
 
 // Writes every state in the old modes z and slow variables, then substitutes the map.
@@ -232,33 +253,38 @@ private:
     const Ring& ring_;
 };
 
-// The terms without damped modes.
-Series lasting(const GradedField& field, const Series& value) {
-    Series result;
-    for (int n = 0; n <= value.through(); ++n) {
-        std::vector<Term> terms;
-        for (const Term& t : value.part(n).terms())
-            if (!has_damped_mode(field, t.monomial)) terms.push_back(t);
-        result.set(n, Polynomial::from_terms(std::move(terms)));
+// An angle has no place in the state that a projected start is read from.
+void check_projection(const Normalization& normalization, const SlowFlow& flow) {
+    const GradedField& field = *normalization.normal_form.field;
+    for (std::size_t k = 0; flow.is_projected() && k < field.angles.size(); ++k) {
+        const Polynomial shift = normalization.map.angle[k].total(normalization.map.through);
+        if (!(shift - without_left_out(field, flow.modes, shift)).empty())
+            refuse({"a start is projected where no angle moves with the mode that grows",
+                    field.angles[k].name, "write growing = \"status\" and transients = true",
+                    field.system().place_of(field.angles[k].variable)});
     }
-    return result;
 }
 
 } // namespace
 
-SlowFlow slow_flow(const Normalization& normalization, int order, int truncation, bool transients) {
+SlowFlow slow_flow(const Normalization& normalization, const SolveOptions& options) {
     check_modes(normalization.normal_form);
     const GradedField& field = *normalization.normal_form.field;
-    SlowFlow flow = Framing(normalization, truncation, transients).build();
+    SlowFlow flow = Framing(normalization, options).build();
+    check_projection(normalization, flow);
     const Outputs outputs(normalization);
+    const auto lasting = [&](FlowOutput output) {
+        for (int n = 0; n <= output.value.through(); ++n)
+            output.value.set(n, without_left_out(field, flow.modes, output.value.part(n)));
+        return output;
+    };
     for (const State& state : field.first_order->states) {
         const Role role = field.system().variables[state.variable].role;
         if (role == Role::angle) continue;
-        if (state.derivative == 0) {
-            flow.outputs.push_back(outputs.of(state, order));
-            if (!transients) flow.outputs.back().value = lasting(field, flow.outputs.back().value);
-        }
-        if (role != Role::slow) flow.state.push_back(outputs.of(state, truncation));
+        if (state.derivative == 0) flow.outputs.push_back(lasting(outputs.of(state, options.order)));
+        if (role == Role::slow && !flow.grows()) continue;
+        const FlowOutput whole = outputs.of(state, options.truncation);
+        flow.state.push_back(flow.grows() ? lasting(whole) : whole);
     }
     return flow;
 }

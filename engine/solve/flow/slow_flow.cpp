@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/flow/slow_flow.hpp"
 
+#include "model/signs/sign_prover.hpp"
+
 #include <algorithm>
 
 namespace resonform {
@@ -32,6 +34,15 @@ Series of_modulus(const GradedField& field, const Mode& mode, const Series& rate
 }
 
 } // namespace
+
+bool SlowFlow::grows() const {
+    return std::any_of(modes.begin(), modes.end(), [](const FlowMode& mode) { return mode.grows; });
+}
+
+bool SlowFlow::is_projected() const {
+    return std::any_of(modes.begin(), modes.end(),
+                       [](const FlowMode& mode) { return mode.grows && mode.is_left_out; });
+}
 
 bool SlowFlow::at_rest() const {
     const auto is_empty = [](const Series& rate) { return !lowest_weight(rate); };
@@ -75,6 +86,10 @@ Polynomial net_decay(const GradedField& field, const SlowFlow& flow, const Monom
             rate = rate + Rational(times) * flow.decays[*decay];
     }
     return rate;
+}
+
+bool grows(const GradedField& field, std::size_t k) {
+    return provably_positive(field.basis.modes[k].eigenvalue.re, field.system());
 }
 
 int degree_in(const GradedField& field, const Monomial& monomial, std::size_t k) {

@@ -11,7 +11,7 @@
 // Where no rate changes a modulus, N_j = i (omega_j + Theta_j(|z|^2)) z_j, the phases take all of it,
 // theta_j' = omega_j + Theta_j, and every a_j is a constant: then nothing is left to be solved.
 //
-// A mode that is damped at eps = 0 also decays within the frame,
+// A mode that is damped at eps = 0 also decays within the frame (and one with Re lambda_s > 0 grows),
 //
 //   z_s = eps^w a_s e^{chi_s + i theta_s},   chi_s' = Re lambda_s + ...,   theta_s' = Im lambda_s + ...
 //
@@ -33,8 +33,13 @@ namespace resonform {
 struct FlowMode {
     std::optional<std::size_t> phase; // theta_j: index into SlowFlow::phases; angles and complex modes
     std::optional<std::size_t> decay; // chi_j: index into SlowFlow::decays; damped modes
-    Series rate; // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
-    bool is_left_out = false; // a damped mode, by SolveOptions::transients: in no output
+    Series rate;        // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
+    bool grows = false; // at eps = 0, as its system declares
+    bool is_left_out = false; // a damped or growing mode, by SolveOptions: in no output and no rate
+    // -Re lambda of a damped mode, Re lambda of one that grows: > 0 as long as it does.
+    [[nodiscard]] Polynomial leading_rate(const Mode& mode) const {
+        return grows ? mode.growth : -mode.growth;
+    }
 };
 
 struct FlowOutput {
@@ -51,8 +56,14 @@ struct SlowFlow {
     std::vector<FlowMode> angles;    // one for each of GradedField::angles
     std::vector<Series> slow, drift; // their rates
     std::vector<FlowOutput> outputs; // every variable of the system but angles, cut at the order
-    std::vector<FlowOutput> state;   // every state but slow variables and angles, at the full weight
+    // Every state but slow variables and angles, at the full weight. Where a mode grows, with the slow
+    // variables and without the modes that are left out: the state on the manifold.
+    std::vector<FlowOutput> state;
 
+    // Some mode grows at eps = 0.
+    [[nodiscard]] bool grows() const;
+    // The start is moved along the fibres to where the mode that grows is 0.
+    [[nodiscard]] bool is_projected() const;
     // No mode, angle or slow variable has a rate within the frame.
     [[nodiscard]] bool at_rest() const;
 };
@@ -67,10 +78,13 @@ Polynomial net_decay(const GradedField& field, const SlowFlow& flow, const Monom
 // are not looked at.
 bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<std::size_t> k);
 
+// Whether a mode is known to grow at eps = 0, Re lambda > 0 as its system declares.
+bool grows(const GradedField& field, std::size_t k);
+
 // How often a mode and its conjugate occur in a monomial.
 int degree_in(const GradedField& field, const Monomial& monomial, std::size_t k);
 
-// Whether a monomial contains a mode that decays: soon nothing is left of it.
+// Whether a monomial contains a mode that decays (or grows): soon nothing is left of it (or of the rest).
 bool has_damped_mode(const GradedField& field, const Monomial& monomial);
 
 // p without its oscillating and decaying terms.

@@ -262,8 +262,12 @@ template <class Real> struct Interpreter<Real>::Impl {
         set_slow_time(walk, T);
         walk.set(program->time, t);
         Status precision = Status::ok;
-        for (std::size_t k = 0; k < decays.size(); ++k) // exponents come last
-            walk.set(program->phases[phases.size() + k].exponential, decays[k](t));
+        for (std::size_t k = 0; k < decays.size(); ++k) { // exponents come last
+            const ProgramPhase& phase = program->phases[phases.size() + k];
+            walk.set(phase.exponential, decays[k](t));
+            if (phase.growth >= 0 && !(walk[phase.exponential] * walk[phase.growth] <= Real(1)))
+                precision = Status::low_precision;
+        }
         for (std::size_t k = 0; k < phases.size(); ++k) {
             const ProgramPhase& phase = program->phases[k];
             Real cosine(0), sine(0);
@@ -325,6 +329,8 @@ template <class Real> struct Interpreter<Real>::Impl {
                 for (std::size_t k = 0; k < phases.size(); ++k)
                     if (!phases[k].precise() && program->phases[k].fades_with.empty() != fading)
                         return plan.phase_names[k].c_str();
+        if (status == Status::low_precision && !plan.growths.empty())
+            return plan.phase_names[plan.growths.front().phase].c_str();
         return interval.why(status, shared->conditions.c_str(), shared->results.c_str());
     }
 

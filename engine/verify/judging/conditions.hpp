@@ -38,6 +38,16 @@ struct Conditions {
     double layer_end = 0;
     std::vector<Rational> within_layer;
 
+    // Beside modes that grow: where the ladder stops at the smallest eps, what is said of times beyond, and
+    // the start that was moved onto the manifold without them, there.
+    std::optional<double> growth_end;
+    struct Moved {
+        std::string state;
+        double given, start;
+    };
+    std::vector<Moved> moved;
+    std::string beyond;
+
     std::optional<LadderEnd> ladder_end;
 };
 

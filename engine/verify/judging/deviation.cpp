@@ -21,11 +21,11 @@ using Errors = std::vector<std::vector<double>>;
 
 // error[k][i] for the points first ... last - 1.
 template <class Real>
-void fill(const Evaluator<Real>& evaluator, const Reference& reference, Errors& error, std::size_t first,
-          std::size_t last) {
+void fill(const Trial& trial, const Evaluator<Real>& evaluator, const Reference& reference, Errors& error,
+          std::size_t first, std::size_t last) {
     std::vector<Real> values(reference.values.size());
     for (std::size_t i = first; i < last; ++i) {
-        const bool ok = evaluator.call(static_cast<Real>(reference.times[i]), values.data()) == Status::ok;
+        const bool ok = trial.answers(evaluator.call(static_cast<Real>(reference.times[i]), values.data()));
         for (std::size_t k = 0; k < values.size(); ++k) {
             const Float128 direct = convert<Float128>(reference.values[k][i]);
             error[k][i] = ok ? static_cast<double>(Float128(values[k]) - direct)
@@ -36,14 +36,15 @@ void fill(const Evaluator<Real>& evaluator, const Reference& reference, Errors& 
 
 // The status, with its cause, at the first time without numbers; "" if all times have numbers.
 template <class Real>
-std::string first_refusal(const Evaluator<Real>& evaluator, const Reference& reference, const Errors& error) {
+std::string first_refusal(const Trial& trial, const Evaluator<Real>& evaluator, const Reference& reference,
+                          const Errors& error) {
     const auto refused =
         std::find_if(error.front().begin(), error.front().end(), [](double e) { return !std::isfinite(e); });
     if (refused == error.front().end()) return "";
     const double t = reference.times[static_cast<std::size_t>(refused - error.front().begin())];
     std::vector<Real> values(reference.values.size());
     const Status status = evaluator.call(static_cast<Real>(t), values.data());
-    if (status == Status::ok) return "";
+    if (trial.answers(status)) return "";
     return fmt::format("{} at t = {:.3g}", told(status, evaluator.why(status)), t);
 }
 
@@ -56,10 +57,10 @@ Errors errors_in(const Trial& trial, const TrialPoint& at, const Reference& refe
     std::vector<std::future<void>> work;
     for (std::size_t j = 0; j < threads; ++j)
         work.push_back(std::async(std::launch::async, [&, j] {
-            fill(evaluator, reference, error, points * j / threads, points * (j + 1) / threads);
+            fill(trial, evaluator, reference, error, points * j / threads, points * (j + 1) / threads);
         }));
     for (auto& w : work) w.get();
-    refusal = first_refusal(evaluator, reference, error);
+    refusal = first_refusal(trial, evaluator, reference, error);
     return error;
 }
 
@@ -84,7 +85,7 @@ std::vector<double> long_double_floor(const Trial& trial, const TrialPoint& at, 
     std::vector<double> floor(reference.values.size(), 0.0);
     for (std::size_t i = 0; i < points; i += step) {
         const double t = reference.times[i];
-        if (coarse.call(t, a.data()) != Status::ok || fine.call(t, b.data()) != Status::ok) continue;
+        if (!trial.answers(coarse.call(t, a.data())) || !trial.answers(fine.call(t, b.data()))) continue;
         for (std::size_t k = 0; k < floor.size(); ++k)
             floor[k] =
                 std::max(floor[k], sample_margin * std::abs(static_cast<double>(Float128(a[k]) - b[k])));

@@ -19,6 +19,7 @@ namespace resonform {
 
 namespace {
 
+constexpr int little_room = 70;         // powers of e: of squares and amplitudes
 constexpr std::size_t starts_only = 10; // times as many starts, of which the status at t = 0 is compared
 
 template <class Real> constexpr const char* type_name = "double";
@@ -171,6 +172,9 @@ private:
                 if (abs(value) > Wide(std::numeric_limits<Real>::max())) return true;
         if (!beside)
             beside = std::make_unique<SymbolicEvaluator>(symbolic_, asked.inputs, asked.inputs.slow_time_end);
+        if (status == Status::overflow) // a power of e may be, though no value is
+            for (const Wide& chi : beside->exponents(Wide(t)))
+                if (chi > log(Wide(std::numeric_limits<Real>::max())) - little_room) return true;
         if (status == Status::outside_interval && exact.status == Status::ok &&
             beside->loses_phase(Wide(t), asked.inputs.slow_time_end / asked.inputs.eps,
                                 phase_resolution<Real>(is_flow_)))

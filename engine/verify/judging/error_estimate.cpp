@@ -54,7 +54,7 @@ public:
     EstimateAt(const ErrorEstimator& estimator, const Scene& scene, const GradedField& field,
                const Rational& eps)
         : estimator_(estimator), rate_(largest_rate(field, scene, eps)), eps_(eps),
-          interval_(interval_length(scene, eps)), from_(layer_end(field, scene, eps)) {}
+          interval_(judged_interval(field, scene, eps)), from_(layer_end(field, scene, eps)) {}
 
     std::vector<EstimatedRung> estimated() const {
         const std::vector<double> times = crowded_times(interval_, estimate_points, rate_, from_).all;

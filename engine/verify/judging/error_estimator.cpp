@@ -112,9 +112,8 @@ void ErrorEstimator::compare_with(const Solution& richer, const Scene& fixed, co
         scene.outputs.push_back(outputs_[k].name);
         outputs_[k].next_order = richer.order;
     }
-    const int p = scene.time_scale.value_or(1);
     const auto of_order = [&](int order) {
-        return solve(richer.normalization, {order, richer.truncation, p, scene.transients});
+        return solve(richer.normalization, options_of(scene, order, richer.truncation));
     };
     Further further{moved, interpretation(of_order(order_), scene), nullptr};
     scene.oscillating = true;

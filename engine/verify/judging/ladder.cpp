@@ -5,6 +5,8 @@
 #include "algebra/number/number.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
+#include "solve/flow/slow_flow.hpp"
+#include "verify/judging/defect.hpp"
 #include "verify/judging/deviation.hpp"
 #include "verify/judging/start_scaling.hpp"
 #include "verify/judging/times.hpp"
@@ -27,6 +29,7 @@ namespace {
 // A default ladder that has not settled goes on with these, as long as a rung is affordable.
 constexpr std::array<int, 3> extensions{20'000, 50'000, 100'000}; // 1/eps
 constexpr double affordable_steps = 150'000;                      // seconds in double-double
+constexpr double grown_rounding = 1e-30;                          // of double-double, times e^3
 constexpr double longest_layer = 0.5;                             // of an interval that is looked at
 
 using Clock = std::chrono::steady_clock;
@@ -82,6 +85,19 @@ void add_estimates(const Scene& scene, const Solution& solution, const VerifyOpt
     for (OutputVerdict& output : outputs) weigh_estimate(output, estimates.at(output.name));
 }
 
+// A formula that leaves too large a defect is wrong, whatever a short ladder says of it.
+void weigh_defect(const OutputVerdict& defect, std::vector<OutputVerdict>& outputs) {
+    if (defect.verdict != Verdict::fail) return;
+    const bool is_output = std::any_of(outputs.begin(), outputs.end(),
+                                       [&](const OutputVerdict& o) { return o.name == defect.name; });
+    for (OutputVerdict& output : outputs) {
+        if ((is_output && output.name != defect.name) || output.verdict == Verdict::fail) continue;
+        output.verdict = Verdict::fail;
+        output.found_order.reset();
+        output.reason = fmt::format("the defect of the equation of {}: {}", defect.name, defect.reason);
+    }
+}
+
 double largest_value(std::span<const DoubleDouble> values) {
     double most = 0;
     for (const DoubleDouble& v : values) most = std::max(most, std::abs(to_double_value(v)));
@@ -106,7 +122,9 @@ LadderRung of_layer(LadderRung rung, const std::vector<double>& error,
 class Descent {
 public:
     Descent(const Trial& trial, const Scene& scene, const GradedField& field, Verification& result)
-        : trial_(trial), scene_(scene), field_(field), result_(result) {}
+        : trial_(trial), scene_(scene), field_(field), result_(result) {
+        for (std::size_t k = 0; k < field.modes.size(); ++k) growing_ = growing_ || grows(field, k);
+    }
 
     // Plans all rungs before any is integrated; the first that takes too many steps ends the ladder.
     void along(const std::vector<Rational>& ladder) {
@@ -117,7 +135,7 @@ public:
                     eps, fmt::format("the interval is longer than {:g} there", longest_interval)};
                 break;
             }
-            if (layer_end(field_, scene_, eps) > longest_layer * interval_length(scene_, eps)) {
+            if (layer_end(field_, scene_, eps) > longest_layer * judged_interval(field_, scene_, eps)) {
                 result_.conditions.within_layer.push_back(eps);
                 continue;
             }
@@ -132,6 +150,7 @@ public:
         }
         for (const Rung& rung : rungs) add(rung);
         for (OutputVerdict& output : result_.outputs) judge(output);
+        for (OutputVerdict& defect : result_.defects) judge(defect);
     }
 
     // A default ladder that has not settled goes on.
@@ -181,11 +200,35 @@ private:
             rung.floor = found.floor[k];
             rung.refusal = found.refusal;
             rung.scale = largest_value(reference.values[k]);
+            if (growing_) // rounding has grown, too
+                rung.reference_error = std::max(rung.reference_error, grown_rounding * rung.scale);
             if (layer > 0)
                 output.layer.push_back(of_layer(rung, found.error[k], reference.values[k], within));
             output.ladder.push_back(std::move(rung));
         }
+        if (growing_) add_defect(plan, rate);
         steps_of_last_ = *plan.steps;
+    }
+
+    // Beside modes that grow.
+    void add_defect(const Rung& plan, double rate) {
+        Conditions& conditions = result_.conditions;
+        conditions.growth_end = plan.at.interval;
+        conditions.moved = trial_.moved(plan.at);
+        const std::string none = why_no_defect(*scene_.system);
+        const bool on_manifold = scene_.growing == Growing::project || !scene_.transients;
+        if (on_manifold) conditions.beyond = none.empty() ? "beyond, the defect judges the formula" : none;
+        if (!none.empty()) return;
+        for (const EquationDefect& equation :
+             defect_of(trial_, on_manifold ? trial_.whole(plan.at.eps) : plan.at, rate)) {
+            const auto known =
+                std::find_if(result_.defects.begin(), result_.defects.end(),
+                             [&](const OutputVerdict& d) { return d.name == equation.variable; });
+            OutputVerdict& defect = known == result_.defects.end() ? result_.defects.emplace_back() : *known;
+            defect.name = equation.variable;
+            defect.claimed_order = scene_.order + 1;
+            defect.ladder.push_back(equation.rung);
+        }
     }
 
     void note(const SampleTimes& times, double length, double rate) {
@@ -202,6 +245,7 @@ private:
     const Scene& scene_;
     const GradedField& field_;
     Verification& result_;
+    bool growing_ = false;
     std::size_t steps_of_last_ = 0;
 };
 
@@ -227,6 +271,7 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     descent.along(scene.verify.eps);
     if (!scene.verify.eps_given) descent.further();
     for (OutputVerdict& output : result.outputs) weigh(output, guaranteed.at(output.name));
+    for (const OutputVerdict& defect : result.defects) weigh_defect(defect, result.outputs);
     add_estimates(scene, solution, options, result.outputs);
     result.emitted = emitted_check(scene, solution, options);
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())

@@ -21,7 +21,8 @@ struct Verification {
     Conditions conditions;
     std::vector<OutputVerdict> outputs;
     EmittedCheck emitted;
-    [[nodiscard]] bool as_expected() const; // every verdict equals the expected one, and emitted = symbolic
+    std::vector<OutputVerdict> defects = {}; // beside modes that grow: of the equations, by their variables
+    [[nodiscard]] bool as_expected() const;  // every verdict equals the expected one, and emitted = symbolic
 };
 
 // Everything `resonform verify` prints.

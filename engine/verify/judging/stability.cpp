@@ -145,7 +145,7 @@ private:
         if (status == Status::bad_argument) return false;
         if (exact.status != Status::ok || is_beyond_double(exact)) return true;
         if (status == Status::outside_interval && from.loses_phase(t)) return true;
-        if (status == Status::low_precision && from.has_large_phase(t)) return true;
+        if (status == Status::low_precision && (from.has_large_phase(t) || from.has_grown(t))) return true;
         return std::isinf(from.unavoidable(t, largest_).front());
     }
 

@@ -76,6 +76,11 @@ bool StabilityReference::From::has_large_phase(double t) const {
                        [](const Wide& phase) { return abs(phase) * 16 * last_bit > Wide(1e-9); });
 }
 
+bool StabilityReference::From::has_grown(double t) const {
+    const std::vector<Wide> chi = exact_.exponents(Wide(t));
+    return std::any_of(chi.begin(), chi.end(), [](const Wide& exponent) { return exponent > 0; });
+}
+
 bool StabilityReference::From::loses_phase(double t) const {
     const Wide end = std::min(inputs_.slow_time_end, exact_.tabulated()) / inputs_.eps;
     return exact_.loses_phase(Wide(t), end, phase_resolution<double>(reference_.is_flow_));

@@ -28,6 +28,8 @@ public:
         [[nodiscard]] const SymbolicPoint& at(double t);
         // 16 ulp of a phase at t are more than the 10^-9 radians that evaluators answer for.
         [[nodiscard]] bool has_large_phase(double t) const;
+        // Some mode has grown, and what is neglected with it.
+        [[nodiscard]] bool has_grown(double t) const;
         // Emitted code in double has no phase at t, or ends within this eighth of the interval.
         [[nodiscard]] bool loses_phase(double t) const;
         // The change of each output at t, in ulp of `scales`, when every input but t changes by its last bit

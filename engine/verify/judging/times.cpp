@@ -2,7 +2,9 @@
 #include "verify/judging/times.hpp"
 
 #include "algebra/number/number.hpp"
+#include "model/files/interval_length.hpp"
 #include "model/text/regular.hpp"
+#include "solve/flow/slow_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +16,7 @@ namespace {
 constexpr double of_fastest_rate = 1e-3, of_interval = 1e-9;
 constexpr double of_allowed_error = 1e-3; // what may be left of a transient
 constexpr double powers_of_layer = 20;    // of e
+constexpr double powers_of_growth = 3;
 
 // The size of an expression where the motion starts; 0: it is no number there, such as at a singularity of
 // the frequency.
@@ -47,9 +50,15 @@ double longest_decay(const GradedField& field, const Scene& scene, const Rationa
     const SizeAtStart size(field, scene, eps);
     double longest = 0;
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (field.modes[k].is_damped())
+        if (field.modes[k].is_damped() && !grows(field, k))
             longest = std::max(longest, 1 / size(field.basis.modes[k].eigenvalue.re));
     return longest;
+}
+
+bool any_grows(const GradedField& field) {
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (grows(field, k)) return true;
+    return false;
 }
 
 } // namespace
@@ -99,9 +108,18 @@ double layer_length(const GradedField& field, const Scene& scene, const Rational
 }
 
 double layer_end(const GradedField& field, const Scene& scene, const Rational& eps) {
-    if (scene.transients) return 0;
+    if (scene.transients || any_grows(field)) return 0;
     const double powers = -std::log(of_allowed_error) - (scene.order + 1) * std::log(to_double(eps));
     return powers * longest_decay(field, scene, eps);
+}
+
+double judged_interval(const GradedField& field, const Scene& scene, const Rational& eps) {
+    const SizeAtStart size(field, scene, eps);
+    double interval = interval_length(scene, eps);
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (grows(field, k))
+            interval = std::min(interval, powers_of_growth / size(field.basis.modes[k].eigenvalue.re));
+    return interval;
 }
 
 } // namespace resonform

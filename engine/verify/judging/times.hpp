@@ -33,7 +33,12 @@ double largest_rate(const GradedField& field, const Scene& scene, const Rational
 double layer_length(const GradedField& field, const Scene& scene, const Rational& eps);
 
 // Where a solution without transients may be judged: there the slowest of them, from amplitudes of order 1
-// with its rate at the start, has become 10^-3 eps^{N+1}. 0: nothing is left out.
+// with its rate at the start, has become 10^-3 eps^{N+1}. 0: nothing is left out, or, beside modes that grow,
+// the integration starts on the manifold.
 double layer_end(const GradedField& field, const Scene& scene, const Rational& eps);
+
+// The interval of the scene; beside modes that grow only up to where the fastest has grown by e^3, with its
+// rate at the start: whatever is neglected grows likewise, and direct integration judges nothing beyond.
+double judged_interval(const GradedField& field, const Scene& scene, const Rational& eps);
 
 } // namespace resonform

@@ -10,6 +10,7 @@
 #include "verify/integrate/integrate.hpp"
 #include "verify/integrate/tape.hpp"
 #include "verify/judging/conditions.hpp"
+#include "verify/judging/times.hpp"
 #include "verify/run/cache.hpp"
 #include "verify/run/real.hpp"
 
@@ -76,6 +77,9 @@ bool unpack(const std::string& bytes, std::size_t outputs, std::size_t points, R
     return true;
 }
 
+// A little beyond, so that rounding does not put the last time outside the evaluator's tables.
+Float128 end_of(const TrialPoint& at) { return at.eps_value * Float128(at.interval) * Float128(1 + 0x1p-40); }
+
 Place place_of_interval(const Scene& scene) {
     if (scene.verify.interval_source) return place_of(*scene.verify.interval_source);
     return {scene.file.string(), 0, 0, "verify.interval", ""};
@@ -101,7 +105,9 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
       program_(std::make_shared<const Program>(build_program(solution, scene, {true, true}))),
       tape_(Tape::rates(*system_)), start_tape_(Tape::constants(*system_->system, {scene.verify.interval})),
       parameters_(required_values(scene)), domain_(*system_, scene),
-      interval_place_(place_of_interval(scene)) {
+      interval_place_(place_of_interval(scene)), field_(solution.normalization->normal_form.field),
+      projects_(solution.flow && solution.flow->is_projected()),
+      grows_(solution.flow && solution.flow->grows()) {
     for (const Rational& eps : scene.verify.eps) domain_.require(eps);
     std::vector<GiNaC::ex> expressions{scene.verify.interval};
     for (std::size_t i = 0; i < system_->states.size(); ++i) {
@@ -139,15 +145,38 @@ TrialPoint Trial::point(const Rational& eps) const {
     (void)bounded_interval_length(scene_, eps);
     const std::vector<Float128> given = evaluate_constants(start_tape_, at.parameters, at.eps_value);
     at.interval = to_double_value(given[0]);
-    at.slow_time_end = at.eps_value * Float128(at.interval) * Float128(1 + 0x1p-40);
+    at.interval = std::min(at.interval, judged_interval(*field_, scene_, eps));
+    at.slow_time_end = end_of(at);
     at.start.assign(system_->states.size(), Float128(0));
 
     const std::vector<Float128> state = state_at_start(at);
     for (std::size_t k = 0; k < state.size(); ++k)
         at.start[static_cast<std::size_t>(&system_->state(program_->state[k].name) -
                                           system_->states.data())] = state[k];
-    for (std::size_t k = 0; k < given_.size(); ++k) at.start[given_[k]] = given[k + 1];
+    for (std::size_t k = 0; k < given_.size(); ++k)
+        if (!comes_from_formula(system_->states[given_[k]])) at.start[given_[k]] = given[k + 1];
     return at;
+}
+
+TrialPoint Trial::whole(const Rational& eps) const {
+    TrialPoint at = point(eps);
+    at.interval = interval_length(scene_, eps);
+    at.slow_time_end = end_of(at);
+    return at;
+}
+
+// On the manifold onto which a start is projected every variable has its place, slow ones among them.
+bool Trial::comes_from_formula(const State& state) const {
+    return projects_ && system_->system->variables[state.variable].role != Role::angle;
+}
+
+std::vector<Conditions::Moved> Trial::moved(const TrialPoint& at) const {
+    std::vector<Conditions::Moved> list;
+    const std::vector<Float128> given = evaluate_constants(start_tape_, at.parameters, at.eps_value);
+    for (std::size_t k = 0; k < given_.size(); ++k)
+        if (const State& state = system_->states[given_[k]]; comes_from_formula(state))
+            list.push_back({state.name, to_double_value(given[k + 1]), to_double_value(at.start[given_[k]])});
+    return list;
 }
 
 // The state at the start by the formula, for start values that the scene does not give.
@@ -157,7 +186,7 @@ std::vector<Float128> Trial::state_at_start(const TrialPoint& at) const {
     TrialPoint beginning = at; // tables of the whole interval may be costly, and t = 0 needs none
     beginning.slow_time_end = std::min(at.slow_time_end, at.eps_value);
     const Evaluator<Float128> formula = evaluator<Float128>(beginning);
-    if (const Status status = formula.state(Float128(0), state.data()); status != Status::ok)
+    if (const Status status = formula.state(Float128(0), state.data()); !answers(status))
         refuse(Reason::integration,
                {"the formula answers at t = 0",
                 fmt::format("{} at eps = {}", told(status, formula.why(status)), to_string(at.eps)),

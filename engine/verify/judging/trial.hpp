@@ -5,6 +5,7 @@
 
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/integrate/integrate.hpp"
+#include "verify/judging/conditions.hpp"
 #include "verify/judging/domain.hpp"
 #include "verify/judging/options.hpp"
 
@@ -45,12 +46,23 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const Program>& program() const { return program_; }
     [[nodiscard]] const Tape& tape() const { return tape_; }
+    [[nodiscard]] const FirstOrderSystem& system() const { return *system_; }
     [[nodiscard]] const std::vector<std::size_t>& output_states() const { return output_states_; }
 
     // The start is the formula itself at t = 0, all weights of the map kept; where the scene gives
-    // physical start values, it is those. Errors: refused, the evaluator answers no start; those of
-    // bounded_interval_length.
+    // physical start values and they are not projected, it is those. The interval is the judged one
+    // (times.hpp). Errors: refused, the evaluator answers no start; those of bounded_interval_length.
     [[nodiscard]] TrialPoint point(const Rational& eps) const;
+    // The same with the whole interval of the scene.
+    [[nodiscard]] TrialPoint whole(const Rational& eps) const;
+    // Given start values that a projection replaces, with the formula's.
+    [[nodiscard]] std::vector<Conditions::Moved> moved(const TrialPoint& at) const;
+
+    // Whether a status comes with numbers to judge: beside modes that grow low_precision does, as they end
+    // soon.
+    [[nodiscard]] bool answers(Status status) const {
+        return status == Status::ok || (grows_ && status == Status::low_precision);
+    }
 
     // How many steps a run in double takes, about six in each period of the fastest motion, or what stands
     // for them where implicit steps are taken; nullopt: more than `most`, and the implicit ones are too many,
@@ -76,6 +88,7 @@ private:
     // All states; fine: the reference itself, or the run that is compared with it.
     [[nodiscard]] Integration<DoubleDouble> integrated(const TrialPoint& at, const std::vector<double>& times,
                                                        bool implicit, bool fine) const;
+    [[nodiscard]] bool comes_from_formula(const State& state) const;
     [[nodiscard]] std::vector<Float128> state_at_start(const TrialPoint& at) const;
     [[nodiscard]] std::string without(const Rational& eps) const;
     [[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure) const;
@@ -92,6 +105,8 @@ private:
     std::vector<Float128> parameters_;
     DeclaredDomain domain_;
     Place interval_place_;
+    std::shared_ptr<const GradedField> field_;
+    bool projects_, grows_;
     std::vector<std::size_t> given_; // states with a given start value
     std::vector<std::size_t> output_states_;
 };

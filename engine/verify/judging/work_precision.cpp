@@ -333,10 +333,8 @@ Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& 
     for (const ProgramOutput& output : trial.program()->outputs) result.outputs.push_back(output.name);
     std::vector<Emitted> codes;
     for (int order = 1; order <= scene.order; ++order)
-        codes.emplace_back(scene,
-                           solve(solution.normalization, {order, solution.truncation,
-                                                          scene.time_scale.value_or(1), scene.transients}),
-                           options);
+        codes.emplace_back(
+            scene, solve(solution.normalization, options_of(scene, order, solution.truncation)), options);
     for (const Rational& eps : options.eps) {
         const double from = layer_end(*solution.normalization->normal_form.field, scene, eps);
         if (from > interval_length(scene, eps))

@@ -35,6 +35,9 @@ void add(Json& json, const Conditions& c) {
     for (const auto& [name, text] : c.start) json["start"][name] = text;
     json["within_layer"] = Json::array();
     for (const Rational& eps : c.within_layer) json["within_layer"].push_back(to_double(eps));
+    if (c.growth_end) json["times"]["growth_end"] = *c.growth_end;
+    for (const Conditions::Moved& moved : c.moved)
+        json["projected"][moved.state] = {{"given", moved.given}, {"start", moved.start}};
     json["ladder_end"] =
         c.ladder_end ? Json{{"eps", to_double(c.ladder_end->eps)}, {"reason", c.ladder_end->reason}} : Json();
 }
@@ -74,6 +77,16 @@ Json of(const OutputVerdict& o) {
     for (const LadderRung& r : o.layer) out["layer"].push_back(of(r));
     if (o.estimate) out["error_estimate"] = estimate_of(o);
     return out;
+}
+
+// Beside the ladder of the output whose equation it is.
+void add_defects(Json& outputs, const std::vector<OutputVerdict>& defects) {
+    for (Json& output : outputs)
+        for (const OutputVerdict& defect : defects) {
+            if (output["name"] != defect.name) continue;
+            for (const LadderRung& r : defect.ladder) output["defect"].push_back(of(r));
+            output["defect_slope"] = json_number(defect.slope);
+        }
 }
 
 Json of(const ComparisonRow& r) {
@@ -144,6 +157,7 @@ Json to_json(const Verification& v) {
     for (const OutputVerdict& o : v.outputs) outputs.push_back(of(o));
     Json json{{"schema", "resonform.verification/1"}, {"system", v.system}, {"scene", v.scene}};
     add(json, v.conditions);
+    add_defects(outputs, v.defects);
     json["outputs"] = std::move(outputs);
     json["emitted_against_symbolic_ulp"] = json_number(v.emitted.worst());
     json["emitted_equals_symbolic"] = of(v.emitted);

@@ -55,6 +55,14 @@ std::string estimate_line(const OutputVerdict& o) {
     return line + (e.reason.empty() ? "\n" : ": " + e.reason + "\n");
 }
 
+// "  defect of x: max|x'' - f| 2.1e-10 at eps = 0.01, slope 5.001"
+std::string defect_line(const OutputVerdict& d) {
+    std::string line = fmt::format("  defect of {}, the formula put into its equation: {:.2e} at eps = {:g}",
+                                   d.name, d.ladder.back().max_error, to_double(d.ladder.back().eps));
+    if (std::isfinite(d.slope)) line += fmt::format(", slope {:.3f}", d.slope);
+    return line + (d.reason.empty() ? "\n" : ": " + d.reason + "\n");
+}
+
 // The slope above rung i; nothing where an error is zero or no number.
 std::string slope_text(const OutputVerdict& o, std::size_t i) {
     if (i == 0 || !std::isfinite(o.local_slopes[i - 1])) return "";
@@ -97,6 +105,8 @@ std::string conditions_text(const Verification& v) {
     const std::string from =
         c.layer_end > 0 ? fmt::format("{:.3g} (the layer, at the smallest eps)", c.layer_end) : "0";
     std::string text = fmt::format("  on {} <= t <= {}", from, c.interval);
+    if (c.growth_end)
+        text += fmt::format(", but not beyond t = {:.3g} beside a mode that grows", *c.growth_end);
     if (c.count > 0) {
         const std::vector<LadderRung>& ladder = v.outputs.front().ladder;
         text += fmt::format(", eps = {:g} ... {:g}; {} times at the smallest, half of them even",
@@ -109,6 +119,10 @@ std::string conditions_text(const Verification& v) {
     std::vector<std::string> start;
     for (const auto& [name, value] : c.start) start.push_back(fmt::format("{} = {}", name, value));
     if (!start.empty()) text += fmt::format("\n  start: {}", fmt::join(start, ", "));
+    if (c.growth_end && !c.beyond.empty()) text += "\n  " + c.beyond;
+    for (const Conditions::Moved& moved : c.moved)
+        text += fmt::format("\n  projected at the smallest eps: {}(0) = {:g}, {:+.3e}", moved.state,
+                            moved.given, moved.start - moved.given);
     if (!c.within_layer.empty()) {
         std::vector<double> eps;
         for (const Rational& e : c.within_layer) eps.push_back(to_double(e));
@@ -127,6 +141,7 @@ std::string to_text(const Verification& v) {
     text += unanswered(v);
     text += conditions_text(v);
     for (const OutputVerdict& o : v.outputs) text += verdict_line(o, v.conditions);
+    for (const OutputVerdict& d : v.defects) text += defect_line(d);
     for (const OutputVerdict& o : v.outputs) text += estimate_line(o);
     return text + to_text(v.emitted);
 }

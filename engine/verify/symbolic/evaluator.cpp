@@ -255,13 +255,13 @@ struct SymbolicEvaluator::Impl {
         }
     }
 
-    [[nodiscard]] std::vector<Wide> phases(const Wide& t) const {
+    [[nodiscard]] std::vector<Wide> all_of(Of kind, const Wide& t) const {
         Moment at(frame);
         integral->move_to(inputs.eps * t, at);
-        std::vector<Wide> theta;
+        std::vector<Wide> all;
         for (std::size_t k = 0; k < variables().size(); ++k)
-            if (variables()[k].kind == Of::phase) theta.push_back(at.now[k].re);
-        return theta;
+            if (variables()[k].kind == kind) all.push_back(at.now[k].re);
+        return all;
     }
 
     void hold(const std::vector<Wide>& theta, Moment& at) const {
@@ -364,7 +364,8 @@ SymbolicEvaluator::~SymbolicEvaluator() = default;
 SymbolicEvaluator::SymbolicEvaluator(SymbolicEvaluator&&) noexcept = default;
 
 SymbolicPoint SymbolicEvaluator::operator()(const Wide& t) const { return impl_->call(t, nullptr); }
-std::vector<Wide> SymbolicEvaluator::phases(const Wide& t) const { return impl_->phases(t); }
+std::vector<Wide> SymbolicEvaluator::phases(const Wide& t) const { return impl_->all_of(Of::phase, t); }
+std::vector<Wide> SymbolicEvaluator::exponents(const Wide& t) const { return impl_->all_of(Of::exponent, t); }
 SymbolicPoint SymbolicEvaluator::with_phases(const Wide& t, const std::vector<Wide>& theta) const {
     return impl_->call(t, &theta);
 }

@@ -33,7 +33,8 @@ public:
     SymbolicEvaluator(SymbolicEvaluator&&) noexcept;
 
     [[nodiscard]] SymbolicPoint operator()(const Wide& t) const;
-    // The phases theta at t, and the outputs with given phases in their place.
+    // The exponents chi and the phases theta at t, and the outputs with given phases in their place.
+    [[nodiscard]] std::vector<Wide> exponents(const Wide& t) const;
     [[nodiscard]] std::vector<Wide> phases(const Wide& t) const;
     [[nodiscard]] SymbolicPoint with_phases(const Wide& t, const std::vector<Wide>& theta) const;
     // Before `end`, within an eighth of it behind t, a phase is so large that arithmetic of this resolution

@@ -40,14 +40,8 @@ bool SymbolicMargins::empty() const { return solution().layers().empty() && corr
 
 std::vector<Wide> SymbolicMargins::at(const SymbolicValues<Wide>& values) const {
     Numbers result;
-    for (const SymbolicLayer& layer : solution().layers()) {
-        const WideComplex divisor = value_of(layer.divisor, values), rate = value_of(layer.rate, values);
-        const Wide square = divisor.re * divisor.re + divisor.im * divisor.im;
-        for (const Wide& part : {rate.re, rate.im}) {
-            result.push_back(square + part);
-            result.push_back(square - part);
-        }
-    }
+    for (const SymbolicLayer& layer : solution().layers())
+        for (const Wide& margin : layer.margins(values)) result.push_back(margin);
     for (const SymbolicCorrection* added : corrections_) result.push_back(of(*added, values));
     return result;
 }

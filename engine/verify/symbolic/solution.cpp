@@ -230,8 +230,10 @@ void SymbolicSolution::read_flow() {
         outputs_.push_back({name, fixed.written_out(p), std::nullopt});
         if (output.drift) outputs_.back().drift = drifts + *output.drift;
     }
-    for (const Mode& mode : field.modes)
-        if (mode.is_damped()) conditions_.push_back({SymbolicCondition::Kind::radicand, fixed(-mode.growth)});
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (const Mode& mode = field.modes[k]; mode.is_damped())
+            conditions_.push_back(
+                {SymbolicCondition::Kind::radicand, fixed(flow.modes[k].leading_rate(mode))});
     for (const SymbolicRing::Root& root : ring_->roots())
         if (root.divisor) conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
     add_layers([](const Polynomial& p) { return p; });
@@ -329,7 +331,7 @@ std::vector<Float128> SymbolicSolution::declared_at(const std::vector<Wide>& slo
 }
 
 std::string SymbolicSolution::text() const {
-    std::string text = "symbolic 4\n";
+    std::string text = "symbolic 5\n";
     for (const SymbolicRing::Root& root : ring_->roots())
         text += fmt::format("root {} {} {} {}", root.id, root.index,
                             root.function ? std::string(row_of(*root.function).name) : "",

@@ -62,10 +62,6 @@ struct SymbolicCondition { // > 0
     std::size_t index = 0;
 };
 
-struct SymbolicLayer {
-    SymbolicSum divisor, rate;
-};
-
 struct SymbolicCorrection { // of the map, > 0 while it is small
     FirstCorrection correction;
     std::vector<SymbolicSum> polynomials; // of the correction

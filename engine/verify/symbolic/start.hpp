@@ -8,10 +8,22 @@
 #include "solve/solution.hpp"
 #include "verify/symbolic/ring.hpp"
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace resonform {
+
+// A divisor that moves: |D|^2 -+ both parts of its rate must be > 0 (emit/program/layers.hpp).
+struct SymbolicLayer {
+    SymbolicSum divisor, rate;
+
+    [[nodiscard]] std::array<Wide, 4> margins(const SymbolicValues<Wide>& values) const {
+        const WideComplex d = value_of(divisor, values), change = value_of(rate, values);
+        const Wide square = d.re * d.re + d.im * d.im;
+        return {square + change.re, square - change.re, square + change.im, square - change.im};
+    }
+};
 
 struct SymbolicStart {
     Status status = Status::ok;

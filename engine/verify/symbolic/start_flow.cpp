@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/program/flow_start.hpp"
+#include "emit/program/layers.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 #include "verify/symbolic/map.hpp"
 #include "verify/symbolic/start.hpp"
@@ -20,6 +21,8 @@ public:
         for (const std::size_t s : field_.basis.states)
             if (scene.start_of(name(field_.first_order->states[s].variable)) != nullptr) physical_ = true;
         physical_ = physical_ || field_.basis.states.empty();
+        for (const MovingDivisor& moving : moving_divisors_at_start(normalization))
+            layers_.push_back({ring_.fixed()(moving.divisor), ring_.fixed()(moving.rate)});
         for (const DriftVariable& drift : field_.drift)
             physical_drift_.push_back(scene.start_of(drift.name) != nullptr);
         if (!physical_) return;
@@ -78,6 +81,9 @@ private:
             }
         }
         put(now);
+        for (const SymbolicLayer& layer : layers_)
+            for (const Wide& margin : layer.margins(values))
+                if (!(margin > 0)) start.status = Status::outside_domain;
         start.modes = now.modes;
         for (std::size_t k = 0; k < now.modes.size(); ++k)
             start.mode_spreads.push_back(physical_ ? spread(k, now.modes[k], inputs, values) : Wide(1));
@@ -159,6 +165,7 @@ private:
     const SymbolicRing& ring_;
     bool physical_ = false, inverts_ = false;
     std::vector<bool> physical_drift_;
+    std::vector<SymbolicLayer> layers_; // of transients
     SymbolicMap map_;
     SymbolicMap::Shifts inverse_;
     std::vector<std::vector<SymbolicSum>> rows_;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests that write a system and a scene of their own.
+#pragma once
+
+#include "model/files/read_scene.hpp"
+#include "scene_line.hpp"
+#include "support/shell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace resonform::test {
+
+class WrittenSystem {
+protected:
+    // system: behind its name; scene: the whole file.
+    Scene written(const std::string& system, const std::string& scene) {
+        write(systems_ / "s/system.toml", "[system]\nname = \"s\"\n" + system);
+        write(systems_ / "s/scenes/s.toml", scene);
+        return read_scene(systems_ / "s/scenes/s.toml", systems_);
+    }
+
+private:
+    Scratch scratch_;
+    std::filesystem::path systems_ = scratch_.path() / "systems";
+};
+
+class OwnSystem : public testing::Test, protected WrittenSystem {
+protected:
+    static void expect_pass(const Scene& scene) {
+        const Verification v = verified(line_of(scene));
+        for (const auto& output : v.outputs) EXPECT_EQ(output.verdict, Verdict::pass) << output.reason;
+        EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
+    }
+};
+
+} // namespace resonform::test
