@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform sweep SCENE --over NAME=LO:HI:N ... --output F.npy: a scene over a grid or a sample of its
 // arguments, in blocks that outlive a kill.
+#include "algebra/number/error.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/limits.hpp"
@@ -8,12 +9,14 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/sweep_request.hpp"
+#include "cli/sweep_team.hpp"
 #include "cli/watch.hpp"
 #include "emit/cpp/cpp.hpp"
 #include "emit/program/build_program.hpp"
 #include "verify/run/cache.hpp"
 #include "verify/sweep/arguments.hpp"
 #include "verify/sweep/compute.hpp"
+#include "verify/sweep/map.hpp"
 #include "verify/sweep/result.hpp"
 #include "verify/sweep/size.hpp"
 #include "verify/sweep/subject.hpp"
@@ -23,7 +26,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
+#include <string_view>
+#include <thread>
 #include <utility>
 
 namespace resonform {
@@ -65,9 +71,9 @@ std::string told(const Sweep& sweep, const SweepTotals& totals, bool written) {
 
 // F.npy or F.csv if all blocks are there; F.json, and what is printed, in any case.
 SweepTotals finish(const Sweep& sweep, const SweepFolder& folder, bool whole, const std::string& format) {
-    const SweepTotals totals =
-        whole ? write_result(sweep.files.output, folder, sweep.subject, sweep.grid, sweep.size)
-              : read_blocks(folder, sweep.size, [](std::uint64_t, const SweepBlock&) {});
+    SweepTotals totals = whole
+                             ? write_result(sweep.files.output, folder, sweep.subject, sweep.grid, sweep.size)
+                             : read_blocks(folder, sweep.size, [](std::uint64_t, const SweepBlock&) {});
     const std::string document =
         document_text(sweep_json(sweep.description, sweep.subject, sweep.grid, totals));
     write_file(sweep.files.json, document);
@@ -133,7 +139,30 @@ ComputePoints computation(const SweepRequest& request, const Derived& derived, c
     });
 }
 
-int run_sweep(const SweepRequest& request) {
+// resonform links no MPI: each rank would compute all of it.
+void refuse_mpirun() {
+    const char* ranks =
+        std::getenv("OMPI_COMM_WORLD_SIZE"); // NOLINT(concurrency-mt-unsafe): nobody sets it here
+    if (ranks == nullptr || std::string_view(ranks) == "1") return;
+    bad_input(Reason::command_line, {"a sweep by the ranks of mpirun needs the program that is made for it",
+                                     fmt::format("resonform on {} ranks", ranks),
+                                     "write mpirun -n 4 resonform_mpi sweep ...",
+                                     {}});
+}
+
+// What std::thread says may be 0.
+std::uint64_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+// Every rank has the blocks of a shard of its own.
+SweepShare share_of(SweepShare share, const SweepTeam& team) {
+    share.part += share.parts * team.rank;
+    share.parts *= team.size;
+    if (share.jobs == 0) share.jobs = team.of_mpi ? 1 : cores();
+    if (!team.leads()) share.progress = nullptr;
+    return share;
+}
+
+int run_sweep(const SweepRequest& request, const SweepTeam& team) {
     SweepGrid grid = of_argument("--over", [&] { return SweepGrid(request.over, request.sample); });
     const Home home = find_home();
     Scene scene = read_scene_of(request.scene, home);
@@ -144,14 +173,23 @@ int run_sweep(const SweepRequest& request) {
     });
     require_place_for(request.files.output);
     require_place_for(request.files.json);
+    if (!request.map.empty() && team.leads()) {
+        of_argument("--map", [&] { require_map(grid); });
+        require_place_for(request.map);
+    }
     const Derived derived = derive(request, std::move(scene), grid);
     const Sweep sweep =
         sweep_of(request.files, subject_asked(request, derived.line, *derived.program), std::move(grid));
     const CacheFolder cache(home);
     const ComputePoints compute = computation(request, derived, sweep.grid, cache);
     const SweepFolder folder(sweep.files.parts, sweep.description);
-    compute_blocks(folder, sweep.size, compute, request.share);
-    finish(sweep, folder, request.share.parts == 1, request.format);
+    team.prepared();
+    const bool whole = request.share.parts == 1;
+    compute_blocks(folder, sweep.size, compute, share_of(request.share, team));
+    if (const int code = team.computed(); code != done || !team.leads()) return code;
+    if (whole && !request.map.empty())
+        write_file(request.map, sweep_map(folder, sweep.subject, sweep.grid, sweep.size, cache.path()));
+    finish(sweep, folder, whole, request.format);
     return done;
 }
 
@@ -176,13 +214,16 @@ int run_gather(const SweepRequest& request) {
 
 } // namespace
 
-void add_sweep(CLI::App& app, Action& action) {
+void add_sweep_of(CLI::App& app, Action& action, const SweepTeam& team) {
     CLI::App* command = app.add_subcommand("sweep", "the outputs of a scene over a grid of its arguments");
     const SweepOptions options(*command);
     on_choice(*command, action, [=] {
+        if (!team.of_mpi) refuse_mpirun();
         const SweepRequest request = options.value();
-        return request.scene.empty() ? run_gather(request) : run_sweep(request);
+        return request.scene.empty() ? run_gather(request) : run_sweep(request, team);
     });
 }
+
+void add_sweep(CLI::App& app, Action& action) { add_sweep_of(app, action, SweepTeam()); }
 
 } // namespace resonform

@@ -12,7 +12,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 namespace resonform {
 
@@ -29,9 +28,6 @@ SweepFiles files_of(const fs::path& stem, const fs::path& output) {
     const auto beside = [&](const char* suffix) { return fs::path(stem) += suffix; };
     return {stem, output, beside(".json"), beside(".parts")};
 }
-
-// What std::thread says may be 0.
-std::uint64_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 } // namespace
 
@@ -54,7 +50,9 @@ SweepOptions::SweepOptions(CLI::App& command)
                       "times, separated by commas; default: the end of the scene's interval")),
       output_(add_output(command, "--output", "FILE",
                          "F.npy or F.csv; F.json and the blocks, F.parts/, stand beside it")),
-      jobs_(add_text(command, "--jobs", "NUMBER", "threads; default: one for each processor")),
+      map_(add_output(command, "--map", "FILE", "F.svg: the first output over one or two axes, by gnuplot")),
+      jobs_(add_text(command, "--jobs", "NUMBER",
+                     "threads; default: one for each processor, of resonform_mpi one")),
       shard_(add_text(command, "--shard", "I/N",
                       "compute only every N-th block, from the I-th on, and gather nothing")),
       gather_(add_output(command, "--gather", "F",
@@ -106,7 +104,7 @@ double SweepOptions::tolerance(SweepKind what) const {
 SweepShare SweepOptions::share() const {
     SweepShare share;
     share.progress = show_progress;
-    share.jobs = jobs_->empty() ? cores() : read_integer("--jobs", *jobs_, 1, most_jobs, 4);
+    share.jobs = jobs_->empty() ? 0 : read_integer("--jobs", *jobs_, 1, most_jobs, 4);
     if (shard_->empty()) return share;
     const auto bad_shard = [&] {
         bad_argument("--shard", fmt::format("must be I/N with 1 <= I <= N <= {}", most_shards), *shard_,
@@ -176,6 +174,12 @@ SweepRequest SweepOptions::value() const {
                      "leave it out");
     request.files = files_of_output();
     request.share = share();
+    request.map = *map_;
+    if (!request.map.empty() && request.map.extension() != ".svg")
+        bad_argument("--map", "must end in .svg", *map_, "give for example --map sweep.svg");
+    if (!request.map.empty() && request.share.parts > 1)
+        bad_argument("--map", "is of a whole sweep, and must not be given with --shard", *map_,
+                     "leave it out");
     return request;
 }
 

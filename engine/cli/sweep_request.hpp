@@ -30,7 +30,8 @@ struct SweepRequest {
     double tolerance = 0;      // of validity
     std::vector<double> times; // empty: the end of the interval
     SweepFiles files;
-    SweepShare share;
+    std::filesystem::path map; // empty: none
+    SweepShare share;          // jobs 0: by default
     DerivationLimits limits;
     std::string format;
 };
@@ -53,7 +54,7 @@ private:
     const CLI::App* command_;
     Text scene_;
     Texts over_;
-    Text sample_, seed_, what_, tolerance_, times_, output_, jobs_, shard_, gather_;
+    Text sample_, seed_, what_, tolerance_, times_, output_, map_, jobs_, shard_, gather_;
     FormatOption format_;
     LimitOptions limits_;
 };

@@ -186,6 +186,26 @@ TEST_F(Sweep, GoesOnAfterAKill) {
     EXPECT_EQ(json("k.json")["done"], 300000);
 }
 
+TEST_F(Sweep, MapsOneOrTwoAxes) {
+    if (run("gnuplot -e 'set terminal svg'", scratch_.path()).code != 0) GTEST_SKIP() << "no gnuplot";
+    const Outcome outcome = shell("sweep --over 'eps=log(1e-3:0.1:300)' --over amplitude.x=1 --t 1 --output "
+                                  "line.npy --map line.svg >said &&\n"
+                                  "sweep --over 'eps=log(1e-3:0.1:3)' --over amplitude.x=1,3,4 --t 1 "
+                                  "--output map.npy --map map.svg >said &&\n"
+                                  "cp map.svg before.svg && rm map.svg &&\n"
+                                  "sweep --over 'eps=log(1e-3:0.1:3)' --over amplitude.x=1,3,4 --t 1 "
+                                  "--output map.npy --map map.svg >said &&\n"
+                                  "cmp map.svg before.svg");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(file("line.svg").find("x at t = 1"), std::string::npos);
+    const std::string map = file("map.svg");
+    for (const char* text : {"x at t = 1", "ε", "amplitude.x"})
+        EXPECT_NE(map.find(text), std::string::npos) << text;
+    std::size_t cells = 0; // each a polygon, besides the 128 of the colour box
+    for (std::size_t at = 0; (at = map.find("<polygon", at)) != std::string::npos; ++at) ++cells;
+    EXPECT_EQ(cells, 128U + 9U);
+}
+
 TEST_F(Sweep, BlocksOfAnotherSweepAreRefused) {
     ASSERT_EQ(
         shell(

@@ -71,6 +71,14 @@ TEST_F(SweepInput, OtherOptions) {
              "--tolerance: must be a decimal number or a fraction > 0\n");
     of_scene(axes + "--tolerance 1", "--tolerance: must be given with --what validity");
     of_scene(axes + "--what validity --t 1", "--t: must not be given with --what validity");
+    of_scene(axes + "--map o.png", "--map: must end in .svg\n");
+    of_scene(axes + "--map o.svg --shard 1/2", "--map: is of a whole sweep");
+    of_scene(axes + "--map o.svg",
+             "--map: a map must be of one or two axes of a grid with several values\n  found: 0 of them\n");
+    of_scene("--over eps=0.1:0.2 --over k=1:2 --sample 5 --map o.svg",
+             "--map: a map must be of one or two axes");
+    of_scene("--over eps=0.1,0.3,0.2 --over k=1 --map o.svg",
+             "--map: the values of an axis of a map must rise or fall\n");
     of_scene(axes + "--gather o", "--gather: reads what is swept from F.parts/, and takes no other option\n");
 }
 

@@ -20,7 +20,7 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// Lines on standard error, one every few seconds.
+// Lines on standard error, more and more seldom.
 class Progress {
 public:
     Progress(const SweepShare& share, std::uint64_t points) : share_(share), points_(points) {}
@@ -29,7 +29,8 @@ public:
         const std::lock_guard lock(mutex_);
         done_ += points;
         if (computed) computed_ += points;
-        if (seconds_since(told_) < pause || !share_.progress) return;
+        if (!share_.progress || seconds_since(told_) < std::max(least_pause, seconds_since(begin_) / 10))
+            return;
         told_ = Clock::now();
         const double speed = static_cast<double>(computed_) / seconds_since(begin_);
         const std::string left =
@@ -39,7 +40,7 @@ public:
     }
 
 private:
-    static constexpr double pause = 2; // seconds
+    static constexpr double least_pause = 2; // seconds
     const SweepShare& share_;
     std::uint64_t points_, done_ = 0, computed_ = 0;
     Clock::time_point begin_ = Clock::now(), told_ = begin_;

@@ -51,7 +51,7 @@ SweepFolder::SweepFolder(fs::path path, const Json& subject)
 
 Json SweepFolder::read_subject(const fs::path& path) {
     const std::optional<std::string> text = read_bytes(path / subject_file);
-    const Json subject = text ? Json::parse(*text, nullptr, false) : Json();
+    Json subject = text ? Json::parse(*text, nullptr, false) : Json();
     if (!subject.is_object() || subject.value("schema", "") != "resonform.sweep_parts/1")
         bad_input(Reason::file, {"the blocks of a sweep must be described by sweep.json beside them",
                                  text ? "no description of a sweep" : "no such file",

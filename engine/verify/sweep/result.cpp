@@ -151,7 +151,7 @@ SweepTotals write_result(const fs::path& file, const SweepFolder& folder, const 
     const bool table = file.extension() == ".csv";
     Streamed out(folder.path(), file);
     out.put(table ? csv_header(subject, grid) : npy_header(shape_of(subject, grid)));
-    const SweepTotals totals = read_blocks(folder, size, [&](std::uint64_t b, const SweepBlock& block) {
+    SweepTotals totals = read_blocks(folder, size, [&](std::uint64_t b, const SweepBlock& block) {
         if (table)
             put_lines(out, block, size, grid, size.first(b));
         else
