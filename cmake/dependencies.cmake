@@ -17,6 +17,7 @@ foreach(part cvode nvecserial sunmatrixdense sunlinsoldense)
     find_library(RESONFORM_SUNDIALS_${part} sundials_${part} REQUIRED)
     list(APPEND RESONFORM_SUNDIALS ${RESONFORM_SUNDIALS_${part}})
 endforeach()
+find_package(MPI QUIET COMPONENTS CXX) # of resonform_mpi, which is left out without it
 find_library(RESONFORM_QD qd REQUIRED) # its pkg-config file of Debian 12 is broken: -I.../$fortran
 
 # libquadmath belongs to GCC: clang has neither its header's folder nor its library on its paths.

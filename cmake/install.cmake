@@ -13,6 +13,9 @@ target_include_directories(runtime INTERFACE
     "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/engine;${CMAKE_SOURCE_DIR}>" $<INSTALL_INTERFACE:${install_headers}>)
 
 install(TARGETS resonform RUNTIME DESTINATION bin)
+if(TARGET resonform_mpi)
+    install(TARGETS resonform_mpi RUNTIME DESTINATION bin)
+endif()
 install(TARGETS runtime batch EXPORT resonform ARCHIVE DESTINATION lib)
 install(EXPORT resonform NAMESPACE resonform:: FILE resonformConfig.cmake DESTINATION ${install_package})
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/resonformConfigVersion.cmake COMPATIBILITY ExactVersion)

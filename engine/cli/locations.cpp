@@ -203,6 +203,11 @@ void write_file(const fs::path& file, const std::string& content) {
     if (const std::error_code error = drafts.put_in_place()) cannot_write(file, error.message());
 }
 
+void require_place_for(const fs::path& file) {
+    Drafts drafts;
+    write_draft(drafts, {file, ""});
+}
+
 void write_files(const std::vector<TextFile>& files) {
     NewFolders folders;
     Drafts drafts; // gone before the folders

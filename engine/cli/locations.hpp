@@ -54,6 +54,9 @@ std::string read_file(const std::filesystem::path& file);
 // An interruption (Ctrl-C) waits until it is done.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
+// Checks before a long computation that write_file() will be able to write. Errors: those of write_file().
+void require_place_for(const std::filesystem::path& file);
+
 struct TextFile {
     std::filesystem::path path;
     std::string content;

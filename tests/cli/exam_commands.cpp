@@ -30,7 +30,7 @@ TEST(Commands, HelpAndVersion) {
     EXPECT_NE(output_of("resonform derive --help").find("--order 1..99=3"), std::string::npos);
     EXPECT_NE(output_of("resonform --help").find("Exit codes: 0 done"), std::string::npos);
     EXPECT_EQ(output_of("resonform --version"), "resonform 0.1.0\n");
-    for (const char* command : {"derive", "generate", "verify", "certify", "compare", "stability",
+    for (const char* command : {"derive", "generate", "verify", "certify", "compare", "stability", "sweep",
                                 "regenerate", "list", "evaluate"})
         EXPECT_NE(output_of(std::string("resonform ") + command + " --help").find("--format"),
                   std::string::npos);

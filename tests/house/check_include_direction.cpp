@@ -47,7 +47,9 @@ const std::vector<std::string> rooms = {"algebra/number",
                                         "verify/symbolic",
                                         "verify/judging",
                                         "verify/report",
-                                        "cli"};
+                                        "verify/sweep",
+                                        "cli",
+                                        "mpi"};
 
 bool lies_in(const std::string& path, const std::string& room) {
     return path.compare(0, room.size() + 1, room + "/") == 0;

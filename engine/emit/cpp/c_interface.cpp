@@ -2,6 +2,7 @@
 #include "emit/cpp/c_interface.hpp"
 
 #include "emit/cpp/embedded_text.hpp"
+#include "emit/cpp/interface.hpp"
 #include "emit/cpp/plan.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +51,20 @@ std::string cpp_c_interface(const Program& program, const std::string& evaluator
             text += fmt::format("int rf_state_{0}(const void* scene, const {1}* t, {1}* state) {{ return "
                                 "library_state(scene, t, state); }}\n",
                                 letter, real);
+    }
+    if (types.find('e') != std::string_view::npos) {
+        std::string members = "    members.eps = arguments[0];\n";
+        std::size_t next = 1;
+        for (const std::string& array : cpp_argument_arrays(plan))
+            members += fmt::format("    members.{} = arguments[{}];\n", array, next++);
+        std::string parameters;
+        for (std::size_t k = 0; k < plan.parameters.size(); ++k)
+            parameters +=
+                fmt::format("        if (arguments[{0}] != nullptr) parameters.{1} = arguments[{0}][i];\n",
+                            k + 1, plan.parameters[k]);
+        text += filled(
+            frames::library_ensemble,
+            {{"Evaluator", evaluator}, {"members", members}, {"arrays", arrays}, {"parameters", parameters}});
     }
     return text + "}\n";
 }

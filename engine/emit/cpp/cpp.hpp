@@ -28,6 +28,11 @@ std::string emit_cpp(const Program& program, const CppOptions& options = {});
 //   void  rf_batch_d(const void*, const double* t, long n, double* const* outputs, unsigned char* status);
 //   void  rf_grid_d(const void*, const double* t0, const double* dt, long n, double* const* outputs,
 //                   unsigned char* status);
+// With the letter "e", of many members in double (runtime/ensemble.hpp), whose arguments are eps, the
+// parameters and the start values, an array each, or null for the scene's default:
+//   void  rf_ensemble(const double* const* arguments, long n, const double* t, double* const* outputs,
+//                     unsigned char* status);
+//   void  rf_interval_ends(const double* const* arguments, long n, double* t);    by the scene's default
 // and, if the program has rows, rf_loops, which must be called before batches: with &kernel::loops.
 std::string emit_library(const Program& program, std::string_view types);
 

@@ -170,20 +170,10 @@ std::string CppInterface::batch() const {
                                   {"prepare", prepare}});
 }
 
-// The members of Members, those of Parameters first.
-std::vector<std::string> argument_arrays(const CppPlan& plan) {
-    CppNames names;
-    names.unique("full_phase");
-    std::vector<std::string> arrays;
-    for (const auto* list : {&plan.parameters, &plan.start})
-        for (const std::string& field : *list) arrays.push_back(names.unique(field));
-    return arrays;
-}
-
 std::string CppInterface::ensemble() const {
     const std::vector<std::string> names = array_names();
     std::string fields;
-    for (const std::string& array : argument_arrays(plan_))
+    for (const std::string& array : cpp_argument_arrays(plan_))
         fields += fmt::format("        const Real* {} = nullptr;\n", array);
     const char* full_phase =
         program_.phases.empty()
@@ -209,6 +199,15 @@ std::string CppInterface::calls() const {
 
 } // namespace
 
+std::vector<std::string> cpp_argument_arrays(const CppPlan& plan) {
+    CppNames names;
+    names.unique("full_phase");
+    std::vector<std::string> arrays;
+    for (const auto* list : {&plan.parameters, &plan.start})
+        for (const std::string& field : *list) arrays.push_back(names.unique(field));
+    return arrays;
+}
+
 std::string cpp_call(const std::string& head, const std::string& type, const std::string& function,
                      const std::vector<CppResult>& list) {
     const std::vector<std::string> none(list.size(), "none");
@@ -219,7 +218,7 @@ std::string cpp_call(const std::string& head, const std::string& type, const std
 }
 
 std::string cpp_fields(const CppPlan& plan) {
-    const std::vector<std::string> arrays = argument_arrays(plan);
+    const std::vector<std::string> arrays = cpp_argument_arrays(plan);
     std::size_t next = 0;
     std::string text;
     for (const auto& [kind, type, list] : {std::tuple("parameter", "Parameters", &plan.parameters),

@@ -5,6 +5,7 @@
 #include "emit/cpp/plan.hpp"
 
 #include <string>
+#include <vector>
 
 namespace resonform {
 
@@ -12,6 +13,9 @@ std::string cpp_interface(CppPlan& plan);
 
 // Tables of the members of Parameters and Start and of the arrays of Members that belong to them.
 std::string cpp_fields(const CppPlan& plan);
+
+// The arrays of Members besides eps: those of Parameters, then those of Start.
+std::vector<std::string> cpp_argument_arrays(const CppPlan& plan);
 
 // A member `head`(t, low, values) that computes the results of `type` by `function`.
 std::string cpp_call(const std::string& head, const std::string& type, const std::string& function,

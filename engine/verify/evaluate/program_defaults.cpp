@@ -52,6 +52,23 @@ Real default_slow_time_end(const Program& program, Real eps, const std::vector<R
     return values_of({program.slow_time_end}, program, eps, parameters).front();
 }
 
+template <class Real>
+ProgramArguments<Real> program_arguments(const Program& program, Real eps, const GivenArguments& given) {
+    ProgramArguments<Real> arguments{default_parameters(program, eps), {}};
+    for (std::size_t k = 0; k < program.parameters.size(); ++k)
+        if (const auto at = given.find(program.parameters[k].name); at != given.end())
+            arguments.parameters[k] = Real(at->second);
+    arguments.start = default_start(program, eps, arguments.parameters);
+    for (std::size_t k = 0; k < program.start.size(); ++k)
+        if (const auto at = given.find(program.start[k].canonical); at != given.end())
+            arguments.start[k] = Real(at->second);
+    return arguments;
+}
+
+template ProgramArguments<double> program_arguments(const Program&, double, const GivenArguments&);
+template ProgramArguments<long double> program_arguments(const Program&, long double, const GivenArguments&);
+template ProgramArguments<Float128> program_arguments(const Program&, Float128, const GivenArguments&);
+
 #define RESONFORM_INSTANTIATE(Real)                                                                          \
     template std::vector<Real> default_parameters(const Program&, Real);                                     \
     template std::vector<Real> default_start(const Program&, Real, const std::vector<Real>&);                \

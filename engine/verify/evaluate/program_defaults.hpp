@@ -4,6 +4,8 @@
 
 #include "emit/program/program.hpp"
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace resonform {
@@ -15,5 +17,13 @@ std::vector<Real> default_start(const Program& program, Real eps, const std::vec
 // The slow time up to which the scene asks at a given eps, as emitted code has it by default.
 template <class Real>
 Real default_slow_time_end(const Program& program, Real eps, const std::vector<Real>& parameters);
+
+// Arguments by name: of a parameter its own, of a start value that in [start], "amplitude.psi".
+using GivenArguments = std::map<std::string, double>;
+
+// These, and the defaults of what is not given. What the program does not depend on has no effect.
+template <class Real> struct ProgramArguments { std::vector<Real> parameters, start; };
+template <class Real>
+ProgramArguments<Real> program_arguments(const Program& program, Real eps, const GivenArguments& given);
 
 } // namespace resonform

@@ -56,11 +56,15 @@ std::pair<Indices, Indices> unmoved_and_moved(const Scene& scene, const Solution
 }
 
 // The next weight may hold parameters that the formula does not.
-void require_values(const Scene& scene, const std::vector<std::shared_ptr<const Program>>& programs) {
+void require_values(const Scene& scene, const std::vector<std::shared_ptr<const Program>>& programs,
+                    const std::vector<std::string>& given) {
     std::vector<std::string> missing;
+    const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
     for (const auto& program : programs)
         for (const ProgramInput& parameter : program->parameters)
-            if (std::find(missing.begin(), missing.end(), parameter.name) == missing.end())
+            if (!is_in(missing, parameter.name) && !is_in(given, parameter.name))
                 missing.push_back(parameter.name);
     if (!missing.empty())
         not_fixed(scene, "the error estimate needs a value for every parameter of the next weight", missing);
@@ -70,8 +74,12 @@ template <class Real> struct Evaluated {
     Interpreter<Real> evaluator;
     std::vector<Real> values;
 
-    Evaluated(const std::shared_ptr<const Interpretation>& shared, const Real& eps, const Real& end)
-        : evaluator(shared, eps, {}, {}, end) {}
+    Evaluated(const std::shared_ptr<const Interpretation>& shared, const Real& eps, const Real& end,
+              const GivenArguments& given)
+        : Evaluated(shared, eps, end, program_arguments<Real>(*shared->program, eps, given)) {}
+    Evaluated(const std::shared_ptr<const Interpretation>& shared, const Real& eps, const Real& end,
+              ProgramArguments<Real> arguments)
+        : evaluator(shared, eps, std::move(arguments.parameters), std::move(arguments.start), end) {}
     bool answers(double t) {
         const Status status = evaluator.call(static_cast<Real>(t), values);
         return status == Status::ok || status == Status::low_precision;
@@ -80,8 +88,9 @@ template <class Real> struct Evaluated {
 
 } // namespace
 
-ErrorEstimator::ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive)
-    : formula_(interpretation(solution, scene)), order_(solution.order) {
+ErrorEstimator::ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive,
+                               std::vector<std::string> given)
+    : formula_(interpretation(solution, scene)), order_(solution.order), given_(std::move(given)) {
     const Scene fixed = with_fix_put_in(scene);
     Indices open(scene.outputs.size());
     std::iota(open.begin(), open.end(), std::size_t(0));
@@ -118,19 +127,21 @@ void ErrorEstimator::compare_with(const Solution& richer, const Scene& fixed, co
     Further further{moved, interpretation(of_order(order_), scene), nullptr};
     scene.oscillating = true;
     further.whole = interpretation(of_order(richer.order), scene);
-    require_values(scene, {further.flow->program, further.whole->program});
+    require_values(scene, {further.flow->program, further.whole->program}, given_);
     further_.push_back(std::move(further));
 }
 
 template <class Real>
-ErrorParts ErrorEstimator::parts(Real eps, Real slow_time_end, const std::vector<double>& times) const {
+ErrorParts ErrorEstimator::parts(Real eps, Real slow_time_end, const std::vector<double>& times,
+                                 const GivenArguments& arguments) const {
     const double none = std::numeric_limits<double>::quiet_NaN();
     ErrorParts result;
     result.map = result.flow =
         std::vector<std::vector<double>>(outputs_.size(), std::vector<double>(times.size(), 0.0));
-    Evaluated<Real> formula(formula_, eps, slow_time_end);
+    Evaluated<Real> formula(formula_, eps, slow_time_end, arguments);
     for (const Further& further : further_) {
-        Evaluated<Real> flow(further.flow, eps, slow_time_end), whole(further.whole, eps, slow_time_end);
+        Evaluated<Real> flow(further.flow, eps, slow_time_end, arguments),
+            whole(further.whole, eps, slow_time_end, arguments);
         for (std::size_t i = 0; i < times.size(); ++i) {
             const bool known = formula.answers(times[i]) && flow.answers(times[i]) && whole.answers(times[i]);
             for (std::size_t j = 0; j < further.outputs.size(); ++j) {
@@ -143,8 +154,11 @@ ErrorParts ErrorEstimator::parts(Real eps, Real slow_time_end, const std::vector
     return result;
 }
 
-template ErrorParts ErrorEstimator::parts(double, double, const std::vector<double>&) const;
-template ErrorParts ErrorEstimator::parts(long double, long double, const std::vector<double>&) const;
-template ErrorParts ErrorEstimator::parts(Float128, Float128, const std::vector<double>&) const;
+template ErrorParts ErrorEstimator::parts(double, double, const std::vector<double>&,
+                                          const GivenArguments&) const;
+template ErrorParts ErrorEstimator::parts(long double, long double, const std::vector<double>&,
+                                          const GivenArguments&) const;
+template ErrorParts ErrorEstimator::parts(Float128, Float128, const std::vector<double>&,
+                                          const GivenArguments&) const;
 
 } // namespace resonform

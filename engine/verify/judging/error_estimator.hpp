@@ -13,6 +13,7 @@
 #pragma once
 
 #include "verify/evaluate/interpretation.hpp"
+#include "verify/evaluate/program_defaults.hpp"
 #include "verify/judging/next_weight.hpp"
 
 #include <cstddef>
@@ -35,14 +36,18 @@ public:
         std::string reason; // why there is none
     };
 
-    // Errors: those of derive and build_program for the first weight; of the second they are a reason.
-    ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive);
+    // given: names of parameters without a value in [fix] that every call of parts() gives. Errors: those of
+    // derive and build_program for the first weight; of the second they are a reason.
+    ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive,
+                   std::vector<std::string> given = {});
 
     [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; } // in the scene's order
 
-    // Real: double, long double, Float128. Precondition: [fix] gives every parameter of the outputs.
+    // Real: double, long double, Float128. Precondition: [fix] or `arguments` gives every parameter of the
+    // outputs.
     template <class Real>
-    [[nodiscard]] ErrorParts parts(Real eps, Real slow_time_end, const std::vector<double>& times) const;
+    [[nodiscard]] ErrorParts parts(Real eps, Real slow_time_end, const std::vector<double>& times,
+                                   const GivenArguments& arguments = {}) const;
 
 private:
     struct Further { // the formulas of one N', of the outputs that it is the first to move
@@ -55,6 +60,7 @@ private:
     std::vector<Output> outputs_;
     std::vector<Further> further_;
     int order_;
+    std::vector<std::string> given_;
 };
 
 } // namespace resonform

@@ -59,15 +59,20 @@ std::string axis(const std::string& letter, const std::string& label, bool logar
     return text;
 }
 
-std::string script(const Plot& plot) {
-    std::string text = fmt::format(
+// What all figures have in common.
+std::string head_of_script(const std::string& name, int right_margin) {
+    return fmt::format(
         "set encoding utf8\nset terminal svg size 640,420 dynamic enhanced name \"{}\" "
         "font \"Helvetica,Arial,sans-serif,15\" background \"#ffffff\"\n"
         "set border 3 lc rgb \"#5a6068\"\nset tics nomirror out scale 0.6 textcolor rgb \"#33383e\"\n"
         "set grid lc rgb \"#e4e7eb\" lt 1 lw 0.8\n"
         "set key above horizontal left Left reverse samplen 2 textcolor rgb \"#33383e\"\n"
-        "set lmargin 12\nset rmargin 3\n",
-        plot.name);
+        "set lmargin 12\nset rmargin {}\n",
+        name, right_margin);
+}
+
+std::string script(const Plot& plot) {
+    std::string text = head_of_script(plot.name, 3);
     text += axis("x", plot.x_label, plot.log_x) + axis("y", plot.y_label, plot.log_y);
     std::string draw;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
@@ -78,6 +83,40 @@ std::string script(const Plot& plot) {
                             curve.label.empty() ? "notitle" : "title " + quoted(curve.label));
     }
     return text + draw + "\n";
+}
+
+// The edges of cells: halfway between neighbours, in the logarithm on a logarithmic axis.
+std::vector<double> edges(const std::vector<double>& centres, bool logarithmic) {
+    const auto halfway = [&](double a, double b) {
+        return logarithmic ? std::sqrt(a) * std::sqrt(b) : a + (b - a) / 2;
+    };
+    std::vector<double> all;
+    for (std::size_t i = 0; i + 1 < centres.size(); ++i) all.push_back(halfway(centres[i], centres[i + 1]));
+    const auto beyond = [&](double edge, double centre) {
+        return logarithmic ? centre / edge * centre : centre + (centre - edge);
+    };
+    const double first = beyond(all.front(), centres.front()), last = beyond(all.back(), centres.back());
+    all.insert(all.begin(), first);
+    all.push_back(last);
+    return all;
+}
+
+std::string script(const HeatMap& map) {
+    std::string text = head_of_script(map.name, 14);
+    text += axis("x", map.x_label, map.log_x) + axis("y", map.y_label, map.log_y);
+    const std::vector<double> x = edges(map.x, map.log_x), y = edges(map.y, map.log_y);
+    text += fmt::format("set title {}\nset palette defined (0 \"#1f3f7a\", 1 \"#3f8fb5\", 2 \"#f2f0d8\", 3 "
+                        "\"#d98a3d\", 4 \"#8a2a1f\")\nset style fill solid 1 noborder\nunset grid\n",
+                        quoted(map.title));
+    text += fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n$cells << EOD\n",
+                        std::min(x.front(), x.back()), std::max(x.front(), x.back()),
+                        std::min(y.front(), y.back()), std::max(y.front(), y.back()));
+    for (std::size_t i = 0; i < map.x.size(); ++i)
+        for (std::size_t j = 0; j < map.y.size(); ++j)
+            if (const double z = map.z[i * map.y.size() + j]; std::isfinite(z))
+                text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n", map.x[i], map.y[j],
+                                    x[i], x[i + 1], y[j], y[j + 1], z);
+    return text + "EOD\nplot $cells using 1:2:3:4:5:6:7 with boxxyerror lc palette notitle\n";
 }
 
 constexpr double longest_question = 10, longest_drawing = 60; // seconds
@@ -112,17 +151,29 @@ std::string why_no_plots() {
     return asked.status == 0 ? "" : "gnuplot cannot be run";
 }
 
-std::string to_svg(const Plot& plot, const fs::path& scratch) {
-    const fs::path file = scratch / fmt::format("{}.{}.gnuplot", plot.name, getpid());
-    write_atomically(file, script(plot));
+namespace {
+
+std::string drawn(const std::string& name, const std::string& script, const fs::path& scratch) {
+    const fs::path file = scratch / fmt::format("{}.{}.gnuplot", name, getpid());
+    write_atomically(file, script);
     std::string svg = run_gnuplot(file);
     svg.erase(0, svg.find("<svg")); // the prolog has no place inside a page
     // Marks are shared by id: without a prefix the plots of one page would share each other's.
-    replace_all(svg, " id=\"", " id=\"" + plot.name + "-");
-    replace_all(svg, " id='", " id='" + plot.name + "-");
-    replace_all(svg, "'#gp", "'#" + plot.name + "-gp");
-    replace_all(svg, "url(#", "url(#" + plot.name + "-");
+    replace_all(svg, " id=\"", " id=\"" + name + "-");
+    replace_all(svg, " id='", " id='" + name + "-");
+    replace_all(svg, "'#gp", "'#" + name + "-gp");
+    replace_all(svg, "url(#", "url(#" + name + "-");
     return svg;
+}
+
+} // namespace
+
+std::string to_svg(const Plot& plot, const fs::path& scratch) {
+    return drawn(plot.name, script(plot), scratch);
+}
+
+std::string to_svg(const HeatMap& map, const fs::path& scratch) {
+    return drawn(map.name, script(map), scratch);
 }
 
 } // namespace resonform

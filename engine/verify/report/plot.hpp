@@ -29,11 +29,21 @@ struct Plot {
     std::vector<Curve> curves;
 };
 
+// A colour for each cell: z[i*y.size() + j] at x[i], y[j], both ascending or descending; cells without a
+// finite value are left out.
+struct HeatMap {
+    std::string name; // as of a Plot
+    std::string x_label, y_label, title;
+    bool log_x = false, log_y = false;
+    std::vector<double> x, y, z;
+};
+
 // "" if gnuplot is there, and draws SVG.
 std::string why_no_plots();
 
 // An <svg> element without width and height: it fills its container. `scratch` is a folder for the
 // script of gnuplot, made if absent. Errors (bad_input): gnuplot cannot be run, or takes a minute.
 std::string to_svg(const Plot& plot, const std::filesystem::path& scratch);
+std::string to_svg(const HeatMap& map, const std::filesystem::path& scratch);
 
 } // namespace resonform

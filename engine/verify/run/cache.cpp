@@ -83,8 +83,10 @@ std::optional<std::string> read_bytes(const std::filesystem::path& file) {
     return bytes.str();
 }
 
+std::string checked(std::string_view payload) { return header(payload).append(payload); }
+
 void store_checked(const std::filesystem::path& file, std::string_view payload) {
-    write_atomically(file, header(payload) + std::string(payload));
+    write_atomically(file, checked(payload));
 }
 
 std::optional<std::string> load_checked(const std::filesystem::path& file) {

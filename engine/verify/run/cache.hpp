@@ -30,6 +30,7 @@ void remove_abandoned_drafts(const std::filesystem::path& folder);
 std::optional<std::string> read_bytes(const std::filesystem::path& file);
 
 // A payload with its length and hash in front: a file that was cut or changed reads as absent.
+std::string checked(std::string_view payload);
 void store_checked(const std::filesystem::path& file, std::string_view payload);
 std::optional<std::string> load_checked(const std::filesystem::path& file);
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/sweep/subject.hpp"
+
+#include "algebra/number/error.hpp"
+#include "verify/run/cache.hpp"
+
+namespace resonform {
+
+namespace {
+
+// The same numbers may be asked for in several ways.
+bool counts(const std::string& key) { return key != "over" && key != "suffix"; }
+
+Json json_of(const std::optional<SweepSample>& sample) {
+    if (!sample) return nullptr;
+    return Json{{"count", sample->count}, {"seed", sample->seed}};
+}
+
+std::string hash_of(const SweepGrid& grid) {
+    std::string bytes;
+    for (std::size_t a = 0; a < grid.axes().size(); ++a) {
+        bytes += grid.axes()[a].name() + "=";
+        const std::vector<double>& values = grid.values(a);
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
+    }
+    return content_hash(bytes);
+}
+
+} // namespace
+
+std::vector<std::string> sweep_kinds() { return {"values", "validity"}; }
+
+std::string instruction_set() {
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("fma") != 0 && __builtin_cpu_supports("avx2") != 0
+               ? "x86-64, functions with fused multiply-add"
+               : "x86-64";
+#else
+    return "one of its kind";
+#endif
+}
+
+Json subject_json(const SweepSubject& subject, const SweepGrid& grid) {
+    return Json{{"schema", "resonform.sweep_parts/1"},
+                {"version", RESONFORM_VERSION},
+                {"instructions", instruction_set()},
+                {"system", subject.system},
+                {"scene", subject.scene},
+                {"code", subject.code},
+                {"over", subject.over},
+                {"grid", hash_of(grid)},
+                {"sample", json_of(subject.sample)},
+                {"what", sweep_kinds()[static_cast<std::size_t>(subject.what)]},
+                {"tolerance", subject.tolerance},
+                {"t", subject.times},
+                {"interval", subject.interval},
+                {"outputs", subject.outputs},
+                {"suffix", subject.suffix}};
+}
+
+SweepSubject subject_of(const Json& json) {
+    try {
+        SweepSubject subject;
+        subject.what = json.at("what") == "validity" ? SweepKind::validity : SweepKind::values;
+        subject.tolerance = json.at("tolerance");
+        subject.system = json.at("system");
+        subject.scene = json.at("scene");
+        subject.code = json.at("code");
+        subject.over = json.at("over").get<std::vector<std::string>>();
+        subject.times = json.at("t").get<std::vector<double>>();
+        subject.interval = json.at("interval");
+        subject.outputs = json.at("outputs").get<std::vector<std::string>>();
+        subject.suffix = json.at("suffix");
+        if (const Json& sample = json.at("sample"); !sample.is_null())
+            subject.sample = SweepSample{sample.at("count"), sample.at("seed")};
+        return subject;
+    } catch (const Json::exception& wrong) {
+        bad_input(Reason::file, {"the description of a sweep must be as it was written",
+                                 wrong.what(),
+                                 "run the sweep again with another --output",
+                                 {}});
+    }
+}
+
+std::string difference(const Json& one, const Json& other) {
+    for (const auto& [key, value] : one.items())
+        if (counts(key) && (!other.contains(key) || other.at(key) != value)) return key;
+    return "";
+}
+
+std::string identity(const Json& subject) {
+    std::string text;
+    for (const auto& [key, value] : subject.items())
+        if (counts(key)) text += key + value.dump();
+    return content_hash(text);
+}
+
+} // namespace resonform
