@@ -93,7 +93,9 @@ TEST_F(GrowingModes, AResonanceOfRatesAtTheStartIsOutside) {
                     "\nu = \"eps\"\nv = \"eps/10\"\n",
                 1e-3, 0);
             EXPECT_EQ(answer.status, tau < -0.1 ? Status::ok : Status::outside_domain) << sign << tau;
-            if (tau < -0.1) EXPECT_NEAR(answer.values[0], 1e-4, 1e-9);
+            if (tau < -0.1) {
+                EXPECT_NEAR(answer.values[0], 1e-4, 1e-9);
+            }
         }
 }
 
