@@ -68,17 +68,18 @@ TEST_F(GrowingModes, LoseTheirDigitsInTime) {
     EXPECT_EQ(at(drained, scene, eps, 800).status, Status::overflow);
 }
 
-// y = eps e^t/(1 + 100 eps (1 - e^t)) has a pole at e^t = 11: r = 100 eps, (r e^t)^3 <= 10^-3.
+// y = eps e^t/(1 + 100 eps (1 - e^t)) has a pole; of r = 100 eps, (r e^t)^3 <= 10^-3, as its
+// quadratic and its cubic corrections have it, added.
 TEST_F(GrowingModes, EndBeforeTheirSeriesDoes) {
     const std::string system =
         "[variables]\ny = { role = \"fast\" }\n[equations]\ny = \"y' = y + 100*y^2\"\n";
     const std::string scene = "order = 3\noutputs = [\"y\"]\n[start]\ny = \"eps\"\n";
     const double eps = 1e-5, last = std::log(1e-1 / (100 * eps));
-    const Answer answer = at(system, scene, eps, last - 0.1);
+    const Answer answer = at(system, scene, eps, last - 1.5);
     EXPECT_EQ(answer.status, Status::ok);
-    const double growth = std::exp(last - 0.1), exact = eps * growth / (1 + 100 * eps * (1 - growth));
+    const double growth = std::exp(last - 1.5), exact = eps * growth / (1 + 100 * eps * (1 - growth));
     EXPECT_NEAR(answer.values[0], exact, 1e-3 * exact);
-    EXPECT_EQ(at(system, scene, eps, last + 0.1).status, Status::low_precision);
+    EXPECT_EQ(at(system, scene, eps, last).status, Status::low_precision);
 }
 
 // At 2 tau between rates, |D|^2 <= D' = 2 eps, a start is not taken apart, whether they decay or grow.
@@ -94,7 +95,7 @@ TEST_F(GrowingModes, AResonanceOfRatesAtTheStartIsOutside) {
                 1e-3, 0);
             EXPECT_EQ(answer.status, tau < -0.1 ? Status::ok : Status::outside_domain) << sign << tau;
             if (tau < -0.1) {
-                EXPECT_NEAR(answer.values[0], 1e-4, 1e-9);
+                EXPECT_NEAR(answer.values[0], 1e-4, 5e-9);
             }
         }
 }
