@@ -11,6 +11,7 @@
 #include "model/text/diagnostic.hpp"
 #include "normalize/recursion/numbers.hpp"
 #include "normalize/recursion/poincare.hpp"
+#include "solve/flow/solve_options.hpp"
 #include "solve/solve.hpp"
 #include "solve/time_scale.hpp"
 #include "solve/truncation.hpp"

@@ -68,7 +68,7 @@ TEST(Locations, RegenerateGoesOnPastWhatIsBrokenAndEndsWithTheWorst) {
                                         R"x({"file":"generated/swing/first.hpp","state":"up to date"}])x");
     write(scratch.path() / "systems/damped/system.toml", "[system]\nname = \"damped\"\n[variables]\n"
                                                          "x = { role = \"fast\" }\n[equations]\n"
-                                                         "x = \"x'' - x' + x = 0\"\n");
+                                                         "x = \"x'' + 2*x' + x = 0\"\n");
     write(scratch.path() / "systems/damped/scenes/first.toml",
           "order = 2\n[start]\namplitude.x = 1\nphase.x = 0\n");
     const Outcome refused = run("resonform regenerate", scratch.path());

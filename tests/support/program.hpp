@@ -6,6 +6,7 @@
 #include "emit/program/program.hpp"
 #include "model/files/read_scene.hpp"
 #include "normalize/styles/normalize.hpp"
+#include "solve/flow/solve_options.hpp"
 #include "solve/solve.hpp"
 #include "solve/truncation.hpp"
 #include "support/exact.hpp"

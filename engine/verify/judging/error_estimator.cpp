@@ -4,6 +4,7 @@
 #include "emit/program/build_program.hpp"
 #include "model/files/settings.hpp"
 #include "model/system/scene_file.hpp"
+#include "solve/flow/solve_options.hpp"
 #include "solve/solve.hpp"
 #include "solve/truncation.hpp"
 #include "verify/evaluate/interpreter.hpp"

@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
+#include "solve/flow/solve_options.hpp"
 #include "solve/solve.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/integrate/compiled_tape.hpp"
