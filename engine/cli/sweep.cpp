@@ -69,7 +69,7 @@ std::string told(const Sweep& sweep, const SweepTotals& totals, bool written) {
     return text;
 }
 
-// F.npy or F.csv if all blocks are there; F.json, and what is printed, in any case.
+// Writes F.json and prints the totals; writes F.npy or F.csv, too, once all blocks are there.
 SweepTotals finish(const Sweep& sweep, const SweepFolder& folder, bool whole, const std::string& format) {
     SweepTotals totals = whole
                              ? write_result(sweep.files.output, folder, sweep.subject, sweep.grid, sweep.size)

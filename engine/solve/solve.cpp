@@ -136,10 +136,6 @@ void fill_state(Draft& draft) {
     }
 }
 
-} // namespace
-
-namespace {
-
 void check_projected(const Solution& solution, const SolveOptions& options) {
     if (options.growing == Growing::project && !(solution.flow && solution.flow->grows()))
         bad_input({"a start is projected where a mode grows at eps = 0",

@@ -190,7 +190,7 @@ private:
     const GradedField& field_;
     const Ring& ring_;
     int through_;
-    std::vector<FlowMode> modes_; // what grows, and what is left out
+    std::vector<FlowMode> modes_; // with `grows` and `is_left_out` alone
     bool alone_ = true;
 };
 

@@ -21,7 +21,8 @@ Real default_slow_time_end(const Program& program, Real eps, const std::vector<R
 // Arguments by name: of a parameter its own, of a start value that in [start], "amplitude.psi".
 using GivenArguments = std::map<std::string, double>;
 
-// These, and the defaults of what is not given. What the program does not depend on has no effect.
+// The arguments of an evaluator: the given ones, and the scene's defaults for the others. Given names that
+// the program does not use are ignored.
 template <class Real> struct ProgramArguments { std::vector<Real> parameters, start; };
 template <class Real>
 ProgramArguments<Real> program_arguments(const Program& program, Real eps, const GivenArguments& given);

@@ -38,8 +38,8 @@ struct Conditions {
     double layer_end = 0;
     std::vector<Rational> within_layer;
 
-    // Beside modes that grow: where the ladder stops at the smallest eps, what is said of times beyond, and
-    // the start that was moved onto the manifold without them, there.
+    // Where modes grow, all at the smallest eps: the time at which the comparison with direct integration
+    // ends; a line for the reader on what judges later times; the start values that a projection has changed.
     std::optional<double> growth_end;
     struct Moved {
         std::string state;

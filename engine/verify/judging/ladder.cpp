@@ -220,7 +220,7 @@ private:
         if (on_manifold) conditions.beyond = none.empty() ? "beyond, the defect judges the formula" : none;
         if (!none.empty()) return;
         for (const EquationDefect& equation :
-             defect_of(trial_, on_manifold ? trial_.whole(plan.at.eps) : plan.at, rate)) {
+             defect_of(trial_, on_manifold ? trial_.whole(plan.at) : plan.at, rate)) {
             const auto known =
                 std::find_if(result_.defects.begin(), result_.defects.end(),
                              [&](const OutputVerdict& d) { return d.name == equation.variable; });

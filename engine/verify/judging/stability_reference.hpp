@@ -28,7 +28,7 @@ public:
         [[nodiscard]] const SymbolicPoint& at(double t);
         // 16 ulp of a phase at t are more than the 10^-9 radians that evaluators answer for.
         [[nodiscard]] bool has_large_phase(double t) const;
-        // Some mode has grown, and what is neglected with it.
+        // An exponent is above 0 at t: a growing mode has multiplied the truncation error.
         [[nodiscard]] bool has_grown(double t) const;
         // Emitted code in double has no phase at t, or ends within this eighth of the interval.
         [[nodiscard]] bool loses_phase(double t) const;

@@ -158,9 +158,8 @@ TrialPoint Trial::point(const Rational& eps) const {
     return at;
 }
 
-TrialPoint Trial::whole(const Rational& eps) const {
-    TrialPoint at = point(eps);
-    at.interval = interval_length(scene_, eps);
+TrialPoint Trial::whole(TrialPoint at) const {
+    at.interval = interval_length(scene_, at.eps);
     at.slow_time_end = end_of(at);
     return at;
 }

@@ -53,8 +53,8 @@ public:
     // physical start values and they are not projected, it is those. The interval is the judged one
     // (times.hpp). Errors: refused, the evaluator answers no start; those of bounded_interval_length.
     [[nodiscard]] TrialPoint point(const Rational& eps) const;
-    // The same with the whole interval of the scene.
-    [[nodiscard]] TrialPoint whole(const Rational& eps) const;
+    // The same point with the whole interval of the scene.
+    [[nodiscard]] TrialPoint whole(TrialPoint at) const;
     // Given start values that a projection replaces, with the formula's.
     [[nodiscard]] std::vector<Conditions::Moved> moved(const TrialPoint& at) const;
 

@@ -40,10 +40,9 @@ Status SweepValidity::compute(std::uint64_t i, double* numbers) const {
     for (std::size_t a = 0; a < place_.size(); ++a) given[canonical_name(*program_, place_[a])] = point[a];
     const long double eps = given.at("eps");
     auto arguments = program_arguments<long double>(*program_, eps, given);
-    const long double slow_end = default_slow_time_end<long double>(*program_, eps, arguments.parameters) *
-                                 (1 + 4 * std::numeric_limits<double>::epsilon());
-    const double end =
-        static_cast<double>(default_slow_time_end<long double>(*program_, eps, arguments.parameters) / eps);
+    const auto interval = default_slow_time_end<long double>(*program_, eps, arguments.parameters);
+    const long double slow_end = interval * (1 + 4 * std::numeric_limits<double>::epsilon());
+    const auto end = static_cast<double>(interval / eps);
     numbers[0] = end;
     std::fill_n(numbers + 1, estimator_->outputs().size(), not_a_number);
     const Interpreter<long double> formula(formula_, eps, std::move(arguments.parameters),
