@@ -108,28 +108,32 @@ std::string CppCourse::print() const {
     const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
                                          plan_.range.native ? "compute" : "keep");
     const std::string constants =
-        program_.phases.empty()
+        program_.phases.empty() && program_.data.empty()
             ? ""
             : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
-    return filled(frames::course,
-                  {{"flow", program_.flow.empty() ? "false" : "true"},
-                   {"nested", nested ? "true" : "false"},
-                   {"level_count", std::to_string(levels.size())},
-                   {"levels", fmt::format("{}", fmt::join(levels, ", "))},
-                   {"columns", std::to_string(plan_.columns_before(levels.size()))},
-                   {"phases", std::to_string(program_.phases.size())},
-                   {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
-                   {"decays", fmt::format("{}", fmt::join(decays, ", "))},
-                   {"fades", fmt::format("{}", fmt::join(fades, ", "))},
-                   {"start", plan_.member_list(plan_.flow_starts, "c.")},
-                   {"rates", rates()},
-                   {"margins", margins()},
-                   {"conditions", conditions()},
-                   {"packs", plan_.range.native && program_.flow.empty() && none_decays ? "true" : "false"},
-                   {"constants", constants},
-                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
-                   {"phase_rates", phase_rates()},
-                   {"arguments", arguments()}});
+    const bool no_data = program_.data.empty();
+    return filled(
+        frames::course,
+        {{"flow", program_.flow.empty() ? "false" : "true"},
+         {"nested", nested ? "true" : "false"},
+         {"level_count", std::to_string(levels.size())},
+         {"levels", fmt::format("{}", fmt::join(levels, ", "))},
+         {"columns", std::to_string(plan_.columns_before(levels.size()))},
+         {"phases", std::to_string(program_.phases.size())},
+         {"rounded", fmt::format("{}", fmt::join(plan_.phase_uses_tables, ", "))},
+         {"decays", fmt::format("{}", fmt::join(decays, ", "))},
+         {"fades", fmt::format("{}", fmt::join(fades, ", "))},
+         {"start", plan_.member_list(plan_.flow_starts, "c.")},
+         {"rates", rates()},
+         {"margins", margins()},
+         {"conditions", conditions()},
+         {"packs", plan_.range.native && program_.flow.empty() && none_decays && no_data ? "true" : "false"},
+         {"constants", constants},
+         {"edges", no_data ? "" : "            decltype(Evaluator::edges(c)) edges;\n"},
+         {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},
+         {"starts", plan_.member_list(plan_.phase_starts, "c.")},
+         {"phase_rates", phase_rates()},
+         {"arguments", arguments()}});
 }
 
 } // namespace

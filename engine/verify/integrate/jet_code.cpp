@@ -218,7 +218,8 @@ private:
         case Op::sinh_cosh: return pair(s, "");
         case Op::tan_secant: return with_square(s, "");
         case Op::tanh_sech: return with_square(s, "-");
-        case Op::function: return set(s.result, derivative_sum(s.left, s.right) + "*im");
+        case Op::function:
+        case Op::data: return set(s.result, derivative_sum(s.left, s.right) + "*im");
         }
     }
 

@@ -5,6 +5,7 @@
 #include "algebra/number/number.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
+#include "verify/judging/data_error.hpp"
 #include "verify/judging/deviation.hpp"
 #include "verify/judging/start_scaling.hpp"
 #include "verify/judging/times.hpp"
@@ -80,6 +81,13 @@ void add_estimates(const Scene& scene, const Solution& solution, const VerifyOpt
     for (const LadderRung& rung : outputs.front().ladder) eps.push_back(rung.eps);
     const ErrorEstimates estimates = options.estimate(scene, solution, eps);
     for (OutputVerdict& output : outputs) weigh_estimate(output, estimates.at(output.name));
+}
+
+void add_data_errors(const FirstOrderSystem& system, const Trial& trial,
+                     std::vector<OutputVerdict>& outputs) {
+    if (outputs.empty() || outputs.front().ladder.empty()) return;
+    const std::vector<DataError> errors = data_errors(system, trial, outputs.front().ladder.back().eps);
+    for (std::size_t k = 0; k < errors.size(); ++k) outputs[k].data_error = errors[k];
 }
 
 double largest_value(std::span<const DoubleDouble> values) {
@@ -216,7 +224,7 @@ bool Verification::as_expected() const {
 Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
                     const Solution& solution, const VerifyOptions& options) {
     const auto begin = Clock::now();
-    const Trial trial(std::move(system), scene, solution, options);
+    const Trial trial(system, scene, solution, options);
     Verification result;
     result.system = trial.program()->system;
     result.scene = scene.name;
@@ -228,6 +236,7 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     if (!scene.verify.eps_given) descent.further();
     for (OutputVerdict& output : result.outputs) weigh(output, guaranteed.at(output.name));
     add_estimates(scene, solution, options, result.outputs);
+    add_data_errors(*system, trial, result.outputs);
     result.emitted = emitted_check(scene, solution, options);
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())
         for (OutputVerdict& output : result.outputs) leave_open(output, complaint);
