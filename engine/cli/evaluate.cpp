@@ -11,8 +11,8 @@
 #include "emit/display/json.hpp"
 #include "model/files/interval_length.hpp"
 #include "model/system/scene_file.hpp"
+#include "verify/estimate/error_estimator.hpp"
 #include "verify/evaluate/interpreter.hpp"
-#include "verify/judging/error_estimator.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cli/watch.hpp"
-#include "verify/judging/error_estimate.hpp"
+#include "verify/estimate/error_estimate.hpp"
 #include "verify/judging/guarantee.hpp"
 
 #include <vector>

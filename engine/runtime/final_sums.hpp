@@ -10,6 +10,7 @@
 
 #include "runtime/gauss.hpp"
 #include "runtime/layer.hpp"
+#include "runtime/pieces.hpp"
 #include "runtime/status.hpp"
 
 #include <algorithm>
@@ -66,6 +67,18 @@ public:
     // Status as fit_panels: overflow, outside_domain; that of a flow, or where margins are in doubt, says no
     // more than that there is no result.
     Status integrate(const Number& end) {
+        if constexpr (requires { turning_.edges; }) {
+            Status status = Status::ok;
+            for (Number left = Number(0), right = left; status == Status::ok && left < end; left = right) {
+                right = end_of_piece(turning_, left, end);
+                status = integrate(left, right);
+            }
+            return status;
+        } else {
+            return integrate(Number(0), end);
+        }
+    }
+    Status integrate(const Number& begin, const Number& end) {
         struct Part {
             Number right;
             Real rest; // of the interval that it was part of
@@ -73,7 +86,7 @@ public:
         std::array<Part, most_halvings + 2> parts;
         std::size_t open = 1, panels = 0;
         parts[0] = {end, Real(-1)};
-        for (Number left = Number(0); open > 0;) {
+        for (Number left = begin; open > 0;) {
             const Part part = parts[open - 1];
             const Status tried = panel(left, part.right);
             if (tried == Status::ok && converged(rest_, part.rest)) {

@@ -96,11 +96,12 @@ public:
     Status solve(const Rates& rates, const GoesOn& goes_on, Real& end, std::size_t most) {
         Real left = Real(0), step = end, refused = Real(-1);
         while (left < end) {
+            const Real stop = end_of_piece(rates, left, end);
             if (panels.size() == most) {
                 end = left;
                 return Status::outside_interval;
             }
-            if (end - left < step * (Real(1) + Real(64) * math::epsilon<Real>())) step = end - left;
+            if (stop - left < step * (Real(1) + Real(64) * math::epsilon<Real>())) step = stop - left;
             const Status tried = iterate(rates, left, step);
             const bool contracts = tried == Status::ok && contracted_;
             const Real rest = contracts ? remainder(step) : Real(-1);
@@ -112,7 +113,7 @@ public:
                     end = left;
                     return Status::overflow;
                 }
-                left = end - left > step ? left + step : end;
+                left = stop - left > step ? left + step : stop;
                 if (left < end && !goes_on(left, values())) {
                     end = left;
                     return Status::outside_domain;

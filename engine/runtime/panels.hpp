@@ -11,6 +11,7 @@
 #define RESONFORM_RUNTIME_PANELS
 
 #include "runtime/math.hpp"
+#include "runtime/pieces.hpp"
 #include "runtime/status.hpp"
 
 #include <algorithm>
@@ -175,8 +176,12 @@ public:
         : integrand_(integrand), end_(end), tolerance_(tolerance) {}
 
     Panels<Number, Count> fit() {
-        Number no_parent = Number(-1);
-        result_.status = divide(Number(0), end_, no_parent, 0);
+        Number left = Number(0), right = left;
+        do {
+            right = end_of_piece(integrand_, left, end_);
+            result_.status = divide(left, right, Number(-1), 0);
+            left = right;
+        } while (result_.status == Status::ok && right < end_);
         return std::move(result_);
     }
 

@@ -44,13 +44,24 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
              "normalise through a higher weight",
              {system.file.string(), 0, 0, "truncation", ""}});
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
-        if (const Generator& g = field.ring->generator(id);
-            g.kind == GeneratorKind::function && g.of.function == Function::named)
+        if (const Generator& g = field.ring->generator(id); g.kind == GeneratorKind::function &&
+                                                            g.of.function == Function::named &&
+                                                            system.function(g.of.symbol)->data == nullptr)
             refuse(
                 {"a solution is for functions that have values",
                  g.name,
                  "give " + g.of.symbol + " a value under [functions] of a scene, or derive the normal form",
                  {system.file.string(), 0, 0, "equations", ""}});
+    for (const NamedFunction& f : system.functions)
+        if (f.data != nullptr && f.data->degree < options.truncation + 1)
+            refuse({fmt::format(
+                        "data are smooth enough: a spline of degree d has an error of eps^d, and weights "
+                        "through {} ask for degree {}",
+                        options.truncation, (options.truncation + 1) | 1),
+                    fmt::format("{} is a spline of degree {}", f.name, f.data->degree),
+                    fmt::format("write degree = {} in [functions] of the scene, or ask for a lower order",
+                                (options.truncation + 1) | 1),
+                    {system.file.string(), 0, 0, "functions." + f.name, ""}});
     check_moves(field);
 }
 
@@ -147,7 +158,7 @@ void check_projected(const Solution& solution, const SolveOptions& options) {
 } // namespace
 
 bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
-    return solves_by_quadratures(*normal_form.field) &&
+    return solves_by_quadratures(*normal_form.field) && !normal_form.field->system().has_data() &&
            (time_scale < 2 || amplitude_is_constant(normal_form));
 }
 

@@ -19,7 +19,7 @@ std::vector<fs::path> scenes() {
     for (const auto& system : fs::directory_iterator(source / "systems"))
         if (fs::is_directory(system.path() / "scenes"))
             for (const auto& scene : fs::directory_iterator(system.path() / "scenes"))
-                found.push_back(fs::relative(scene.path(), source));
+                if (scene.path().extension() == ".toml") found.push_back(fs::relative(scene.path(), source));
     std::sort(found.begin(), found.end());
     return found;
 }

@@ -3,8 +3,8 @@
 // their defect.
 #include "own_system.hpp"
 #include "solve/flow/slow_flow.hpp"
+#include "verify/estimate/times.hpp"
 #include "verify/evaluate/interpreter.hpp"
-#include "verify/judging/times.hpp"
 #include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a ladder looks: times that no layer escapes, and the rate that sets the first.
-#include "verify/judging/times.hpp"
+#include "verify/estimate/times.hpp"
 
 #include "scene_line.hpp"
 

@@ -2,6 +2,7 @@
 #include "emit/cpp/class.hpp"
 
 #include "emit/cpp/begin.hpp"
+#include "emit/cpp/data.hpp"
 #include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/final_point.hpp"
 #include "emit/cpp/interface.hpp"
@@ -182,16 +183,19 @@ std::string built_or_return(const std::string& call, const std::string& what) {
 
 std::string CppFrame::flow(std::size_t level) const {
     const auto at = [&](const std::string& value) {
-        return fmt::format("[this](const Real& T, const std::array<Real, {}>& flow) {{ return {}; }},",
+        return fmt::format("[this](const Real& T, const std::array<Real, {}>& flow) {{ return {}; }}",
                            program_.flow.size(), value);
     };
     const std::string indent = "\n                              ";
     std::string layers;
     if (!plan_.layers.empty())
-        layers = indent + at(fmt::format("resonform::all_clear(layers(c_, T{}))",
-                                         plan_.layers_use_flow ? ", flow" : ""));
-    return built_or_return(fmt::format("tables_{}_.build{}({}{}{}{{{}}}, reach)", level,
-                                       layers.empty() ? "" : "_while", at("flow_rates(c_, T, flow)"), layers,
+        layers =
+            indent +
+            at(fmt::format("resonform::all_clear(layers(c_, T{}))", plan_.layers_use_flow ? ", flow" : "")) +
+            ",";
+    return built_or_return(fmt::format("tables_{}_.build{}({},{}{}{{{}}}, reach)", level,
+                                       layers.empty() ? "" : "_while",
+                                       cpp_in_pieces(plan_, at("flow_rates(c_, T, flow)"), "c_"), layers,
                                        indent, plan_.member_list(plan_.flow_starts, "c_.")),
                            plan_.levels[level].name);
 }
@@ -235,8 +239,11 @@ std::string CppFrame::construct() const {
         const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);
         text += built_or_return(
             fmt::format(
-                "tables_{0}_.build([this](const Real& T) {{ return integrands_{0}(c_, T{1}); }}, reach)",
-                level, tables),
+                "tables_{}_.build({}, reach)", level,
+                cpp_in_pieces(
+                    plan_,
+                    fmt::format("[this](const Real& T) {{ return integrands_{}(c_, T{}); }}", level, tables),
+                    "c_")),
             plan_.levels[level].name);
     }
     if (!program_.phases.empty())
@@ -248,8 +255,10 @@ std::string CppFrame::construct() const {
             rate = fmt::format("{}_rate(wide, T, widened<Wide>(look_up_{}(static_cast<Real>(T))))", name,
                                plan_.levels.size());
         text += fmt::format(
-            "        const auto {}_rates = [&](const Wide& T) {{ return std::array<Wide, 1>{{{}}}; }};\n",
-            name, rate);
+            "        const auto {}_rates = {};\n", name,
+            cpp_in_pieces(plan_,
+                          fmt::format("[&](const Wide& T) {{ return std::array<Wide, 1>{{{}}}; }}", rate),
+                          "wide"));
         const bool fades = !program_.phases[k].fades_with.empty();
         const char* rounded = plan_.phase_uses_tables[k] ? ", true" : fades ? ", false" : "";
         text += built_or_return(fmt::format("{0}_.build({0}_rates, wide.{1}, eps, reach{2}{3})", name,

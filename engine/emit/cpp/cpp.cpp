@@ -3,6 +3,7 @@
 
 #include "emit/cpp/c_interface.hpp"
 #include "emit/cpp/class.hpp"
+#include "emit/cpp/data.hpp"
 #include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/cpp/plan.hpp"
@@ -68,6 +69,7 @@ std::string runtime(const Program& program, bool inlined) {
         if (turns) text += "#include \"runtime/phase.hpp\"\n";
         if (program.rows.empty()) text += "#include \"runtime/points.hpp\"\n";
         if (CppPlan(program).uses_scaled()) text += "#include \"runtime/scaled.hpp\"\n";
+        if (!cpp_data_tables(program).empty()) text += "#include \"runtime/spline.hpp\"\n";
         if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
         if (!program.rows.empty()) text += "#include \"runtime/tabulated.hpp\"\n";
         return text + "\n";
@@ -87,7 +89,7 @@ std::string body(const Program& program, bool own = false) {
     const std::string name = cpp_namespace(program.system, program.scene);
     std::string text = fmt::format("namespace {} {{\n{}\n", name, own ? "namespace {\n" : "");
     text += "using namespace resonform::math; // elementary functions of every real type\n\n";
-    text += cpp_class(program);
+    text += cpp_data_tables(program) + cpp_class(program);
     return text + fmt::format("\n{}}} // namespace {}\n", own ? "} // namespace\n" : "", name);
 }
 

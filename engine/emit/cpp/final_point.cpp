@@ -108,9 +108,10 @@ std::string CppCourse::print() const {
     const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
                                          plan_.range.native ? "compute" : "keep");
     const std::string constants =
-        program_.phases.empty()
+        program_.phases.empty() && program_.data.empty()
             ? ""
             : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
+    const bool no_data = program_.data.empty();
     return filled(
         frames::course,
         {{"flow", program_.flow.empty() ? "false" : "true"},
@@ -126,8 +127,10 @@ std::string CppCourse::print() const {
          {"rates", rates()},
          {"margins", margins()},
          {"conditions", conditions()},
-         {"packs", plan_.range.native && program_.flow.empty() && none_decays ? "true" : "false"},
+         {"packs", plan_.range.native && program_.flow.empty() && none_decays && no_data ? "true" : "false"},
          {"constants", constants},
+         {"edges", no_data ? "" : "            decltype(Evaluator::edges(c)) edges;\n"},
+         {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},
          {"starts", plan_.member_list(plan_.phase_starts, "c.")},
          {"phase_rates", phase_rates()},
          {"arguments", arguments()},

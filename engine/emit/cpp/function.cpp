@@ -2,6 +2,7 @@
 #include "emit/cpp/function.hpp"
 
 #include "algebra/number/binary_parts.hpp"
+#include "emit/cpp/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -162,6 +163,9 @@ CppFunction::Text CppFunction::function_of(const StraightLine::Instruction& i) c
     }
     if (i.op == StraightLine::Op::root && i.index != 2)
         return {fmt::format("resonform::math::root({}, {})", arguments.front(), i.index), Level::atom};
+    if (i.data != nullptr)
+        return {fmt::format("spline({}, {}, {})", cpp_data_name(*i.data), i.index, arguments.front()),
+                Level::atom};
     const std::string name = i.op == StraightLine::Op::root ? "sqrt" : function_name(i.function);
     return {fmt::format("{}({})", name, fmt::join(arguments, ", ")), Level::atom};
 }

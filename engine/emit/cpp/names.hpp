@@ -2,6 +2,8 @@
 // Unique C++ identifiers within one scope of emitted code.
 #pragma once
 
+#include "algebra/number/piecewise_polynomial.hpp"
+
 #include <set>
 #include <string>
 
@@ -24,6 +26,9 @@ private:
 
 // resonform::generated::<system>::<scene>, where any name of a file is a legal name of a namespace.
 std::string cpp_namespace(const std::string& system, const std::string& scene);
+
+// The table of data: "data_omega".
+std::string cpp_data_name(const PiecewisePolynomial& data);
 
 // A C++ string literal of ASCII text.
 std::string cpp_literal(const std::string& text);

@@ -130,6 +130,7 @@ void CppPlan::lower_results() {
     }
     outputs = results(program->outputs);
     state = results(program->state);
+    for (const ProgramData& data : program->data) data_arguments.push_back(code.lower(data.argument));
     for (const ProgramRow& row : program->rows) rows.push_back({&row, code.lower(row.amplitude)});
     for (const ProgramCondition& condition : program->positive) {
         const Value v = code.lower(condition.value);
@@ -149,7 +150,8 @@ void CppPlan::lower_results() {
 // All results, except constant conditions.
 std::vector<Value> CppPlan::roots() const {
     std::vector<Value> all = integrands;
-    for (const std::vector<Value>* more : {&flow_starts, &flow_rates, &phase_starts, &phase_rates})
+    for (const std::vector<Value>* more :
+         {&flow_starts, &flow_rates, &phase_starts, &phase_rates, &data_arguments})
         all.insert(all.end(), more->begin(), more->end());
     for (const Growth& growth : growths) all.push_back(growth.factor);
     for (const std::vector<CppCondition>* conditions : {&varying_conditions, &layers})

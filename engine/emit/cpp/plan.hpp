@@ -53,7 +53,8 @@ struct CppPlan {
     };
     std::vector<Growth> growths;
     std::vector<CppResult> outputs, state;
-    std::vector<CppRow> rows; // empty: many points are computed one by one
+    std::vector<StraightLine::Value> data_arguments; // of program.data
+    std::vector<CppRow> rows;                        // empty: many points are computed one by one
     std::vector<CppCondition> constant_conditions, varying_conditions;
     std::vector<CppCondition> layers; // of program.layers
     bool layers_use_flow = false, layers_are_broad = true;

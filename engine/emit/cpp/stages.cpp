@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/stages.hpp"
 
+#include "emit/cpp/data.hpp"
 #include "emit/cpp/function.hpp"
 #include "emit/cpp/names.hpp"
 
@@ -20,9 +21,10 @@ public:
     explicit CppStages(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() {
-        return constants() + kept_constants() + start_conditions() + flow_rates() + layers() + integrands() +
-               phase_rates() + arguments() + evaluation("outputs", "Values", plan_.outputs) +
-               evaluation("states", "State", plan_.state) + amplitudes();
+        return constants() + kept_constants() + start_conditions() + cpp_data_edges(plan_) + flow_rates() +
+               layers() + integrands() + phase_rates() + arguments() +
+               evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state) +
+               amplitudes();
     }
 
 private:

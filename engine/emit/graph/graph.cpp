@@ -17,6 +17,7 @@ std::string spelling(const Graph::Entry& e) {
     append(e.exponent);
     if (e.op == Graph::Op::rational) key += to_string(e.value);
     if (e.op == Graph::Op::symbol) key += e.name;
+    if (e.op == Graph::Op::spline) key += e.data->name + ' ';
     for (const Graph::Node n : e.operands) append(n);
     return key;
 }
@@ -187,6 +188,16 @@ Graph::Node Graph::function(Op op, std::vector<Node> operands) {
     Entry e;
     e.op = op;
     e.operands = std::move(operands);
+    return intern(std::move(e));
+}
+
+Graph::Node Graph::spline(DataPointer data, int derivative, Node x) {
+    if (derivative > data->degree) return rational(0);
+    Entry e;
+    e.op = Op::spline;
+    e.exponent = derivative;
+    e.data = std::move(data);
+    e.operands = {x};
     return intern(std::move(e));
 }
 

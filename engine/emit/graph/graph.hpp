@@ -9,6 +9,7 @@
 #pragma once
 
 #include "algebra/number/number.hpp"
+#include "algebra/number/piecewise_polynomial.hpp"
 
 #include <cstdint>
 #include <map>
@@ -36,14 +37,16 @@ public:
         asinh,
         sinh,
         erf,
-        atan2,           // (y, x)
-        sqrt_sum_squares // hypot(a, b)
+        atan2,            // (y, x)
+        sqrt_sum_squares, // hypot(a, b)
+        spline            // derivative of data
     };
     struct Entry {
         Op op = Op::rational;
         Rational value;   // rational
         std::string name; // symbol
-        int exponent = 0; // power: exponent; root: k
+        int exponent = 0; // power: exponent; root: k; spline: how often it is differentiated
+        DataPointer data; // spline
         std::vector<Node> operands;
     };
 
@@ -63,6 +66,7 @@ public:
     Node root(Node base, int k);
     // One of sin ... sqrt_sum_squares; exact values at 0 and 1 are folded.
     Node function(Op op, std::vector<Node> operands);
+    Node spline(DataPointer data, int derivative, Node x);
 
 private:
     using Factors = std::map<Node, int>; // base -> exponent

@@ -5,6 +5,7 @@
 #include "algebra/ring/constant.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/graph/lower.hpp"
+#include "emit/program/data.hpp"
 #include "emit/program/fixed_divisors.hpp"
 #include "emit/program/flow_program.hpp"
 #include "emit/program/harmonics.hpp"
@@ -191,9 +192,10 @@ std::string fixed_values(const System& system, const Scene& scene) {
     return text;
 }
 
-// "omega(tau) = sqrt(1 + tau^2)"
+// "omega(tau) = sqrt(1 + tau^2)", "omega(tau): spline of degree 5 through 33 points of omega.csv"
 std::string given_value(const NamedFunction& f) {
-    return fmt::format("{}({}) = {}", f.name, f.of, spell(f.value->value));
+    return fmt::format("{}({}){}", f.name, f.of,
+                       f.data != nullptr ? ": " + f.data_text : " = " + spell(f.value->value));
 }
 
 Program built(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
@@ -231,18 +233,23 @@ Program without_savings(const Solution& solution, Scene scene) {
 
 } // namespace
 
-Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
+Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& wanted) {
+    ProgramOptions options = wanted;
+    const bool has_data = solution.system().has_data();
+    options.rows = wanted.rows && !has_data;
     Program program = built_with_reason(solution, scene, options);
+    if (wanted.rows && has_data) program.form_reason = "no tables of data";
     prune(program);
+    find_data(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
     for (const NamedFunction& f : solution.system().functions)
-        if (f.value) program.notes.push_back(given_value(f));
+        if (f.value || f.data != nullptr) program.notes.push_back(given_value(f));
     if (options.fold_fixed && !scene.fix.empty())
         program.notes.push_back(fixed_values(solution.system(), scene));
     if (!solution.system().source.empty()) program.notes.push_back("source: " + solution.system().source);
     program.before = count_written_out(without_savings(solution, scene));
     program.after = count_operations(program);
-    if (options.rows) choose_form(program, scene.form, scene.form_place);
+    if (wanted.rows) choose_form(program, scene.form, scene.form_place);
     return program;
 }
 

@@ -47,9 +47,20 @@ bool contains_varying(const Lowering& lowering, const Polynomial& p) {
     });
 }
 
+void define_data(Lowering& lowering, Program& program, DataPointer data, GeneratorId id) {
+    const FunctionOf& of = lowering.ring().generator(id).of;
+    const Graph::Node argument = lowering.radicand(of.argument);
+    lowering.define(id, program.graph.spline(std::move(data), of.derivative, argument),
+                    contains_varying(lowering, of.argument));
+}
+
 void define_function(Lowering& lowering, Program& program, const Surroundings& surroundings, GeneratorId id) {
     const Ring& ring = lowering.ring();
     const FunctionOf& of = ring.generator(id).of;
+    if (of.function == Function::named) {
+        define_data(lowering, program, surroundings.data.at(of.symbol), id);
+        return;
+    }
     if (const std::optional<Polynomial> positive = positive_for(ring, of)) {
         const Graph::Node margin = lowering.radicand(*positive);
         if (!signs_of(program.graph, margin, surroundings.positive).is_positive())

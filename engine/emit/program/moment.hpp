@@ -18,6 +18,7 @@ struct Surroundings {
     std::map<std::string, Graph::Node>
         symbols;                    // eps, parameters, constants of the solution, by generator name
     std::set<Graph::Node> positive; // nodes whose sign is declared
+    std::map<std::string, DataPointer> data = {}; // by the function that they are the value of
 };
 
 struct MomentPlan {

@@ -93,6 +93,12 @@ struct OperationsByForm {
     int direct = 0;
 };
 
+// A function that is given by data, and the slow variable that it stands at: linear in slow time.
+struct ProgramData {
+    DataPointer samples;
+    Graph::Node argument = -1; // in slow_time and construction values
+};
+
 struct Program {
     std::string system, scene, title;
     int order = 0, truncation = 0;
@@ -106,6 +112,7 @@ struct Program {
     std::vector<ProgramPhase> phases;                // one per frequency that the outputs see, then exponents
     std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;              // as the scene lists them
+    std::vector<ProgramData> data;                   // those that the motion runs along
     std::vector<ProgramRow> rows;                    // of the outputs, if ProgramOptions::rows
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
     std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first

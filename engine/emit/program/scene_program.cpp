@@ -44,6 +44,8 @@ void SceneProgram::open(const std::string& eps) {
     surroundings_.symbols[eps] = program_.eps;
     surroundings_.positive.insert(program_.eps);
     program_.slow_time_end = program_.graph.rational(1);
+    for (const NamedFunction& f : solution_.system().functions)
+        if (f.data != nullptr) surroundings_.data.emplace(f.name, f.data);
     define_parameters();
 }
 

@@ -15,6 +15,7 @@ std::string spelling(const StraightLine::Instruction& i) {
     std::string key = fmt::format("{}|{}|{}|{}|{}|", static_cast<int>(i.op), static_cast<int>(i.function),
                                   i.index, i.symbol, i.negative);
     if (i.op == StraightLine::Op::number) key += to_string(i.number);
+    if (i.data != nullptr) key += i.data->name + '|';
     for (const StraightLine::Value v : i.operands) key += fmt::format("{},", v);
     return key;
 }
@@ -67,6 +68,8 @@ StraightLine::Value StraightLine::lower(Graph::Node n) {
     default:
         i.op = Op::function;
         i.function = e.op;
+        i.index = e.exponent;
+        i.data = e.data;
         for (const Graph::Node operand : e.operands) i.operands.push_back(lower(operand));
         value = append(std::move(i));
     }

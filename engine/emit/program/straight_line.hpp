@@ -24,8 +24,9 @@ public:
         Op op = Op::number;
         Rational number;                     // number
         Graph::Node symbol = -1;             // symbol
-        int index = 0;                       // root
+        int index = 0;                       // root; how often data are differentiated
         Graph::Op function = Graph::Op::sin; // function
+        DataPointer data;                    // of a spline
         std::vector<Value> operands;         // of add: the positive ones first
         std::size_t negative = 0;            // add: how many operands at the end are subtracted
         bool varying = false;                // computed at each call

@@ -2,12 +2,18 @@
 // What functions depend on, and the values that a scene gives to those that are known by their names only.
 #include "algebra/number/error.hpp"
 #include "model/files/read_system.hpp"
+#include "model/files/samples.hpp"
+#include "model/files/spline.hpp"
 #include "model/files/system_reader.hpp"
 #include "model/signs/sign_prover.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/expression.hpp"
 #include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
 
 namespace resonform {
 
@@ -52,7 +58,10 @@ void SystemReader::give_values() {
                  "no value of " + in_quotes(f.name),
                  "write under [functions] its expression, as " + f.name + " = \"sqrt(1 + " + f.of + "^2)\"",
                  values_->place});
-        f.value = value_of(f, *node);
+        if (node->type == TomlNode::Type::table)
+            read_data(f, *node);
+        else
+            f.value = value_of(f, *node);
     }
 }
 
@@ -64,6 +73,48 @@ FunctionValue SystemReader::value_of(const NamedFunction& function, const TomlNo
     scope.define(function.of, result.argument);
     result.value = expression_of(node, scope);
     return result;
+}
+
+namespace {
+
+// To see what the samples leave open: the last one stays.
+DataPointer through_every_other(const Samples& samples, const std::string& name) {
+    std::vector<double> x, y;
+    for (std::size_t k = 0; k < samples.x.size(); ++k) {
+        if (k % 2 != 0 && k + 1 != samples.x.size()) continue;
+        x.push_back(samples.x[k]);
+        y.push_back(samples.y[k]);
+    }
+    if (x.size() < static_cast<std::size_t>(samples.degree) + 1) return nullptr;
+    PiecewisePolynomial data = spline_through(x, y, samples.degree);
+    data.name = name;
+    return std::make_shared<const PiecewisePolynomial>(std::move(data));
+}
+
+} // namespace
+
+// A spline through the columns of a file beside the scene.
+void SystemReader::read_data(NamedFunction& function, const TomlNode& node) const {
+    const Variable* variable = system_.variable(function.of);
+    if (variable == nullptr)
+        bad_value(node, "data give a function of a slow variable, and " + function.of + " is a parameter",
+                  "write its value as an expression");
+    const Samples samples = read_samples(node, values_->place.file);
+    PiecewisePolynomial data = spline_through(samples.x, samples.y, samples.degree);
+    data.name = function.name;
+    if (function.nonzero) {
+        const int sign = data.sign();
+        if (function.positive ? sign <= 0 : sign == 0)
+            bad_value(node,
+                      "the system declares " + function.name +
+                          (function.positive ? " positive" : " nonzero") +
+                          ", and the spline through the data is not proved to be so on its range",
+                      "correct the data, or sample them more densely");
+    }
+    function.coarse_data = through_every_other(samples, function.name);
+    function.data = std::make_shared<const PiecewisePolynomial>(std::move(data));
+    function.data_text = fmt::format("spline of degree {} through {} points of {} ({}, {})", samples.degree,
+                                     samples.x.size(), samples.file, samples.columns[0], samples.columns[1]);
 }
 
 void SystemReader::check_given_signs() const {

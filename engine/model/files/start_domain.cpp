@@ -5,6 +5,8 @@
 #include "model/text/diagnostic.hpp"
 #include "model/text/regular.hpp"
 
+#include <fmt/format.h>
+
 namespace resonform {
 
 namespace {
@@ -49,9 +51,25 @@ private:
     GiNaC::exmap values_;
 };
 
+// Data are for a range of a slow variable, in which the motion starts.
+void check_data(const Scene& scene) {
+    for (const NamedFunction& f : scene.system->functions) {
+        const StartValue* start = scene.start_of(f.of);
+        if (f.data == nullptr || start == nullptr) continue;
+        const GiNaC::ex value = scene.fixed(start->value);
+        if (!value.info(GiNaC::info_flags::rational)) continue;
+        if (f.data->holds(cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()))) continue;
+        bad_input({fmt::format("the data of {} reach from {} to {}", f.name, f.data->breakpoints.front(),
+                               f.data->breakpoints.back()),
+                   f.of + " = " + excerpt(start->text), "start in between, or give more data",
+                   place_of(start->source)});
+    }
+}
+
 } // namespace
 
 void check_start_domain(const Scene& scene, const TomlNode* fix) {
+    check_data(scene);
     const StartDomain start(scene, fix);
     for (const Declaration& declared : scene.system->positive) start.check(declared);
 }

@@ -61,6 +61,7 @@ Scope Scene::constants() const {
         if (const auto found = fix.find(set.parameter); found != fix.end())
             scope.define(set.parameter, found->second);
     for (const NamedFunction& f : system->functions) {
+        if (f.data != nullptr) scope.define_data(f.name, f.of, f.data);
         if (!f.value) continue;
         const GiNaC::ex value = f.value->value.subs(cancelled, GiNaC::subs_options::no_pattern);
         const bool known = std::none_of(system->cancelled.begin(), system->cancelled.end(),

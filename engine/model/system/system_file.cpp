@@ -58,6 +58,11 @@ const NamedFunction* System::function(const std::string& wanted) const {
     return find_named(functions, wanted);
 }
 
+bool System::has_data() const {
+    return std::any_of(functions.begin(), functions.end(),
+                       [](const NamedFunction& f) { return f.data != nullptr; });
+}
+
 std::string System::constant_name(const std::string& kind, const std::string& of) const {
     for (const Notation& entry : notation) {
         if (entry.kind == kind && entry.variable == of) return entry.name;
@@ -78,7 +83,11 @@ Scope System::constants() const {
 }
 
 void System::define_functions(Scope& scope) const {
-    for (const NamedFunction& f : functions) scope.define_function(f.name, f.value);
+    for (const NamedFunction& f : functions)
+        if (f.data != nullptr)
+            scope.define_data(f.name, f.of, f.data);
+        else
+            scope.define_function(f.name, f.value);
 }
 
 } // namespace resonform

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algebra/number/number.hpp"
+#include "algebra/number/piecewise_polynomial.hpp"
 #include "model/system/style.hpp"
 #include "model/text/expression.hpp"
 
@@ -63,6 +64,9 @@ struct NamedFunction { // [functions] omega = { of = ["tau"], positive = true }
     bool positive = false;
     bool nonzero = false;               // implied by positive
     std::optional<FunctionValue> value; // given by a scene: it stands in all expressions of the system
+    // Likewise, by samples: the name stands in the expressions, and this is evaluated in its place.
+    DataPointer data = nullptr, coarse_data = nullptr; // through every other sample; nullptr: too few
+    std::string data_text = {};                        // "spline of degree 5 through 33 points of omega.csv"
 };
 
 // [hamiltonian]: x' = dH/dp, p' = -dH/dx for each pair
@@ -169,6 +173,8 @@ struct System {
     // One of the file: in the equations, or cancelled.
     [[nodiscard]] const Parameter* declared_parameter(const std::string& name) const;
     [[nodiscard]] const NamedFunction* function(const std::string& name) const;
+    // Whether a function of it is given by samples.
+    [[nodiscard]] bool has_data() const;
     // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
     // The parameters and eps: the symbols that start values and intervals may contain.

@@ -202,11 +202,13 @@ Parser::Piece Parser::call() {
     const Piece argument = parenthesis();
     check_argument(function, argument);
     if (const FunctionValue* value = scope_.value_of(function)) return value_at(token, *value, argument);
+    const Scope::Data* data = scope_.data_of(function);
     Piece piece = argument;
     piece.begin = token.begin;
     // The argument stays unexpanded inside the function, which is one factor from now on.
     if (function != "sqrt") piece.growth = {1, 1, argument.growth.bits, 0};
     piece.value = evaluate(piece.begin, piece.end, [&] {
+        if (data != nullptr) return data_at(token, *data, argument);
         return named ? named_function(function, token.primes, argument.value)
                      : apply(function, argument.value);
     });

@@ -38,6 +38,8 @@ private:
     Piece parenthesis();
     Piece value_at(const Token& call, const FunctionValue& function, const Piece& argument);
 
+    GiNaC::ex data_at(const Token& call, const Scope::Data& data, const Piece& argument);
+
     Piece reciprocal(const Piece& denominator);
     Piece raise(const Piece& base, const Piece& exponent);
     Piece raise_by_symbols(const Piece& base, const Piece& exponent);

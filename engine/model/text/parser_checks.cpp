@@ -5,11 +5,14 @@
 #include "model/text/diagnostic.hpp"
 #include "model/text/function_call.hpp"
 #include "model/text/growth.hpp"
+#include "model/text/named_function.hpp"
 #include "model/text/nearest.hpp"
 #include "model/text/parser.hpp"
 #include "model/text/scope.hpp"
 #include "model/text/why_unreal.hpp"
 #include "model/text/zero_test.hpp"
+
+#include <fmt/format.h>
 
 #include <optional>
 
@@ -66,6 +69,28 @@ Parser::Piece Parser::value_at(const Token& call, const FunctionValue& function,
         complain(piece.begin, piece.end, "the value of a function is real",
                  "correct the argument, or the expression that gives the function");
     return piece;
+}
+
+// At a number it is one, exactly.
+GiNaC::ex Parser::data_at(const Token& call, const Scope::Data& data, const Piece& argument) {
+    const PiecewisePolynomial& samples = *data.samples;
+    const bool number =
+        GiNaC::is_a<numeric>(argument.value) && argument.value.info(GiNaC::info_flags::rational);
+    if (!number) {
+        const bool its_own = GiNaC::is_a<GiNaC::symbol>(argument.value) &&
+                             GiNaC::ex_to<GiNaC::symbol>(argument.value).get_name() == data.of;
+        if (its_own) return named_function(samples.name, call.primes, argument.value);
+        complain(argument.begin, argument.end, "a function that is given by data stands at its slow variable",
+                 "write " + samples.name + "(" + data.of + "), or a rational number in its place",
+                 Reason::by_kind);
+    }
+    const Rational at = cln::the<cln::cl_RA>(GiNaC::ex_to<numeric>(argument.value).to_cl_N());
+    if (!samples.holds(at))
+        complain(argument.begin, argument.end,
+                 fmt::format("the data of {} reach from {} to {}", samples.name, samples.breakpoints.front(),
+                             samples.breakpoints.back()),
+                 "give more data, or another value", Reason::by_kind);
+    return numeric(cln::cl_N(samples.at(at, call.primes)));
 }
 
 numeric Parser::checked_exponent(const Piece& exponent) {

@@ -18,6 +18,11 @@ const FunctionValue* Scope::value_of(const std::string& function) const {
     return found != functions_.end() && found->second ? &*found->second : nullptr;
 }
 
+const Scope::Data* Scope::data_of(const std::string& function) const {
+    const auto found = data_.find(function);
+    return found == data_.end() ? nullptr : &found->second;
+}
+
 const GiNaC::ex* Scope::find(const std::string& name, int primes) const {
     const auto found = values_.find({name, primes});
     return found == values_.end() ? nullptr : &found->second;

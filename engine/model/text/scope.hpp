@@ -2,6 +2,7 @@
 // The symbols that the text of an expression may use, and the limits on its size.
 #pragma once
 
+#include "algebra/number/piecewise_polynomial.hpp"
 #include "model/text/function_value.hpp"
 
 #include <cstddef>
@@ -25,9 +26,20 @@ public:
     void define_function(const std::string& name, std::optional<FunctionValue> value = std::nullopt) {
         functions_[name] = std::move(value);
     }
+    // A function that is known by samples: it stands at the symbol `of`, or at a number, where it is one.
+    void define_data(const std::string& name, const std::string& of, DataPointer data) {
+        functions_[name] = std::nullopt;
+        data_[name] = {of, std::move(data)};
+    }
     [[nodiscard]] bool is_function(const std::string& name) const { return functions_.count(name) != 0; }
     // nullptr: it is known by its name only.
     [[nodiscard]] const FunctionValue* value_of(const std::string& function) const;
+    struct Data {
+        std::string of;
+        DataPointer samples;
+    };
+    // nullptr: it is not known by samples.
+    [[nodiscard]] const Data* data_of(const std::string& function) const;
     [[nodiscard]] const GiNaC::ex* find(const std::string& name, int primes) const;
     [[nodiscard]] std::vector<std::string> names() const; // for "nearest known"
     [[nodiscard]] bool has_derivatives() const;           // as equations have them
@@ -35,6 +47,7 @@ public:
 private:
     std::map<std::pair<std::string, int>, GiNaC::ex> values_;
     std::map<std::string, std::optional<FunctionValue>> functions_;
+    std::map<std::string, Data> data_;
 };
 
 // The limits on one expression. All are checked before GiNaC evaluates anything.

@@ -7,6 +7,7 @@
 #include "verify/evaluate/graph_function.hpp"
 #include "verify/evaluate/graph_walk.hpp"
 #include "verify/evaluate/interpretation.hpp"
+#include "verify/run/spline.hpp"
 
 #include <functional>
 #include <map>
@@ -58,6 +59,7 @@ private:
         case StraightLine::Op::root: return i.index == 2 ? sqrt(x(0)) : root(x(0), i.index);
         case StraightLine::Op::function: break;
         }
+        if (i.data != nullptr) return spline(spline_of(*i.data), i.index, x(0));
         return graph_function(i.function, x(0), x(i.operands.size() - 1));
     }
 

@@ -6,6 +6,7 @@
 #include "emit/graph/graph.hpp"
 #include "runtime/scaled.hpp"
 #include "verify/evaluate/graph_function.hpp"
+#include "verify/run/spline.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -90,6 +91,7 @@ private:
             result = power(x(0), e.exponent < 0 ? -e.exponent : e.exponent);
             return e.exponent < 0 ? per(result) : result;
         case Graph::Op::root: return e.exponent == 2 ? Number(sqrt(x(0))) : root(x(0), e.exponent);
+        case Graph::Op::spline: return spline(spline_of(*e.data), e.exponent, x(0));
         default: return graph_function(e.op, x(0), x(e.operands.size() - 1));
         }
         return result;

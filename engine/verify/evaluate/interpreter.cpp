@@ -7,8 +7,10 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
+#include "runtime/pieces.hpp"
 #include "runtime/table.hpp"
 #include "verify/evaluate/constant_walk.hpp"
+#include "verify/run/spline.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -124,6 +126,22 @@ template <class Real> struct Interpreter<Real>::Impl {
         return values;
     }
 
+    // The slow times at which pieces of data end.
+    template <class Number> std::vector<Number> edges(const GraphWalk<Number>& of) const {
+        std::vector<Number> all;
+        GraphWalk<Number> walk = of;
+        for (const ProgramData& data : program->data) {
+            const Plan behind(*shared, {data.argument});
+            const auto argument = [&](int T) {
+                walk.set(program->slow_time, Number(T));
+                walk.compute(behind.varying);
+                return walk[data.argument];
+            };
+            append_edges(*data.samples, argument, all);
+        }
+        return all;
+    }
+
     Cause build_flow() {
         if (program->flow.empty()) return {};
         Nodes rates;
@@ -146,7 +164,8 @@ template <class Real> struct Interpreter<Real>::Impl {
             return all_clear(numbers_of(walk, margins));
         };
         FlowTable<std::vector<Real>> built;
-        const Status solved = built.build_while(rates_at, is_clear, starts, reach);
+        const Status solved =
+            built.build_while(in_pieces(rates_at, edges(constants)), is_clear, starts, reach);
         if (const Cause failed = interval.shorten({solved, "slow flow"}, reach); failed.status != Status::ok)
             return failed;
         flow.emplace(std::move(built));
@@ -178,13 +197,12 @@ template <class Real> struct Interpreter<Real>::Impl {
             const Plan behind(*shared, {table.integrand});
             GraphWalk<Real> walk = constants;
             PrimitiveTable<Real, 1> built;
-            const Status fitted = built.build(
-                [&](const Real& T) {
-                    set_slow_time(walk, T);
-                    walk.compute(behind.varying);
-                    return std::array<Real, 1>{walk[table.integrand]};
-                },
-                reach);
+            const auto integrand = [&](const Real& T) {
+                set_slow_time(walk, T);
+                walk.compute(behind.varying);
+                return std::array<Real, 1>{walk[table.integrand]};
+            };
+            const Status fitted = built.build(in_pieces(integrand, edges(constants)), reach);
             if (const Cause failed = interval.shorten({fitted, level_of(k).name.c_str()}, reach);
                 failed.status != Status::ok)
                 return failed;
@@ -200,11 +218,12 @@ template <class Real> struct Interpreter<Real>::Impl {
         for (std::size_t k = 0; k < program->phases.size(); ++k) {
             const ProgramPhase& phase = program->phases[k];
             const Plan behind(*shared, {phase.rate});
-            const auto rate = [&](const Wide& T) {
+            const auto at = [&](const Wide& T) {
                 set_slow_time(walk, T);
                 walk.compute(behind.varying);
                 return std::array<Wide, 1>{walk[phase.rate]};
             };
+            const auto rate = in_pieces(at, edges(walk));
             const bool rounded = uses_tables(phase.rate), fades = !phase.fades_with.empty();
             const Status fitted =
                 phase.decays()

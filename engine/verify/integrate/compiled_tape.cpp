@@ -16,7 +16,7 @@ std::vector<double> constants_of(const Tape& tape, const std::vector<double>& pa
 
 CompiledTape::CompiledTape(const Tape& tape, const std::vector<double>& parameters, double eps,
                            const std::filesystem::path& cache, const std::function<void()>& announce)
-    : code_(SharedObject::load(emit_tape(tape), cache, announce)),
+    : code_(SharedObject::load(emit_tape(tape), cache, announce)), data_(tape.data()),
       constants_(constants_of(tape, parameters, eps)), row_count_(jet_rows(tape)),
       rates_(reinterpret_cast<decltype(rates_)>(code_.symbol("rf_rates"))),
       jet_(reinterpret_cast<decltype(jet_)>(code_.symbol("rf_jet"))) {}

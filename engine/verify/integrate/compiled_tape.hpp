@@ -22,9 +22,11 @@ public:
     // rf_jet of verify/integrate/tape_code.hpp, and its rows: zeros.
     void expand(int order, double* rows) const { jet_(constants_.data(), order, rows); }
     [[nodiscard]] std::vector<double> rows() const;
+    [[nodiscard]] const std::vector<Tape::Data>& data() const { return data_; }
 
 private:
     SharedObject code_;
+    std::vector<Tape::Data> data_;
     std::vector<double> constants_;
     std::size_t row_count_;
     void (*rates_)(const double*, const double*, double*);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Taylor-series integrator over a compiled jet, in double: steps, step lengths, dense output.
+#include "verify/integrate/breakpoints.hpp"
 #include "verify/integrate/compiled_tape.hpp"
 #include "verify/integrate/tape_code.hpp"
 
@@ -95,7 +96,10 @@ private:
             return coefficient == 0 ? std::numeric_limits<double>::infinity()
                                     : std::pow(start_.tolerance / coefficient, 1.0 / k);
         };
-        return std::min(longest(last, jet_order), longest(before, jet_order - 1));
+        double h = std::min(longest(last, jet_order), longest(before, jet_order - 1));
+        for (const Tape::Data& data : tape_.data())
+            h = within_piece(*data.samples, row(static_cast<std::size_t>(data.state)), jet_order, h);
+        return h;
     }
 
     const CompiledTape& tape_;

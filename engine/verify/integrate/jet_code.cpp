@@ -142,6 +142,7 @@ private:
     }
     // sum_{j=1}^{n} j a_j b_{n-j}; b is another register than a, or a constant.
     std::string derivative_sum(int a, int b) {
+        if (constant(b)) return fmt::format("(m*{}*{})", at(a, "n"), at(b, "0"));
         if (polynomial(a))
             return short_sum(a, name(b), [](int j) { return j == 1 ? "" : fmt::format("{}.0*", j); });
         return fmt::format("({} + m*{}*{})", full(weighted(a), name(b)), at(a, "n"), at(b, "0"));
@@ -218,7 +219,8 @@ private:
         case Op::sinh_cosh: return pair(s, "");
         case Op::tan_secant: return with_square(s, "");
         case Op::tanh_sech: return with_square(s, "-");
-        case Op::function: return set(s.result, derivative_sum(s.left, s.right) + "*im");
+        case Op::function:
+        case Op::data: return set(s.result, derivative_sum(s.left, s.right) + "*im");
         }
     }
 

@@ -2,6 +2,7 @@
 #include "verify/integrate/tape.hpp"
 
 #include "algebra/number/functions.hpp"
+#include "verify/run/spline.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,8 @@ constexpr std::array<std::string_view, 13> op_names{"add",       "subtract",   "
                                                     "sinh_cosh", "tan_secant", "tanh_sech"};
 
 std::string line(const Tape::Instruction& s) {
+    if (s.op == Tape::Op::data)
+        return fmt::format("data {} {} {} {} {}\n", s.data->name, s.derivative, s.result, s.left, s.right);
     const std::string_view name =
         s.op == Tape::Op::function ? row_of(s.function).name : op_names[static_cast<std::size_t>(s.op)];
     return fmt::format("{} {} {} {}\n", name, s.result, s.left, s.right);
@@ -31,6 +34,7 @@ std::string Tape::text() const {
     out += "body\n";
     for (const Instruction& s : body_) out += line(s);
     for (int r : outputs_) out += fmt::format("output {}\n", r);
+    for (const Data& data : data_) out += fmt::format("state {}\n", data.state) + data.samples->text();
     return out;
 }
 
@@ -67,6 +71,7 @@ template <class Real> void run(const Tape::Instruction& step, Real* registers) {
         result[1] = Real(1) - result[0] * result[0];
         break;
     case Op::function: *result = value_of(step.function, left); break;
+    case Op::data: *result = spline(spline_of(*step.data), step.derivative, left); break;
     }
 }
 

@@ -35,13 +35,16 @@ public:
         tan_secant, // result = tan(left), result + 1 = 1 + tan(left)^2
         tanh_sech,  // result = tanh(left), result + 1 = 1 - tanh(left)^2
         function,   // f(left), known by its slope: b' = left' right
+        data,       // likewise, in pieces
     };
     struct Instruction {
         Op op;
         int result;
         int left;
-        int right;                           // unused by unary operations
-        Function function = Function::named; // of Op::function
+        int right;                                 // unused by unary operations
+        Function function = Function::named;       // of Op::function
+        const PiecewisePolynomial* data = nullptr; // of Op::data; it lives with the tape
+        int derivative = 0;
     };
     struct Number {
         int target;
@@ -67,6 +70,12 @@ public:
     [[nodiscard]] const std::vector<Instruction>& prologue() const { return prologue_; }
     [[nodiscard]] const std::vector<Instruction>& body() const { return body_; }
     [[nodiscard]] const std::vector<int>& outputs() const { return outputs_; } // registers
+    // States at which data stand: whoever integrates in high order ends steps at their breakpoints.
+    struct Data {
+        DataPointer samples;
+        int state;
+    };
+    [[nodiscard]] const std::vector<Data>& data() const { return data_; }
     // Every operation and number, one per line: the key of caches, the same in every run.
     [[nodiscard]] std::string text() const;
 
@@ -81,6 +90,7 @@ private:
     std::vector<Number> numbers_;
     std::vector<Instruction> prologue_, body_;
     std::vector<int> outputs_;
+    std::vector<Data> data_;
 };
 
 // Runs one step on values; defined for the four real types.

@@ -6,6 +6,7 @@
 #include "algebra/number/error.hpp"
 #include "model/text/function_call.hpp"
 #include "model/text/function_slope.hpp"
+#include "model/text/named_function.hpp"
 #include "verify/run/real.hpp"
 
 #include <cln/cln.h>
@@ -39,7 +40,7 @@ bool is_negative_number(const GiNaC::ex& e) {
 
 class TapeBuilder {
 public:
-    TapeBuilder(const System& system, const std::vector<GiNaC::symbol>& states) {
+    TapeBuilder(const System& system, const std::vector<GiNaC::symbol>& states) : system_(system) {
         for (const Parameter& p : system.parameters) constants_symbol(p.symbol);
         tape_.parameters_ = constants_;
         constants_symbol(system.eps);
@@ -69,6 +70,8 @@ private:
         Op op;
         Value result, left, right;
         Function function;
+        const PiecewisePolynomial* data = nullptr;
+        int derivative = 0;
     };
     using Exponents = std::vector<std::pair<GiNaC::ex, GiNaC::ex>>;
 
@@ -92,7 +95,7 @@ private:
         int& count = varying ? varying_ : constants_;
         at->second = {varying, count};
         count += results;
-        (varying ? body_ : prologue_).push_back({op, at->second, left, right, function});
+        (varying ? body_ : prologue_).push_back({op, at->second, left, right, function, nullptr, 0});
         return at->second;
     }
     Value step(Op op, Value operand, int results = 1) { return step(op, operand, operand, results); }
@@ -116,14 +119,17 @@ private:
     Value lower_power(const GiNaC::ex& base, const GiNaC::ex& exponent);
     Value integer_power(Value base, unsigned long exponent);
     Value lower_function(const GiNaC::ex& e);
+    Value lower_data(const DataPointer& data, int derivative, Value at);
     void finish(const std::vector<Value>& outputs);
 
+    const System& system_;
     Tape tape_;
     int constants_ = 0, varying_ = 0;
     std::map<GiNaC::ex, Value, GiNaC::ex_is_less> known_; // symbols, then everything lowered
     std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> spellings_;
     std::map<std::string, Value> numbers_;
     std::map<std::tuple<Op, Value, Value, Function>, Value> steps_;
+    std::map<std::pair<std::string, int>, Value> data_;
     std::vector<LooseStep> prologue_, body_;
 };
 
@@ -241,6 +247,14 @@ TapeBuilder::Value TapeBuilder::integer_power(Value base, unsigned long exponent
 }
 
 TapeBuilder::Value TapeBuilder::lower_function(const GiNaC::ex& e) {
+    if (is_named(e)) {
+        const NamedCall called = named_call(e);
+        const NamedFunction* named = system_.function(called.name);
+        const auto state = known_.find(called.argument);
+        if (named != nullptr && named->data != nullptr && state != known_.end() && state->second.varying &&
+            state->second.index < tape_.states_)
+            return lower_data(named->data, called.derivative, state->second);
+    }
     const std::optional<Function> f = function_of(e);
     if (!f)
         refuse({"direct integration knows the elementary functions",
@@ -260,11 +274,25 @@ TapeBuilder::Value TapeBuilder::lower_function(const GiNaC::ex& e) {
     }
 }
 
+// A derivative of data by the next one, which is its slope.
+TapeBuilder::Value TapeBuilder::lower_data(const DataPointer& data, int derivative, Value at) {
+    if (derivative > data->degree) return integer(0);
+    const auto known = data_.find({data->name, derivative});
+    if (known != data_.end()) return known->second;
+    const Value slope = lower_data(data, derivative + 1, at);
+    if (derivative == data->degree) tape_.data_.push_back({data, at.index});
+    const Value result{true, varying_++};
+    body_.push_back({Op::data, result, at, slope, Function::named, data.get(), derivative});
+    data_.emplace(std::pair(data->name, derivative), result);
+    return result;
+}
+
 void TapeBuilder::finish(const std::vector<Value>& outputs) {
     const auto place = [this](const Value& v) { return v.varying ? constants_ + v.index : v.index; };
     const auto settle = [&](const std::vector<LooseStep>& from, std::vector<Tape::Instruction>& to) {
         for (const LooseStep& s : from)
-            to.push_back({s.op, place(s.result), place(s.left), place(s.right), s.function});
+            to.push_back(
+                {s.op, place(s.result), place(s.left), place(s.right), s.function, s.data, s.derivative});
     };
     settle(prologue_, tape_.prologue_);
     settle(body_, tape_.body_);

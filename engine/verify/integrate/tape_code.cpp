@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <string_view>
 
 namespace resonform {
@@ -12,6 +13,28 @@ namespace resonform {
 namespace {
 
 using Op = Tape::Op;
+
+// rf_data_omega(derivative, x): what runtime/spline.hpp computes.
+std::string data_text(const Tape& tape) {
+    std::set<std::string> names;
+    std::string out;
+    for (const Tape::Data& data : tape.data()) {
+        const PiecewisePolynomial& samples = *data.samples;
+        if (!names.insert(samples.name).second) continue;
+        const auto list = [](const std::vector<double>& numbers) {
+            std::string text;
+            for (const double x : numbers) text += fmt::format("{:a}, ", x);
+            return text;
+        };
+        out += fmt::format(
+            "double rf_data_{}(int derivative, double x) {{\n"
+            "    static constexpr double breakpoints[] = {{{}}}, coefficients[] = {{{}}};\n"
+            "    return resonform::Spline{{breakpoints, coefficients, {}, {}}}.at(derivative, x);\n}}\n",
+            samples.name, list(samples.breakpoints), list(samples.coefficients), samples.pieces(),
+            samples.degree);
+    }
+    return out;
+}
 
 std::string rates_text(const Tape& tape) {
     const std::map<int, std::string> constants = names_of_constants(tape);
@@ -54,6 +77,7 @@ std::string value_line(const Tape::Instruction& s, const std::string& type,
     case Op::tan_secant: return call("tan") + second("1 + " + result + "*" + result);
     case Op::tanh_sech: return call("tanh") + second("1 - " + result + "*" + result);
     case Op::function: return call(row_of(s.function).name);
+    case Op::data: return fmt::format("{}rf_data_{}({}, {});\n", to, s.data->name, s.derivative, a);
     }
     return "";
 }
@@ -70,8 +94,9 @@ std::string emit_tape(const Tape& tape) {
     std::string inverses;
     for (int n = 0; n <= highest_jet_order + 1; ++n)
         inverses += fmt::format("{:a}, ", n == 0 ? 0.0 : 1.0 / n);
-    return "#include <cmath>\n\nnamespace {\nconstexpr double inverse[] = {" + inverses +
-           "};\n} // namespace\n\n" + rates_text(tape) + "\n" + jet_text(tape);
+    return std::string(tape.data().empty() ? "" : "#include \"runtime/spline.hpp\"\n") +
+           "#include <cmath>\n\nnamespace {\nconstexpr double inverse[] = {" + inverses + "};\n" +
+           data_text(tape) + "} // namespace\n\n" + rates_text(tape) + "\n" + jet_text(tape);
 }
 
 } // namespace resonform

@@ -60,7 +60,8 @@ void TapeJacobian::differentiate(const Tape::Instruction& step) {
         chain(out, result[1]);
         chain(out2, -2 * result[0] * result[1]);
         break;
-    case Op::function: chain(out, right); break;
+    case Op::function:
+    case Op::data: chain(out, right); break;
     }
 }
 

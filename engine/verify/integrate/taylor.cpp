@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Taylor-series integrator: steps, step lengths, dense output.
+#include "verify/integrate/breakpoints.hpp"
 #include "verify/integrate/integrate.hpp"
 #include "verify/integrate/step_budget.hpp"
 #include "verify/integrate/taylor_jet.hpp"
@@ -24,7 +25,8 @@ int best_order(double tolerance) {
 template <class Real> class Stepper {
 public:
     Stepper(const BoundTape<Real>& tape, std::vector<Real> start, double tolerance, int order)
-        : jet_(tape, order), state_(std::move(start)), scale_(state_.size(), 0.0), tolerance_(tolerance) {}
+        : jet_(tape, order), data_(tape.tape().data()), state_(std::move(start)), scale_(state_.size(), 0.0),
+          tolerance_(tolerance) {}
 
     // Expands about the present state. False if a coefficient is not finite.
     bool expand() {
@@ -42,6 +44,8 @@ public:
         for (std::size_t i = 0; i < state_.size(); ++i)
             for (int k : {jet_.order() - 1, jet_.order()})
                 if (size(i, k) > 0) h = std::min(h, std::pow(tolerance_ * scale_[i] / size(i, k), 1.0 / k));
+        for (const Tape::Data& data : data_)
+            h = within_piece(*data.samples, jet_.coefficients(data.state), jet_.order(), h);
         return h;
     }
 
@@ -76,6 +80,7 @@ private:
     }
 
     TaylorJet<Real> jet_;
+    std::vector<Tape::Data> data_;
     std::vector<Real> state_;
     std::vector<double> scale_;
     double tolerance_;

@@ -95,7 +95,8 @@ template <class Real> void TaylorJet<Real>::coefficient(const Tape::Instruction&
         out[n] = weighted(a, out2, n, 1, n) / Real(n);
         out2[n] = -square(out, n);
         break;
-    case Op::function: out[n] = weighted(a, b, n, 1, n) / Real(n); break;
+    case Op::function:
+    case Op::data: out[n] = weighted(a, b, n, 1, n) / Real(n); break;
     }
 }
 

@@ -30,6 +30,8 @@ Conditions conditions_of(const Scene& scene) {
         std::any_of(scene.verify.eps.begin(), scene.verify.eps.end(),
                     [&](const Rational& eps) { return is_shorter(scene, promised.interval, eps); });
     for (const NamedFunction& f : scene.system->functions)
+        if (f.data != nullptr) conditions.functions.emplace_back(f.name + "(" + f.of + ")", f.data_text);
+    for (const NamedFunction& f : scene.system->functions)
         if (f.value) conditions.functions.emplace_back(f.name + "(" + f.of + ")", spell(f.value->value));
     for (const StartValue& value : scene.start) conditions.start.emplace_back(value.name, value.text);
     return conditions;

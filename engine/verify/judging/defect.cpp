@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/defect.hpp"
 
+#include "verify/estimate/times.hpp"
 #include "verify/integrate/tape.hpp"
-#include "verify/judging/times.hpp"
 
 #include <algorithm>
 #include <array>

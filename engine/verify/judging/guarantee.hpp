@@ -5,7 +5,7 @@
 
 #include "model/system/scene_file.hpp"
 #include "solve/solution.hpp"
-#include "verify/judging/next_weight.hpp"
+#include "verify/estimate/next_weight.hpp"
 
 #include <map>
 #include <optional>

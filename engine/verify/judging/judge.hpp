@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/system/scene_file.hpp"
-#include "verify/judging/error_estimate.hpp"
+#include "verify/estimate/error_estimate.hpp"
 #include "verify/judging/guarantee.hpp"
 
 #include <optional>
@@ -23,6 +23,11 @@ struct LadderRung {
     std::string refusal;        // where the evaluator has no numbers: "outside_domain: 1 - tau at t = 3"
 };
 
+struct DataError { // (verify/judging/data_error.hpp)
+    double eps = 0;
+    double error = 0; // NaN: the motion with fewer samples does not reach the end
+};
+
 struct OutputVerdict {
     std::string name;
     int claimed_order = 0;
@@ -38,6 +43,7 @@ struct OutputVerdict {
     std::vector<double> local_slopes;      // between rungs; one fewer
     std::optional<ErrorEstimate> estimate; // none: it was not asked for
     std::optional<double> estimate_ratio;  // estimated/true; none: nothing to compare
+    std::optional<DataError> data_error;   // none: no data, or too few
 };
 
 // The error is clear of the reference's and the arithmetic's own.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "emit/program/program.hpp"
+#include "verify/estimate/error_estimate.hpp"
 #include "verify/evaluate/evaluator.hpp"
-#include "verify/judging/error_estimate.hpp"
 #include "verify/judging/guarantee.hpp"
 
 #include <cstddef>

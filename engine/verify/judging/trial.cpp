@@ -5,12 +5,12 @@
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
 #include "model/system/scene_file.hpp"
+#include "verify/estimate/times.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/evaluate/scene_values.hpp"
 #include "verify/integrate/integrate.hpp"
 #include "verify/integrate/tape.hpp"
 #include "verify/judging/conditions.hpp"
-#include "verify/judging/times.hpp"
 #include "verify/run/cache.hpp"
 #include "verify/run/real.hpp"
 

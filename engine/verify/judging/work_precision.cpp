@@ -6,10 +6,10 @@
 #include "model/files/interval_length.hpp"
 #include "solve/flow/solve_options.hpp"
 #include "solve/solve.hpp"
+#include "verify/estimate/times.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/integrate/compiled_tape.hpp"
 #include "verify/integrate/integrate.hpp"
-#include "verify/judging/times.hpp"
 #include "verify/judging/trial.hpp"
 
 #include <fmt/format.h>

@@ -76,6 +76,8 @@ Json of(const OutputVerdict& o) {
     out["ladder"] = std::move(ladder);
     for (const LadderRung& r : o.layer) out["layer"].push_back(of(r));
     if (o.estimate) out["error_estimate"] = estimate_of(o);
+    if (o.data_error)
+        out["data_error"] = {{"eps", o.data_error->eps}, {"error", json_number(o.data_error->error)}};
     return out;
 }
 

@@ -63,6 +63,13 @@ std::string defect_line(const OutputVerdict& d) {
     return line + (d.reason.empty() ? "\n" : ": " + d.reason + "\n");
 }
 
+// "  data error of psi: 3.1e-07 at eps = 0.005: every other sample left out"
+std::string data_line(const OutputVerdict& o) {
+    if (!o.data_error) return "";
+    return fmt::format("  data error of {}: {:.2e} at eps = {:g}, by the spline through every other sample\n",
+                       o.name, o.data_error->error, o.data_error->eps);
+}
+
 // The slope above rung i; nothing where an error is zero or no number.
 std::string slope_text(const OutputVerdict& o, std::size_t i) {
     if (i == 0 || !std::isfinite(o.local_slopes[i - 1])) return "";
@@ -143,6 +150,7 @@ std::string to_text(const Verification& v) {
     for (const OutputVerdict& o : v.outputs) text += verdict_line(o, v.conditions);
     for (const OutputVerdict& d : v.defects) text += defect_line(d);
     for (const OutputVerdict& o : v.outputs) text += estimate_line(o);
+    for (const OutputVerdict& o : v.outputs) text += data_line(o);
     return text + to_text(v.emitted);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/sweep/validity.hpp"
 
+#include "verify/estimate/times.hpp"
 #include "verify/evaluate/interpreter.hpp"
-#include "verify/judging/times.hpp"
 #include "verify/sweep/arguments.hpp"
 
 #include <algorithm>

@@ -4,12 +4,12 @@
 //
 //   max { t <= T : |map + flow|(t') < tolerance for 0 <= t' <= t },    T the end of the scene's interval,
 //
-// with map and flow as in verify/judging/error_estimator.hpp. An estimate, not a bound. The error is looked
+// with map and flow as in verify/estimate/error_estimator.hpp. An estimate, not a bound. The error is looked
 // at at 400 times (crowded_times), and at 32 more where it first exceeds the tolerance.
 #pragma once
 
 #include "runtime/status.hpp"
-#include "verify/judging/error_estimator.hpp"
+#include "verify/estimate/error_estimator.hpp"
 #include "verify/sweep/grid.hpp"
 
 #include <cstdint>

@@ -2,11 +2,13 @@
 #include "verify/symbolic/integral.hpp"
 
 #include "runtime/flow.hpp"
+#include "verify/run/spline.hpp"
 #include "verify/symbolic/propagation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace resonform {
 
@@ -128,6 +130,25 @@ private:
         }
     };
 
+    struct RatesInPieces : Rates {
+        std::vector<Number> edges;
+    };
+    // The slow times at which pieces of data end: they stand at a variable that moves evenly.
+    [[nodiscard]] std::vector<Number> edges() const {
+        std::vector<Number> all;
+        std::set<DataPointer> seen;
+        SymbolicMoment<Number> at(frame_);
+        for (const SymbolicRing::Root& root : frame_.solution->ring().roots()) {
+            if (root.data == nullptr || !seen.insert(root.data).second) continue;
+            const auto argument = [&](int T) {
+                at.move_to(frame_, Number(T));
+                return value_of(root.radicand, at.values).re;
+            };
+            append_edges(*root.data, argument, all);
+        }
+        return all;
+    }
+
     Status build(const std::vector<std::size_t>& stage, Table& table, const GoesOn& goes_on, Wide& reach) {
         if (stage.empty()) return Status::ok;
         Values begin;
@@ -144,8 +165,9 @@ private:
             at.move_to(frame_, widened(T));
             return goes_on(at);
         };
-        const Status status = built.build_while(Rates{*this, stage, SymbolicMoment<Number>(frame_)},
-                                                goes_on_at, begin, end, most_panels_);
+        const Status status =
+            built.build_while(RatesInPieces{{*this, stage, SymbolicMoment<Number>(frame_)}, edges()},
+                              goes_on_at, begin, end, most_panels_);
         if (status != Status::ok) reach = widened(end);
         if (status == Status::ok || end > 0) table.emplace(std::move(built));
         return status;

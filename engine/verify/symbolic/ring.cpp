@@ -45,7 +45,7 @@ Wide number_of(const GiNaC::ex& value) {
 
 } // namespace
 
-SymbolicRing::SymbolicRing(RingPtr ring, const Fix& fix)
+SymbolicRing::SymbolicRing(RingPtr ring, const Fix& fix, const System& system)
     : fix_(fix), fixed_(std::move(ring), rational_part(fix)) {
     const std::map<std::string, Rational> rational = rational_part(fix);
     for (const auto& [name, value] : fix)
@@ -58,6 +58,17 @@ SymbolicRing::SymbolicRing(RingPtr ring, const Fix& fix)
             roots_.push_back({id, g.index, divisor, radicand, divisor ? SymbolicSum() : radicand});
         }
         if (g.kind != GeneratorKind::function) continue;
+        if (g.of.function == Function::named) {
+            roots_.push_back({id,
+                              1,
+                              false,
+                              fixed_(g.of.argument),
+                              {},
+                              g.of.function,
+                              system.function(g.of.symbol)->data,
+                              g.of.derivative});
+            continue;
+        }
         const std::optional<Polynomial> positive = positive_for(this->ring(), g.of);
         roots_.push_back({id, 1, false, fixed_(g.of.argument), positive ? fixed_(*positive) : SymbolicSum(),
                           g.of.function});

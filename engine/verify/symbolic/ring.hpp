@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/system/system_file.hpp"
+#include "verify/run/spline.hpp"
 #include "verify/symbolic/functions.hpp"
 #include "verify/symbolic/terms.hpp"
 
@@ -32,7 +33,7 @@ struct SymbolicInputs {
 class SymbolicRing {
 public:
     using Fix = std::map<std::string, GiNaC::ex>; // of Scene::fix
-    SymbolicRing(RingPtr ring, const Fix& fix);
+    SymbolicRing(RingPtr ring, const Fix& fix, const System& system);
 
     [[nodiscard]] const Fix& fix() const { return fix_; }
 
@@ -48,6 +49,8 @@ public:
         SymbolicSum radicand;
         SymbolicSum positive; // must be > 0; empty: nothing must
         std::optional<Function> function = {};
+        DataPointer data = nullptr; // of a named function
+        int derivative = 0;
     };
     [[nodiscard]] const std::vector<Root>& roots() const { return roots_; } // those without a fixed value
     // Precondition: the generators in radicands are set. False: a radicand that has to be positive is not.
@@ -56,6 +59,10 @@ public:
     template <class Number>
     static void set_root(const Root& root, Number radicand, SymbolicValues<Number>& values) {
         using math::sqrt;
+        if (root.data != nullptr) {
+            values.set(root.id, Number(spline(spline_of(*root.data), root.derivative, radicand)));
+            return;
+        }
         if (root.function) {
             values.set(root.id, value_of_function(*root.function, radicand));
             return;

@@ -55,7 +55,7 @@ SymbolicSolution::SymbolicSolution(const Solution& solution, const Scene& scene,
     std::size_t next = 0;
     for (const auto& named : fix_) fix_values_.emplace(named.first, numbers[next++]);
     const RingPtr ring = solution.flow ? solution.normalization->normal_form.field->ring : solution.ring;
-    ring_ = std::make_unique<SymbolicRing>(ring, fix_);
+    ring_ = std::make_unique<SymbolicRing>(ring, fix_, solution.system());
     if (solution.flow)
         read_flow();
     else
@@ -334,7 +334,9 @@ std::string SymbolicSolution::text() const {
     std::string text = "symbolic 5\n";
     for (const SymbolicRing::Root& root : ring_->roots())
         text += fmt::format("root {} {} {} {}", root.id, root.index,
-                            root.function ? std::string(row_of(*root.function).name) : "",
+                            root.data != nullptr ? fmt::format("{} {}", root.derivative, root.data->text())
+                            : root.function      ? std::string(row_of(*root.function).name)
+                                                 : "",
                             text_of(root.radicand));
     for (const SymbolicVariable& v : variables_)
         text += fmt::format("variable {} {} {} {} {} {} {}", static_cast<int>(v.kind), v.id, v.power,

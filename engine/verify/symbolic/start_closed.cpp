@@ -14,7 +14,7 @@ class ClosedStart : public SymbolicStartFinder {
 public:
     ClosedStart(const Solution& solution, const Scene& scene, const SymbolicRing& ring)
         : solution_(solution), system_(solution.system()), own_(ring),
-          normal_form_(solution.normalization->normal_form.field->ring, ring.fix()),
+          normal_form_(solution.normalization->normal_form.field->ring, ring.fix(), system_),
           map_(solution, normal_form_) {
         const auto physical = [&](std::size_t variable) {
             return scene.start_of(system_.variables[variable].name) != nullptr;
@@ -39,7 +39,7 @@ public:
             mean_.push_back(own_.fixed()(drift.value.total(solution.truncation)));
         if (!any) return;
         values_ = initial_values(solution);
-        ring_.emplace(values_.ring, own_.fix());
+        ring_.emplace(values_.ring, own_.fix(), system_);
         const FixedRing& fixed = ring_->fixed();
         if (!solution.modes.empty()) {
             re_ = fixed(values_.w_real);

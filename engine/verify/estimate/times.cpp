@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/times.hpp"
+#include "verify/estimate/times.hpp"
 
 #include "algebra/number/number.hpp"
 #include "model/files/interval_length.hpp"

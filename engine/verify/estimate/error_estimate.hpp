@@ -2,7 +2,7 @@
 // The estimated error of each output along a ladder of eps: maxima over the interval.
 #pragma once
 
-#include "verify/judging/next_weight.hpp"
+#include "verify/estimate/next_weight.hpp"
 
 #include <map>
 #include <string>

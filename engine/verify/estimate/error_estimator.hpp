@@ -12,9 +12,9 @@
 // motion y[N', M'] has the oscillation that it leaves out. No direct integration is read.
 #pragma once
 
+#include "verify/estimate/next_weight.hpp"
 #include "verify/evaluate/interpretation.hpp"
 #include "verify/evaluate/program_defaults.hpp"
-#include "verify/judging/next_weight.hpp"
 
 #include <cstddef>
 #include <memory>

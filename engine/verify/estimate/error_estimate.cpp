@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/error_estimate.hpp"
+#include "verify/estimate/error_estimate.hpp"
 
 #include "model/files/interval_length.hpp"
-#include "verify/judging/error_estimator.hpp"
-#include "verify/judging/times.hpp"
+#include "verify/estimate/error_estimator.hpp"
+#include "verify/estimate/times.hpp"
 #include "verify/run/real.hpp"
 
 #include <algorithm>

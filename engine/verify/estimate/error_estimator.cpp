@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/error_estimator.hpp"
+#include "verify/estimate/error_estimator.hpp"
 
 #include "emit/program/build_program.hpp"
 #include "model/files/settings.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/next_weight.hpp"
+#include "verify/estimate/next_weight.hpp"
 
 #include "model/files/interval_length.hpp"
 #include "model/system/start_names.hpp"
