@@ -15,7 +15,7 @@ namespace resonform {
 namespace {
 
 constexpr double tolerance = 1e-18; // of a step, in long double
-constexpr std::size_t points = 2000;
+constexpr std::size_t data_points = 2000;
 
 // The equations with the spline through every other sample; nullopt: there is none.
 std::optional<FirstOrderSystem> with_fewer_samples(FirstOrderSystem system) {
@@ -44,7 +44,7 @@ std::vector<DataError> data_errors(const FirstOrderSystem& system, const Trial& 
         return result;
     };
     std::vector<long double> times;
-    for (const double t : even_times(at.interval, points, 0)) times.push_back(t);
+    for (const double t : even_times(at.interval, data_points, 0)) times.push_back(t);
     const auto motion = [&](const Tape& tape) {
         return integrate_taylor<long double>(tape, narrowed(at.parameters),
                                              convert<long double>(at.eps_value), narrowed(at.start), times,
