@@ -42,11 +42,11 @@ private:
     std::filesystem::path systems_ = scratch_.path() / "systems";
 };
 
-const std::string ladder = "[verify]\neps = [0.08, 0.04, 0.02, 0.01]\n";
+const std::string four_eps = "[verify]\neps = [0.08, 0.04, 0.02, 0.01]\n";
 
 // The slow variable falls, and passes the pieces from the last to the first.
 TEST_F(SampledFrequency, IsVerifiedWithACubicTerm) {
-    const Verification v = test::verified(test::line_of(scene("-", 0.3, 1.3 + 1e-9, "s = 1.3\n" + ladder)));
+    const Verification v = test::verified(test::line_of(scene("-", 0.3, 1.3 + 1e-9, "s = 1.3\n" + four_eps)));
     EXPECT_TRUE(v.as_expected()) << to_text(v);
     EXPECT_EQ(v.outputs.front().found_order, 3) << to_text(v);
     ASSERT_TRUE(v.outputs.front().data_error);
