@@ -9,13 +9,9 @@ namespace {
 class SlowReport : public Command {
 protected:
     SlowReport() {
-        write(scratch_.path() / "systems/spring/system.toml",
-              "[system]\nname = \"spring\"\n[variables]\nx = { role = \"fast\" }\n"
-              "[equations]\nx = \"x'' + x + x^3 = 0\"\n");
-        for (const char* name : {"one", "two"})
-            write(scratch_.path() / "systems/spring/scenes" / (std::string(name) + ".toml"),
-                  "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\n"
-                  "eps = [0.1, 0.05, 0.02]\n");
+        write_spring(scratch_.path());
+        const std::filesystem::path scenes = scratch_.path() / "systems/spring/scenes";
+        write(scenes / "two.toml", read(scenes / "s.toml"));
         // Everything but gnuplot.
         run("mkdir bin; for p in sh bash g++ c++ cc gcc as ld rm " RESONFORM_CXX_COMPILER
             "; do ln -s $(command -v $p) bin/; done",
@@ -33,25 +29,25 @@ protected:
 } // namespace
 
 TEST_F(SlowReport, OfAnotherSceneIsNotOverwritten) {
-    ASSERT_EQ(reported("one", without_gnuplot()).code, 0);
+    ASSERT_EQ(reported("s", without_gnuplot()).code, 0);
     const std::string html = read(scratch_.path() / "here/report.html");
     const Outcome other = reported("two", without_gnuplot());
     EXPECT_EQ(other.code, 2);
     EXPECT_EQ(other.out, "");
     EXPECT_NE(other.err.find("resonform: --report: the folder must not hold the report of another scene\n"
-                             "  found: here/report.md of spring/one\n"
+                             "  found: here/report.md of spring/s\n"
                              "  hint:  give another folder, or delete that report\n"),
               std::string::npos)
         << other.err;
     EXPECT_EQ(read(scratch_.path() / "here/report.html"), html);
-    EXPECT_EQ(reported("one", without_gnuplot()).code, 0) << "its own is";
+    EXPECT_EQ(reported("s", without_gnuplot()).code, 0) << "its own is";
     write(scratch_.path() / "here/report.md", "a report of mine\n");
-    EXPECT_EQ(reported("one", without_gnuplot()).code, 2) << "nor what is no report of ours";
+    EXPECT_EQ(reported("s", without_gnuplot()).code, 2) << "nor what is no report of ours";
     EXPECT_EQ(read(scratch_.path() / "here/report.md"), "a report of mine\n");
 }
 
 TEST_F(SlowReport, WithoutGnuplotHasNoFiguresAndSaysSo) {
-    const Outcome outcome = reported("one", without_gnuplot());
+    const Outcome outcome = reported("s", without_gnuplot());
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     // Before any work.
     EXPECT_EQ(
@@ -72,7 +68,7 @@ TEST_F(SlowReport, WithoutGnuplotHasNoFiguresAndSaysSo) {
 TEST_F(SlowReport, WithAGnuplotThatHangs) {
     write(scratch_.path() / "bin/gnuplot", "#!/bin/sh\nexec sleep 300\n");
     const Outcome outcome = run("chmod +x bin/gnuplot; ln -s $(command -v sleep) bin/; " + without_gnuplot() +
-                                    " resonform verify systems/spring/scenes/one.toml --report here",
+                                    " resonform verify systems/spring/scenes/s.toml --report here",
                                 scratch_.path());
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("resonform: gnuplot does not answer within 10 s, so the report will have no "
@@ -84,9 +80,9 @@ TEST_F(SlowReport, WithAGnuplotThatHangs) {
 
 // What is written of a report stands or falls together.
 TEST_F(SlowReport, IsWholeOrNotThere) {
-    ASSERT_EQ(reported("one", without_gnuplot()).code, 0); // what is kept needs no more room
+    ASSERT_EQ(reported("s", without_gnuplot()).code, 0); // what is kept needs no more room
     std::filesystem::remove_all(scratch_.path() / "here");
-    const Outcome outcome = reported("one", "ulimit -f 4; " + without_gnuplot());
+    const Outcome outcome = reported("s", "ulimit -f 4; " + without_gnuplot());
     EXPECT_EQ(outcome.code, 2) << outcome.err;
     EXPECT_NE(outcome.err.find("File too large"), std::string::npos) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "here"));

@@ -17,11 +17,8 @@ using Json = nlohmann::json;
 class Sweep : public Command {
 protected:
     Sweep() { write_spring(scratch_.path()); }
-    // One cache for all of them: the scene is the same.
     [[nodiscard]] Outcome shell(const std::string& commands) const {
-        return run("export RESONFORM_CACHE=" RESONFORM_BINARY_DIR "/test_cache_sweep\n"
-                   "sweep() { resonform sweep systems/spring/scenes/s.toml \"$@\"; }\n" +
-                       commands,
+        return run("sweep() { resonform sweep systems/spring/scenes/s.toml \"$@\"; }\n" + commands,
                    scratch_.path());
     }
     [[nodiscard]] std::string file(const std::string& name) const { return read(scratch_.path() / name); }

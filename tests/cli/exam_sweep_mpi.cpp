@@ -19,8 +19,7 @@ protected:
     }
     // Leaks are those of Open MPI.
     [[nodiscard]] Outcome shell(const std::string& commands) const {
-        return run("export RESONFORM_CACHE=" RESONFORM_BINARY_DIR
-                   "/test_cache_sweep ASAN_OPTIONS=detect_leaks=0\n"
+        return run("export ASAN_OPTIONS=detect_leaks=0\n"
                    "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1\n"
                    "mpi() { mpirun -n 4 --oversubscribe \"$@\"; }\nS=systems/spring/scenes/s.toml\n" +
                        commands,

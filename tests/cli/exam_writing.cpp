@@ -13,7 +13,8 @@ protected:
     Writing() { write_spring(scratch_.path()); }
     // With files of at most so many kB.
     [[nodiscard]] Outcome limited(int size, const std::string& command) const {
-        return run("ulimit -f " + std::to_string(size) + "; resonform " + command, scratch_.path());
+        return run("unset RESONFORM_CACHE; ulimit -f " + std::to_string(size) + "; resonform " + command,
+                   scratch_.path());
     }
     void expect_no_draft() const {
         for (const auto& entry : std::filesystem::recursive_directory_iterator(scratch_.path()))

@@ -274,6 +274,9 @@ TEST_P(FinalPoint, InWiderPacks) {
               "");
 }
 INSTANTIATE_TEST_SUITE_P(SlowWidths, FinalPoint, testing::Values("x86-64-v3", "x86-64-v4"));
+TEST(SlowFinalPoint, OfAPhaseAlongSamples) {
+    EXPECT_EQ(wrong_points("adiabatic_oscillator/sampled", "-DQUIET=true -DTURNS=true"), "");
+}
 // A fifth of the starts leads out of the domain.
 TEST(SlowFinalPoint, WhereTheDomainEnds) {
     EXPECT_EQ(wrong_points("lengthening_pendulum/third_order", "-DQUIET=true -DTURNS=false"), "");

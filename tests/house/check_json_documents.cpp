@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/file_formats.md names every key that the commands print as JSON, in the section of its schema.
 // (`compare` and `stability`, which take longer: tests/verify.)
+#include "support/command.hpp"
 #include "support/documented.hpp"
-#include "support/shell.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,9 +35,7 @@ TEST(JsonDocuments, EveryKeyIsDocumented) {
 // A verdict that passes, and one without an order.
 TEST(JsonDocuments, EveryKeyOfVerifyIsDocumented) {
     const Scratch scratch;
-    write(scratch.path() / "systems/spring/system.toml",
-          "[system]\nname = \"spring\"\n[variables]\nx = { role = \"fast\" }\n"
-          "[equations]\nx = \"x'' + x + x^3 = 0\"\n");
+    write_spring(scratch.path());
     const auto verified = [&](const std::string& ladder) {
         write(scratch.path() / "systems/spring/scenes/s.toml",
               "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\neps = " + ladder);

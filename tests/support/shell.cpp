@@ -29,8 +29,9 @@ Outcome run(const std::string& command, const fs::path& folder) {
     const Scratch scratch;
     const fs::path script = scratch.path() / "script", out = scratch.path() / "out",
                    err = scratch.path() / "err";
-    write(script, "cd '" + folder.string() + "'\nPATH='" +
-                      fs::path(RESONFORM_COMMAND).parent_path().string() + "':$PATH\n" + command + "\n");
+    write(script,
+          "cd '" + folder.string() + "'\nPATH='" + fs::path(RESONFORM_COMMAND).parent_path().string() +
+              "':$PATH\nexport RESONFORM_CACHE='" + RESONFORM_BINARY_DIR "/test_cache'\n" + command + "\n");
     const std::string line =
         "bash '" + script.string() + "' </dev/null >'" + out.string() + "' 2>'" + err.string() + "'";
     const int status = std::system(line.c_str());

@@ -12,7 +12,8 @@ struct Outcome {
     std::string out, err;
 };
 
-// No standard input. `folder` is the current folder of the command.
+// No standard input. `folder` is the current folder of the command. What the program keeps from run to run,
+// all tests share; where that matters they unset RESONFORM_CACHE.
 Outcome run(const std::string& command, const std::filesystem::path& folder);
 
 // A folder of this test run that is removed at the end of the scope.

@@ -21,6 +21,9 @@ protected:
         write(systems_ / "s/scenes/s.toml", scene);
         return read_scene(systems_ / "s/scenes/s.toml", systems_);
     }
+    void write_beside(const std::string& name, const std::string& content) {
+        write(systems_ / "s/scenes" / name, content);
+    }
 
 private:
     Scratch scratch_;
