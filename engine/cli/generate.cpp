@@ -6,7 +6,6 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/watch.hpp"
-#include "emit/cpp/cpp.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -36,22 +35,21 @@ struct GenerateRequest {
 
 struct Generated {
     SceneLine line;
-    Program program;
-    std::string header;
+    Header header;
 };
 
 Generated generate(const GenerateRequest& request) {
     const Home home = find_home();
     return watched(request.limits, [&](Watch& watch) {
         SceneLine line = solve_scene(request.scene, home, watch);
-        Program program = program_of(line, watch);
-        std::string header = emit_cpp(program, {request.inline_runtime});
-        return Generated{std::move(line), std::move(program), std::move(header)};
+        Header header = header_of(line, watch, request.inline_runtime);
+        return Generated{std::move(line), std::move(header)};
     });
 }
 
 int run_generate(const GenerateRequest& request) {
-    const auto [line, program, header] = generate(request);
+    const auto [line, made] = generate(request);
+    const auto& [program, header] = made;
     require_other_file(request.output, {line.scene.file, line.scene.system->file});
     if (!request.output.empty()) write_file(request.output, header);
     if (request.format == "json") {

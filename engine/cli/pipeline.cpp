@@ -2,6 +2,7 @@
 #include "cli/pipeline.hpp"
 
 #include "cli/output.hpp"
+#include "emit/cpp/cpp.hpp"
 #include "emit/display/decided.hpp"
 #include "emit/program/build_program.hpp"
 #include "emit/program/fixed_divisors.hpp"
@@ -15,10 +16,14 @@
 #include "solve/solve.hpp"
 #include "solve/time_scale.hpp"
 #include "solve/truncation.hpp"
+#include "verify/estimate/error_estimator.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace resonform {
 
@@ -209,12 +214,45 @@ SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watc
     return solve_scene(read_scene_of(argument, home), watch);
 }
 
-Program program_of(const SceneLine& line, Watch& watch) {
+namespace {
+
+Program program_with(const SceneLine& line, Watch& watch, std::set<std::string> kept_inputs) {
     watch.go_on_with("the evaluator, from the start values on,");
     Laps laps;
-    Program program = build_program(line.solution, line.scene, {true, false, true});
+    Program program = build_program(line.solution, line.scene, {true, false, true, std::move(kept_inputs)});
     laps.done("evaluator");
     return program;
+}
+
+// What estimates the errors of a scene, whose caller gives all parameters.
+std::vector<CppFurther> further_of(const SceneLine& line, Watch& watch) {
+    std::vector<std::string> given;
+    for (const Parameter& p : line.solution.system().parameters) given.push_back(p.name);
+    const ErrorEstimator estimator(
+        line.scene, line.solution,
+        [&](const auto& system, int order, int truncation) {
+            return solve_system(system, order, truncation, watch);
+        },
+        given);
+    std::vector<CppFurther> all;
+    for (const ErrorEstimator::Further& f : estimator.further()) all.push_back({f.outputs, f.whole->program});
+    return all;
+}
+
+} // namespace
+
+Program program_of(const SceneLine& line, Watch& watch) { return program_with(line, watch, {}); }
+
+Header header_of(const SceneLine& line, Watch& watch, bool inline_runtime) {
+    CppOptions options{inline_runtime, {}};
+    std::set<std::string> inputs;
+    if (line.scene.error_estimate) options.further = further_of(line, watch);
+    for (const CppFurther& f : options.further)
+        for (const auto* list : {&f.program->parameters, &f.program->start})
+            for (const ProgramInput& input : *list) inputs.insert(input.name);
+    Header header{program_with(line, watch, std::move(inputs)), ""};
+    header.text = emit_cpp(header.program, options);
+    return header;
 }
 
 SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits) {

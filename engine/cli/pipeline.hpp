@@ -77,4 +77,11 @@ SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watc
 SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits);
 Program program_of(const SceneLine& line, Watch& watch);
 
+// The header of a scene, with error estimates if it asks for them.
+struct Header {
+    Program program;
+    std::string text;
+};
+Header header_of(const SceneLine& line, Watch& watch, bool inline_runtime = false);
+
 } // namespace resonform

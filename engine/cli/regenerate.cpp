@@ -8,7 +8,6 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/watch.hpp"
-#include "emit/cpp/cpp.hpp"
 #include "model/files/read_system.hpp"
 #include "model/text/diagnostic.hpp"
 
@@ -49,7 +48,7 @@ std::string compare(const fs::path& file, const std::string& header) {
 std::string regenerate_scene(const fs::path& scene, const fs::path& file, const RegenerateRequest& request) {
     const std::string header = watched(request.limits, [&](Watch& watch) {
         const SceneLine line = solve_scene(scene.string(), request.home, watch);
-        return emit_cpp(program_of(line, watch));
+        return header_of(line, watch).text;
     });
     std::string state = compare(file, header);
     if (!request.check && state != "up to date") {

@@ -29,6 +29,8 @@ constexpr int badness(Status s) {
     return 6;
 }
 
+constexpr Status worse(Status a, Status b) { return badness(a) < badness(b) ? b : a; }
+
 // One more point of a report; those of better times are not even looked at.
 constexpr void note(BatchReport& report, Status s, std::size_t i) {
     if (s == Status::ok) return;

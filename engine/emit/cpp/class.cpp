@@ -21,11 +21,13 @@ namespace {
 
 class CppFrame {
 public:
-    explicit CppFrame(const CppPlan& plan) : program_(*plan.program), plan_(plan) {}
+    CppFrame(const CppPlan& plan, const std::vector<CppFurther>& further)
+        : program_(*plan.program), plan_(plan), further_(further) {}
 
     std::string print() const {
-        return aliases() + look_up() + widened() + precise() + locate() + points() + rows() +
-               cpp_begin(plan_) + cpp_course(plan_) + construct() + data_members();
+        return aliases() + cpp_further_arguments(plan_, further_) + look_up() + widened() + precise() +
+               locate() + points() + rows() + cpp_begin(plan_) + cpp_course(plan_) + construct() +
+               data_members();
     }
 
 private:
@@ -47,6 +49,7 @@ private:
 
     const Program& program_;
     const CppPlan& plan_;
+    const std::vector<CppFurther>& further_;
 };
 
 std::string CppFrame::aliases() const {
@@ -286,17 +289,18 @@ std::string CppFrame::data_members() const {
         if (!program_.phases.empty()) text += "    Parameters parameters_;\n    Start start_;\n";
         text += "    resonform::SharedTables shared_;\n";
     }
-    return "    Constants<Real> c_;\n    Interval interval_;\n" + text + "    Cause cause_;\n";
+    return cpp_further_members(further_) + "    Constants<Real> c_;\n    Interval interval_;\n" + text +
+           "    Cause cause_;\n";
 }
 
 } // namespace
 
-std::string cpp_class(const Program& program) {
+std::string cpp_class(const Program& program, const std::vector<CppFurther>& further) {
     CppPlan plan(program);
     return "template <class Real = double> class Evaluator {\npublic:\n    using Status = "
            "resonform::Status;\n    using BatchReport = resonform::BatchReport;\n\n" +
-           cpp_interface(plan) + "private:\n" + cpp_fields(plan) + cpp_stages(plan) + CppFrame(plan).print() +
-           "};\n";
+           cpp_interface(plan, further) + "private:\n" + cpp_fields(plan) + cpp_stages(plan) +
+           CppFrame(plan, further).print() + "};\n";
 }
 
 } // namespace resonform

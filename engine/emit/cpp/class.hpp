@@ -2,12 +2,14 @@
 // The text of the class template Evaluator of a program.
 #pragma once
 
-#include "emit/program/program.hpp"
+#include "emit/cpp/further.hpp"
 
 #include <string>
+#include <vector>
 
 namespace resonform {
 
-std::string cpp_class(const Program& program);
+// With formulas that go further, it estimates errors.
+std::string cpp_class(const Program& program, const std::vector<CppFurther>& further = {});
 
 } // namespace resonform

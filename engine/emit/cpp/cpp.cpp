@@ -10,6 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 namespace resonform {
 
 namespace {
@@ -54,56 +57,75 @@ std::string banner(const Program& program) {
     return text;
 }
 
-// The includes of the runtime that the class needs, or the whole runtime as text.
-std::string runtime(const Program& program, bool inlined) {
+// The headers of the runtime that a class includes.
+void add_headers(const Program& program, std::set<std::string>& names) {
+    const auto decay = [](const ProgramPhase& phase) { return phase.decays(); };
+    const std::vector<ProgramPhase>& phases = program.phases;
+    names.insert({"ensemble", "final_point", "interval"});
+    const auto add = [&](bool needed, const char* name) {
+        if (needed) names.insert(name);
+    };
+    add(std::any_of(phases.begin(), phases.end(), decay), "decay");
+    add(!program.flow.empty(), "flow");
+    add(!program.layers.empty(), "layer");
+    add(!std::all_of(phases.begin(), phases.end(), decay), "phase");
+    add(program.rows.empty(), "points");
+    add(CppPlan(program).uses_scaled(), "scaled");
+    add(!cpp_data_tables(program).empty(), "spline");
+    add(!program.tables.empty(), "table");
+    add(!program.rows.empty(), "tabulated");
+}
+
+// The includes of the runtime, or the whole runtime as text.
+std::string runtime(const Program& program, const CppOptions& options) {
     std::string text;
-    if (!inlined) {
-        const auto decay = [](const ProgramPhase& phase) { return phase.decays(); };
-        const std::vector<ProgramPhase>& phases = program.phases;
-        const bool turns = !std::all_of(phases.begin(), phases.end(), decay);
-        if (std::any_of(phases.begin(), phases.end(), decay)) text += "#include \"runtime/decay.hpp\"\n";
-        text += "#include \"runtime/ensemble.hpp\"\n#include \"runtime/final_point.hpp\"\n";
-        if (!program.flow.empty()) text += "#include \"runtime/flow.hpp\"\n";
-        text += "#include \"runtime/interval.hpp\"\n";
-        if (!program.layers.empty()) text += "#include \"runtime/layer.hpp\"\n";
-        if (turns) text += "#include \"runtime/phase.hpp\"\n";
-        if (program.rows.empty()) text += "#include \"runtime/points.hpp\"\n";
-        if (CppPlan(program).uses_scaled()) text += "#include \"runtime/scaled.hpp\"\n";
-        if (!cpp_data_tables(program).empty()) text += "#include \"runtime/spline.hpp\"\n";
-        if (!program.tables.empty()) text += "#include \"runtime/table.hpp\"\n";
-        if (!program.rows.empty()) text += "#include \"runtime/tabulated.hpp\"\n";
+    if (!options.inline_runtime) {
+        std::set<std::string> names;
+        add_headers(program, names);
+        for (const CppFurther& f : options.further) add_headers(*f.program, names);
+        for (const std::string& name : names) text += fmt::format("#include \"runtime/{}.hpp\"\n", name);
         return text + "\n";
     }
     for (const std::string_view part : runtime_texts()) text.append(part) += '\n';
     return text;
 }
 
-std::string includes(const Program& program, bool inline_runtime) {
-    return runtime(program, inline_runtime) +
-           "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include "
-           "<type_traits>\n\n";
+std::string includes(const Program& program, const CppOptions& options) {
+    return runtime(program, options) + "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include "
+                                       "<type_traits>\n\n";
+}
+
+// The formulas that go further, each in a namespace.
+std::string further_classes(const std::vector<CppFurther>& further) {
+    std::string text;
+    for (const CppFurther& f : further)
+        text += fmt::format(
+            "// The outputs through eps^{0}, for error estimates.\nnamespace {1} {{\n\n{2}{3}\n}} "
+            "// namespace {1}\n\n",
+            f.program->order, name_of(f), cpp_data_tables(*f.program), cpp_class(*f.program));
+    return text;
 }
 
 // Namespace and class. own: no other file sees its names.
-std::string body(const Program& program, bool own = false) {
+std::string body(const Program& program, const std::vector<CppFurther>& further, bool own = false) {
     const std::string name = cpp_namespace(program.system, program.scene);
     std::string text = fmt::format("namespace {} {{\n{}\n", name, own ? "namespace {\n" : "");
     text += "using namespace resonform::math; // elementary functions of every real type\n\n";
-    text += cpp_data_tables(program) + cpp_class(program);
+    text += further_classes(further) + cpp_data_tables(program) + cpp_class(program, further);
     return text + fmt::format("\n{}}} // namespace {}\n", own ? "} // namespace\n" : "", name);
 }
 
 } // namespace
 
 std::string emit_cpp(const Program& program, const CppOptions& options) {
-    return banner(program) + "#pragma once\n\n" + includes(program, options.inline_runtime) + body(program);
+    return banner(program) + "#pragma once\n\n" + includes(program, options) + body(program, options.further);
 }
 
 // Several are loaded at run time, and what has the same name in two orders of a scene would be shared.
 std::string emit_library(const Program& program, std::string_view types) {
     const bool tabulated = !program.rows.empty();
-    return banner(program) + (tabulated ? std::string(frames::library_loops) : "") +
-           includes(program, false) + body(program, true) +
+    return banner(program) + (tabulated ? std::string(frames::library_loops) : "") + includes(program, {}) +
+           body(program, {}, true) +
            cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator", types);
 }
 

@@ -2,15 +2,17 @@
 // Program -> C++ text.
 #pragma once
 
-#include "emit/program/program.hpp"
+#include "emit/cpp/further.hpp"
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace resonform {
 
 struct CppOptions {
-    bool inline_runtime = false; // copy runtime/*.hpp into the file instead of including it
+    bool inline_runtime = false;          // copy runtime/*.hpp into the file instead of including it
+    std::vector<CppFurther> further = {}; // where the evaluator estimates errors
 };
 
 // The header generated/<system>/<scene>.hpp: namespace resonform::generated::<system>::<scene>.

@@ -19,13 +19,14 @@ using Value = StraightLine::Value;
 
 class CppInterface {
 public:
-    explicit CppInterface(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
+    CppInterface(CppPlan& plan, const std::vector<CppFurther>& further)
+        : program_(*plan.program), plan_(plan), further_(further) {}
 
     std::string print() {
         return parameters() + start() + results("Values", plan_.outputs, "The outputs at one time.") +
                results("State", plan_.state, "All states at one time, with the map at its full weight.") +
-               std::string(frames::constructors) + why() + default_start() + default_slow_time_end() +
-               calls();
+               filled(frames::constructors, {{"further", cpp_further_built(further_)}}) + why() +
+               default_start() + default_slow_time_end() + calls() + cpp_estimates(plan_, further_);
     }
 
 private:
@@ -39,14 +40,13 @@ private:
     std::string calls() const;
     std::string batch() const;
     std::string ensemble() const;
-    // Names of the arguments that outputs are stored in.
-    [[nodiscard]] std::vector<std::string> array_names() const;
     [[nodiscard]] std::string default_type() const;
     [[nodiscard]] std::string default_text(const CppFunction& function, Value v) const;
     void know_inputs(CppFunction& function);
 
     const Program& program_;
     CppPlan& plan_;
+    const std::vector<CppFurther>& further_;
 };
 
 std::string CppInterface::parameters() {
@@ -145,18 +145,8 @@ std::string CppInterface::default_slow_time_end() {
            "\n";
 }
 
-std::vector<std::string> CppInterface::array_names() const {
-    std::vector<std::string> names;
-    for (const CppResult& output : plan_.outputs) {
-        const bool taken =
-            output.name == "n" || output.name == "t0" || output.name == "dt" || output.name == "members";
-        names.push_back(taken ? output.name + "_" : output.name);
-    }
-    return names;
-}
-
 std::string CppInterface::batch() const {
-    const std::vector<std::string> names = array_names();
+    const std::vector<std::string> names = plan_.output_arrays();
     const char* prepare = plan_.rows.empty()
                               ? "        return cause_.status;\n"
                               : "        if (cause_.status != Status::ok) return cause_.status;\n"
@@ -171,7 +161,7 @@ std::string CppInterface::batch() const {
 }
 
 std::string CppInterface::ensemble() const {
-    const std::vector<std::string> names = array_names();
+    const std::vector<std::string> names = plan_.output_arrays();
     std::string fields;
     for (const std::string& array : cpp_argument_arrays(plan_))
         fields += fmt::format("        const Real* {} = nullptr;\n", array);
@@ -237,6 +227,8 @@ std::string cpp_fields(const CppPlan& plan) {
     return text + "\n";
 }
 
-std::string cpp_interface(CppPlan& plan) { return CppInterface(plan).print(); }
+std::string cpp_interface(CppPlan& plan, const std::vector<CppFurther>& further) {
+    return CppInterface(plan, further).print();
+}
 
 } // namespace resonform

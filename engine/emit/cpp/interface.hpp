@@ -2,6 +2,7 @@
 // The public part of an emitted class: Parameters, Start, Values, constructors, calls.
 #pragma once
 
+#include "emit/cpp/further.hpp"
 #include "emit/cpp/plan.hpp"
 
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace resonform {
 
-std::string cpp_interface(CppPlan& plan);
+std::string cpp_interface(CppPlan& plan, const std::vector<CppFurther>& further);
 
 // Tables of the members of Parameters and Start and of the arrays of Members that belong to them.
 std::string cpp_fields(const CppPlan& plan);

@@ -232,4 +232,14 @@ void CppPlan::name_kept() {
     }
 }
 
+std::vector<std::string> CppPlan::output_arrays() const {
+    std::vector<std::string> names;
+    for (const CppResult& output : outputs) {
+        const bool taken =
+            output.name == "n" || output.name == "t0" || output.name == "dt" || output.name == "members";
+        names.push_back(taken ? output.name + "_" : output.name);
+    }
+    return names;
+}
+
 } // namespace resonform

@@ -74,6 +74,8 @@ struct CppPlan {
         Graph::Node value;
     };
     [[nodiscard]] std::vector<Column> columns() const;
+    // Names of the arguments that outputs of many points are stored in.
+    [[nodiscard]] std::vector<std::string> output_arrays() const;
     // The conditions at every time, as text; the output that may overflow, "" if there are several.
     [[nodiscard]] std::string conditions_text() const;
     [[nodiscard]] std::string results_text() const { return outputs.size() == 1 ? outputs[0].name : ""; }

@@ -239,7 +239,7 @@ Program build_program(const Solution& solution, const Scene& scene, const Progra
     options.rows = wanted.rows && !has_data;
     Program program = built_with_reason(solution, scene, options);
     if (wanted.rows && has_data) program.form_reason = "no tables of data";
-    prune(program);
+    prune(program, wanted.kept_inputs);
     find_data(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
     for (const NamedFunction& f : solution.system().functions)

@@ -10,6 +10,7 @@
 #include "solve/solution.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -137,6 +138,8 @@ struct ProgramOptions {
     bool fold_fixed = true;  // false: [fix] values become defaults of parameters (stability sweep)
     bool keep_state = false; // true: `state` is filled and its quadratures kept
     bool rows = false;       // true: `rows` is filled, for evaluators that tabulate them
+    // Names of parameters and start values that stay though no output needs them.
+    std::set<std::string> kept_inputs = {};
 };
 
 } // namespace resonform

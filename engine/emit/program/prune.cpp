@@ -116,13 +116,14 @@ std::set<Graph::Node> varying_symbols(const Program& program) {
     return result;
 }
 
-void prune(Program& program) {
+void prune(Program& program, const std::set<std::string>& kept_inputs) {
     const std::vector<bool> used = needed_nodes(program);
+    const auto is_kept = [&](const ProgramInput& i) { return kept_inputs.count(i.name) > 0; };
     const auto is_used = [&](Graph::Node n) { return used[static_cast<std::size_t>(n)]; };
     keep(program.flow, [&](const ProgramFlow& f) { return is_used(f.value); });
     keep(program.tables, [&](const ProgramTable& t) { return is_used(t.value); });
     keep_phases(program, used);
-    keep(program.start, [&](const ProgramInput& i) { return is_used(i.symbol); });
+    keep(program.start, [&](const ProgramInput& i) { return is_used(i.symbol) || is_kept(i); });
     keep(program.slow, [&](const ProgramOutput& o) { return is_used(o.value); });
     keep(program.names, [&](const ProgramOutput& o) { return is_used(o.value); });
     std::vector<bool> known = used; // eps and the slow time are there in any case
@@ -135,7 +136,7 @@ void prune(Program& program) {
     for (const ProgramInput& input : program.start) defaults.push_back(input.default_value);
     const std::vector<bool> in_defaults = reachable(program.graph, defaults);
     keep(program.parameters, [&](const ProgramInput& i) {
-        return is_used(i.symbol) || in_defaults[static_cast<std::size_t>(i.symbol)];
+        return is_used(i.symbol) || in_defaults[static_cast<std::size_t>(i.symbol)] || is_kept(i);
     });
 }
 

@@ -20,7 +20,7 @@ std::vector<bool> depending(const Graph& graph, const std::set<Graph::Node>& sou
 std::set<Graph::Node> varying_symbols(const Program& program);
 
 // Drops the flow, tables, phases, parameters, start values, conditions and names that outputs, state and
-// declared start values do not need.
-void prune(Program& program);
+// declared start values do not need; inputs of these names stay.
+void prune(Program& program, const std::set<std::string>& kept_inputs);
 
 } // namespace resonform

@@ -31,9 +31,10 @@ const std::vector<std::string>& keys_of_systems() {
 }
 
 const std::vector<std::string>& keys_of_scenes() {
-    static const std::vector<std::string> keys = {
-        "system",     "title",   "order",     "time_scale", "truncation", "outputs", "oscillating",
-        "transients", "growing", "functions", "fix",        "start",      "emit",    "verify"};
+    static const std::vector<std::string> keys = {"system",     "title",          "order",       "time_scale",
+                                                  "truncation", "outputs",        "oscillating", "transients",
+                                                  "growing",    "error_estimate", "functions",   "fix",
+                                                  "start",      "emit",           "verify"};
     return keys;
 }
 

@@ -91,6 +91,8 @@ void SceneReader::read_parts() {
     if (const TomlNode* growing = root_.find("growing"))
         scene_.growing = word_of(
             *growing, "what grows is followed with a status, or the start is projected: project", words);
+    if (const TomlNode* estimate = root_.find("error_estimate"))
+        scene_.error_estimate = boolean_of(*estimate);
 }
 
 void SceneReader::read_emit() {

@@ -71,6 +71,7 @@ struct Scene {
     bool oscillating = true;
     bool transients = true; // modes that decay at eps = 0; where nothing oscillates they are left out, too
     Growing growing = Growing::status;
+    bool error_estimate = false; // in the emitted code
     EmitForm form = EmitForm::automatic;
     std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
     std::vector<StartValue> start;        // in the order of the file

@@ -41,7 +41,13 @@ public:
     ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive,
                    std::vector<std::string> given = {});
 
+    struct Further { // the formulas of one N', of the outputs that it is the first to move
+        std::vector<std::size_t> outputs;
+        std::shared_ptr<const Interpretation> flow, whole; // y[N, M'], y[N', M']
+    };
+
     [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; } // in the scene's order
+    [[nodiscard]] const std::vector<Further>& further() const { return further_; }
 
     // Real: double, long double, Float128. Precondition: [fix] or `arguments` gives every parameter of the
     // outputs.
@@ -50,10 +56,6 @@ public:
                                    const GivenArguments& arguments = {}) const;
 
 private:
-    struct Further { // the formulas of one N', of the outputs that it is the first to move
-        std::vector<std::size_t> outputs;
-        std::shared_ptr<const Interpretation> flow, whole; // y[N, M'], y[N', M']
-    };
     void compare_with(const Solution& richer, const Scene& fixed, const std::vector<std::size_t>& moved);
 
     std::shared_ptr<const Interpretation> formula_;

@@ -7,25 +7,21 @@ namespace resonform {
 
 namespace {
 
-// The nodes behind some results and the conditions that change from call to call, operands first.
-std::vector<Graph::Node> at_call(const Program& program, const std::vector<bool>& changes,
-                                 const std::vector<ProgramOutput>& results) {
-    std::vector<Graph::Node> roots, nodes;
+// Some results and the conditions.
+std::vector<Graph::Node> at_call(const Program& program, const std::vector<ProgramOutput>& results) {
+    std::vector<Graph::Node> roots;
     for (const ProgramOutput& result : results) roots.push_back(result.value);
     for (const ProgramCondition& condition : program.positive) roots.push_back(condition.value);
-    const std::vector<bool> used = reachable(program.graph, roots);
-    for (std::size_t n = 0; n < used.size(); ++n)
-        if (used[n] && changes[n]) nodes.push_back(static_cast<Graph::Node>(n));
-    return nodes;
+    return roots;
 }
 
 } // namespace
 
 Interpretation::Interpretation(std::shared_ptr<const Program> p)
     : program(std::move(p)), plan(*program), changes(depending(program->graph, varying_symbols(*program))),
-      outputs_at_call(at_call(*program, changes, program->outputs)),
-      state_at_call(at_call(*program, changes, program->state)), conditions(plan.conditions_text()),
-      results(plan.results_text()) {
+      outputs_at_call(NodesBehind(*this, at_call(*program, program->outputs)).varying),
+      state_at_call(NodesBehind(*this, at_call(*program, program->state)).varying),
+      conditions(plan.conditions_text()), results(plan.results_text()) {
     for (std::size_t n = 0; n < program->graph.size(); ++n) {
         const Graph::Entry& e = program->graph.at(static_cast<Graph::Node>(n));
         numbers.push_back(e.op == Graph::Op::rational ? binary_parts(e.value) : BinaryParts{});
@@ -34,6 +30,12 @@ Interpretation::Interpretation(std::shared_ptr<const Program> p)
         const StraightLine::Instruction& i = plan.code.at(static_cast<StraightLine::Value>(v));
         plan_numbers.push_back(i.op == StraightLine::Op::number ? binary_parts(i.number) : BinaryParts{});
     }
+}
+
+NodesBehind::NodesBehind(const Interpretation& shared, const std::vector<Graph::Node>& roots) {
+    const std::vector<bool> used = reachable(shared.program->graph, roots);
+    for (std::size_t n = 0; n < used.size(); ++n)
+        if (used[n]) (shared.changes[n] ? varying : constant).push_back(static_cast<Graph::Node>(n));
 }
 
 } // namespace resonform

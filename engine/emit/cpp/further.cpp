@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp/further.hpp"
+
+#include "emit/cpp/embedded_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+std::string class_of(const CppFurther& further) { return name_of(further) + "::Evaluator<Real>"; }
+
+// "own.g = parameters.g;" for what both have; how many they are.
+struct Copied {
+    std::string text;
+    std::size_t count = 0;
+};
+Copied copied(const std::vector<ProgramInput>& to, const std::vector<std::string>& to_fields,
+              const std::vector<ProgramInput>& from, const std::vector<std::string>& from_fields,
+              const std::string& source) {
+    Copied all;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        const auto same = std::find_if(from.begin(), from.end(),
+                                       [&](const ProgramInput& input) { return input.name == to[k].name; });
+        if (same == from.end()) continue;
+        const auto at = static_cast<std::size_t>(same - from.begin());
+        all.text += fmt::format("        own.{} = {}.{};\n", to_fields[k], source, from_fields[at]);
+        ++all.count;
+    }
+    return all;
+}
+
+std::string arguments_of(const CppFurther& further, const CppPlan& plan) {
+    const CppPlan own(*further.program);
+    const Program &to = *further.program, &from = *plan.program;
+    const Copied parameters =
+        copied(to.parameters, own.parameters, from.parameters, plan.parameters, "parameters");
+    const Copied start = copied(to.start, own.start, from.start, plan.start, "start");
+    const bool complete = start.count == to.start.size();
+    return filled(frames::further, {{"name", name_of(further)},
+                                    {"class", class_of(further)},
+                                    {"parameters", parameters.text},
+                                    {"begin", complete ? ""
+                                                       : " = " + class_of(further) + "::default_start(eps, " +
+                                                             name_of(further) + "_parameters(parameters))"},
+                                    {"start", start.text}});
+}
+
+} // namespace
+
+std::string name_of(const CppFurther& further) { return fmt::format("next_{}", further.program->order); }
+
+std::string cpp_estimates(const CppPlan& plan, const std::vector<CppFurther>& further) {
+    if (further.empty()) return "";
+    std::string calls;
+    std::vector<std::string> errors(plan.outputs.size(), "none");
+    for (const CppFurther& f : further) {
+        const CppPlan own(*f.program);
+        const std::string values = fmt::format("of_{}", f.program->order);
+        calls += fmt::format("        typename {}::Values {};\n        status = resonform::worse(status, "
+                             "{}_(t, {}));\n",
+                             class_of(f), values, name_of(f), values);
+        for (std::size_t k = 0; k < f.outputs.size(); ++k)
+            errors[f.outputs[k]] = fmt::format("resonform::math::magnitude(Real({}.{} - values.{}))", values,
+                                               own.outputs[k].name, plan.outputs[f.outputs[k]].name);
+    }
+    const std::vector<std::string> names = plan.output_arrays(), none(plan.outputs.size(), "none");
+    return filled(frames::estimates, {{"calls", calls},
+                                      {"none", fmt::format("{}", fmt::join(none, ", "))},
+                                      {"errors", fmt::format("{}", fmt::join(errors, ", "))},
+                                      {"arrays", fmt::format("Real* {}", fmt::join(names, ", Real* "))},
+                                      {"names", fmt::format("{}", fmt::join(names, ", "))}});
+}
+
+std::string cpp_further_arguments(const CppPlan& plan, const std::vector<CppFurther>& further) {
+    if (further.empty()) return "";
+    std::string text(frames::errors);
+    for (const CppFurther& f : further) text += arguments_of(f, plan);
+    return text;
+}
+
+std::string cpp_further_members(const std::vector<CppFurther>& further) {
+    std::string text;
+    for (const CppFurther& f : further) text += fmt::format("    {} {}_;\n", class_of(f), name_of(f));
+    return text;
+}
+
+std::string cpp_further_built(const std::vector<CppFurther>& further) {
+    std::string text;
+    for (const CppFurther& f : further)
+        text += fmt::format("{0}_(eps, {0}_parameters(parameters), {0}_start(eps, parameters, start), "
+                            "slow_time_end),\n          ",
+                            name_of(f));
+    return text;
+}
+
+} // namespace resonform

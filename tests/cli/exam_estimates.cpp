@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// error_estimate = true: the emitted code knows its error, as `evaluate --errors` does.
+#include "support/command.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+namespace resonform::test {
+
+namespace {
+
+class EmittedEstimate : public Command {
+protected:
+    EmittedEstimate() {
+        write(scratch_.path() / "systems/spring/system.toml",
+              "[system]\nname = \"spring\"\n[parameters]\nk = {}\n[variables]\nx = { role = \"fast\" }\n"
+              "[equations]\nx = \"x'' + x + x^3 + k*x^4 = 0\"\n");
+    }
+    void scene(const std::string& more) const {
+        write(scratch_.path() / "systems/spring/scenes/s.toml",
+              "order = 3\ntime_scale = 1\nerror_estimate = true\n[start]\nx = \"eps\"\n\"x'\" = 0\n" + more);
+    }
+    // What a program with the header prints, a number in each line.
+    [[nodiscard]] std::vector<double> numbers(const std::string& body) const {
+        write(scratch_.path() / "main.cpp", "#include \"spring.hpp\"\n#include <cstdio>\n"
+                                            "using resonform::generated::spring::s::Evaluator;\n"
+                                            "using resonform::Status;\nint main() {\n" +
+                                                body + "}\n");
+        const Outcome outcome =
+            run("resonform generate systems/spring/scenes/s.toml -o spring.hpp 2>/dev/null "
+                "&& " RESONFORM_CXX_COMPILER
+                " -std=gnu++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I" RESONFORM_SOURCE_DIR
+                "/engine main.cpp -o main -lquadmath && ./main",
+                scratch_.path());
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        std::istringstream lines(outcome.out);
+        return {std::istream_iterator<double>(lines), {}};
+    }
+};
+
+} // namespace
+
+TEST_F(EmittedEstimate, IsThatOfTheCommand) {
+    scene("[fix]\nk = \"1/2\"\n");
+    const auto json = nlohmann::json::parse(
+        printed("evaluate systems/spring/scenes/s.toml --eps 0.1 --t 0,1,5,9.5 --errors --format json"));
+    const auto emitted =
+        numbers("    const Evaluator<long double> e(0.1L);\n"
+                "    const long double t[] = {0, 1, 5, 9.5, 10.5};\n"
+                "    long double all[5];\n    Status status[5];\n"
+                "    const auto report = e.error_batch(t, 5, all, status);\n"
+                "    for (int i = 0; i < 4; ++i) {\n"
+                "        Evaluator<long double>::Values error;\n"
+                "        if (e.error_estimate(t[i], error) != Status::ok || all[i] != error.x) return 1;\n"
+                "        std::printf(\"%.17Lg\\n\", error.x);\n    }\n"
+                "    if (status[4] != Status::outside_interval || all[4] == all[4]) return 2;\n"
+                "    if (report.count != 1 || report.first != 4) return 3;\n"
+                "    Evaluator<long double>::Values last;\n"
+                "    const auto copy = e;\n"
+                "    if (copy.error_estimate(9.5L, last) != Status::ok || last.x != all[3]) return 4;\n");
+    ASSERT_EQ(emitted.size(), 4U);
+    const double scale = json["error_estimate"]["x"][3];
+    EXPECT_GT(scale, 1e-7);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(emitted[i], json["error_estimate"]["x"][i].get<double>(), 1e-6 * scale) << i;
+}
+
+// k*x^4 is first seen by the weight that is left out: it moves the estimate, and not the outputs.
+TEST_F(EmittedEstimate, HasTheParametersOfTheNextWeight) {
+    scene("");
+    const auto found = numbers(
+        "    for (const double k : {0.0, 3.0}) {\n"
+        "        const Evaluator<> e(0.1, {.k = k});\n"
+        "        Evaluator<>::Values value, error;\n"
+        "        if (e(3, value) != Status::ok || e.error_estimate(3, error) != Status::ok) return 1;\n"
+        "        std::printf(\"%.17g\\n%.17g\\n\", value.x, error.x);\n    }\n");
+    ASSERT_EQ(found.size(), 4U);
+    EXPECT_EQ(found[0], found[2]);
+    EXPECT_GT(found[3], 1.5 * found[1]);
+}
+
+TEST_F(EmittedEstimate, IsLeftOutUnlessItIsAskedFor) {
+    scene("");
+    EXPECT_NE(printed("generate systems/spring/scenes/s.toml").find("error_estimate"), std::string::npos);
+    write(scratch_.path() / "systems/spring/scenes/s.toml", "order = 3\n[start]\nx = \"eps\"\n\"x'\" = 0\n");
+    EXPECT_EQ(printed("generate systems/spring/scenes/s.toml").find("error_estimate"), std::string::npos);
+    scene("");
+    write(scratch_.path() / "systems/spring/scenes/s.toml", "order = 3\nerror_estimate = 1\n");
+    const Outcome outcome = said("generate systems/spring/scenes/s.toml");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("error_estimate"), std::string::npos) << outcome.err;
+}
+
+} // namespace resonform::test
