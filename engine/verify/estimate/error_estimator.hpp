@@ -43,6 +43,9 @@ public:
 
     [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; } // in the scene's order
 
+    // y[order, truncation] of all outputs; null: it is none of those that are made here.
+    [[nodiscard]] std::shared_ptr<const Interpretation> formula(int order, int truncation) const;
+
     // Real: double, long double, Float128. Precondition: [fix] or `arguments` gives every parameter of the
     // outputs.
     template <class Real>
@@ -53,13 +56,14 @@ private:
     struct Further { // the formulas of one N', of the outputs that it is the first to move
         std::vector<std::size_t> outputs;
         std::shared_ptr<const Interpretation> flow, whole; // y[N, M'], y[N', M']
+        int order, truncation;                             // N', M'
     };
     void compare_with(const Solution& richer, const Scene& fixed, const std::vector<std::size_t>& moved);
 
     std::shared_ptr<const Interpretation> formula_;
     std::vector<Output> outputs_;
     std::vector<Further> further_;
-    int order_;
+    int order_, truncation_;
     std::vector<std::string> given_;
 };
 
