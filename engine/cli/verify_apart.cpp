@@ -2,6 +2,7 @@
 #include "cli/verify_apart.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 #include "cli/apart.hpp"
 #include "cli/pipeline.hpp"
 
@@ -50,7 +51,10 @@ std::string packed(const ErrorEstimates& estimates) {
     for (const auto& [name, e] : estimates) {
         nlohmann::json ladder = nlohmann::json::array();
         for (const EstimatedRung& r : e.ladder) ladder.push_back({r.map, r.flow, r.error, r.rounding});
-        all[name] = {e.next_order, e.reason, ladder};
+        nlohmann::json best = nlohmann::json::array();
+        for (const BestOrder& b : e.best)
+            best.push_back({to_string(b.eps), b.order, b.accuracy, b.looked_at});
+        all[name] = {e.next_order, e.reason, ladder, best};
     }
     return all.dump();
 }
@@ -69,6 +73,8 @@ ErrorEstimates unpacked_estimates(const std::string& text, const std::vector<Rat
             const nlohmann::json& r = e[2][i];
             estimate.ladder.push_back({eps[i], number(r[0]), number(r[1]), number(r[2]), number(r[3])});
         }
+        for (const nlohmann::json& b : e[3])
+            estimate.best.push_back({parse_rational(b[0].get<std::string>()), b[1], b[2], b[3]});
     }
     return estimates;
 }

@@ -74,10 +74,15 @@ TEST_F(VerifyCommand, ErrorsAreEstimatedWithinLimits) {
     EXPECT_EQ(code, 0);
     EXPECT_NEAR(x["error_estimate"]["ratio"].get<double>(), 1, 0.1);
     EXPECT_EQ(x["error_estimate"]["next_order"], 4);
+    ASSERT_EQ(x["best_order"].size(), 3U);
+    EXPECT_EQ(x["best_order"][2]["eps"], 0.005);
+    EXPECT_EQ(x["best_order"][2]["order"], 4);
+    EXPECT_LT(x["best_order"][2]["accuracy"], x["ladder"][2]["max_error"]);
     const auto [code_of_limited, limited] = claiming("x", 4, "--term-limit 6");
     EXPECT_EQ(code_of_limited, 0);
     EXPECT_EQ(limited["verdict"], "pass");
     EXPECT_EQ(limited["error_estimate"]["ratio"], nullptr);
+    EXPECT_EQ(limited["best_order"].size(), 0U);
     EXPECT_EQ(limited["error_estimate"]["reason"].get<std::string>().substr(0, 79),
               "the next weight cannot be derived: normal form and map have at most 6 terms (we");
     const auto [code_of_exact, exact] = claiming("y", 4);

@@ -76,6 +76,7 @@ TEST(ErrorEstimate, OfAMeanMotionIsTheOscillation) {
         ASSERT_TRUE(o.estimate_ratio) << o.name;
         EXPECT_NEAR(*o.estimate_ratio, 1, 0.02) << o.name;
         EXPECT_GT(o.estimate->ladder.back().map, 100 * o.estimate->ladder.back().flow) << o.name;
+        EXPECT_TRUE(o.estimate->best.empty()) << "at every order the oscillation is left out";
     }
 }
 
@@ -131,6 +132,7 @@ TEST_F(Spring, OfAnExactFormulaThereIsNone) {
     const ErrorEstimate e = estimate("order = 1", "1/eps", "x");
     EXPECT_EQ(e.next_order, 0);
     EXPECT_EQ(e.reason, "the next two weights vanish identically");
+    EXPECT_TRUE(e.best.empty());
 }
 
 // A refusal of the next weight is told; that of the one behind a weight that vanishes is a reason.

@@ -2,6 +2,8 @@
 #include "verify/estimate/error_estimate.hpp"
 
 #include "model/files/interval_length.hpp"
+#include "model/files/settings.hpp"
+#include "verify/estimate/best_order.hpp"
 #include "verify/estimate/error_estimator.hpp"
 #include "verify/estimate/times.hpp"
 #include "verify/run/real.hpp"
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <future>
 #include <limits>
+#include <optional>
 #include <thread>
 
 namespace resonform {
@@ -48,6 +51,11 @@ Maxima maxima(const ErrorParts& parts) {
     return most;
 }
 
+struct EstimatesAt { // one eps, of each output
+    std::vector<EstimatedRung> rungs;
+    std::vector<BestOrder> best; // empty: not asked for
+};
+
 // At one eps, for all outputs.
 class EstimateAt {
 public:
@@ -56,28 +64,44 @@ public:
         : estimator_(estimator), rate_(largest_rate(field, scene, eps)), eps_(eps),
           interval_(judged_interval(field, scene, eps)), from_(layer_end(field, scene, eps)) {}
 
-    std::vector<EstimatedRung> estimated() const {
+    EstimatesAt estimated(const std::optional<OrderSeries>& orders) const {
         const std::vector<double> times = crowded_times(interval_, estimate_points, rate_, from_).all;
         Maxima most = maxima(parts<long double>(times));
         std::vector<double> noise = rounding(times);
+        EstimatesAt estimates;
+        if (orders) estimates.best = best(*orders, noise);
         for (std::size_t k = 0; k < noise.size(); ++k)
             if (noise[k] > little_noise * most.error[k]) {
-                most =
-                    maxima(parts<Float128>(crowded_times(interval_, slow_estimate_points, rate_, from_).all));
+                most = maxima(parts<Float128>(few_times()));
                 for (double& n : noise)
                     n *= RealTraits<Float128>::roundoff() / RealTraits<long double>::roundoff();
                 break;
             }
-        std::vector<EstimatedRung> rungs;
         for (std::size_t k = 0; k < noise.size(); ++k)
-            rungs.push_back({eps_, most.map[k], most.flow[k], most.error[k], noise[k]});
-        return rungs;
+            estimates.rungs.push_back({eps_, most.map[k], most.flow[k], most.error[k], noise[k]});
+        return estimates;
     }
 
 private:
     template <class Real> [[nodiscard]] ErrorParts parts(const std::vector<double>& times) const {
-        const Real eps = from_rational<Real>(eps_);
-        return estimator_.parts<Real>(eps, eps * Real(interval_) * Real(1 + 0x1p-40), times);
+        return estimator_.parts<Real>(from_rational<Real>(eps_), slow_time_end<Real>(), times);
+    }
+
+    template <class Real> [[nodiscard]] Real slow_time_end() const {
+        return from_rational<Real>(eps_) * Real(interval_) * Real(1 + 0x1p-40);
+    }
+
+    [[nodiscard]] std::vector<double> few_times() const {
+        return crowded_times(interval_, slow_estimate_points, rate_, from_).all;
+    }
+
+    [[nodiscard]] std::vector<BestOrder> best(const OrderSeries& orders,
+                                              const std::vector<double>& noise) const {
+        std::vector<BestOrder> found;
+        for (const std::vector<double>& terms :
+             orders.terms(from_rational<long double>(eps_), slow_time_end<long double>(), few_times(), noise))
+            found.push_back(best_of(eps_, terms));
+        return found;
     }
 
     // Of long double: what double rounds, so much smaller as its last place is.
@@ -110,16 +134,24 @@ private:
 
 ErrorEstimates error_estimates(const Scene& scene, const Solution& solution, const std::vector<Rational>& eps,
                                const Derive& derive) {
-    const ErrorEstimator estimator(scene, solution, derive);
+    std::optional<Solution> next;
+    const ErrorEstimator estimator(
+        scene, solution, [&](const std::shared_ptr<const System>& system, int order, int truncation) {
+            Solution richer = derive(system, order, truncation);
+            if (!next) next = richer; // a second one is of the weight behind it
+            return richer;
+        });
+    std::optional<OrderSeries> orders;
+    if (scene.oscillating && next) orders.emplace(with_fix_put_in(scene), *next, estimator);
     const GradedField& field = *solution.normalization->normal_form.field;
     std::vector<EstimateAt> rungs;
     for (const Rational& e : eps) rungs.emplace_back(estimator, scene, field, e);
-    std::vector<std::vector<EstimatedRung>> found(rungs.size());
+    std::vector<EstimatesAt> found(rungs.size());
     const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
     std::vector<std::future<void>> work;
     for (std::size_t j = 0; j < threads; ++j)
         work.push_back(std::async(std::launch::async, [&, j] {
-            for (std::size_t i = j; i < rungs.size(); i += threads) found[i] = rungs[i].estimated();
+            for (std::size_t i = j; i < rungs.size(); i += threads) found[i] = rungs[i].estimated(orders);
         }));
     for (auto& w : work) w.get();
     ErrorEstimates estimates;
@@ -128,7 +160,10 @@ ErrorEstimates error_estimates(const Scene& scene, const Solution& solution, con
         ErrorEstimate& estimate = estimates[output.name];
         estimate.next_order = output.next_order;
         estimate.reason = output.reason;
-        for (const auto& rung : found) estimate.ladder.push_back(rung[k]);
+        for (const EstimatesAt& at : found) {
+            estimate.ladder.push_back(at.rungs[k]);
+            if (orders && output.next_order > 0 && at.best[k].order > 0) estimate.best.push_back(at.best[k]);
+        }
     }
     return estimates;
 }

@@ -2,6 +2,7 @@
 // The estimated error of each output along a ladder of eps: maxima over the interval.
 #pragma once
 
+#include "verify/estimate/best_order.hpp"
 #include "verify/estimate/next_weight.hpp"
 
 #include <map>
@@ -20,6 +21,7 @@ struct ErrorEstimate {
     int next_order = 0;                // N' of error_estimator.hpp; 0: there is none
     std::string reason;                // why
     std::vector<EstimatedRung> ladder; // eps as given
+    std::vector<BestOrder> best;       // where one is known; none of a mean motion, or where next_order is 0
 };
 
 using ErrorEstimates = std::map<std::string, ErrorEstimate>; // by output

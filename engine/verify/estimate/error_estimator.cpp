@@ -6,7 +6,6 @@
 #include "model/system/scene_file.hpp"
 #include "solve/flow/solve_options.hpp"
 #include "solve/solve.hpp"
-#include "solve/truncation.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/run/real.hpp"
 
@@ -25,12 +24,7 @@ using Indices = std::vector<std::size_t>;
 
 // M' of a formula of order N'.
 int next_truncation(const Scene& scene, const Solution& solution, int order) {
-    Scene further = scene;
-    further.order = order;
-    further.truncation.reset();
-    const GradedField& field = *solution.normalization->normal_form.field;
-    return std::max(solution.truncation + order - solution.order,
-                    count_truncation(field, further).truncation);
+    return std::max(solution.truncation + order - solution.order, counted_truncation(scene, solution, order));
 }
 
 std::shared_ptr<const Interpretation> interpretation(const Solution& solution, const Scene& scene) {
@@ -91,7 +85,8 @@ template <class Real> struct Evaluated {
 
 ErrorEstimator::ErrorEstimator(const Scene& scene, const Solution& solution, const Derive& derive,
                                std::vector<std::string> given)
-    : formula_(interpretation(solution, scene)), order_(solution.order), given_(std::move(given)) {
+    : formula_(interpretation(solution, scene)), order_(solution.order), truncation_(solution.truncation),
+      given_(std::move(given)) {
     const Scene fixed = with_fix_put_in(scene);
     Indices open(scene.outputs.size());
     std::iota(open.begin(), open.end(), std::size_t(0));
@@ -125,11 +120,20 @@ void ErrorEstimator::compare_with(const Solution& richer, const Scene& fixed, co
     const auto of_order = [&](int order) {
         return solve(richer.normalization, options_of(scene, order, richer.truncation));
     };
-    Further further{moved, interpretation(of_order(order_), scene), nullptr};
+    Further further{moved, interpretation(of_order(order_), scene), nullptr, richer.order, richer.truncation};
     scene.oscillating = true;
     further.whole = interpretation(of_order(richer.order), scene);
     require_values(scene, {further.flow->program, further.whole->program}, given_);
     further_.push_back(std::move(further));
+}
+
+std::shared_ptr<const Interpretation> ErrorEstimator::formula(int order, int truncation) const {
+    if (order == order_ && truncation == truncation_) return formula_;
+    for (const Further& further : further_)
+        if (order == further.order && truncation == further.truncation &&
+            further.outputs.size() == outputs_.size())
+            return further.whole;
+    return nullptr;
 }
 
 template <class Real>

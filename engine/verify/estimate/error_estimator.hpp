@@ -44,10 +44,14 @@ public:
     struct Further { // the formulas of one N', of the outputs that it is the first to move
         std::vector<std::size_t> outputs;
         std::shared_ptr<const Interpretation> flow, whole; // y[N, M'], y[N', M']
+        int order, truncation;                             // N', M'
     };
 
     [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; } // in the scene's order
     [[nodiscard]] const std::vector<Further>& further() const { return further_; }
+
+    // y[order, truncation] of all outputs; null: it is none of those that are made here.
+    [[nodiscard]] std::shared_ptr<const Interpretation> formula(int order, int truncation) const;
 
     // Real: double, long double, Float128. Precondition: [fix] or `arguments` gives every parameter of the
     // outputs.
@@ -61,7 +65,7 @@ private:
     std::shared_ptr<const Interpretation> formula_;
     std::vector<Output> outputs_;
     std::vector<Further> further_;
-    int order_;
+    int order_, truncation_;
     std::vector<std::string> given_;
 };
 

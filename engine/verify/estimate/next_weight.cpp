@@ -3,6 +3,7 @@
 
 #include "model/files/interval_length.hpp"
 #include "model/system/start_names.hpp"
+#include "solve/truncation.hpp"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,13 @@ std::optional<int> time_power(const Scene& scene) {
 
 Formula formula_of(const Scene& scene, const Solution& solution, int time_power) {
     return {solution.order, solution.truncation, time_power, scene.oscillating, starts_from_constants(scene)};
+}
+
+int counted_truncation(const Scene& scene, const Solution& solution, int order) {
+    Scene other = scene;
+    other.order = order;
+    other.truncation.reset();
+    return count_truncation(*solution.normalization->normal_form.field, other).truncation;
 }
 
 std::string told(const Error& error) {

@@ -24,6 +24,9 @@ std::optional<int> time_power(const Scene& scene);
 // How the formula of a scene is cut, over times of eps^-time_power.
 Formula formula_of(const Scene& scene, const Solution& solution, int time_power);
 
+// What the count asks for at another order of the scene, without a `truncation` of its own.
+int counted_truncation(const Scene& scene, const Solution& solution, int order);
+
 // Rule and value of an error that ends a derivation, as the reason why something is not known.
 std::string told(const Error& error);
 

@@ -75,7 +75,13 @@ Json of(const OutputVerdict& o) {
     if (!o.reason.empty()) out["reason"] = o.reason;
     out["ladder"] = std::move(ladder);
     for (const LadderRung& r : o.layer) out["layer"].push_back(of(r));
-    if (o.estimate) out["error_estimate"] = estimate_of(o);
+    if (o.estimate) {
+        out["error_estimate"] = estimate_of(o);
+        out["best_order"] = Json::array();
+        for (const BestOrder& b : o.estimate->best)
+            out["best_order"].push_back(
+                {{"eps", to_double(b.eps)}, {"order", b.order}, {"accuracy", b.accuracy}});
+    }
     if (o.data_error)
         out["data_error"] = {{"eps", o.data_error->eps}, {"error", json_number(o.data_error->error)}};
     return out;

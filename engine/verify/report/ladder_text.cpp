@@ -55,6 +55,20 @@ std::string estimate_line(const OutputVerdict& o) {
     return line + (e.reason.empty() ? "\n" : ": " + e.reason + "\n");
 }
 
+// "  best of the orders 1 ... 4 for x, by extrapolation: 2 at eps = 0.2 ... 0.1, 4 at eps = 0.05"
+std::string best_line(const OutputVerdict& o) {
+    if (!o.estimate || o.estimate->best.empty()) return "";
+    const std::vector<BestOrder>& best = o.estimate->best;
+    std::vector<std::string> parts;
+    for (std::size_t i = 0, j = 0; i < best.size(); i = j) {
+        while (j < best.size() && best[j].order == best[i].order) ++j;
+        parts.push_back(fmt::format("{} at eps = {:g}", best[i].order, to_double(best[i].eps)));
+        if (j > i + 1) parts.back() += fmt::format(" ... {:g}", to_double(best[j - 1].eps));
+    }
+    return fmt::format("  best of the orders 1 ... {} for {}, by extrapolation: {}\n", best.front().looked_at,
+                       o.name, fmt::join(parts, ", "));
+}
+
 // "  defect of x: max|x'' - f| 2.1e-10 at eps = 0.01, slope 5.001"
 std::string defect_line(const OutputVerdict& d) {
     std::string line = fmt::format("  defect of {}, the formula put into its equation: {:.2e} at eps = {:g}",
@@ -149,7 +163,7 @@ std::string to_text(const Verification& v) {
     text += conditions_text(v);
     for (const OutputVerdict& o : v.outputs) text += verdict_line(o, v.conditions);
     for (const OutputVerdict& d : v.defects) text += defect_line(d);
-    for (const OutputVerdict& o : v.outputs) text += estimate_line(o);
+    for (const OutputVerdict& o : v.outputs) text += estimate_line(o) + best_line(o);
     for (const OutputVerdict& o : v.outputs) text += data_line(o);
     return text + to_text(v.emitted);
 }

@@ -131,6 +131,17 @@ Table estimate_table(const OutputVerdict& output) {
     return table;
 }
 
+Table best_orders(const OutputVerdict& output) {
+    Table table{fmt::format("{}: the best order for each ε, by extrapolation", pretty(output.name)),
+                {"ε", "order", "of the orders", "expected error"},
+                {}};
+    if (!output.estimate) return table;
+    for (const BestOrder& b : output.estimate->best)
+        table.rows.push_back({short_number(to_double(b.eps)), std::to_string(b.order),
+                              fmt::format("1 … {}", b.looked_at), short_number(b.accuracy)});
+    return table;
+}
+
 Section accuracy(const Findings& f, const Figures& figures) {
     Section section{"Order of accuracy",
                     {verdict_table(f.verification), Preformatted{conditions_text(f.verification)}}};
@@ -145,6 +156,7 @@ Section accuracy(const Findings& f, const Figures& figures) {
         if (o.estimate && !o.estimate->reason.empty())
             section.blocks.push_back(
                 Paragraph{fmt::format("Estimated error of {}: {}", pretty(o.name), o.estimate->reason)});
+        if (Table best = best_orders(o); !best.rows.empty()) section.blocks.push_back(std::move(best));
     }
     section.blocks.push_back(Paragraph{
         "What covers what: the ladder sees errors of the formulas down to the order found; the certificate "
