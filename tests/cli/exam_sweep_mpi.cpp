@@ -27,11 +27,14 @@ protected:
     }
 };
 
-const std::string points = " sweep $S --over eps=1e-4:0.5:1000 --over phase.x=0:6:300 --t 7 ";
+std::string sweep_of(int phases) {
+    return " sweep $S --over eps=1e-4:0.5:1000 --over phase.x=0:6:" + std::to_string(phases) + " --t 7 ";
+}
 
 } // namespace
 
 TEST_F(SweepMpi, FourRanksAreAsOneProgram) {
+    const std::string points = sweep_of(300);
     const Outcome outcome = shell("resonform" + points +
                                   "--output one.npy >said\n"
                                   "mpi resonform_mpi" +
@@ -43,16 +46,18 @@ TEST_F(SweepMpi, FourRanksAreAsOneProgram) {
     EXPECT_EQ(outcome.out.find("done"), outcome.out.rfind("done")); // one rank speaks
 }
 
+// Killed when the first block is there: a second's work for all ranks is left.
 TEST_F(SweepMpi, GoesOnAfterARankWasKilled) {
     if (!std::filesystem::exists("/proc/thread-self/children"))
         GTEST_SKIP() << "the kernel does not list the children of a process";
+    const std::string points = sweep_of(1500);
     const Outcome outcome =
         shell("resonform" + points +
               "--output one.npy >said\n"
               "mpirun -n 4 --oversubscribe resonform_mpi" +
               points +
               "--output k.npy >said 2>&1 & pid=$!\n"
-              "until [ -e k.parts/00000011.block ] || ! kill -0 $pid; do sleep 0.01; done\n"
+              "until [ -e k.parts/00000000.block ] || ! kill -0 $pid; do sleep 0.01; done\n"
               "kill -9 $(cut -d' ' -f 3 /proc/$pid/task/$pid/children)\n"
               "wait $pid; [ $? != 0 ] && echo ended; ls k.npy 2>/dev/null\n"
               "mpi resonform_mpi" +
