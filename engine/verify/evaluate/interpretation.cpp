@@ -13,6 +13,9 @@ std::vector<Graph::Node> at_call(const Program& program, const std::vector<bool>
     std::vector<Graph::Node> roots, nodes;
     for (const ProgramOutput& result : results) roots.push_back(result.value);
     for (const ProgramCondition& condition : program.positive) roots.push_back(condition.value);
+    for (const ProgramPhase& phase : program.phases)
+        for (const std::vector<Graph::Node>& either : phase.precision)
+            roots.insert(roots.end(), either.begin(), either.end());
     const std::vector<bool> used = reachable(program.graph, roots);
     for (std::size_t n = 0; n < used.size(); ++n)
         if (used[n] && changes[n]) nodes.push_back(static_cast<Graph::Node>(n));

@@ -267,6 +267,15 @@ template <class Real> struct Interpreter<Real>::Impl {
             walk.set(program->tables[k].value, Number(tables[k](static_cast<Real>(T))[0]));
     }
 
+    // Whether digits are left where growth rates have changed their sign.
+    bool passes(const GraphWalk<Real>& walk) const {
+        const auto is_positive = [&](Graph::Node n) { return walk[n] > Real(0); };
+        for (const ProgramPhase& phase : program->phases)
+            for (const Nodes& either : phase.precision)
+                if (std::none_of(either.begin(), either.end(), is_positive)) return false;
+        return true;
+    }
+
     // Whether everything has decayed that turns with a phase.
     static bool is_gone(const ProgramPhase& phase, const GraphWalk<Real>& walk) {
         return !phase.fades_with.empty() && std::all_of(phase.fades_with.begin(), phase.fades_with.end(),
@@ -298,7 +307,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         walk.compute(nodes);
         for (const ProgramCondition& condition : program->positive)
             if (varies(condition) && !(walk[condition.value] > Real(0))) return Status::outside_domain;
-        return precision;
+        return passes(walk) ? precision : Status::low_precision;
     }
 
     Status call(const Real& t, const std::vector<ProgramOutput>& wanted, const Nodes& nodes,
