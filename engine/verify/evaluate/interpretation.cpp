@@ -10,8 +10,7 @@ namespace {
 // The nodes behind some results and the conditions that change from call to call, operands first.
 std::vector<Graph::Node> at_call(const Program& program, const std::vector<bool>& changes,
                                  const std::vector<ProgramOutput>& results) {
-    std::vector<Graph::Node> roots, nodes;
-    for (const ProgramOutput& result : results) roots.push_back(result.value);
+    std::vector<Graph::Node> roots = values_of(results), nodes;
     for (const ProgramCondition& condition : program.positive) roots.push_back(condition.value);
     for (const ProgramPhase& phase : program.phases)
         for (const std::vector<Graph::Node>& either : phase.precision)
@@ -37,6 +36,18 @@ Interpretation::Interpretation(std::shared_ptr<const Program> p)
         const StraightLine::Instruction& i = plan.code.at(static_cast<StraightLine::Value>(v));
         plan_numbers.push_back(i.op == StraightLine::Op::number ? binary_parts(i.number) : BinaryParts{});
     }
+}
+
+NodesBehind::NodesBehind(const Interpretation& shared, const std::vector<Graph::Node>& roots) {
+    const std::vector<bool> used = reachable(shared.program->graph, roots);
+    for (std::size_t n = 0; n < used.size(); ++n)
+        if (used[n]) (shared.changes[n] ? varying : constant).push_back(static_cast<Graph::Node>(n));
+}
+
+std::vector<Graph::Node> values_of(const std::vector<ProgramOutput>& results) {
+    std::vector<Graph::Node> nodes;
+    for (const ProgramOutput& result : results) nodes.push_back(result.value);
+    return nodes;
 }
 
 } // namespace resonform

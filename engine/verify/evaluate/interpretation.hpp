@@ -23,4 +23,12 @@ struct Interpretation {
     std::vector<BinaryParts> plan_numbers;                   // of plan.code, by value
 };
 
+// The nodes behind some roots, operands first: the constant ones and those that change from call to call.
+struct NodesBehind {
+    NodesBehind(const Interpretation& shared, const std::vector<Graph::Node>& roots);
+    std::vector<Graph::Node> constant, varying;
+};
+
+std::vector<Graph::Node> values_of(const std::vector<ProgramOutput>& results);
+
 } // namespace resonform

@@ -25,22 +25,6 @@ namespace {
 
 using Nodes = std::vector<Graph::Node>;
 
-// The nodes behind some roots, operands first: the constant ones or those that change from call to call.
-struct Plan {
-    Plan(const Interpretation& shared, const Nodes& roots) {
-        const std::vector<bool> used = reachable(shared.program->graph, roots);
-        for (std::size_t n = 0; n < used.size(); ++n)
-            if (used[n]) (shared.changes[n] ? varying : constant).push_back(static_cast<Graph::Node>(n));
-    }
-    Nodes constant, varying;
-};
-
-Nodes values_of(const std::vector<ProgramOutput>& results) {
-    Nodes nodes;
-    for (const ProgramOutput& result : results) nodes.push_back(result.value);
-    return nodes;
-}
-
 template <class Real> bool all_finite(const std::vector<Real>& values) {
     return std::all_of(values.begin(), values.end(), [](const Real& x) { return math::finite(x); });
 }
@@ -131,7 +115,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         std::vector<Number> all;
         GraphWalk<Number> walk = of;
         for (const ProgramData& data : program->data) {
-            const Plan behind(*shared, {data.argument});
+            const NodesBehind behind(*shared, {data.argument});
             const auto argument = [&](int T) {
                 walk.set(program->slow_time, Number(T));
                 walk.compute(behind.varying);
@@ -150,7 +134,7 @@ template <class Real> struct Interpreter<Real>::Impl {
             rates.push_back(variable.rate);
             starts.push_back(constants[variable.start]);
         }
-        const Plan behind(*shared, rates);
+        const NodesBehind behind(*shared, rates);
         GraphWalk<Real> walk = constants;
         const auto rates_at = [&](const Real& T, const std::vector<Real>& values) {
             set_flow(walk, T, values);
@@ -194,7 +178,7 @@ template <class Real> struct Interpreter<Real>::Impl {
     Cause build_tables() {
         for (std::size_t k = 0; k < program->tables.size(); ++k) {
             const ProgramTable& table = program->tables[k];
-            const Plan behind(*shared, {table.integrand});
+            const NodesBehind behind(*shared, {table.integrand});
             GraphWalk<Real> walk = constants;
             PrimitiveTable<Real, 1> built;
             const auto integrand = [&](const Real& T) {
@@ -217,7 +201,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         if (const Cause lost = set_constants(walk); lost.status != Status::ok) return lost;
         for (std::size_t k = 0; k < program->phases.size(); ++k) {
             const ProgramPhase& phase = program->phases[k];
-            const Plan behind(*shared, {phase.rate});
+            const NodesBehind behind(*shared, {phase.rate});
             const auto at = [&](const Wide& T) {
                 set_slow_time(walk, T);
                 walk.compute(behind.varying);
@@ -328,7 +312,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         const Nodes roots = values_of(program->outputs);
         const Status walked = walk_to(t, shared->outputs_at_call, walk);
         if (walked != Status::ok && walked != Status::low_precision) return walked;
-        const Plan behind(*shared, roots);
+        const NodesBehind behind(*shared, roots);
         GraphWalk<Real> bounds(program->graph);
         set_symbol_bounds(walk, bounds);
         walk.compute_scale(behind.constant, bounds);
@@ -369,9 +353,9 @@ template <class Real> struct Interpreter<Real>::Impl {
     GraphWalk<Real> constants;
     Real eps;
     std::vector<Real> parameters, start;
-    Nodes margins;                      // of the layers
-    std::optional<Plan> behind_margins; // if there are any
-    Real end, reach{};                  // of slow time; as far as everything is defined
+    Nodes margins;                             // of the layers
+    std::optional<NodesBehind> behind_margins; // if there are any
+    Real end, reach{};                         // of slow time; as far as everything is defined
     Interval<Real> interval;
     std::optional<FlowTable<std::vector<Real>>> flow;
     std::vector<PrimitiveTable<Real, 1>> tables;
