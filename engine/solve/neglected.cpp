@@ -70,15 +70,17 @@ void Neglected::add_quantities() {
         quantities_.push_back({kind, index, scale, lasts ? formula_.time_power : 0, none});
     };
     std::vector<int> turning(flow_.phases.size(), nothing), decaying(flow_.decays.size(), nothing);
-    std::vector<bool> lasting(flow_.phases.size(), false);
+    std::vector<bool> lasting(flow_.phases.size(), false), returning(flow_.decays.size(), false);
     for (std::size_t k = 0; k < field_.modes.size(); ++k) {
         const FlowMode& mode = flow_.modes[k];
         const int weight = ring_.generator(field_.modes[k].z).weight;
-        for (const Kind kind : {Kind::modulus, Kind::argument}) add(kind, k, weight, !mode.decay);
+        const bool lasts = !mode.decay || mode.passes;
+        for (const Kind kind : {Kind::modulus, Kind::argument}) add(kind, k, weight, lasts);
         if (mode.decay) decaying[*mode.decay] = std::min(decaying[*mode.decay], weight);
+        if (mode.passes) returning[*mode.decay] = true;
         if (!mode.phase) continue;
         turning[*mode.phase] = std::min(turning[*mode.phase], weight);
-        if (!mode.decay) lasting[*mode.phase] = true;
+        if (lasts) lasting[*mode.phase] = true;
     }
     for (std::size_t k = 0; k < field_.angles.size(); ++k) {
         add(Kind::angle, k, 0);
@@ -86,7 +88,7 @@ void Neglected::add_quantities() {
         lasting[*flow_.angles[k].phase] = true;
     }
     for (std::size_t k = 0; k < turning.size(); ++k) add(Kind::phase, k, turning[k], lasting[k]);
-    for (std::size_t k = 0; k < decaying.size(); ++k) add(Kind::decay, k, decaying[k], false);
+    for (std::size_t k = 0; k < decaying.size(); ++k) add(Kind::decay, k, decaying[k], returning[k]);
     for (std::size_t k = 0; k < field_.slow.size(); ++k) add(Kind::slow, k, 0);
     for (std::size_t k = 0; k < field_.drift.size(); ++k) add(Kind::drift, k, 0);
 }

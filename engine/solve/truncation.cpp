@@ -2,6 +2,7 @@
 #include "solve/truncation.hpp"
 
 #include "algebra/number/error.hpp"
+#include "solve/flow/passage.hpp"
 #include "solve/route.hpp"
 
 #include <fmt/format.h>
@@ -21,12 +22,13 @@ struct Count {
 };
 
 // The lowest weight of an output that shows a lasting phase: 0 with angles, else the lowest weight of an
-// undamped oscillation; nullopt: there is none.
+// undamped oscillation, or of one whose damping may vanish; nullopt: there is none.
 std::optional<int> lightest(const GradedField& field) {
     if (!field.angles.empty()) return 0;
     std::optional<int> least;
-    for (const Mode& mode : field.modes) {
-        if (mode.is_damped() || mode.is_real()) continue;
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
+        const Mode& mode = field.modes[k];
+        if (mode.is_real() || (mode.is_damped() && !may_pass_zero(field, k))) continue;
         const int weight = field.ring->generator(mode.z).weight;
         least = std::min(least.value_or(weight), weight);
     }

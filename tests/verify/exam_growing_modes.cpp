@@ -4,7 +4,6 @@
 #include "own_system.hpp"
 #include "solve/flow/slow_flow.hpp"
 #include "verify/estimate/times.hpp"
-#include "verify/evaluate/interpreter.hpp"
 #include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
@@ -14,23 +13,7 @@
 namespace resonform {
 namespace {
 
-class GrowingModes : public test::OwnSystem {
-protected:
-    // Outputs at t by the interpreter, which the statuses are read of, too.
-    struct Answer {
-        Status status;
-        std::vector<double> values;
-        std::string why;
-    };
-    Answer at(const std::string& system, const std::string& scene, double eps, double t) {
-        const auto program = test::program_of(written(system, scene));
-        const Interpreter<double> evaluator(program, eps, {}, {}, 2 * eps * (t + 1));
-        Answer answer;
-        answer.status = evaluator.call(t, answer.values);
-        answer.why = evaluator.why(answer.status);
-        return answer;
-    }
-};
+class GrowingModes : public test::InterpretedSystem {};
 
 // y = (y0 + x0^2/3) e^t - x0^2 e^{-2t}/3, x = x0 e^{-t}
 const std::string drained = "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"

@@ -5,11 +5,13 @@
 #include "model/files/read_scene.hpp"
 #include "scene_line.hpp"
 #include "support/shell.hpp"
+#include "verify/evaluate/interpreter.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace resonform::test {
 
@@ -36,6 +38,24 @@ protected:
         const Verification v = verified(line_of(scene));
         for (const auto& output : v.outputs) EXPECT_EQ(output.verdict, Verdict::pass) << output.reason;
         EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
+    }
+};
+
+// Outputs at t by the interpreter, which the statuses are read of, too.
+class InterpretedSystem : public OwnSystem {
+protected:
+    struct Answer {
+        Status status;
+        std::vector<double> values;
+        std::string why;
+    };
+    Answer at(const std::string& system, const std::string& scene, double eps, double t) {
+        const Interpreter<double> evaluator(program_of(written(system, scene)), eps, {}, {},
+                                            2 * eps * (t + 1));
+        Answer answer;
+        answer.status = evaluator.call(t, answer.values);
+        answer.why = evaluator.why(answer.status);
+        return answer;
     }
 };
 

@@ -115,6 +115,7 @@ std::string CppFrame::precise() const {
     for (const CppPlan::Growth& growth : plan_.growths)
         all.push_back(fmt::format("a.exp_{} * c.{} <= Real(1)", plan_.phase_names[growth.phase],
                                   plan_.members.at(growth.factor)));
+    if (!plan_.precisions.empty()) all.emplace_back("passes(c, a)");
     return fmt::format("    // What grows leaves digits.\n"
                        "    static bool precise(const Constants<Real>& c, const Arguments& a) noexcept {{\n"
                        "        return {};\n    }}\n\n",

@@ -123,6 +123,10 @@ void CppPlan::lower_results() {
         phase_starts.push_back(code.lower(phase.start));
         phase_rates.push_back(code.lower(phase.rate));
         if (phase.growth >= 0) growths.push_back({phase_names.size() - 1, code.lower(phase.growth)});
+        for (const std::vector<Graph::Node>& either : phase.precision) {
+            std::vector<Value>& list = precisions.emplace_back();
+            for (const Graph::Node n : either) list.push_back(code.lower(n));
+        }
         const std::vector<bool> used = reachable(program->graph, {phase.rate});
         phase_uses_tables.push_back(
             std::any_of(looked_up.begin(), looked_up.end(),
@@ -154,6 +158,7 @@ std::vector<Value> CppPlan::roots() const {
          {&flow_starts, &flow_rates, &phase_starts, &phase_rates, &data_arguments})
         all.insert(all.end(), more->begin(), more->end());
     for (const Growth& growth : growths) all.push_back(growth.factor);
+    for (const std::vector<Value>& either : precisions) all.insert(all.end(), either.begin(), either.end());
     for (const std::vector<CppCondition>* conditions : {&varying_conditions, &layers})
         for (const CppCondition& condition : *conditions) all.push_back(condition.value);
     for (const std::vector<CppResult>* results : {&outputs, &state})

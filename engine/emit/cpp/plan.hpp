@@ -52,6 +52,7 @@ struct CppPlan {
         StraightLine::Value factor;
     };
     std::vector<Growth> growths;
+    std::vector<std::vector<StraightLine::Value>> precisions; // of exponents: one of each list is > 0
     std::vector<CppResult> outputs, state;
     std::vector<StraightLine::Value> data_arguments; // of program.data
     std::vector<CppRow> rows;                        // empty: many points are computed one by one

@@ -24,7 +24,7 @@ public:
         return constants() + kept_constants() + start_conditions() + cpp_data_edges(plan_) + flow_rates() +
                layers() + integrands() + phase_rates() + arguments() +
                evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state) +
-               amplitudes();
+               passes() + amplitudes();
     }
 
 private:
@@ -39,6 +39,8 @@ private:
     std::string arguments() const;
     std::string evaluation(const std::string& name, const std::string& type,
                            const std::vector<CppResult>& list);
+    std::string passes();
+    void know_call(CppFunction& function);
     std::string amplitudes();
     void know_arguments(CppFunction& function);
     void know_members(CppFunction& function) const;
@@ -265,10 +267,7 @@ std::string CppStages::arguments() const {
     return text + "    };\n\n";
 }
 
-std::string CppStages::evaluation(const std::string& name, const std::string& type,
-                                  const std::vector<CppResult>& list) {
-    if (list.empty()) return "";
-    CppFunction function(plan_.code, "Real", "q");
+void CppStages::know_call(CppFunction& function) {
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "a.T");
     know_tables(function, "a.tables");
@@ -281,6 +280,35 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
         function.know(plan_.code.lower(phase.cosine), "a.cos_" + plan_.phase_names[k]);
         function.know(plan_.code.lower(phase.sine), "a.sin_" + plan_.phase_names[k]);
     }
+}
+
+// Whether modes are followed to where they are (emit/program/passage.hpp).
+std::string CppStages::passes() {
+    if (plan_.precisions.empty()) return "";
+    CppFunction function(plan_.code, "Real", "q");
+    know_call(function);
+    std::vector<Value> roots;
+    for (const std::vector<Value>& either : plan_.precisions)
+        roots.insert(roots.end(), either.begin(), either.end());
+    function.compute(roots, false);
+    std::vector<std::string> all;
+    for (const std::vector<Value>& either : plan_.precisions) {
+        std::vector<std::string> list;
+        for (const Value v : either) list.push_back(function.text(v) + " > Real(0)");
+        all.push_back(fmt::format("({})", fmt::join(list, " || ")));
+    }
+    const CppFunction::Frame frame{"static", "bool",
+                                   "passes", {{"const Constants<Real>&", "c"}, {"const Arguments&", "a"}},
+                                   {},       {fmt::format("return {};", fmt::join(all, " && "))}};
+    return "    // Where a growth rate has changed its sign, digits are left.\n" + function.print(frame) +
+           "\n";
+}
+
+std::string CppStages::evaluation(const std::string& name, const std::string& type,
+                                  const std::vector<CppResult>& list) {
+    if (list.empty()) return "";
+    CppFunction function(plan_.code, "Real", "q");
+    know_call(function);
     std::vector<Value> roots;
     for (const CppCondition& condition : plan_.varying_conditions) roots.push_back(condition.value);
     for (const CppResult& result : list) roots.push_back(result.value);

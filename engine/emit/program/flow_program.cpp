@@ -138,7 +138,8 @@ void FlowProgram::define_slow(std::size_t k) {
     surroundings_.positive.insert({start_.slow[k], value});
 }
 
-// Moving small divisors must keep the sign that they start with: a change crosses a resonance surface.
+// Moving small divisors must keep the sign that they start with: a change crosses a resonance surface. But
+// for Re lambda of a mode that passes: what was divided by it is gone by then (emit/program/passage.hpp).
 void FlowProgram::keep_signs() {
     const FlowMoment at_start(program_, real_, surroundings_, start_, false);
     for (GeneratorId id = 0; id < real_.ring()->size(); ++id) {
@@ -150,7 +151,9 @@ void FlowProgram::keep_signs() {
         // It must not be zero at the start: this is checked before the start is put into the map.
         if (!signs_of(program_.graph, begin, surroundings_.positive).is_positive())
             program_.positive.push_back({program_.graph.power(begin, 2), name});
-        program_.positive.push_back({program_.graph.multiply({begin, frame_->lowering.node(id)}), name});
+        const Polynomial& radicand = field_.ring->generator(*field_.ring->find(g.name)).radicand;
+        if (!passes_zero(flow_, field_, radicand))
+            program_.positive.push_back({program_.graph.multiply({begin, frame_->lowering.node(id)}), name});
     }
 }
 

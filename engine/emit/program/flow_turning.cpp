@@ -5,6 +5,8 @@
 #include "emit/display/quantity.hpp"
 #include "emit/graph/conditioning.hpp"
 #include "emit/program/layers.hpp"
+#include "emit/program/passage.hpp"
+#include "solve/flow/passage.hpp"
 
 #include <fmt/format.h>
 
@@ -22,14 +24,10 @@ std::string numbered(const char* name, std::size_t k, std::size_t count) {
 } // namespace
 
 FlowValues FlowTurning::turned(const FlowValues& within_frame, const FlowValues& start) {
-    add_phases();
-    for (std::size_t k = 0; k < field_.modes.size(); ++k) {
-        const FlowMode& mode = flow_.modes[k];
-        if (!mode.grows || mode.is_left_out) continue;
-        Graph::Node& growing = program_.phases[flow_.phases.size() + *mode.decay].growth;
-        const Graph::Node own = growth(k, start);
-        growing = growing < 0 ? own : program_.graph.add({growing, own});
-    }
+    add_phases(start);
+    for (std::size_t k = 0; k < field_.modes.size(); ++k)
+        if (const FlowMode& mode = flow_.modes[k]; (mode.grows && !mode.is_left_out) || mode.either)
+            add_growth(k, start);
     FlowValues result;
     result.slow = within_frame.slow;
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
@@ -40,7 +38,7 @@ FlowValues FlowTurning::turned(const FlowValues& within_frame, const FlowValues&
 }
 
 // One cosine and one sine for every frequency, one exponential for every decay.
-void FlowTurning::add_phases() {
+void FlowTurning::add_phases(const FlowValues& start) {
     Graph& graph = program_.graph;
     for (std::size_t p = 0; p < flow_.phases.size(); ++p) {
         ProgramPhase turning = phase(numbered("theta", p, flow_.phases.size()), flow_.phases[p]);
@@ -54,7 +52,7 @@ void FlowTurning::add_phases() {
         program_.phases.push_back(std::move(decaying));
     }
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
-        if (field_.modes[k].is_damped()) keep_sign(flow_.modes[k].leading_rate(field_.modes[k]));
+        if (field_.modes[k].is_damped() && !flow_.modes[k].passes) keep_sign(k, start);
     for (std::size_t p = 0; p < flow_.phases.size(); ++p) let_fade(p);
 }
 
@@ -80,8 +78,15 @@ ProgramPhase FlowTurning::phase(const std::string& name, const Polynomial& rate)
         -1};
 }
 
-void FlowTurning::keep_sign(const Polynomial& rate) {
-    const Graph::Node node = frame_.lowering.polynomial(real_(rate).re);
+// That which is declared, or that of the start.
+void FlowTurning::keep_sign(std::size_t mode, const FlowValues& start) {
+    const Polynomial rate = flow_.modes[mode].leading_rate(field_.modes[mode]);
+    const Polynomial own = real_(rate).re;
+    Graph::Node node = frame_.lowering.polynomial(own);
+    if (flow_.modes[mode].either) {
+        FlowMoment at_start(program_, real_, surroundings_, start, false);
+        node = program_.graph.multiply({at_start.lowering.polynomial(own), node});
+    }
     if (!signs_of(program_.graph, node, surroundings_.positive).is_positive())
         program_.positive.push_back({node, quantity(*field_.ring, rate)});
 }
@@ -91,9 +96,12 @@ void FlowTurning::keep_sign(const Polynomial& rate) {
 //
 //   eps^{N+1} e^chi <= 10^-3 eps^w,   (r e^chi)^N <= 10^-3
 //
-// The bounds of e^{-chi} that follow, added.
-Graph::Node FlowTurning::growth(std::size_t mode, const FlowValues& start) {
+// The bounds of e^{-chi} that follow, added: g. What may decay, too, has its digits while e^chi <= 1,
+// whatever g is: e^chi <= 1 + 1/g. Where Re lambda changes its sign, more is asked.
+void FlowTurning::add_growth(std::size_t mode, const FlowValues& start) {
     Graph& graph = program_.graph;
+    const FlowMode& own = flow_.modes[mode];
+    ProgramPhase& phase = program_.phases[flow_.phases.size() + *own.decay];
     FlowMoment at(program_, real_, surroundings_, start, false);
     const Graph::Node ratio =
         corrections_of(program_, solution_, surroundings_, mode, start.modes,
@@ -101,7 +109,14 @@ Graph::Node FlowTurning::growth(std::size_t mode, const FlowValues& start) {
     const int weight = field_.ring->generator(field_.modes[mode].z).weight, order = solution_.order;
     const Graph::Node allowed = graph.rational(1000);
     const Graph::Node linear = graph.multiply({allowed, graph.power(program_.eps, order + 1 - weight)});
-    return graph.add({linear, graph.multiply({ratio, order == 1 ? allowed : graph.root(allowed, order)})});
+    Graph::Node bound =
+        graph.add({linear, graph.multiply({ratio, order == 1 ? allowed : graph.root(allowed, order)})});
+    if (own.either) bound = graph.multiply({bound, graph.power(graph.add({graph.rational(1), bound}), -1)});
+    phase.growth = phase.growth < 0 ? bound : graph.add({phase.growth, bound});
+    if (own.passes && moves_slowly(field_, field_.modes[mode].growth))
+        for (std::vector<Graph::Node>& either :
+             precision_of(program_, solution_, real_, {mode, ratio, phase.exponential}, frame_, at))
+            phase.precision.push_back(std::move(either));
 }
 
 FlowUnit FlowTurning::turned(FlowUnit unit, const FlowMode& mode, std::size_t variable) {

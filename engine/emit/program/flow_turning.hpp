@@ -24,11 +24,11 @@ public:
     FlowValues turned(const FlowValues& within_frame, const FlowValues& start);
 
 private:
-    void add_phases();
+    void add_phases(const FlowValues& start);
     [[nodiscard]] ProgramPhase phase(const std::string& name, const Polynomial& rate);
     void let_fade(std::size_t phase);
-    void keep_sign(const Polynomial& rate);
-    [[nodiscard]] Graph::Node growth(std::size_t mode, const FlowValues& start);
+    void keep_sign(std::size_t mode, const FlowValues& start);
+    void add_growth(std::size_t mode, const FlowValues& start);
     FlowUnit turned(FlowUnit unit, const FlowMode& mode, std::size_t variable);
 
     Program& program_;

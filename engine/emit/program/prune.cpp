@@ -66,6 +66,8 @@ std::vector<bool> needed_nodes(const Program& program) {
             add(phase.start);
             add(phase.rate);
             if (phase.growth >= 0) add(phase.growth);
+            for (const std::vector<Graph::Node>& either : phase.precision)
+                for (const Graph::Node n : either) add(n);
         }
     }
     return reachable(program.graph, roots);

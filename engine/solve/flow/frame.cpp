@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "normalize/recursion/inverse_map.hpp"
+#include "solve/flow/passage.hpp"
 
 #include <fmt/format.h>
 
@@ -53,9 +54,12 @@ public:
             mode.grows = resonform::grows(field_, k);
             mode.is_left_out =
                 is_damped(k) && (!options.transients || (mode.grows && options.growing == Growing::project));
+            mode.either = !mode.is_left_out && has_either_sign(field_, k);
             modes_.push_back(std::move(mode));
         }
         alone_ = damped_modes_decay_alone();
+        for (std::size_t k = 0; k < modes_.size(); ++k)
+            modes_[k].passes = modes_[k].either && alone_ && may_pass_zero(field_, k);
     }
 
     SlowFlow build() {
@@ -190,7 +194,7 @@ private:
     const GradedField& field_;
     const Ring& ring_;
     int through_;
-    std::vector<FlowMode> modes_; // with `grows` and `is_left_out` alone
+    std::vector<FlowMode> modes_; // without phase, decay and rate
     bool alone_ = true;
 };
 
@@ -282,9 +286,9 @@ SlowFlow slow_flow(const Normalization& normalization, const SolveOptions& optio
         const Role role = field.system().variables[state.variable].role;
         if (role == Role::angle) continue;
         if (state.derivative == 0) flow.outputs.push_back(lasting(outputs.of(state, options.order)));
-        if (role == Role::slow && !flow.grows()) continue;
+        if (role == Role::slow && !flow.may_grow()) continue;
         const FlowOutput whole = outputs.of(state, options.truncation);
-        flow.state.push_back(flow.grows() ? lasting(whole) : whole);
+        flow.state.push_back(flow.may_grow() ? lasting(whole) : whole);
     }
     return flow;
 }

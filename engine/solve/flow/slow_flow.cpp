@@ -2,6 +2,7 @@
 #include "solve/flow/slow_flow.hpp"
 
 #include "model/signs/sign_prover.hpp"
+#include "solve/flow/passage.hpp"
 
 #include <algorithm>
 
@@ -37,6 +38,11 @@ Series of_modulus(const GradedField& field, const Mode& mode, const Series& rate
 
 bool SlowFlow::grows() const {
     return std::any_of(modes.begin(), modes.end(), [](const FlowMode& mode) { return mode.grows; });
+}
+
+bool SlowFlow::may_grow() const {
+    return grows() ||
+           std::any_of(modes.begin(), modes.end(), [](const FlowMode& mode) { return mode.either; });
 }
 
 bool SlowFlow::is_projected() const {
@@ -90,6 +96,12 @@ Polynomial net_decay(const GradedField& field, const SlowFlow& flow, const Monom
 
 bool grows(const GradedField& field, std::size_t k) {
     return provably_positive(field.basis.modes[k].eigenvalue.re, field.system());
+}
+
+bool passes_zero(const SlowFlow& flow, const GradedField& field, const Polynomial& p) {
+    for (std::size_t k = 0; k < flow.modes.size(); ++k)
+        if (flow.modes[k].passes && is_multiple_of_growth(field, k, p)) return true;
+    return false;
 }
 
 int degree_in(const GradedField& field, const Monomial& monomial, std::size_t k) {

@@ -18,7 +18,8 @@
 // where the exponents take its whole rate, N_s = (lambda_s + Lambda_s) z_s with Lambda_s free of damped
 // modes: a_s is a constant then. If products of damped modes stay in some rate, exponents take lambda_s
 // alone, and such products must decay exactly as the mode that they drive. A real mode has no phase; one of
-// eigenvalue 0 has neither phase nor exponent.
+// eigenvalue 0 has neither phase nor exponent. Where the sign of Re lambda_s is not declared, the start
+// decides between decay and growth, and some modes may change it (solve/flow/passage.hpp).
 #pragma once
 
 #include "normalize/recursion/normal_form.hpp"
@@ -33,10 +34,13 @@ namespace resonform {
 struct FlowMode {
     std::optional<std::size_t> phase; // theta_j: index into SlowFlow::phases; angles and complex modes
     std::optional<std::size_t> decay; // chi_j: index into SlowFlow::decays; damped modes
-    Series rate;        // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
-    bool grows = false; // at eps = 0, as its system declares
+    Series rate;         // the rate of z_j within the frame; of an angle: phi' - theta'. Empty: a constant
+    bool grows = false;  // at eps = 0, as its system declares
+    bool either = false; // decays or grows: not declared, and not left out
+    bool passes = false; // either, and Re lambda may vanish (solve/flow/passage.hpp)
     bool is_left_out = false; // a damped or growing mode, by SolveOptions: in no output and no rate
-    // -Re lambda of a damped mode, Re lambda of one that grows: > 0 as long as it does.
+    // -Re lambda of a damped mode, Re lambda of one that grows: > 0 as long as it does. Of one that does
+    // either: it keeps the sign of the start, unless it passes.
     [[nodiscard]] Polynomial leading_rate(const Mode& mode) const {
         return grows ? mode.growth : -mode.growth;
     }
@@ -56,12 +60,13 @@ struct SlowFlow {
     std::vector<FlowMode> angles;    // one for each of GradedField::angles
     std::vector<Series> slow, drift; // their rates
     std::vector<FlowOutput> outputs; // every variable of the system but angles, cut at the order
-    // Every state but slow variables and angles, at the full weight. Where a mode grows, with the slow
+    // Every state but slow variables and angles, at the full weight. Where a mode may grow, with the slow
     // variables and without the modes that are left out: the state on the manifold.
     std::vector<FlowOutput> state;
 
-    // Some mode grows at eps = 0.
+    // Some mode grows at eps = 0, or may.
     [[nodiscard]] bool grows() const;
+    [[nodiscard]] bool may_grow() const;
     // The start is moved along the fibres to where the mode that grows is 0.
     [[nodiscard]] bool is_projected() const;
     // No mode, angle or slow variable has a rate within the frame.
@@ -80,6 +85,9 @@ bool turns_as(const GradedField& field, const Monomial& monomial, std::optional<
 
 // Whether a mode is known to grow at eps = 0, Re lambda > 0 as its system declares.
 bool grows(const GradedField& field, std::size_t k);
+
+// Whether p is a multiple of Re lambda of a mode that passes: a divisor of its monomials that may vanish.
+bool passes_zero(const SlowFlow& flow, const GradedField& field, const Polynomial& p);
 
 // How often a mode and its conjugate occur in a monomial.
 int degree_in(const GradedField& field, const Monomial& monomial, std::size_t k);

@@ -4,10 +4,12 @@
 #include "algebra/number/number.hpp"
 #include "model/files/interval_length.hpp"
 #include "model/text/regular.hpp"
+#include "solve/flow/passage.hpp"
 #include "solve/flow/slow_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace resonform {
 
@@ -17,24 +19,25 @@ constexpr double of_fastest_rate = 1e-3, of_interval = 1e-9;
 constexpr double of_allowed_error = 1e-3; // what may be left of a transient
 constexpr double powers_of_layer = 20;    // of e
 constexpr double powers_of_growth = 3;
+constexpr int rate_samples = 1024;
 
-// The size of an expression where the motion starts; 0: it is no number there, such as at a singularity of
-// the frequency.
-class SizeAtStart {
+// An expression where the motion starts; 0: it is no number there, such as at a singularity of the frequency.
+class ValueAtStart {
 public:
-    SizeAtStart(const GradedField& field, const Scene& scene, const Rational& eps)
+    ValueAtStart(const GradedField& field, const Scene& scene, const Rational& eps)
         : scene_(scene), eps_(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(eps))) {
         for (const SlowVariable& slow : field.slow)
             if (const StartValue* value = scene.start_of(slow.name))
                 start_[scene.system->variables[slow.variable].jet.front()] = value->value;
     }
 
+    [[nodiscard]] double size(const GiNaC::ex& value) const { return std::abs((*this)(value)); }
+
     double operator()(const GiNaC::ex& value) const {
         const auto found = where_regular([&] {
             const GiNaC::ex number = scene_.fixed(value.subs(start_)).subs(eps_).evalf();
-            return GiNaC::is_a<GiNaC::numeric>(number)
-                       ? std::abs(GiNaC::ex_to<GiNaC::numeric>(number).to_double())
-                       : 0.0;
+            return GiNaC::is_a<GiNaC::numeric>(number) ? GiNaC::ex_to<GiNaC::numeric>(number).to_double()
+                                                       : 0.0;
         });
         return found.value_or(0.0);
     }
@@ -45,20 +48,18 @@ private:
     GiNaC::exmap start_;
 };
 
-// max 1/|Re lambda| of the modes that are damped; 0: there are none.
-double longest_decay(const GradedField& field, const Scene& scene, const Rational& eps) {
-    const SizeAtStart size(field, scene, eps);
-    double longest = 0;
-    for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (field.modes[k].is_damped() && !grows(field, k))
-            longest = std::max(longest, 1 / size(field.basis.modes[k].eigenvalue.re));
-    return longest;
+bool grows_there(const GradedField& field, std::size_t k, const ValueAtStart& value) {
+    return grows(field, k) || (has_either_sign(field, k) && value(field.basis.modes[k].eigenvalue.re) > 0);
 }
 
-bool any_grows(const GradedField& field) {
+// max 1/|Re lambda| of the modes that are damped; 0: there are none.
+double longest_decay(const GradedField& field, const Scene& scene, const Rational& eps) {
+    const ValueAtStart value(field, scene, eps);
+    double longest = 0;
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (grows(field, k)) return true;
-    return false;
+        if (field.modes[k].is_damped() && !grows_there(field, k, value))
+            longest = std::max(longest, 1 / value.size(field.basis.modes[k].eigenvalue.re));
+    return longest;
 }
 
 } // namespace
@@ -95,12 +96,40 @@ SampleTimes crowded_times(double interval, std::size_t points, double rate, doub
 }
 
 double largest_rate(const GradedField& field, const Scene& scene, const Rational& eps) {
-    const SizeAtStart size(field, scene, eps);
+    const ValueAtStart value(field, scene, eps);
     double rate = 0;
     for (const ModeShape& mode : field.basis.modes)
-        rate = std::max(rate, std::hypot(size(mode.eigenvalue.re), size(mode.eigenvalue.im)));
-    for (const AngleVariable& angle : field.angles) rate = std::max(rate, size(angle.law));
+        rate = std::max(rate, std::hypot(value(mode.eigenvalue.re), value(mode.eigenvalue.im)));
+    for (const AngleVariable& angle : field.angles) rate = std::max(rate, value.size(angle.law));
     return rate;
+}
+
+bool grows_at_start(const GradedField& field, const Scene& scene, const Rational& eps) {
+    const ValueAtStart value(field, scene, eps);
+    for (std::size_t k = 0; k < field.modes.size(); ++k)
+        if (grows_there(field, k, value)) return true;
+    return false;
+}
+
+double digits_lost(const GradedField& field, const Scene& scene, const Rational& eps) {
+    const ValueAtStart value(field, scene, eps);
+    const double step = interval_length(scene, eps) / rate_samples;
+    double most = 0;
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
+        if (!may_pass_zero(field, k)) continue;
+        const GiNaC::ex& rate = field.basis.modes[k].eigenvalue.re;
+        const double begin = value(rate);
+        double slope = 0; // of a rate that is linear in them
+        for (const SlowVariable& slow : field.slow) {
+            const State& state = field.first_order->states[field.first_order->index(slow.variable, 0)];
+            slope += value(rate.diff(state.symbol)) * value(state.rate);
+        }
+        if (!(begin < 0 && begin + slope * step * rate_samples > 0)) continue;
+        double sum = 0;
+        for (int i = 0; i < rate_samples; ++i) sum += std::abs(begin + slope * step * (i + 0.5)) * step;
+        most = std::max(most, sum / std::numbers::ln10);
+    }
+    return most;
 }
 
 double layer_length(const GradedField& field, const Scene& scene, const Rational& eps) {
@@ -108,17 +137,17 @@ double layer_length(const GradedField& field, const Scene& scene, const Rational
 }
 
 double layer_end(const GradedField& field, const Scene& scene, const Rational& eps) {
-    if (scene.transients || any_grows(field)) return 0;
+    if (scene.transients || grows_at_start(field, scene, eps)) return 0;
     const double powers = -std::log(of_allowed_error) - (scene.order + 1) * std::log(to_double(eps));
     return powers * longest_decay(field, scene, eps);
 }
 
 double judged_interval(const GradedField& field, const Scene& scene, const Rational& eps) {
-    const SizeAtStart size(field, scene, eps);
+    const ValueAtStart value(field, scene, eps);
     double interval = interval_length(scene, eps);
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (grows(field, k))
-            interval = std::min(interval, powers_of_growth / size(field.basis.modes[k].eigenvalue.re));
+        if (grows_there(field, k, value))
+            interval = std::min(interval, powers_of_growth / value.size(field.basis.modes[k].eigenvalue.re));
     return interval;
 }
 

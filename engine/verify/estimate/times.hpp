@@ -28,6 +28,14 @@ SampleTimes crowded_times(double interval, std::size_t points, double rate, doub
 // none that is a number. Precondition: [fix] gives every parameter.
 double largest_rate(const GradedField& field, const Scene& scene, const Rational& eps);
 
+// Whether Re lambda of some mode is positive where the motion starts, declared or as [fix] and [start] have
+// it.
+bool grows_at_start(const GradedField& field, const Scene& scene, const Rational& eps);
+
+// The decimal digits that direct integration through the interval loses beside modes that decay first and
+// grow later: int |Re lambda| dt/ln 10, with slow variables that move evenly. 0: there are none.
+double digits_lost(const GradedField& field, const Scene& scene, const Rational& eps);
+
 // 20/min |Re lambda| of the modes that are damped, at the start: where modes decay, errors are judged apart
 // up to there. 0: none decays, or the scene is without transients.
 double layer_length(const GradedField& field, const Scene& scene, const Rational& eps);

@@ -7,11 +7,13 @@ namespace resonform {
 
 namespace {
 
-// Some results and the conditions.
+// Some results, the conditions, and what tells how precise phases are.
 std::vector<Graph::Node> at_call(const Program& program, const std::vector<ProgramOutput>& results) {
-    std::vector<Graph::Node> roots;
-    for (const ProgramOutput& result : results) roots.push_back(result.value);
+    std::vector<Graph::Node> roots = values_of(results);
     for (const ProgramCondition& condition : program.positive) roots.push_back(condition.value);
+    for (const ProgramPhase& phase : program.phases)
+        for (const std::vector<Graph::Node>& either : phase.precision)
+            roots.insert(roots.end(), either.begin(), either.end());
     return roots;
 }
 
@@ -36,6 +38,12 @@ NodesBehind::NodesBehind(const Interpretation& shared, const std::vector<Graph::
     const std::vector<bool> used = reachable(shared.program->graph, roots);
     for (std::size_t n = 0; n < used.size(); ++n)
         if (used[n]) (shared.changes[n] ? varying : constant).push_back(static_cast<Graph::Node>(n));
+}
+
+std::vector<Graph::Node> values_of(const std::vector<ProgramOutput>& results) {
+    std::vector<Graph::Node> nodes;
+    for (const ProgramOutput& result : results) nodes.push_back(result.value);
+    return nodes;
 }
 
 } // namespace resonform

@@ -29,4 +29,6 @@ struct NodesBehind {
     std::vector<Graph::Node> constant, varying;
 };
 
+std::vector<Graph::Node> values_of(const std::vector<ProgramOutput>& results);
+
 } // namespace resonform

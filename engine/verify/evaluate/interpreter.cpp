@@ -25,12 +25,6 @@ namespace {
 
 using Nodes = std::vector<Graph::Node>;
 
-Nodes values_of(const std::vector<ProgramOutput>& results) {
-    Nodes nodes;
-    for (const ProgramOutput& result : results) nodes.push_back(result.value);
-    return nodes;
-}
-
 template <class Real> bool all_finite(const std::vector<Real>& values) {
     return std::all_of(values.begin(), values.end(), [](const Real& x) { return math::finite(x); });
 }
@@ -257,6 +251,15 @@ template <class Real> struct Interpreter<Real>::Impl {
             walk.set(program->tables[k].value, Number(tables[k](static_cast<Real>(T))[0]));
     }
 
+    // Whether digits are left where growth rates have changed their sign.
+    bool passes(const GraphWalk<Real>& walk) const {
+        const auto is_positive = [&](Graph::Node n) { return walk[n] > Real(0); };
+        for (const ProgramPhase& phase : program->phases)
+            for (const Nodes& either : phase.precision)
+                if (std::none_of(either.begin(), either.end(), is_positive)) return false;
+        return true;
+    }
+
     // Whether everything has decayed that turns with a phase.
     static bool is_gone(const ProgramPhase& phase, const GraphWalk<Real>& walk) {
         return !phase.fades_with.empty() && std::all_of(phase.fades_with.begin(), phase.fades_with.end(),
@@ -288,7 +291,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         walk.compute(nodes);
         for (const ProgramCondition& condition : program->positive)
             if (varies(condition) && !(walk[condition.value] > Real(0))) return Status::outside_domain;
-        return precision;
+        return passes(walk) ? precision : Status::low_precision;
     }
 
     Status call(const Real& t, const std::vector<ProgramOutput>& wanted, const Nodes& nodes,

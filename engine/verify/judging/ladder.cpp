@@ -5,13 +5,13 @@
 #include "algebra/number/number.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
-#include "solve/flow/slow_flow.hpp"
 #include "verify/estimate/times.hpp"
 #include "verify/judging/data_error.hpp"
 #include "verify/judging/defect.hpp"
 #include "verify/judging/deviation.hpp"
 #include "verify/judging/start_scaling.hpp"
 #include "verify/judging/trial.hpp"
+#include "verify/run/real.hpp"
 
 #include <fmt/format.h>
 
@@ -31,6 +31,7 @@ namespace {
 constexpr std::array<int, 3> extensions{20'000, 50'000, 100'000}; // 1/eps
 constexpr double affordable_steps = 150'000;                      // seconds in double-double
 constexpr double grown_rounding = 1e-30;                          // of double-double, times e^3
+constexpr double digits_of_errors = 20;                           // of a motion that is followed
 constexpr double longest_layer = 0.5;                             // of an interval that is looked at
 
 using Clock = std::chrono::steady_clock;
@@ -131,7 +132,7 @@ class Descent {
 public:
     Descent(const Trial& trial, const Scene& scene, const GradedField& field, Verification& result)
         : trial_(trial), scene_(scene), field_(field), result_(result) {
-        for (std::size_t k = 0; k < field.modes.size(); ++k) growing_ = growing_ || grows(field, k);
+        growing_ = grows_at_start(field, scene, scene.verify.eps.front());
     }
 
     // Plans all rungs before any is integrated; the first that takes too many steps ends the ladder.
@@ -141,6 +142,14 @@ public:
             if (!(interval_length(scene_, eps) <= longest_interval)) {
                 result_.conditions.ladder_end = {
                     eps, fmt::format("the interval is longer than {:g} there", longest_interval)};
+                break;
+            }
+            const double digits = digits_lost(field_, scene_, eps) + digits_of_errors;
+            if (digits > RealTraits<DoubleDouble>::digits) {
+                result_.conditions.ladder_end = {
+                    eps,
+                    fmt::format("direct integration past Re lambda = 0 needs {:.1f} digits there and has {}",
+                                digits, RealTraits<DoubleDouble>::digits)};
                 break;
             }
             if (layer_end(field_, scene_, eps) > longest_layer * judged_interval(field_, scene_, eps)) {

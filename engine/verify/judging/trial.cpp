@@ -107,7 +107,8 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
       parameters_(required_values(scene)), domain_(*system_, scene),
       interval_place_(place_of_interval(scene)), field_(solution.normalization->normal_form.field),
       projects_(solution.flow && solution.flow->is_projected()),
-      grows_(solution.flow && solution.flow->grows()) {
+      grows_(grows_at_start(*field_, scene,
+                            scene.verify.eps.empty() ? Rational(1) / 100 : scene.verify.eps.front())) {
     for (const Rational& eps : scene.verify.eps) domain_.require(eps);
     std::vector<GiNaC::ex> expressions{scene.verify.interval};
     for (std::size_t i = 0; i < system_->states.size(); ++i) {

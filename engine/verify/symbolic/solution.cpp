@@ -231,11 +231,13 @@ void SymbolicSolution::read_flow() {
         if (output.drift) outputs_.back().drift = drifts + *output.drift;
     }
     for (std::size_t k = 0; k < field.modes.size(); ++k)
-        if (const Mode& mode = field.modes[k]; mode.is_damped())
-            conditions_.push_back(
-                {SymbolicCondition::Kind::radicand, fixed(flow.modes[k].leading_rate(mode))});
+        if (const Mode& mode = field.modes[k]; mode.is_damped() && !flow.modes[k].passes)
+            conditions_.push_back({flow.modes[k].either ? SymbolicCondition::Kind::keeps_sign
+                                                        : SymbolicCondition::Kind::radicand,
+                                   fixed(flow.modes[k].leading_rate(mode))});
     for (const SymbolicRing::Root& root : ring_->roots())
-        if (root.divisor) conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
+        if (root.divisor && !passes_zero(flow, field, ring_->ring().generator(root.id).radicand))
+            conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
     add_layers([](const Polynomial& p) { return p; });
 }
 
