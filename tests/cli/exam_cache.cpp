@@ -15,10 +15,11 @@ protected:
     }
     [[nodiscard]] std::filesystem::path in(const char* name) const { return scratch_.path() / name; }
 };
+using SlowCacheOfTheCommand = CacheOfTheCommand;
 
 } // namespace
 
-TEST_F(CacheOfTheCommand, StandsBesideTheSystemsOrWhereTheUserSays) {
+TEST_F(SlowCacheOfTheCommand, StandsBesideTheSystemsOrWhereTheUserSays) {
     const Outcome first = verified("");
     EXPECT_NE(first.err.find("integrating directly"), std::string::npos) << first.err;
     EXPECT_TRUE(std::filesystem::exists(in("build/cache")));
@@ -32,7 +33,7 @@ TEST_F(CacheOfTheCommand, StandsBesideTheSystemsOrWhereTheUserSays) {
     EXPECT_EQ(elsewhere.out, first.out);
 }
 
-TEST_F(CacheOfTheCommand, WithoutAPlaceOfItsOwnNothingIsKept) {
+TEST_F(SlowCacheOfTheCommand, WithoutAPlaceOfItsOwnNothingIsKept) {
     write(in("build"), "in the way");
     std::filesystem::create_directories(in("temporary"));
     const Outcome outcome = verified("TMPDIR=$PWD/temporary");

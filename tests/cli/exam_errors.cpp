@@ -43,6 +43,7 @@ protected:
                   text + "\"\n");
     }
 };
+using SlowErrors = Errors;
 
 } // namespace
 
@@ -216,7 +217,7 @@ TEST_F(Errors, AreJsonWhateverTheUserWrote) {
 }
 
 // A report that fails behind the verdicts brings no second document.
-TEST_F(Errors, AreNoSecondDocument) {
+TEST_F(SlowErrors, AreNoSecondDocument) {
     write(scratch_.path() / "systems/duffing/scenes/s.toml",
           "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n[verify]\ninterval = 5\neps = [0.1, 0.05, "
           "0.02]\n");

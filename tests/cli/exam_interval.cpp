@@ -93,7 +93,7 @@ TEST_F(IntervalCommand, AnEvaluatorWantsOneWithinBounds) {
     expect_complaint(of("evaluate", "--eps 0.01 --t 0"), "the interval of verification is 1e-200 or longer");
 }
 
-TEST_F(IntervalCommand, CompareHasNoLadderToLeaveAnEpsOutOf) {
+TEST_F(SlowIntervalCommand, CompareHasNoLadderToLeaveAnEpsOutOf) {
     scene("interval = \"1/eps\"\n");
     const Outcome outcome = of("compare", "--eps 1e-12");
     EXPECT_EQ(outcome.code, 3);

@@ -28,6 +28,7 @@ protected:
         return nlohmann::json::parse(outcome.out);
     }
 };
+using SlowStabilityCommand = StabilityCommand;
 
 } // namespace
 
@@ -77,7 +78,7 @@ TEST_F(StabilityCommand, NothingExplainsABadArgument) {
 }
 
 // Of the amplitude, by 10^-12 of itself.
-TEST_F(StabilityCommand, AWrongNumberIsAFailure) {
+TEST_F(SlowStabilityCommand, AWrongNumberIsAFailure) {
     const OtherCompiler liar(
         editing_compiler(scratch_.path() / "liar.sh", "values.x = ", "values.x = Real(1.000000000002) * "));
     const nlohmann::json found = json(1);
@@ -109,7 +110,7 @@ TEST_F(StabilityCommand, WhatTheInputsLeaveOpenIsNoFault) {
 }
 
 // a - tau > 1 is no domain that the file declares.
-TEST_F(StabilityCommand, AStatusThatNothingExplainsIsAFailure) {
+TEST_F(SlowStabilityCommand, AStatusThatNothingExplainsIsAFailure) {
     const OtherCompiler liar(
         editing_compiler(scratch_.path() / "liar.sh", "(!(s > Real(0)))", "(!(s > Real(1e300)))"));
     const nlohmann::json found = json(1);

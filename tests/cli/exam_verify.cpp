@@ -69,7 +69,7 @@ TEST_F(VerifyCommand, WhatLimitsEndIsOpen) {
         "what comes next cannot be derived: normal form and map have at most 6 terms (weight 5 reached");
 }
 
-TEST_F(VerifyCommand, ErrorsAreEstimatedWithinLimits) {
+TEST_F(SlowVerifyCommand, ErrorsAreEstimatedWithinLimits) {
     const auto [code, x] = claiming("x", 4);
     EXPECT_EQ(code, 0);
     EXPECT_NEAR(x["error_estimate"]["ratio"].get<double>(), 1, 0.1);
@@ -92,7 +92,7 @@ TEST_F(VerifyCommand, ErrorsAreEstimatedWithinLimits) {
 }
 
 // One coefficient of the phase is edited by 10^-12 of itself: no ladder sees it.
-TEST_F(VerifyCommand, AnEditedCoefficientHasExitCodeOne) {
+TEST_F(SlowVerifyCommand, AnEditedCoefficientHasExitCodeOne) {
     const std::string from = "Number(3) / Number(8)";
     const auto [honest, met] = claiming("x", 4);
     EXPECT_EQ(honest, 0);

@@ -32,6 +32,7 @@ protected:
 private:
     inline static std::unique_ptr<Comparison> comparison_; // NOLINT: what SetUpTestSuite is for
 };
+using SlowCompare = Compare;
 
 TEST_F(Compare, RowsBreakEvenAndJson) {
     const Comparison& c = compared();
@@ -87,7 +88,7 @@ TEST_F(Compare, RowsBreakEvenAndJson) {
     EXPECT_EQ(json["rows"].back()["eps"], 0.02);
 }
 
-TEST_F(Compare, ErrorsOfAMethodFallWithItsTolerance) {
+TEST_F(SlowCompare, ErrorsOfAMethodFallWithItsTolerance) {
     const Comparison& c = compared();
     for (const char* method : {"CVODE Adams", "odeint dopri5", "Taylor"}) {
         std::vector<double> errors;
@@ -131,7 +132,7 @@ bool told(const Lines& progress, const std::string& beginning) {
 } // namespace
 
 // The evaluator is asked first: where it has no numbers the long integrations would be in vain.
-TEST(CompareRefused, NothingIsIntegrated) {
+TEST(SlowCompareRefused, NothingIsIntegrated) {
     const test::Scratch scratch;
     Lines progress;
     const Comparison c = comparison_of(growing(scratch, "10/eps"), progress);
@@ -154,7 +155,7 @@ TEST(CompareRefused, NothingIsIntegrated) {
 }
 
 // What is long says where it is.
-TEST(CompareRefused, RivalsTellWhatIsUnderWay) {
+TEST(SlowCompareRefused, RivalsTellWhatIsUnderWay) {
     const test::Scratch scratch;
     Lines progress;
     const Comparison c = comparison_of(growing(scratch, "1/eps"), progress);

@@ -70,13 +70,14 @@ protected:
     static std::shared_ptr<const Program> program_;
     static std::shared_ptr<const EvaluatorLibrary> library_;
 };
+using SlowThirdOrder = ThirdOrder;
 std::shared_ptr<const Program> ThirdOrder::program_;
 std::shared_ptr<const EvaluatorLibrary> ThirdOrder::library_;
 
 } // namespace
 
 TEST_F(ThirdOrder, EmittedEqualsInterpretedInDouble) { expect_agreement<double>(); }
-TEST_F(ThirdOrder, EmittedEqualsInterpretedInLongDouble) { expect_agreement<long double>(); }
+TEST_F(SlowThirdOrder, EmittedEqualsInterpretedInLongDouble) { expect_agreement<long double>(); }
 TEST_F(ThirdOrder, EmittedEqualsInterpretedInFloat128) { expect_agreement<Float128>(); }
 
 TEST_F(ThirdOrder, OutsideItsDomainItAnswersWithAStatus) {

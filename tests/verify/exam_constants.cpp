@@ -216,7 +216,7 @@ TEST_F(ConstantsOf, ThePlaceWhereTheDomainEndsIsNamed) {
 
 // (2 + d)^2: the divisor d stands still. From constants as from values, a map that leaves the weights of the
 // system, or does not lead back, is no answer.
-TEST_F(ConstantsOf, NearAResonanceThatStandsStill) {
+TEST_F(SlowConstantsOf, NearAResonanceThatStandsStill) {
     const auto close = [&](const std::string& d, const std::string& start) {
         return program("[parameters]\nd = { positive = true }\n[variables]\nx = { role = \"fast\" }\n"
                        "y = { role = \"fast\" }\n[equations]\nx = \"x'' + x + x*y = 0\"\n"

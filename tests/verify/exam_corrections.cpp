@@ -114,7 +114,7 @@ TEST_F(MapAlong, AClosedAmplitudeThatGrows) {
 }
 
 // x x x' drives it to infinity at t = 4/eps^2; -12 came out there.
-TEST_F(MapAlong, AFlowThatComesNearItsSingularity) {
+TEST_F(SlowMapAlong, AFlowThatComesNearItsSingularity) {
     read(oscillator("x'' + x - x^2*x'"), "order = 2\ntime_scale = 2\n" + from_eps);
     ASSERT_FALSE(program().flow.empty());
     const double eps = 0.02;
@@ -139,7 +139,7 @@ TEST_F(MapAlong, AGrowingAmplitudeWithAFrequencyThatMoves) {
 }
 
 // The amplitude is e to an integral that has no closed form: what depends on it is looked at in every call.
-TEST_F(MapAlong, AnAmplitudeThatIsAQuadrature) {
+TEST_F(SlowMapAlong, AnAmplitudeThatIsAQuadrature) {
     read(beside_slow("x'' - 2*eps*tau^2/(1 + tau^2)*x' + x + x^3"), "order = 2\n" + from_eps + "tau = 0\n");
     ASSERT_FALSE(program().tables.empty());
     EXPECT_TRUE(program().layers.empty());
@@ -149,7 +149,7 @@ TEST_F(MapAlong, AnAmplitudeThatIsAQuadrature) {
 }
 
 // The square of x that drives y outgrows both.
-TEST_F(MapAlong, TwoModesOfWhichOneGrows) {
+TEST_F(SlowMapAlong, TwoModesOfWhichOneGrows) {
     read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
          "x = \"x'' - 2*eps*x' + x + x*y = 0\"\ny = \"y'' + 2*y + 3*x^2 = 0\"\n",
          "order = 2\n" + from_eps + "y = 0\n\"y'\" = 0\n");
@@ -159,7 +159,7 @@ TEST_F(MapAlong, TwoModesOfWhichOneGrows) {
 }
 
 // Nothing is sampled where nothing moves.
-TEST_F(MapAlong, AConstantAmplitudeHasNoLayer) {
+TEST_F(SlowMapAlong, AConstantAmplitudeHasNoLayer) {
     read(oscillator("x'' + x + x^3"), "order = 3\n" + from_eps);
     EXPECT_TRUE(program().layers.empty());
     read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
@@ -237,7 +237,7 @@ TEST_F(MapAlong, AnAngleThatIsLocked) {
 }
 
 // d/ds of 1 + s^2 is zero at the mean, s = 0, where its second derivative counts; -214 came out at t = 800.
-TEST_F(MapAlong, AQuantityWithoutASlopeAtTheMean) {
+TEST_F(SlowMapAlong, AQuantityWithoutASlopeAtTheMean) {
     read("[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\" }\nz = { role = \"drift\" }\n"
          "[equations]\nx = \"x'' - 2*eps*x' + x = 0\"\ns = \"s' = x'\"\nz = \"z' = eps/(1 + s^2)\"\n",
          "order = 2\noutputs = [\"z\"]\n" + from_eps + "s = \"eps\"\nz = 0\n");
@@ -247,7 +247,7 @@ TEST_F(MapAlong, AQuantityWithoutASlopeAtTheMean) {
 }
 
 // x is lighter and dies out, y grows: each counts by itself.
-TEST_F(MapAlong, AHeavyModeBesideALightOne) {
+TEST_F(SlowMapAlong, AHeavyModeBesideALightOne) {
     read("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\", weight = 2 }\n"
          "s = { role = \"slow\", positive = true }\nz = { role = \"drift\" }\n"
          "[equations]\nx = \"x'' + 2*eps*x' + x = 0\"\ny = \"y'' - 2*eps*y' + 2*y = 0\"\n"
