@@ -17,9 +17,10 @@ protected:
               "[system]\nname = \"spring\"\n[parameters]\nk = {}\n[variables]\nx = { role = \"fast\" }\n"
               "[equations]\nx = \"x'' + x + x^3 + k*x^4 = 0\"\n");
     }
-    void scene(const std::string& more) const {
+    // With values of x and x' as start, or with constants of the solution.
+    void scene(const std::string& more, const std::string& start = "x = \"eps\"\n\"x'\" = 0\n") const {
         write(scratch_.path() / "systems/spring/scenes/s.toml",
-              "order = 3\ntime_scale = 1\nerror_estimate = true\n[start]\nx = \"eps\"\n\"x'\" = 0\n" + more);
+              "order = 3\ntime_scale = 1\nerror_estimate = true\n[start]\n" + start + more);
     }
     // What a program with the header prints, a number in each line.
     [[nodiscard]] std::vector<double> numbers(const std::string& body) const {
@@ -68,7 +69,7 @@ TEST_F(EmittedEstimate, IsThatOfTheCommand) {
 
 // k*x^4 is first seen by the weight that is left out: it moves the estimate, and not the outputs.
 TEST_F(EmittedEstimate, HasTheParametersOfTheNextWeight) {
-    scene("");
+    scene("", "amplitude.x = 1\nphase.x = 0\n");
     const auto found = numbers(
         "    for (const double k : {0.0, 3.0}) {\n"
         "        const Evaluator<> e(0.1, {.k = k});\n"
