@@ -50,7 +50,7 @@ const BadInput bad_scenes[] = {
      "    ^\n"
      "  found: oder\n"
      "  hint:  did you mean 'order'? Known are: system, title, order, time_scale, truncation, outputs, "
-     "oscillating, transients, growing, functions, fix, start, emit, verify"},
+     "oscillating, transients, growing, error_estimate, functions, fix, start, emit, verify"},
     {"GrowingOtherwise", "order = 3", "order = 3\ngrowing = \"projekt\"",
      "2 scene.toml:4:12: growing: what grows is followed with a status, or the start is projected: project\n"
      "    growing = \"projekt\"\n"

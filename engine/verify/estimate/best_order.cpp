@@ -5,6 +5,7 @@
 #include "emit/program/build_program.hpp"
 #include "solve/flow/solve_options.hpp"
 #include "solve/solve.hpp"
+#include "verify/estimate/next_weight.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/run/real.hpp"
 
