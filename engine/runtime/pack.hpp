@@ -8,6 +8,7 @@
 #define RESONFORM_RUNTIME_PACK
 
 #include "runtime/kernel/block.hpp"
+#include "runtime/spline.hpp"
 #include "runtime/twice.hpp"
 
 #include <cmath>
@@ -269,6 +270,13 @@ template <> inline kernel::PackPair root<kernel::PackPair>(const kernel::PackPai
 template <> struct OneOf<kernel::Pack> { using type = double; };
 template <> struct OneOf<kernel::PackPair> { using type = Twice<double>; };
 template <> struct WideNumberOf<kernel::Pack> { using type = kernel::PackPair; };
+
+inline kernel::Pack spline(const Spline& of, int derivative, const kernel::Pack& x) {
+    return kernel::each([&](double y) { return of.at(derivative, y); }, x);
+}
+inline kernel::PackPair spline(const Spline& of, int derivative, const kernel::PackPair& x) {
+    return kernel::each_pair([&](const Twice<double>& y) { return of.at(derivative, y); }, x);
+}
 
 } // namespace resonform
 

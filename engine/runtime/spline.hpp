@@ -9,7 +9,6 @@
 #define RESONFORM_RUNTIME_SPLINE
 
 #include "runtime/math.hpp"
-#include "runtime/pack.hpp"
 #include "runtime/scaled.hpp"
 
 #include <cstddef>
@@ -67,13 +66,6 @@ template <class Number> Scaled<Number> spline(const Spline& of, int derivative, 
     Number value;
     if (x.fits(value)) return Scaled<Number>(of.at(derivative, value));
     return Scaled<Number>(x.exponent < 0 ? of.at(derivative, Number(0)) : math::not_a_number<Number>());
-}
-
-inline kernel::Pack spline(const Spline& of, int derivative, const kernel::Pack& x) {
-    return kernel::each([&](double y) { return of.at(derivative, y); }, x);
-}
-inline kernel::PackPair spline(const Spline& of, int derivative, const kernel::PackPair& x) {
-    return kernel::each_pair([&](const Twice<double>& y) { return of.at(derivative, y); }, x);
 }
 
 } // namespace resonform

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/pack.hpp"
 #include "runtime/panels.hpp"
 #include "runtime/spline.hpp"
 #include "runtime/twice.hpp"

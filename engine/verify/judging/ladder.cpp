@@ -100,10 +100,10 @@ void weigh_defect(const OutputVerdict& defect, std::vector<OutputVerdict>& outpu
     }
 }
 
-void add_data_errors(const FirstOrderSystem& system, const Trial& trial,
-                     std::vector<OutputVerdict>& outputs) {
+void add_data_errors(const Trial& trial, std::vector<OutputVerdict>& outputs) {
     if (outputs.empty() || outputs.front().ladder.empty()) return;
-    const std::vector<DataError> errors = data_errors(system, trial, outputs.front().ladder.back().eps);
+    const std::vector<DataError> errors =
+        data_errors(trial.system(), trial, outputs.front().ladder.back().eps);
     for (std::size_t k = 0; k < errors.size(); ++k) outputs[k].data_error = errors[k];
 }
 
@@ -277,7 +277,7 @@ bool Verification::as_expected() const {
 Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
                     const Solution& solution, const VerifyOptions& options) {
     const auto begin = Clock::now();
-    const Trial trial(system, scene, solution, options);
+    const Trial trial(std::move(system), scene, solution, options);
     Verification result;
     result.system = trial.program()->system;
     result.scene = scene.name;
@@ -290,7 +290,7 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     for (OutputVerdict& output : result.outputs) weigh(output, guaranteed.at(output.name));
     for (const OutputVerdict& defect : result.defects) weigh_defect(defect, result.outputs);
     add_estimates(scene, solution, options, result.outputs);
-    add_data_errors(*system, trial, result.outputs);
+    add_data_errors(trial, result.outputs);
     result.emitted = emitted_check(scene, solution, options);
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())
         for (OutputVerdict& output : result.outputs) leave_open(output, complaint);
