@@ -146,10 +146,7 @@ int run_evaluate(const EvaluateRequest& request) {
         auto built = std::make_shared<const Program>(program_of(line, watch));
         require_values(*built, line.scene);
         (void)bounded_interval_length(line.scene, asked);
-        if (request.errors)
-            estimator.emplace(line.scene, line.solution, [&](const auto& system, int order, int truncation) {
-                return solve_system(system, order, truncation, watch);
-            });
+        if (request.errors) estimator.emplace(line.scene, line.solution, deriving_under(watch));
         return built;
     });
     Values values = evaluate_program(program, eps, std::move(t));

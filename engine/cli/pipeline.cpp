@@ -152,6 +152,12 @@ Solution solve_system(std::shared_ptr<const System> system, int order, int trunc
     return solve_under(watch, normalize_certified(expanded, truncation, watch), {order, truncation});
 }
 
+Derive deriving_under(Watch& watch) {
+    return [&watch](const std::shared_ptr<const System>& system, int order, int truncation) {
+        return solve_system(system, order, truncation, watch);
+    };
+}
+
 Scene read_scene_of(const std::string& argument, const Home& home) {
     Scene scene = read_scene(find_scene(argument, home), home.systems());
     if (scene.file.parent_path().parent_path() != scene.system->file.parent_path())
@@ -228,12 +234,7 @@ Program program_with(const SceneLine& line, Watch& watch, std::set<std::string> 
 std::vector<CppFurther> further_of(const SceneLine& line, Watch& watch) {
     std::vector<std::string> given;
     for (const Parameter& p : line.solution.system().parameters) given.push_back(p.name);
-    const ErrorEstimator estimator(
-        line.scene, line.solution,
-        [&](const auto& system, int order, int truncation) {
-            return solve_system(system, order, truncation, watch);
-        },
-        given);
+    const ErrorEstimator estimator(line.scene, line.solution, deriving_under(watch), given);
     std::vector<CppFurther> all;
     for (const ErrorEstimator::Further& f : estimator.further()) all.push_back({f.outputs, f.whole->program});
     return all;

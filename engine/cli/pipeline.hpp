@@ -13,6 +13,7 @@
 #include "normalize/styles/normalize.hpp"
 #include "solve/solution.hpp"
 #include "solve/truncation.hpp"
+#include "verify/estimate/next_weight.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -64,6 +65,8 @@ template <class Options> Options with_progress(const CacheFolder& cache) {
 
 // The solution of a system through an order, with normal form and map through a weight.
 Solution solve_system(std::shared_ptr<const System> system, int order, int truncation, Watch& watch);
+// The same for an estimator of errors. It must not outlive the watch.
+Derive deriving_under(Watch& watch);
 
 // SCENE of the command line; errors: those of find_scene and read_scene.
 Scene read_scene_of(const std::string& argument, const Home& home);

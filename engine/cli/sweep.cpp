@@ -112,12 +112,8 @@ Derived derive(const SweepRequest& request, Scene scene, const SweepGrid& grid) 
         const auto& [fixed, expanded, count, solution] = derived.line;
         derived.program = std::make_shared<const Program>(build_program(solution, fixed));
         if (request.what == SweepKind::validity)
-            derived.estimator = std::make_shared<const ErrorEstimator>(
-                fixed, solution,
-                [&](const auto& system, int order, int truncation) {
-                    return solve_system(system, order, truncation, watch);
-                },
-                given);
+            derived.estimator =
+                std::make_shared<const ErrorEstimator>(fixed, solution, deriving_under(watch), given);
         return derived;
     });
 }
