@@ -19,7 +19,6 @@ constexpr double of_fastest_rate = 1e-3, of_interval = 1e-9;
 constexpr double of_allowed_error = 1e-3; // what may be left of a transient
 constexpr double powers_of_layer = 20;    // of e
 constexpr double powers_of_growth = 3;
-constexpr int rate_samples = 1024;
 
 // An expression where the motion starts; 0: it is no number there, such as at a singularity of the frequency.
 class ValueAtStart {
@@ -113,7 +112,7 @@ bool grows_at_start(const GradedField& field, const Scene& scene, const Rational
 
 double digits_lost(const GradedField& field, const Scene& scene, const Rational& eps) {
     const ValueAtStart value(field, scene, eps);
-    const double step = interval_length(scene, eps) / rate_samples;
+    const double interval = interval_length(scene, eps);
     double most = 0;
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         if (!may_pass_zero(field, k)) continue;
@@ -124,10 +123,9 @@ double digits_lost(const GradedField& field, const Scene& scene, const Rational&
             const State& state = field.first_order->states[field.first_order->index(slow.variable, 0)];
             slope += value(rate.diff(state.symbol)) * value(state.rate);
         }
-        if (!(begin < 0 && begin + slope * step * rate_samples > 0)) continue;
-        double sum = 0;
-        for (int i = 0; i < rate_samples; ++i) sum += std::abs(begin + slope * step * (i + 0.5)) * step;
-        most = std::max(most, sum / std::numbers::ln10);
+        const double end = begin + slope * interval;
+        if (begin < 0 && end > 0)
+            most = std::max(most, (begin * begin + end * end) / (2 * slope) / std::numbers::ln10);
     }
     return most;
 }
