@@ -34,8 +34,8 @@ std::optional<FirstOrderSystem> with_fewer_samples(FirstOrderSystem system) {
 
 } // namespace
 
-std::vector<DataError> data_errors(const FirstOrderSystem& system, const Trial& trial, const Rational& eps) {
-    const std::optional<FirstOrderSystem> fewer = with_fewer_samples(system);
+std::vector<DataError> data_errors(const Trial& trial, const Rational& eps) {
+    const std::optional<FirstOrderSystem> fewer = with_fewer_samples(trial.system());
     if (!fewer) return {};
     const TrialPoint at = trial.point(eps);
     const auto narrowed = [](const std::vector<Float128>& all) {

@@ -16,6 +16,6 @@
 namespace resonform {
 
 // Of each output of the trial, at this eps; empty: the scene has no data, or too few to leave some out.
-std::vector<DataError> data_errors(const FirstOrderSystem& system, const Trial& trial, const Rational& eps);
+std::vector<DataError> data_errors(const Trial& trial, const Rational& eps);
 
 } // namespace resonform

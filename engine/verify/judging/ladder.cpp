@@ -102,8 +102,7 @@ void weigh_defect(const OutputVerdict& defect, std::vector<OutputVerdict>& outpu
 
 void add_data_errors(const Trial& trial, std::vector<OutputVerdict>& outputs) {
     if (outputs.empty() || outputs.front().ladder.empty()) return;
-    const std::vector<DataError> errors =
-        data_errors(trial.system(), trial, outputs.front().ladder.back().eps);
+    const std::vector<DataError> errors = data_errors(trial, outputs.front().ladder.back().eps);
     for (std::size_t k = 0; k < errors.size(); ++k) outputs[k].data_error = errors[k];
 }
 
