@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions of slow time that are smooth in pieces: what is integrated is cut where they end.
+// Functions of slow time that are smooth on each of several intervals. Integrals over them are cut where one
+// interval ends and the next begins.
 #ifndef RESONFORM_RUNTIME_PIECES
 #define RESONFORM_RUNTIME_PIECES
 

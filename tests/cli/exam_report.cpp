@@ -80,7 +80,8 @@ TEST_F(SlowReport, WithAGnuplotThatHangs) {
 
 // What is written of a report stands or falls together.
 TEST_F(SlowReport, IsWholeOrNotThere) {
-    ASSERT_EQ(reported("s", without_gnuplot()).code, 0); // what is kept needs no more room
+    ASSERT_EQ(reported("s", without_gnuplot()).code,
+              0); // fills the cache, so that the next run writes the report only
     std::filesystem::remove_all(scratch_.path() / "here");
     const Outcome outcome = reported("s", "ulimit -f 4; " + without_gnuplot());
     EXPECT_EQ(outcome.code, 2) << outcome.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions that a scene gives by samples: the spline, its sign, and what is refused.
+// Functions given by samples: the spline through them, the proof of its sign, and errors of the data file.
 #include "algebra/number/error.hpp"
 #include "model/files/read_scene.hpp"
 #include "model/files/spline.hpp"

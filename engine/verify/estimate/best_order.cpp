@@ -36,7 +36,8 @@ double quotient(const std::vector<double>& terms, std::size_t count, double eps)
     return std::pow(terms[count - 1] / terms[count - 2] / static_cast<double>(count), 2);
 }
 
-// With d_{N + 1} and d_{N + 2}, and with what is expected of the last ones where they vanish.
+// The terms with d_{N + 1} and d_{N + 2} appended. Zeros at their end are replaced by extrapolated terms,
+// too.
 std::vector<double> continued(std::vector<double> terms, double eps) {
     std::size_t seen = terms.size();
     while (seen > 0 && !is_seen(terms[seen - 1])) --seen;

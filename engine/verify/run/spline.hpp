@@ -16,7 +16,8 @@ inline Spline spline_of(const PiecewisePolynomial& data) {
     return {data.breakpoints.data(), data.coefficients.data(), data.pieces(), data.degree};
 }
 
-// Adds the slow times at which its pieces end, argument(T) being what it stands at.
+// Appends the slow times at which the pieces of `data` end. argument(T) is the value of its slow variable at
+// slow time T, linear in T.
 template <class Number, class Argument>
 void append_edges(const PiecewisePolynomial& data, const Argument& argument, std::vector<Number>& edges) {
     const Number at_0 = argument(0), at_1 = argument(1);
