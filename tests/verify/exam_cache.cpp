@@ -3,6 +3,7 @@
 #include "verify/run/cache.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace resonform {
@@ -37,8 +38,14 @@ TEST(Cache, DraftsOfProgramsThatAreGoneAreRemoved) {
         return file;
     };
     const auto gone = draft("2000000000"), here = draft(std::to_string(getpid())), other = draft("x");
+    const pid_t ended = fork(); // and not waited for
+    if (ended == 0) _exit(0);
+    siginfo_t reported;
+    ASSERT_EQ(waitid(P_PID, static_cast<id_t>(ended), &reported, WEXITED | WNOWAIT), 0);
+    const auto zombie = draft(std::to_string(ended));
     remove_abandoned_drafts(entry.parent_path());
-    EXPECT_FALSE(std::filesystem::exists(gone));
+    EXPECT_EQ(waitpid(ended, nullptr, 0), ended);
+    for (const auto& file : {gone, zombie}) EXPECT_FALSE(std::filesystem::exists(file)) << file;
     for (const auto& file : {entry, here, other}) EXPECT_TRUE(std::filesystem::exists(file)) << file;
     remove_abandoned_drafts(entry.parent_path() / "absent");
 }

@@ -26,6 +26,15 @@ std::string header(std::string_view payload) {
     return fmt::format("{} {} {}\n", magic, payload.size(), content_hash(payload));
 }
 
+// One that has ended stays in the table of processes until it is waited for, which the first process of many
+// a container never does.
+bool runs(pid_t process) {
+    if (kill(process, 0) != 0 && errno == ESRCH) return false;
+    const std::string status = read_bytes(fmt::format("/proc/{}/stat", process)).value_or("");
+    const std::size_t name_end = status.rfind(") "); // PID (name) state ..., where a name may hold anything
+    return name_end == std::string::npos || status.compare(name_end + 2, 1, "Z") != 0;
+}
+
 } // namespace
 
 std::string content_hash(std::string_view bytes) {
@@ -70,8 +79,7 @@ void remove_abandoned_drafts(const std::filesystem::path& folder) {
         if (draft.extension() != ".part" || owner.size() < 2) continue;
         const long process = std::strtol(owner.c_str() + 1, nullptr, 10);
         std::error_code failed;
-        if (process > 0 && kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH)
-            std::filesystem::remove(draft, failed);
+        if (process > 0 && !runs(static_cast<pid_t>(process))) std::filesystem::remove(draft, failed);
     }
 }
 
