@@ -378,7 +378,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none};
@@ -415,8 +415,8 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {c.u_psi, c.v_psi}; }
-        std::array<Real, 2> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& columns) const {
-            return flow_rates(c, T, columns);
+        std::array<Real, 2> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& row) const {
+            return flow_rates(c, T, row);
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
@@ -431,7 +431,7 @@ private:
                 start = {c.c_8};
                 edges = Evaluator::edges(c);
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T)};
             }
         };
@@ -458,16 +458,16 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build_while(resonform::in_pieces([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); }, edges(c_)),
-                              [this](const Real& T, const std::array<Real, 2>& flow) { return resonform::all_clear(layers(c_, T)); },
-                              {c_.u_psi, c_.v_psi}, reach), "slow flow"}, reach);
+                {tables_0_.build_while(resonform::in_pieces([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(constants_, T, flow); }, edges(constants_)),
+                              [this](const Real& T, const std::array<Real, 2>&) { return resonform::all_clear(layers(constants_, T)); },
+                              {constants_.u_psi, constants_.v_psi}, reach), "slow flow"}, reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
                                            std::array{"2*omega(tau)", "2*omega(tau)"}, reach), reach);
             failed.status != Status::ok)
             return failed;
@@ -482,7 +482,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;

@@ -474,7 +474,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none, none};
@@ -507,7 +507,7 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 12> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_1(T)); }
+        std::array<double, 12> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;
@@ -567,7 +567,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
-        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, [[maybe_unused]] const Columns& columns) const {
+        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, [[maybe_unused]] const Columns& row) const {
             return integrands_0(c, T);
         }
         static constexpr int samples = resonform::layer_samples;
@@ -582,7 +582,7 @@ private:
                 compute_constants(course.eps, course.parameters, course.given, c);
                 start = {c.theta_0};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T)};
             }
         };
@@ -612,15 +612,15 @@ private:
         eps_ = eps;
         parameters_ = parameters;
         start_ = start;
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
                                            std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), "Q_x"}, reach);
+                {tables_0_.build([this](const Real& T) { return integrands_0(constants_, T); }, reach), "Q_x"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;
@@ -633,7 +633,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     resonform::Phase<Real> theta_;

@@ -219,7 +219,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none};
@@ -259,8 +259,8 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {c.x_0}; }
-        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& columns) const {
-            return flow_rates(c, T, columns);
+        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& row) const {
+            return flow_rates(c, T, row);
         }
         auto conditions() const { return std::array<Real, 1>{c.c_3}; }
         template <class Number> struct Angles {
@@ -272,7 +272,7 @@ private:
                 compute_constants(course.eps, course.parameters, course.given, c);
                 start = {c.c_1};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {chi_rate(c, T)};
             }
         };
@@ -298,11 +298,11 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 1>& flow) { return flow_rates(c_, T, flow); },
-                              {c_.x_0}, reach), "slow flow"}, reach);
+                {tables_0_.build([this](const Real& T, const std::array<Real, 1>& flow) { return flow_rates(constants_, T, flow); },
+                              {constants_.x_0}, reach), "slow flow"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;
@@ -315,7 +315,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::FlowTable<std::array<Real, 1>> tables_0_;
     resonform::Decay<Real> chi_;

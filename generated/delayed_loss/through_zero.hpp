@@ -681,7 +681,7 @@ private:
         a.exp_chi = chi_(t, low);
         Status status = Status::ok;
         if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok && !resonform::faded(a.exp_chi)) status = seen;
-        if (!precise(c_, a)) status = Status::low_precision;
+        if (!precise(constants_, a)) status = Status::low_precision;
         return status;
     }
 
@@ -692,7 +692,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none, none};
@@ -732,7 +732,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
-        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, [[maybe_unused]] const Columns& columns) const {
+        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, [[maybe_unused]] const Columns& row) const {
             return integrands_0(c, T);
         }
         static constexpr int samples = resonform::layer_samples;
@@ -746,7 +746,7 @@ private:
                 lost = keep_constants(course.eps, course.parameters, course.given, c);
                 start = {c.c_16, c.c_16};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T), chi_rate(c, T)};
             }
         };
@@ -775,15 +775,15 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
                                            std::array{"-(s - 1) - I*omega"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T) { return integrands_0(c_, T); }, reach), "Q_w"}, reach);
+                {tables_0_.build([this](const Real& T) { return integrands_0(constants_, T); }, reach), "Q_w"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;
@@ -802,7 +802,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     resonform::Phase<Real> theta_;

@@ -233,7 +233,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none, none};
@@ -259,7 +259,7 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 5> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T); }
+        std::array<double, 5> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;
@@ -325,7 +325,7 @@ private:
                 compute_constants(course.eps, course.parameters, course.given, c);
                 start = {c.c_1};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T)};
             }
         };
@@ -354,7 +354,7 @@ private:
         eps_ = eps;
         parameters_ = parameters;
         start_ = start;
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         Constants<Wide> wide;
         compute_constants(eps, parameters, start, wide);
@@ -366,7 +366,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

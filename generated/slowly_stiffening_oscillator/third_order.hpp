@@ -567,7 +567,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none};
@@ -589,7 +589,7 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 3> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T); }
+        std::array<double, 3> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;
@@ -658,7 +658,7 @@ private:
                 compute_constants(course.eps, course.parameters, course.given, c);
                 start = {c.theta_0};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T)};
             }
         };
@@ -687,10 +687,10 @@ private:
         eps_ = eps;
         parameters_ = parameters;
         start_ = start;
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T); },
+                resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
                                            std::array{"2*sqrt(tau^2 + 2)", "2*sqrt(tau^2 + 2)", "x", "x"}, reach), reach);
             failed.status != Status::ok)
             return failed;
@@ -704,7 +704,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

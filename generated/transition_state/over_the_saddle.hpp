@@ -822,7 +822,7 @@ private:
         a.exp_chi_2 = chi_2_(t, low);
         Status status = Status::ok;
         if (const Status seen = theta_(t, low, a.cos_theta, a.sin_theta); seen != Status::ok) status = seen;
-        if (!precise(c_, a)) status = Status::low_precision;
+        if (!precise(constants_, a)) status = Status::low_precision;
         return status;
     }
 
@@ -833,7 +833,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none};
@@ -881,7 +881,7 @@ private:
                 lost = keep_constants(course.eps, course.parameters, course.given, c);
                 start = {c.c_1, c.c_1, c.c_1};
             }
-            std::array<Number, 3> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 3> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T), chi_1_rate(c, T), chi_2_rate(c, T)};
             }
         };
@@ -910,7 +910,7 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         Constants<Wide> wide;
         if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
@@ -933,7 +933,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::Phase<Real> theta_;
     resonform::Decay<Real> chi_1_;

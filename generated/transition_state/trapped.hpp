@@ -743,7 +743,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none};
@@ -791,7 +791,7 @@ private:
                 lost = keep_constants(course.eps, course.parameters, course.given, c);
                 start = {c.c_1, c.c_1};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T), chi_rate(c, T)};
             }
         };
@@ -818,7 +818,7 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         Constants<Wide> wide;
         if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
@@ -836,7 +836,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::Phase<Real> theta_;
     resonform::Decay<Real> chi_;

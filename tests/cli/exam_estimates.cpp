@@ -31,7 +31,7 @@ protected:
         const Outcome outcome =
             run("resonform generate systems/spring/scenes/s.toml -o spring.hpp 2>/dev/null "
                 "&& " RESONFORM_CXX_COMPILER
-                " -std=gnu++20 -Wall -Wextra -Wpedantic -Wconversion -Werror -I" RESONFORM_SOURCE_DIR
+                " -std=gnu++20 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -I" RESONFORM_SOURCE_DIR
                 "/engine main.cpp -o main -lquadmath && ./main",
                 scratch_.path());
         EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -68,7 +68,8 @@ std::string complaints(const Program& program, const std::string& compiler) {
                     "template class scene::Evaluator<resonform::Float128>;\n");
     const std::string engine = (test::source_dir() / "engine").string();
     const test::Outcome outcome = test::run(
-        compiler + " -std=gnu++20 -Wall -Wextra -Werror -Wconversion -fsyntax-only -I" + engine + " main.cpp",
+        compiler + " -std=gnu++20 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only -I" +
+            engine + " main.cpp",
         scratch.path());
     return outcome.code == 0 ? "" : outcome.err.substr(0, 3000) + "\n(no message)";
 }

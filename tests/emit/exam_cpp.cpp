@@ -45,7 +45,9 @@ std::string complaints(const std::string& compiler, const std::string& header) {
                 "template class scene::Evaluator<long double>;\n"
                 "int main() { return 0; }\n");
     const test::Outcome outcome = test::run(
-        compiler + " -std=c++20 -Wall -Wextra -Werror -Wconversion -fsyntax-only main.cpp", scratch.path());
+        compiler +
+            " -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only main.cpp",
+        scratch.path());
     return outcome.code == 0 ? "" : outcome.err.substr(0, 2000) + "\n(no message)";
 }
 

@@ -104,7 +104,9 @@ std::string CppFrame::locate() const {
                                 "Status::ok{1}) status = seen;\n",
                                 plan_.phase_names[k], unless_faded(k));
     return text +
-           (plan_.growths.empty() ? "" : "        if (!precise(c_, a)) status = Status::low_precision;\n") +
+           (plan_.growths.empty()
+                ? ""
+                : "        if (!precise(constants_, a)) status = Status::low_precision;\n") +
            "        return status;\n    }\n\n";
 }
 
@@ -186,33 +188,34 @@ std::string built_or_return(const std::string& call, const std::string& what) {
 }
 
 std::string CppFrame::flow(std::size_t level) const {
-    const auto at = [&](const std::string& value) {
-        return fmt::format("[this](const Real& T, const std::array<Real, {}>& flow) {{ return {}; }}",
-                           program_.flow.size(), value);
+    const auto at = [&](const std::string& value, bool uses_flow) {
+        return fmt::format("[this](const Real& T, const std::array<Real, {}>&{}) {{ return {}; }}",
+                           program_.flow.size(), uses_flow ? " flow" : "", value);
     };
     const std::string indent = "\n                              ";
     std::string layers;
     if (!plan_.layers.empty())
-        layers =
-            indent +
-            at(fmt::format("resonform::all_clear(layers(c_, T{}))", plan_.layers_use_flow ? ", flow" : "")) +
-            ",";
-    return built_or_return(fmt::format("tables_{}_.build{}({},{}{}{{{}}}, reach)", level,
-                                       layers.empty() ? "" : "_while",
-                                       cpp_in_pieces(plan_, at("flow_rates(c_, T, flow)"), "c_"), layers,
-                                       indent, plan_.member_list(plan_.flow_starts, "c_.")),
-                           plan_.levels[level].name);
+        layers = indent +
+                 at(fmt::format("resonform::all_clear(layers(constants_, T{}))",
+                                plan_.layers_use_flow ? ", flow" : ""),
+                    plan_.layers_use_flow) +
+                 ",";
+    return built_or_return(
+        fmt::format("tables_{}_.build{}({},{}{}{{{}}}, reach)", level, layers.empty() ? "" : "_while",
+                    cpp_in_pieces(plan_, at("flow_rates(constants_, T, flow)", true), "constants_"), layers,
+                    indent, plan_.member_list(plan_.flow_starts, "constants_.")),
+        plan_.levels[level].name);
 }
 
 std::string CppFrame::layers() const {
     if (plan_.layers.empty()) return "";
     std::vector<std::string> names;
     for (const CppCondition& margin : plan_.layers) names.push_back(cpp_literal(margin.quantity));
-    return built_or_return(
-        fmt::format("resonform::clear_of_layers([this](const Real& T) {{ return layers(c_, T{}); }},\n"
-                    "                                           std::array{{{}}}, reach{})",
-                    plan_.layers_use_flow ? ", look_up_1(T)" : "", fmt::join(names, ", "),
-                    plan_.layers_are_broad ? ", resonform::broad_layer_samples" : ""));
+    return built_or_return(fmt::format(
+        "resonform::clear_of_layers([this](const Real& T) {{ return layers(constants_, T{}); }},\n"
+        "                                           std::array{{{}}}, reach{})",
+        plan_.layers_use_flow ? ", look_up_1(T)" : "", fmt::join(names, ", "),
+        plan_.layers_are_broad ? ", resonform::broad_layer_samples" : ""));
 }
 
 // For tables that are built later.
@@ -230,7 +233,8 @@ std::string CppFrame::construct() const {
         "        if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;\n"
         "        interval_ = Interval(eps, end);\n" +
         kept_arguments() +
-        "        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return "
+        "        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) "
+        "return "
         "bad;\n";
     if (!plan_.levels.empty() || !program_.phases.empty() || !plan_.layers.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
@@ -242,12 +246,12 @@ std::string CppFrame::construct() const {
         }
         const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);
         text += built_or_return(
-            fmt::format(
-                "tables_{}_.build({}, reach)", level,
-                cpp_in_pieces(
-                    plan_,
-                    fmt::format("[this](const Real& T) {{ return integrands_{}(c_, T{}); }}", level, tables),
-                    "c_")),
+            fmt::format("tables_{}_.build({}, reach)", level,
+                        cpp_in_pieces(
+                            plan_,
+                            fmt::format("[this](const Real& T) {{ return integrands_{}(constants_, T{}); }}",
+                                        level, tables),
+                            "constants_")),
             plan_.levels[level].name);
     }
     if (!program_.phases.empty())
@@ -290,8 +294,8 @@ std::string CppFrame::data_members() const {
         if (!program_.phases.empty()) text += "    Parameters parameters_;\n    Start start_;\n";
         text += "    resonform::SharedTables shared_;\n";
     }
-    return cpp_further_members(further_) + "    Constants<Real> c_;\n    Interval interval_;\n" + text +
-           "    Cause cause_;\n";
+    return cpp_further_members(further_) + "    Constants<Real> constants_;\n    Interval interval_;\n" +
+           text + "    Cause cause_;\n";
 }
 
 } // namespace

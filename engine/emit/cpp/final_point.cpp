@@ -20,11 +20,10 @@ public:
     std::string print() const;
 
 private:
-    // The columns before a level, of all.
-    [[nodiscard]] std::string columns(std::size_t level) const {
-        const std::size_t before = plan_.columns_before(level),
-                          all = plan_.columns_before(plan_.levels.size());
-        return before == all ? "columns" : fmt::format("resonform::first<{}>(columns)", before);
+    // Of a row, the columns before a level.
+    [[nodiscard]] std::string before(std::size_t level) const {
+        const std::size_t some = plan_.columns_before(level), all = plan_.columns_before(plan_.levels.size());
+        return some == all ? "row" : fmt::format("resonform::first<{}>(row)", some);
     }
     [[nodiscard]] std::string rates() const;
     [[nodiscard]] std::string margins() const;
@@ -41,13 +40,13 @@ std::string CppCourse::rates() const {
     for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
         const CppLevel& own = plan_.levels[level];
         const std::string call =
-            own.flow ? fmt::format("flow_rates(c, T, {})", columns(level + 1))
-                     : fmt::format("integrands_{}(c, T{})", level, level == 0 ? "" : ", " + columns(level));
+            own.flow ? fmt::format("flow_rates(c, T, {})", before(level + 1))
+                     : fmt::format("integrands_{}(c, T{})", level, level == 0 ? "" : ", " + before(level));
         text +=
             fmt::format("        std::array<Real, {0}> rates(std::integral_constant<std::size_t, {1}>, const "
-                        "Real& T, {2}const Columns& columns) const {{\n            return {3};\n        }}\n",
+                        "Real& T, {2}const Columns& row) const {{\n            return {3};\n        }}\n",
                         own.members.size(), level,
-                        call.find("columns") == std::string::npos ? "[[maybe_unused]] " : "", call);
+                        call.find("row") == std::string::npos ? "[[maybe_unused]] " : "", call);
     }
     return text;
 }
@@ -57,8 +56,8 @@ std::string CppCourse::margins() const {
     const bool flow = plan_.layers_use_flow;
     return fmt::format("        static constexpr int samples = resonform::{}layer_samples;\n"
                        "        auto margins(const Real& T{}) const {{ return layers(c, T{}); }}\n",
-                       plan_.layers_are_broad ? "broad_" : "", flow ? ", const Columns& columns" : "",
-                       flow ? ", " + columns(1) : "");
+                       plan_.layers_are_broad ? "broad_" : "", flow ? ", const Columns& row" : "",
+                       flow ? ", " + before(1) : "");
 }
 
 // What must be > 0 at the start; no more than Real has a place for.
@@ -76,7 +75,7 @@ std::string CppCourse::phase_rates() const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
         list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k],
-                                   plan_.phase_uses_tables[k] ? ", widened<Number>(columns)" : ""));
+                                   plan_.phase_uses_tables[k] ? ", widened<Number>(row)" : ""));
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
