@@ -205,6 +205,16 @@ std::vector<FirstCorrection> first_corrections(const Solution& solution) {
     return result;
 }
 
+std::vector<FirstCorrection> transient_corrections(const Solution& solution) {
+    const std::vector<Mode>& modes = solution.normalization->normal_form.field->modes;
+    std::vector<FirstCorrection> result;
+    for (FirstCorrection& correction : first_corrections(solution))
+        if (!correction.quantity && std::any_of(correction.modes.begin(), correction.modes.end(),
+                                                [&](std::size_t k) { return modes[k].is_damped(); }))
+            result.push_back(std::move(correction));
+    return result;
+}
+
 Polynomial leading_modulus(const Solution& solution) {
     const ModeSolution& mode = solution.modes.front();
     return solution.ring->multiply(solution.ring->gen(mode.amplitude), mode.envelope);

@@ -56,6 +56,10 @@ struct FirstCorrection {
 // 2 |F - 1| < 1.
 std::vector<FirstCorrection> first_corrections(const Solution& solution);
 
+// Those of modes among which one decays, which along the motion count without it: they are asked for at the
+// start. y' = -2 y + u^2, u' = -k u: y = z_2 + z_1^2/(2 - 2 k), which is no small correction for k = 1.001.
+std::vector<FirstCorrection> transient_corrections(const Solution& solution);
+
 // Of a closed solution: C E, the leading part of the modulus over eps.
 Polynomial leading_modulus(const Solution& solution);
 

@@ -635,7 +635,7 @@ private:
         return finite(values.x) && finite(values.y) && finite(values.w_) ? Status::ok : Status::overflow;
     }
 
-    // Where a growth rate has changed its sign, digits are left.
+    // Where a rate or a divisor changes its sign, digits are left.
     static bool passes(const Constants<Real>& c, const Arguments& a) {
         const Real s = a.T + c.s_0;
         const Real s_ = s * (a.T + c.c_1) + Real(5);
@@ -668,7 +668,7 @@ private:
         return tables_0_(T);
     }
 
-    // What grows leaves digits.
+    // Whether digits are left.
     static bool precise(const Constants<Real>& c, const Arguments& a) noexcept {
         return a.exp_chi * c.c_20 <= Real(1) && passes(c, a);
     }

@@ -208,6 +208,7 @@ private:
         Number c_42{};
         Number c_43{};
         Number c_44{};
+        Number c_45{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -318,6 +319,12 @@ private:
         Number k_103{};
         Number k_104{};
         Number k_105{};
+        Number k_106{};
+        Number k_107{};
+        Number k_108{};
+        Number k_109{};
+        Number k_110{};
+        Number k_111{};
     };
 
     template <class Number> static void compute_constants_1(
@@ -427,58 +434,65 @@ private:
         w.k_59 = c.c_7 * c.eps * c.c_10 * w.k_58;
         c.c_41 = w.k_57 - w.k_59;
         c.c_42 = w.k_57 + w.k_59;
-        w.k_60 = c.eps * c.eps;
-        w.k_61 = w.k_60 * c.eps;
+        w.k_60 = hypot(c.u_c, c.c_17);
+        w.k_61 = Number(1) / hypot(c.c_40, c.c_17);
         w.k_62 = w.k_61 * w.k_61;
-        w.k_63 = w.k_58 * w.k_58;
-        w.k_64 = w.k_63 * w.k_63 * w.k_58;
-        w.k_65 = w.k_64 * w.k_64;
-        w.k_66 = c.u_c * c.u_c;
-        w.k_67 = c.eps * (c.u_c * (-c.c_10 - Number(52) / Number(9)) - Number(4)) + c.c_10 * (w.s_0 + w.k_23 + Number(57) / Number(8)) + Number(353) / Number(16);
-        w.k_68 = c.eps * (-Number(1019) / Number(72) * c.u_c - Number(597) / Number(32));
-        w.k_69 = c.u_c * (c.c_10 * w.k_67 + w.k_68 + Number(155) / Number(4)) + c.c_10 * (c.c_3 * c.c_10 + Number(59) / Number(4)) + Number(73) / Number(2) - w.k_28;
-        w.k_70 = c.u_c * (-Number(2741) / Number(144) * c.u_c - Number(2249) / Number(64));
-        w.k_71 = c.c_10 * w.k_69 + c.eps * (w.k_70 - Number(41) / Number(4)) + Number(675) / Number(16) * c.u_c + Number(195) / Number(4);
-        w.k_72 = c.c_10 * (c.c_10 * (-Number(17) / Number(2) - c.c_10) - Number(32));
-        w.k_73 = c.eps * w.k_71 + c.c_10 * (c.c_10 * (w.k_72 - Number(70)) - Number(98)) - Number(91);
-        w.k_74 = c.c_10 * (c.c_4 + c.c_10 * (c.c_7 * c.c_10 + Number(3)) - w.k_25);
+        w.k_63 = Number(5) / Number(16) + c.c_10 * (w.s_0 + w.k_23 + Number(9) / Number(8));
+        w.k_64 = c.eps * (w.k_62 * w.k_62) * hypot(w.k_63, c.c_17) * (w.k_60 * w.k_60);
+        w.k_65 = w.k_60 * w.k_62 * hypot(Number(-c.c_7 - c.c_10), c.c_17) + w.k_64;
+        c.c_43 = Number(1) - Number(2) * c.eps * w.k_65;
+        w.k_66 = c.eps * c.eps;
+        w.k_67 = w.k_66 * c.eps;
+        w.k_68 = w.k_67 * w.k_67;
+        w.k_69 = w.k_58 * w.k_58;
+        w.k_70 = w.k_69 * w.k_69 * w.k_58;
+        w.k_71 = w.k_70 * w.k_70;
+        w.k_72 = c.u_c * c.u_c;
+        w.k_73 = c.eps * (c.u_c * (-c.c_10 - Number(52) / Number(9)) - Number(4)) + c.c_10 * (w.s_0 + w.k_23 + Number(57) / Number(8)) + Number(353) / Number(16);
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_75 = c.u_c * (-Number(91) / Number(6) * c.u_c - Number(271) / Number(8));
-        w.k_76 = c.eps * (w.k_75 - Number(183) / Number(16)) + Number(233) / Number(8) * c.u_c + Number(75) / Number(2);
-        w.k_77 = w.k_66 * w.k_76 + Number(41) / Number(8) * c.eps - Number(15) / Number(4);
-        w.k_78 = c.c_4 + c.c_10 * (w.k_66 * w.k_73 + w.k_74 + Number(10) - w.k_41) + c.eps * w.k_77 - Number(56) * w.k_66;
-        w.k_79 = c.u_c * (-Number(515) / Number(72) * c.u_c - Number(555) / Number(32));
-        w.k_80 = c.eps * (w.k_79 - Number(75) / Number(16)) + Number(199) / Number(16) * c.u_c + Number(65) / Number(4);
-        w.k_81 = Number(3) + c.c_10 * w.k_78 + c.eps * (w.k_66 * w.k_80 - c.c_11 - c.c_6) - Number(22) * w.k_66;
-        w.k_82 = c.u_c * (-Number(133) / Number(72) * c.u_c - Number(139) / Number(32));
-        w.k_83 = c.eps * (Number(3) / Number(16) + w.k_82) + Number(3) * c.u_c + Number(7) / Number(2);
-        w.k_84 = c.c_7 + c.c_10 * w.k_81 + c.eps * (w.k_66 * w.k_83 - Number(1) / Number(8) * c.eps) - Number(5) * w.k_66;
-        w.k_85 = c.u_c * (-Number(29) / Number(144) * c.u_c - Number(25) / Number(64));
-        w.k_86 = Number(1) / Number(4) + c.eps * (w.k_85 + Number(7) / Number(16)) + c.c_39;
-        w.k_87 = c.c_10 * w.k_84 + w.k_66 * (c.eps * w.k_86 - c.c_7);
-        w.k_88 = w.c_0 + w.k_56 + c.eps * w.k_65 * w.k_87 - w.k_4 - w.k_5;
-        c.c_43 = w.k_47 + w.k_62 + w.k_60 * (w.k_65 * w.k_65) * (w.k_87 * w.k_87) - Number(4) * (w.k_88 * w.k_88);
-        w.k_89 = w.k_63 * w.k_58;
-        w.k_90 = w.k_89 * w.k_89 * w.k_58;
-        w.k_91 = c.eps * (c.u_c * (-c.c_10 - Number(95) / Number(24)) - c.c_3) + c.c_10 * (w.s_0 + w.k_23 + Number(21) / Number(4)) + Number(91) / Number(8);
-        w.k_92 = c.eps * (-Number(37) / Number(6) * c.u_c - Number(27) / Number(4));
-        w.k_93 = Number(21) / Number(4) + c.u_c * (c.c_10 * w.k_91 + w.k_92 + Number(13)) + c.c_10 * (w.s_0 + Number(15) / Number(4) + w.k_23) - c.eps;
-        w.k_94 = c.u_c * (-Number(151) / Number(32) * c.u_c - Number(201) / Number(32));
-        w.k_95 = c.c_23 + c.c_10 * w.k_93 + c.eps * (w.k_94 - Number(9) / Number(8)) + Number(33) / Number(4) * c.u_c;
-        w.k_96 = c.c_10 * (c.c_10 * (-c.c_10 - Number(13) / Number(2)) - Number(18));
-        w.k_97 = c.c_10 * (c.c_10 * (w.k_96 - Number(55) / Number(2)) - Number(25));
-        w.k_98 = c.u_c * (-c.c_2 - Number(85) / Number(48) * c.u_c) - Number(1) / Number(8);
-        w.k_99 = c.eps * (c.eps * w.k_98 + Number(11) / Number(4) * c.u_c + c.c_9);
-        w.k_100 = c.c_10 * (c.eps * w.k_95 + w.k_97 - Number(27) / Number(2)) + w.k_99 - Number(4);
-        w.k_101 = c.u_c * (-Number(25) / Number(96) * c.u_c - Number(7) / Number(32));
-        w.k_102 = c.c_10 * w.k_100 + c.eps * (c.eps * (Number(1) / Number(8) + w.k_101) + c.c_31) - c.c_7;
-        w.k_103 = Number(1) / Number(16) * w.k_66 * w.k_60 * (w.k_90 * w.k_90) * (w.k_102 * w.k_102);
-        w.k_104 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
-        w.k_105 = w.k_23 + c.eps * c.u_c * w.k_90 * w.k_102;
-        c.c_44 = w.k_62 + w.k_103 + w.k_104 * (w.s_0 * w.s_0) - Number(4) * (w.k_105 * w.k_105);
+        w.k_74 = c.eps * (-Number(1019) / Number(72) * c.u_c - Number(597) / Number(32));
+        w.k_75 = c.u_c * (c.c_10 * w.k_73 + w.k_74 + Number(155) / Number(4)) + c.c_10 * (c.c_3 * c.c_10 + Number(59) / Number(4)) + Number(73) / Number(2) - w.k_28;
+        w.k_76 = c.u_c * (-Number(2741) / Number(144) * c.u_c - Number(2249) / Number(64));
+        w.k_77 = c.c_10 * w.k_75 + c.eps * (w.k_76 - Number(41) / Number(4)) + Number(675) / Number(16) * c.u_c + Number(195) / Number(4);
+        w.k_78 = c.c_10 * (c.c_10 * (-Number(17) / Number(2) - c.c_10) - Number(32));
+        w.k_79 = c.eps * w.k_77 + c.c_10 * (c.c_10 * (w.k_78 - Number(70)) - Number(98)) - Number(91);
+        w.k_80 = c.c_10 * (c.c_4 + c.c_10 * (c.c_7 * c.c_10 + Number(3)) - w.k_25);
+        w.k_81 = c.u_c * (-Number(91) / Number(6) * c.u_c - Number(271) / Number(8));
+        w.k_82 = c.eps * (w.k_81 - Number(183) / Number(16)) + Number(233) / Number(8) * c.u_c + Number(75) / Number(2);
+        w.k_83 = w.k_72 * w.k_82 + Number(41) / Number(8) * c.eps - Number(15) / Number(4);
+        w.k_84 = c.c_4 + c.c_10 * (w.k_72 * w.k_79 + w.k_80 + Number(10) - w.k_41) + c.eps * w.k_83 - Number(56) * w.k_72;
+        w.k_85 = c.u_c * (-Number(515) / Number(72) * c.u_c - Number(555) / Number(32));
+        w.k_86 = c.eps * (w.k_85 - Number(75) / Number(16)) + Number(199) / Number(16) * c.u_c + Number(65) / Number(4);
+        w.k_87 = Number(3) + c.c_10 * w.k_84 + c.eps * (w.k_72 * w.k_86 - c.c_11 - c.c_6) - Number(22) * w.k_72;
+        w.k_88 = c.u_c * (-Number(133) / Number(72) * c.u_c - Number(139) / Number(32));
+        w.k_89 = c.eps * (Number(3) / Number(16) + w.k_88) + Number(3) * c.u_c + Number(7) / Number(2);
+        w.k_90 = c.c_7 + c.c_10 * w.k_87 + c.eps * (w.k_72 * w.k_89 - Number(1) / Number(8) * c.eps) - Number(5) * w.k_72;
+        w.k_91 = c.u_c * (-Number(29) / Number(144) * c.u_c - Number(25) / Number(64));
+        w.k_92 = Number(1) / Number(4) + c.eps * (w.k_91 + Number(7) / Number(16)) + c.c_39;
+        w.k_93 = c.c_10 * w.k_90 + w.k_72 * (c.eps * w.k_92 - c.c_7);
+        w.k_94 = w.c_0 + w.k_56 + c.eps * w.k_71 * w.k_93 - w.k_4 - w.k_5;
+        c.c_44 = w.k_47 + w.k_68 + w.k_66 * (w.k_71 * w.k_71) * (w.k_93 * w.k_93) - Number(4) * (w.k_94 * w.k_94);
+        w.k_95 = w.k_69 * w.k_58;
+        w.k_96 = w.k_95 * w.k_95 * w.k_58;
+        w.k_97 = c.eps * (c.u_c * (-c.c_10 - Number(95) / Number(24)) - c.c_3) + c.c_10 * (w.s_0 + w.k_23 + Number(21) / Number(4)) + Number(91) / Number(8);
+        w.k_98 = c.eps * (-Number(37) / Number(6) * c.u_c - Number(27) / Number(4));
+        w.k_99 = Number(21) / Number(4) + c.u_c * (c.c_10 * w.k_97 + w.k_98 + Number(13)) + c.c_10 * (w.s_0 + Number(15) / Number(4) + w.k_23) - c.eps;
+        w.k_100 = c.u_c * (-Number(151) / Number(32) * c.u_c - Number(201) / Number(32));
+        w.k_101 = c.c_23 + c.c_10 * w.k_99 + c.eps * (w.k_100 - Number(9) / Number(8)) + Number(33) / Number(4) * c.u_c;
+        w.k_102 = c.c_10 * (c.c_10 * (-c.c_10 - Number(13) / Number(2)) - Number(18));
+        w.k_103 = c.c_10 * (c.c_10 * (w.k_102 - Number(55) / Number(2)) - Number(25));
+        w.k_104 = c.u_c * (-c.c_2 - Number(85) / Number(48) * c.u_c) - Number(1) / Number(8);
+        w.k_105 = c.eps * (c.eps * w.k_104 + Number(11) / Number(4) * c.u_c + c.c_9);
+        w.k_106 = c.c_10 * (c.eps * w.k_101 + w.k_103 - Number(27) / Number(2)) + w.k_105 - Number(4);
+        w.k_107 = c.u_c * (-Number(25) / Number(96) * c.u_c - Number(7) / Number(32));
+        w.k_108 = c.c_10 * w.k_106 + c.eps * (c.eps * (Number(1) / Number(8) + w.k_107) + c.c_31) - c.c_7;
+        w.k_109 = Number(1) / Number(16) * w.k_72 * w.k_66 * (w.k_96 * w.k_96) * (w.k_108 * w.k_108);
+        w.k_110 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
+        w.k_111 = w.k_23 + c.eps * c.u_c * w.k_96 * w.k_108;
+        c.c_45 = w.k_68 + w.k_109 + w.k_110 * (w.s_0 * w.s_0) - Number(4) * (w.k_111 * w.k_111);
     }
 
     template <class Number> static void compute_constants(
@@ -541,7 +555,8 @@ private:
         if (!(scaled.c_41 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
         if (!(scaled.c_42 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
         if (!(scaled.c_43 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
-        if (!(scaled.c_44 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s"};
+        if (!(scaled.c_44 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
+        if (!(scaled.c_45 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;

@@ -206,6 +206,8 @@ private:
         Number c_24{};
         Number c_25{};
         Number c_26{};
+        Number c_27{};
+        Number c_28{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -301,6 +303,22 @@ private:
         Number k_86{};
         Number k_87{};
         Number k_88{};
+        Number k_89{};
+        Number k_90{};
+        Number k_91{};
+        Number k_92{};
+        Number k_93{};
+        Number k_94{};
+        Number k_95{};
+        Number k_96{};
+        Number k_97{};
+        Number k_98{};
+        Number k_99{};
+        Number k_100{};
+        Number k_101{};
+        Number k_102{};
+        Number k_103{};
+        Number k_104{};
     };
 
     template <class Number> static void compute_constants_1(
@@ -377,61 +395,79 @@ private:
         w.k_44 = Number(5051) / Number(10004) * w.x_0 - Number(5) / Number(2501) * w.x_dot_0;
         w.k_45 = c.eps * (w.k_43 + w.x_0 * w.k_44 - Number(49) / Number(10004) * w.k_2);
         c.v_y = w.k_45 - w.y_0 - w.k_3;
-        w.k_46 = w.k_31 * w.k_31;
-        w.k_47 = c.u_x * c.u_x;
-        w.k_48 = c.v_x * c.v_x;
-        w.k_49 = Number(25) / Number(256) * w.k_47 + Number(43) / Number(128) * w.k_48 + Number(67314235) / Number(503602640512LL) * c.u_y + Number(199271675) / Number(251801320256LL) * c.v_y + Number(6227) / Number(80032);
-        w.k_50 = Number(363459) / Number(2013605120) * c.u_y + Number(562041) / Number(2013605120) * c.v_y - Number(125) / Number(40016);
-        w.k_51 = Number(65) / Number(256) * w.k_48 + Number(350591175) / Number(251801320256LL) * c.v_y + Number(11127) / Number(80032) - Number(13348377) / Number(503602640512LL) * c.u_y;
-        w.k_52 = -Number(95004501) / Number(32333736323200LL) * c.u_y - Number(34999) / Number(160068001600LL) * c.v_y;
-        w.k_53 = c.v_y * c.v_y;
-        w.k_54 = c.u_x * (c.u_x * w.k_49 + c.v_x * w.k_50) + w.k_48 * w.k_51 + c.u_y * w.k_52 + Number(106924799) / Number(32333736323200LL) * w.k_53;
-        w.k_55 = Number(235193907) / Number(5036026405120LL) * c.u_y + Number(245712393) / Number(5036026405120LL) * c.v_y + Number(375) / Number(40016);
-        w.k_56 = Number(6945543) / Number(6466747264640LL) * c.u_y - Number(29247) / Number(32013600320LL) * c.v_y;
-        w.k_57 = w.k_48 * w.k_55 + c.u_y * w.k_56 + Number(734649) / Number(6466747264640LL) * w.k_53;
-        w.k_58 = c.c_3 * c.u_y;
-        w.k_59 = c.c_4 * c.v_y;
-        w.k_60 = c.eps * (c.u_x * w.k_54 + c.v_x * w.k_57) + c.u_x * (w.k_58 - c.c_1 * w.k_47 - c.c_2 * w.k_48 - w.k_59) + c.v_x * (c.c_5 * c.u_y + c.c_6 * c.v_y);
-        w.k_61 = Number(582031725) / Number(251801320256LL) * c.v_y - Number(89) / Number(256) * w.k_47 - Number(61) / Number(128) * w.k_48 - Number(249136575) / Number(503602640512LL) * c.u_y - Number(18477) / Number(80032);
-        w.k_62 = Number(5589351) / Number(402721024) * c.v_y - Number(5698971) / Number(402721024) * c.u_y - Number(875) / Number(40016);
-        w.k_63 = Number(119105625) / Number(251801320256LL) * c.v_y - Number(13) / Number(256) * w.k_48 - Number(4989315) / Number(503602640512LL) * c.u_y - Number(3777) / Number(80032);
-        w.k_64 = Number(894944499) / Number(32333736323200LL) * c.u_y + Number(115001) / Number(160068001600LL) * c.v_y;
-        w.k_65 = c.u_x * (c.u_x * w.k_61 + c.v_x * w.k_62) + w.k_48 * w.k_63 + c.u_y * w.k_64 - Number(115005001) / Number(32333736323200LL) * w.k_53;
-        w.k_66 = Number(44217339011LL) / Number(5036026405120LL) * c.v_y + Number(625) / Number(40016) - Number(34956922311LL) / Number(5036026405120LL) * c.u_y;
-        w.k_67 = -Number(372823951) / Number(6466747264640LL) * c.u_y - Number(4109349) / Number(32013600320LL) * c.v_y;
-        w.k_68 = w.k_47 * w.k_66 + c.u_y * w.k_67 + Number(412824951) / Number(6466747264640LL) * w.k_53;
-        w.k_69 = Number(15) / Number(32) * w.k_47 + Number(3) / Number(32) * w.k_48 + w.k_59 - w.k_58;
-        w.k_70 = Number(5051) / Number(100040) * c.u_y - Number(4951) / Number(100040) * c.v_y;
-        w.k_71 = c.eps * (c.v_x * w.k_65 + c.u_x * w.k_68) + c.v_x * w.k_69 + c.u_x * w.k_70;
-        w.k_72 = w.k_17 + c.eps * w.k_60;
-        w.k_73 = w.k_30 + c.eps * w.k_71;
-        c.c_19 = w.k_1 + w.k_2 + w.k_46 + w.k_31 * (w.k_60 * w.k_60) + w.k_31 * (w.k_71 * w.k_71) - Number(4) * (w.k_72 * w.k_72 + w.k_73 * w.k_73);
-        w.k_74 = Number(488314625) / Number(15737582516LL) * c.v_x - Number(40261441049LL) / Number(251801320256LL) * c.u_x;
-        w.k_75 = c.u_x * w.k_74 + Number(5299) / Number(3961584) * c.u_y - Number(5499) / Number(20128) * w.k_48 - Number(75) / Number(20008) * c.v_y;
-        w.k_76 = Number(255) / Number(10004) * c.u_y + Number(755) / Number(990396) * c.v_y - Number(73390125) / Number(3934395629LL) * w.k_48;
-        w.k_77 = Number(241944651) / Number(251801320256LL) * w.k_48 + Number(25) / Number(20008) * c.v_y - Number(5101) / Number(3961584) * c.u_y;
-        w.k_78 = c.eps * (c.u_x * (c.u_x * w.k_75 + c.v_x * w.k_76) + w.k_48 * w.k_77);
-        w.k_79 = w.k_78 + c.u_x * (c.c_16 * c.u_x + c.c_17 * c.v_x) + c.c_18 * w.k_48;
-        w.k_80 = Number(38536260249LL) / Number(251801320256LL) * c.u_x - Number(227277925) / Number(62950330064LL) * c.v_x;
-        w.k_81 = c.u_x * w.k_80 + Number(5799) / Number(20128) * w.k_48 + Number(4799) / Number(3961584) * c.v_y - Number(13) / Number(10004) * c.u_y;
-        w.k_82 = Number(22922115) / Number(62950330064LL) * w.k_48 + Number(245) / Number(10004) * c.v_y - Number(235) / Number(990396) * c.u_y;
-        w.k_83 = Number(232235949) / Number(251801320256LL) * w.k_48 - Number(3) / Number(2501) * c.u_y - Number(4997) / Number(3961584) * c.v_y;
-        w.k_84 = c.eps * (c.u_x * (c.u_x * w.k_81 + c.v_x * w.k_82) + w.k_48 * w.k_83);
-        w.k_85 = -Number(5051) / Number(10004) * c.u_x - Number(5) / Number(2501) * c.v_x;
-        w.k_86 = w.k_84 + c.u_x * w.k_85 + Number(49) / Number(10004) * w.k_48;
-        w.k_87 = w.k_38 + c.eps * w.k_79;
-        w.k_88 = w.k_45 + c.eps * w.k_86 - w.y_0 - w.k_3 - w.k_4;
-        c.c_20 = w.k_9 + w.k_46 + w.y_0 * w.y_0 + w.k_31 * (w.k_79 * w.k_79) + w.k_31 * (w.k_86 * w.k_86) - Number(4) * (w.k_87 * w.k_87 + w.k_88 * w.k_88);
-        c.c_21 = resonform::math::number<Number>({7.888609052210118e-31});
-        c.c_22 = Number(9) / Number(16) * c.eps;
-        c.c_23 = hypot(Number(Number(5) / Number(41)), Number(-Number(25) / Number(164)));
+        w.k_46 = hypot(c.u_x, c.v_x);
+        w.k_47 = hypot(c.u_y, c.v_y);
+        w.k_48 = hypot(w.k_46, w.k_47);
+        c.c_19 = resonform::math::number<Number>({7.888609052210118e-31});
+        w.k_49 = hypot(Number(Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        w.k_50 = hypot(Number(Number(3) / Number(244)), Number(Number(5) / Number(488)));
+        w.k_51 = hypot(Number(-Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        w.k_52 = hypot(Number(-Number(1) / Number(82)), Number(Number(5) / Number(328)));
+        w.k_53 = w.k_46 * w.k_46;
+        w.k_54 = w.k_46 * w.k_47 * w.k_49 + w.k_46 * w.k_47 * w.k_50 + w.k_46 * w.k_47 * w.k_51 + w.k_46 * w.k_47 * w.k_52 + c.c_2 * (w.k_53 * w.k_46);
+        c.c_20 = w.k_48 + c.c_19 - Number(2) * c.eps * w.k_54;
+        c.c_21 = hypot(Number(Number(5) / Number(41)), Number(-Number(25) / Number(164)));
+        c.c_22 = hypot(Number(Number(1) / Number(4)), Number(-Number(1) / Number(4)));
+        c.c_23 = hypot(Number(Number(15) / Number(122)), Number(-Number(25) / Number(244)));
+        w.k_55 = hypot(Number(Number(1) / Number(11808)), Number(-Number(1) / Number(1312)));
+        w.k_56 = hypot(Number(Number(1) / Number(40016)), Number(-Number(25) / Number(20008)));
+        w.k_57 = hypot(Number(-Number(1) / Number(21472)), Number(-Number(1) / Number(1952)));
+        w.k_58 = hypot(Number(Number(1) / Number(1952)), Number(-Number(11) / Number(1952)));
+        w.k_59 = hypot(Number(Number(1) / Number(1312)), Number(Number(9) / Number(1312)));
+        w.k_60 = w.k_47 * w.k_55 * w.k_53 + w.k_47 * w.k_56 * w.k_53 + w.k_47 * w.k_57 * w.k_53 + w.k_47 * w.k_58 * w.k_53 + w.k_47 * w.k_59 * w.k_53;
+        w.k_61 = c.c_21 * w.k_53 + c.c_22 * w.k_53 + c.c_23 * w.k_53 + c.eps * w.k_60;
+        c.c_24 = w.k_48 + c.c_19 - Number(2) * c.eps * w.k_61;
+        w.k_62 = w.k_31 * w.k_31;
+        w.k_63 = c.u_x * c.u_x;
+        w.k_64 = c.v_x * c.v_x;
+        w.k_65 = Number(25) / Number(256) * w.k_63 + Number(43) / Number(128) * w.k_64 + Number(67314235) / Number(503602640512LL) * c.u_y + Number(199271675) / Number(251801320256LL) * c.v_y + Number(6227) / Number(80032);
+        w.k_66 = Number(363459) / Number(2013605120) * c.u_y + Number(562041) / Number(2013605120) * c.v_y - Number(125) / Number(40016);
+        w.k_67 = Number(65) / Number(256) * w.k_64 + Number(350591175) / Number(251801320256LL) * c.v_y + Number(11127) / Number(80032) - Number(13348377) / Number(503602640512LL) * c.u_y;
+        w.k_68 = -Number(95004501) / Number(32333736323200LL) * c.u_y - Number(34999) / Number(160068001600LL) * c.v_y;
+        w.k_69 = c.v_y * c.v_y;
+        w.k_70 = c.u_x * (c.u_x * w.k_65 + c.v_x * w.k_66) + w.k_64 * w.k_67 + c.u_y * w.k_68 + Number(106924799) / Number(32333736323200LL) * w.k_69;
+        w.k_71 = Number(235193907) / Number(5036026405120LL) * c.u_y + Number(245712393) / Number(5036026405120LL) * c.v_y + Number(375) / Number(40016);
+        w.k_72 = Number(6945543) / Number(6466747264640LL) * c.u_y - Number(29247) / Number(32013600320LL) * c.v_y;
+        w.k_73 = w.k_64 * w.k_71 + c.u_y * w.k_72 + Number(734649) / Number(6466747264640LL) * w.k_69;
+        w.k_74 = c.c_3 * c.u_y;
+        w.k_75 = c.c_4 * c.v_y;
+        w.k_76 = c.eps * (c.u_x * w.k_70 + c.v_x * w.k_73) + c.u_x * (w.k_74 - c.c_1 * w.k_63 - c.c_2 * w.k_64 - w.k_75) + c.v_x * (c.c_5 * c.u_y + c.c_6 * c.v_y);
+        w.k_77 = Number(582031725) / Number(251801320256LL) * c.v_y - Number(89) / Number(256) * w.k_63 - Number(61) / Number(128) * w.k_64 - Number(249136575) / Number(503602640512LL) * c.u_y - Number(18477) / Number(80032);
+        w.k_78 = Number(5589351) / Number(402721024) * c.v_y - Number(5698971) / Number(402721024) * c.u_y - Number(875) / Number(40016);
+        w.k_79 = Number(119105625) / Number(251801320256LL) * c.v_y - Number(13) / Number(256) * w.k_64 - Number(4989315) / Number(503602640512LL) * c.u_y - Number(3777) / Number(80032);
+        w.k_80 = Number(894944499) / Number(32333736323200LL) * c.u_y + Number(115001) / Number(160068001600LL) * c.v_y;
+        w.k_81 = c.u_x * (c.u_x * w.k_77 + c.v_x * w.k_78) + w.k_64 * w.k_79 + c.u_y * w.k_80 - Number(115005001) / Number(32333736323200LL) * w.k_69;
+        w.k_82 = Number(44217339011LL) / Number(5036026405120LL) * c.v_y + Number(625) / Number(40016) - Number(34956922311LL) / Number(5036026405120LL) * c.u_y;
+        w.k_83 = -Number(372823951) / Number(6466747264640LL) * c.u_y - Number(4109349) / Number(32013600320LL) * c.v_y;
+        w.k_84 = w.k_63 * w.k_82 + c.u_y * w.k_83 + Number(412824951) / Number(6466747264640LL) * w.k_69;
+        w.k_85 = Number(15) / Number(32) * w.k_63 + Number(3) / Number(32) * w.k_64 + w.k_75 - w.k_74;
+        w.k_86 = Number(5051) / Number(100040) * c.u_y - Number(4951) / Number(100040) * c.v_y;
+        w.k_87 = c.eps * (c.v_x * w.k_81 + c.u_x * w.k_84) + c.v_x * w.k_85 + c.u_x * w.k_86;
     }
 
     template <class Number> static void compute_constants_2(
-            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, [[maybe_unused]] compute_constants_quantities<Number>& w) {
-        c.c_24 = hypot(Number(Number(1) / Number(4)), Number(-Number(1) / Number(4)));
-        c.c_25 = hypot(Number(Number(15) / Number(122)), Number(-Number(25) / Number(244)));
-        c.c_26 = Number(2) * c.eps;
+            [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
+        w.k_88 = w.k_17 + c.eps * w.k_76;
+        w.k_89 = w.k_30 + c.eps * w.k_87;
+        c.c_25 = w.k_1 + w.k_2 + w.k_62 + w.k_31 * (w.k_76 * w.k_76) + w.k_31 * (w.k_87 * w.k_87) - Number(4) * (w.k_88 * w.k_88 + w.k_89 * w.k_89);
+        w.k_90 = Number(488314625) / Number(15737582516LL) * c.v_x - Number(40261441049LL) / Number(251801320256LL) * c.u_x;
+        w.k_91 = c.u_x * w.k_90 + Number(5299) / Number(3961584) * c.u_y - Number(5499) / Number(20128) * w.k_64 - Number(75) / Number(20008) * c.v_y;
+        w.k_92 = Number(255) / Number(10004) * c.u_y + Number(755) / Number(990396) * c.v_y - Number(73390125) / Number(3934395629LL) * w.k_64;
+        w.k_93 = Number(241944651) / Number(251801320256LL) * w.k_64 + Number(25) / Number(20008) * c.v_y - Number(5101) / Number(3961584) * c.u_y;
+        w.k_94 = c.eps * (c.u_x * (c.u_x * w.k_91 + c.v_x * w.k_92) + w.k_64 * w.k_93);
+        w.k_95 = w.k_94 + c.u_x * (c.c_16 * c.u_x + c.c_17 * c.v_x) + c.c_18 * w.k_64;
+        w.k_96 = Number(38536260249LL) / Number(251801320256LL) * c.u_x - Number(227277925) / Number(62950330064LL) * c.v_x;
+        w.k_97 = c.u_x * w.k_96 + Number(5799) / Number(20128) * w.k_64 + Number(4799) / Number(3961584) * c.v_y - Number(13) / Number(10004) * c.u_y;
+        w.k_98 = Number(22922115) / Number(62950330064LL) * w.k_64 + Number(245) / Number(10004) * c.v_y - Number(235) / Number(990396) * c.u_y;
+        w.k_99 = Number(232235949) / Number(251801320256LL) * w.k_64 - Number(3) / Number(2501) * c.u_y - Number(4997) / Number(3961584) * c.v_y;
+        w.k_100 = c.eps * (c.u_x * (c.u_x * w.k_97 + c.v_x * w.k_98) + w.k_64 * w.k_99);
+        w.k_101 = -Number(5051) / Number(10004) * c.u_x - Number(5) / Number(2501) * c.v_x;
+        w.k_102 = w.k_100 + c.u_x * w.k_101 + Number(49) / Number(10004) * w.k_64;
+        w.k_103 = w.k_38 + c.eps * w.k_95;
+        w.k_104 = w.k_45 + c.eps * w.k_102 - w.y_0 - w.k_3 - w.k_4;
+        c.c_26 = w.k_9 + w.k_62 + w.y_0 * w.y_0 + w.k_31 * (w.k_95 * w.k_95) + w.k_31 * (w.k_102 * w.k_102) - Number(4) * (w.k_103 * w.k_103 + w.k_104 * w.k_104);
+        c.c_27 = Number(9) / Number(16) * c.eps;
+        c.c_28 = Number(2) * c.eps;
     }
 
     template <class Number> static void compute_constants(
@@ -465,12 +501,12 @@ private:
         keep(scaled.c_18, c.c_18, "c_18 in y_1");
         keep(scaled.u_y, c.u_y, "u_y");
         keep(scaled.v_y, c.v_y, "v_y");
+        keep(scaled.c_19, c.c_19, "c_19 in y");
         keep(scaled.c_21, c.c_21, "c_21 in y");
-        keep(scaled.c_22, c.c_22, "c_22 in x");
+        keep(scaled.c_22, c.c_22, "c_22 in y");
         keep(scaled.c_23, c.c_23, "c_23 in y");
-        keep(scaled.c_24, c.c_24, "c_24 in y");
-        keep(scaled.c_25, c.c_25, "c_25 in y");
-        keep(scaled.c_26, c.c_26, "c_26 in y");
+        keep(scaled.c_27, c.c_27, "c_27 in x");
+        keep(scaled.c_28, c.c_28, "c_28 in y");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -478,8 +514,10 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_20 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        if (!(scaled.c_20 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_24 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -509,8 +547,8 @@ private:
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
         const Number q_2 = q_1 * q_1;
-        const Number q_3 = q_1 + c.c_21 - c.c_26 * (c.c_23 * q_2 + c.c_24 * q_2 + c.c_25 * q_2);
-        return {Number(q_1 + c.c_21 - c.c_22 * (q_2 * q_1)), Number(q_3)};
+        const Number q_3 = q_1 + c.c_19 - c.c_28 * (c.c_21 * q_2 + c.c_22 * q_2 + c.c_23 * q_2);
+        return {Number(q_1 + c.c_19 - c.c_27 * (q_2 * q_1)), Number(q_3)};
     }
 
     // dtheta_1/dT

@@ -104,21 +104,20 @@ std::string CppFrame::locate() const {
                                 "Status::ok{1}) status = seen;\n",
                                 plan_.phase_names[k], unless_faded(k));
     return text +
-           (plan_.growths.empty()
-                ? ""
-                : "        if (!precise(constants_, a)) status = Status::low_precision;\n") +
+           (!plan_.loses_digits ? ""
+                                : "        if (!precise(constants_, a)) status = Status::low_precision;\n") +
            "        return status;\n    }\n\n";
 }
 
-// Whether modes that grow leave digits.
+// Whether modes that grow and divisors that vanish leave digits.
 std::string CppFrame::precise() const {
-    if (plan_.growths.empty()) return "";
+    if (!plan_.loses_digits) return "";
     std::vector<std::string> all;
     for (const CppPlan::Growth& growth : plan_.growths)
         all.push_back(fmt::format("a.exp_{} * c.{} <= Real(1)", plan_.phase_names[growth.phase],
                                   plan_.members.at(growth.factor)));
     if (!plan_.precisions.empty()) all.emplace_back("passes(c, a)");
-    return fmt::format("    // What grows leaves digits.\n"
+    return fmt::format("    // Whether digits are left.\n"
                        "    static bool precise(const Constants<Real>& c, const Arguments& a) noexcept {{\n"
                        "        return {};\n    }}\n\n",
                        fmt::join(all, " && "));

@@ -133,9 +133,9 @@ std::string CppCourse::print() const {
          {"starts", plan_.member_list(plan_.phase_starts, "c.")},
          {"phase_rates", phase_rates()},
          {"arguments", arguments()},
-         {"precise", plan_.growths.empty() ? ""
-                                           : "        if (status == Status::ok && !precise(c, a)) return "
-                                             "Status::low_precision;\n"}});
+         {"precise", !plan_.loses_digits ? ""
+                                         : "        if (status == Status::ok && !precise(c, a)) return "
+                                           "Status::low_precision;\n"}});
 }
 
 } // namespace

@@ -87,7 +87,7 @@ std::string CppInterface::why() const {
             if (!program_.phases[k].decays() && program_.phases[k].fades_with.empty() != fading)
                 phases += fmt::format("!{}_.precise() ? {} : ", plan_.phase_names[k],
                                       cpp_literal(plan_.phase_names[k]));
-    const std::string otherwise = plan_.growths.empty() ? "" : plan_.phase_names[plan_.growths.front().phase];
+    const std::string otherwise = plan_.loses_digits ? plan_.phase_names[*plan_.loses_digits] : "";
     if (!phases.empty() || !otherwise.empty())
         phases = fmt::format("        if (status == Status::low_precision) return {}{};\n", phases,
                              cpp_literal(otherwise));

@@ -127,6 +127,8 @@ void CppPlan::lower_results() {
             std::vector<Value>& list = precisions.emplace_back();
             for (const Graph::Node n : either) list.push_back(code.lower(n));
         }
+        if (!loses_digits && (phase.growth >= 0 || !phase.precision.empty()))
+            loses_digits = phase_names.size() - 1;
         const std::vector<bool> used = reachable(program->graph, {phase.rate});
         phase_uses_tables.push_back(
             std::any_of(looked_up.begin(), looked_up.end(),

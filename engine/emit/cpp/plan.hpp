@@ -53,6 +53,7 @@ struct CppPlan {
     };
     std::vector<Growth> growths;
     std::vector<std::vector<StraightLine::Value>> precisions; // of exponents: one of each list is > 0
+    std::optional<std::size_t> loses_digits;                  // the first phase with a growth or precision
     std::vector<CppResult> outputs, state;
     std::vector<StraightLine::Value> data_arguments; // of program.data
     std::vector<CppRow> rows;                        // empty: many points are computed one by one

@@ -282,7 +282,8 @@ void CppStages::know_call(CppFunction& function) {
     }
 }
 
-// Whether modes are followed to where they are (emit/program/passage.hpp).
+// Whether modes are followed to where they are (emit/program/passage.hpp), and what is divided by divisors
+// that vanish is gone (emit/program/fading.hpp).
 std::string CppStages::passes() {
     if (plan_.precisions.empty()) return "";
     CppFunction function(plan_.code, "Real", "q");
@@ -300,7 +301,7 @@ std::string CppStages::passes() {
     const CppFunction::Frame frame{"static", "bool",
                                    "passes", {{"const Constants<Real>&", "c"}, {"const Arguments&", "a"}},
                                    {},       {fmt::format("return {};", fmt::join(all, " && "))}};
-    return "    // Where a growth rate has changed its sign, digits are left.\n" + function.print(frame) +
+    return "    // Where a rate or a divisor changes its sign, digits are left.\n" + function.print(frame) +
            "\n";
 }
 

@@ -88,14 +88,19 @@ Graph::Node Lowering::fractions(const std::vector<Fraction>& list) {
         for (const Term& t : f.numerator.terms()) fold(f.factor + t.monomial, t.coefficient, target);
         if (f.divisors.empty()) continue;
         std::vector<Graph::Node> factors{lowered(own)};
-        for (const Polynomial& divisor : f.divisors)
-            factors.push_back(graph_->power(this->divisor(divisor), -1));
+        for (const Polynomial& divisor : f.divisors) factors.push_back(power(this->divisor(divisor), -1));
         sum.push_back(graph_->multiply(factors));
     }
     const Graph::Node rest = lowered(terms);
     if (sum.empty()) return rest;
     sum.push_back(rest);
     return graph_->add(std::move(sum));
+}
+
+Graph::Node Lowering::power(Graph::Node x, int exponent) const {
+    const auto known = inverses_.find(x);
+    return exponent < 0 && known != inverses_.end() ? graph_->power(known->second, -exponent)
+                                                    : graph_->power(x, exponent);
 }
 
 Graph::Node Lowering::lowered(Terms& terms) {
@@ -138,7 +143,7 @@ Graph::Node Lowering::common_factor(Terms& terms, Rows rows, bool varying) {
     for (std::size_t id = 0; id < least.size(); ++id) {
         if (varying_[id] != varying) least[id] = 0;
         if (least[id] == 0) continue;
-        factors.push_back(graph_->power(nodes_[id], least[id]));
+        factors.push_back(power(nodes_[id], least[id]));
         for (const std::size_t k : rows) terms.row(k)[id] -= least[id];
     }
     return graph_->multiply(factors);

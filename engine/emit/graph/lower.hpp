@@ -13,6 +13,7 @@
 #include "emit/graph/graph.hpp"
 
 #include <cstddef>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -52,6 +53,8 @@ public:
     // A sum of numbers with different signs is formed exactly:   1 - pi/3 -> -0.0471975...
     // (conditioning.cpp)
     Graph::Node divisor(const Polynomial& p);
+    // 1/x is this node, which is finite where x = 0.
+    void set_inverse(Graph::Node x, Graph::Node inverse) { inverses_[x] = inverse; }
     // Nodes known to be positive.
     void set_positive(std::set<Graph::Node> positive) { positive_ = std::move(positive); }
 
@@ -73,6 +76,7 @@ private:
     [[nodiscard]] std::vector<std::size_t> collected(Terms& terms,
                                                      const std::vector<std::size_t>& roots) const;
     [[nodiscard]] std::vector<std::size_t> varying_roots() const;
+    [[nodiscard]] Graph::Node power(Graph::Node x, int exponent) const;
     Graph::Node lowered(Terms& terms);
     Graph::Node sum_of(Terms& terms, Rows rows);
     Graph::Node horner(Terms& terms, Rows rows, bool varying);
@@ -84,6 +88,7 @@ private:
     std::vector<Graph::Node> nodes_;
     std::vector<bool> varying_;
     std::set<Graph::Node> positive_;
+    std::map<Graph::Node, Graph::Node> inverses_;
 };
 
 } // namespace resonform

@@ -5,6 +5,7 @@
 #include "algebra/ring/constant.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/graph/lower.hpp"
+#include "emit/program/corrections.hpp"
 #include "emit/program/data.hpp"
 #include "emit/program/fixed_divisors.hpp"
 #include "emit/program/flow_program.hpp"

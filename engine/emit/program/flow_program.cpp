@@ -6,6 +6,8 @@
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
 #include "emit/graph/conditioning.hpp"
+#include "emit/program/corrections.hpp"
+#include "emit/program/fading.hpp"
 #include "emit/program/flow_moment.hpp"
 #include "emit/program/flow_start.hpp"
 #include "emit/program/flow_turning.hpp"
@@ -28,15 +30,17 @@ class FlowProgram : SceneProgram {
 public:
     FlowProgram(const Solution& solution, const Scene& scene, const ProgramOptions& options)
         : SceneProgram(solution, scene, options), flow_(*solution.flow),
-          field_(*solution.normalization->normal_form.field), real_(field_) {}
+          field_(*solution.normalization->normal_form.field), real_(field_),
+          fading_(fading_divisors(solution)) {}
 
     Program build() {
         open(field_.ring->generator(field_.eps).name);
         start_ = flow_start(program_, solution_, scene_, real_, surroundings_, names_);
         define_flow();
         FlowMoment at_start(program_, real_, surroundings_, start_, false);
-        add_start_layers(program_, *solution_.normalization, surroundings_,
-                         [&](const Polynomial& p) { return at_start.lowering.polynomial(real_(p).re); });
+        const auto begin = [&](const Polynomial& p) { return at_start.lowering.polynomial(real_(p).re); };
+        add_start_layers(program_, *solution_.normalization, surroundings_, begin);
+        add_start_corrections(program_, solution_, surroundings_, start_.modes, begin);
         frame_.emplace(program_, real_, surroundings_, moving_, true);
         keep_signs();
         lower_rates();
@@ -45,6 +49,8 @@ public:
         define_results();
         const auto lower = [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); };
         add_layers(program_, *solution_.normalization, surroundings_, lower);
+        for (const FadingDivisor& fading : fading_)
+            add_fading(program_, solution_, surroundings_, fading, begin, lower);
         add_corrections(program_, solution_, surroundings_, lasting_modes(), lower);
         close();
         return std::move(program_);
@@ -80,6 +86,8 @@ private:
     FlowValues start_, moving_, turned_; // at t = 0; within the frame; with their phases
     std::optional<FlowMoment> frame_;    // everything at moving_
     std::vector<Graph::Node> drift_;     // Z
+    std::vector<FadingDivisor> fading_;
+    std::map<Graph::Node, Graph::Node> inverses_; // 1/D of these D
 };
 
 // Symbols for variables that the flow changes; the others keep their start values. Names are those of the
@@ -139,7 +147,8 @@ void FlowProgram::define_slow(std::size_t k) {
 }
 
 // Moving small divisors must keep the sign that they start with: a change crosses a resonance surface. But
-// for Re lambda of a mode that passes: what was divided by it is gone by then (emit/program/passage.hpp).
+// for those of what is gone by then: of a mode that passes (emit/program/passage.hpp), and of products that
+// decay (emit/program/fading.hpp).
 void FlowProgram::keep_signs() {
     const FlowMoment at_start(program_, real_, surroundings_, start_, false);
     for (GeneratorId id = 0; id < real_.ring()->size(); ++id) {
@@ -151,9 +160,12 @@ void FlowProgram::keep_signs() {
         // It must not be zero at the start: this is checked before the start is put into the map.
         if (!signs_of(program_.graph, begin, surroundings_.positive).is_positive())
             program_.positive.push_back({program_.graph.power(begin, 2), name});
-        const Polynomial& radicand = field_.ring->generator(*field_.ring->find(g.name)).radicand;
-        if (!passes_zero(flow_, field_, radicand))
-            program_.positive.push_back({program_.graph.multiply({begin, frame_->lowering.node(id)}), name});
+        const GeneratorId own = *field_.ring->find(g.name);
+        const Graph::Node now = frame_->lowering.node(id);
+        if (fades(fading_, own))
+            inverses_.emplace(now, inverse_of(program_.graph, now, begin));
+        else if (!passes_zero(flow_, field_, field_.ring->generator(own).radicand))
+            program_.positive.push_back({program_.graph.multiply({begin, now}), name});
     }
 }
 
@@ -185,9 +197,8 @@ void FlowProgram::integrate_drifts() {
     Graph& graph = program_.graph;
     for (std::size_t k = 0; k < field_.drift.size(); ++k) {
         const Graph::Node rate = lowered(real_(flow_.drift[k].total(flow_.drift[k].through())).re, 0);
-        const bool varies = depending(graph, varying_symbols(program_))[static_cast<std::size_t>(rate)];
         Graph::Node integral = graph.multiply({rate, program_.slow_time});
-        if (varies) {
+        if (varies(program_, rate)) {
             const std::string called = "Q_" + identifier(field_.drift[k].name);
             integral = graph.symbol("table " + called); // a space: no parameter has this name
             program_.tables.push_back({called, rate, integral});
@@ -206,6 +217,7 @@ std::vector<FlowUnit> FlowProgram::lasting_modes() {
 
 Graph::Node FlowProgram::result(const FlowOutput& output, bool oscillating) {
     FlowMoment call(program_, real_, surroundings_, oscillating ? turned_ : moving_, false);
+    for (const auto& [divisor, inverse] : inverses_) call.lowering.set_inverse(divisor, inverse);
     Polynomial all = output.value.total(output.value.through());
     if (!oscillating) all = mean_part(field_, flow_, all);
     Graph::Node value =

@@ -4,7 +4,7 @@
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
 #include "emit/graph/conditioning.hpp"
-#include "emit/program/layers.hpp"
+#include "emit/program/corrections.hpp"
 #include "emit/program/passage.hpp"
 #include "solve/flow/passage.hpp"
 

@@ -54,19 +54,6 @@ std::optional<Polynomial> rate_of(const Polynomial& divisor, const NormalForm& n
     return sum(addends);
 }
 
-// Real and imaginary part.
-template <class Lower>
-std::pair<Graph::Node, Graph::Node> parts(const Ring& ring, const Polynomial& p, const Lower& lower) {
-    const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
-    const Polynomial conjugate = ring.conjugate(p);
-    return {lower(Rational(1) / 2 * (p + conjugate)),
-            lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
-}
-
-bool varies(const Program& program, Graph::Node n) {
-    return depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(n)];
-}
-
 std::vector<MovingDivisor> moving_of(const Normalization& normalization, Of which) {
     std::vector<MovingDivisor> moving;
     for (const Polynomial& divisor : smallest_of_each(normalization, which)) {
@@ -76,13 +63,23 @@ std::vector<MovingDivisor> moving_of(const Normalization& normalization, Of whic
     return moving;
 }
 
-// |D|^2 -+ both parts of D', without those that are known to be positive.
-template <class Lower>
+} // namespace
+
+std::pair<Graph::Node, Graph::Node>
+real_and_imaginary(const Ring& ring, const Polynomial& p,
+                   const std::function<Graph::Node(const Polynomial&)>& lower) {
+    const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
+    const Polynomial conjugate = ring.conjugate(p);
+    return {lower(Rational(1) / 2 * (p + conjugate)),
+            lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
+}
+
 std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const MovingDivisor& moving,
-                                    const Surroundings& surroundings, const Lower& lower) {
-    const auto [re, im] = parts(ring, moving.divisor, lower);
+                                    const Surroundings& surroundings,
+                                    const std::function<Graph::Node(const Polynomial&)>& lower) {
+    const auto [re, im] = real_and_imaginary(ring, moving.divisor, lower);
     const Graph::Node square = graph.add({graph.power(re, 2), graph.power(im, 2)});
-    const auto [re_rate, im_rate] = parts(ring, moving.rate, lower);
+    const auto [re_rate, im_rate] = real_and_imaginary(ring, moving.rate, lower);
     std::vector<Graph::Node> margins;
     for (const Graph::Node component : {re_rate, im_rate})
         for (const Graph::Node change : {component, graph.negate(component)}) {
@@ -92,45 +89,6 @@ std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const Moving
         }
     return margins;
 }
-
-class GraphAlgebra {
-public:
-    GraphAlgebra(Graph& graph, const std::set<Graph::Node>& positive) : graph_(graph), positive_(positive) {}
-    [[nodiscard]] Graph::Node rational(const Rational& x) const { return graph_.rational(x); }
-    [[nodiscard]] Graph::Node add(std::vector<Graph::Node> terms) const {
-        return graph_.add(std::move(terms));
-    }
-    [[nodiscard]] Graph::Node multiply(const std::vector<Graph::Node>& factors) const {
-        return graph_.multiply(factors);
-    }
-    [[nodiscard]] Graph::Node power(Graph::Node x, int n) const { return graph_.power(x, n); }
-    [[nodiscard]] Graph::Node hypot(Graph::Node x, Graph::Node y) const {
-        if (graph_.is_rational(y, 0)) return magnitude(x);
-        if (graph_.is_rational(x, 0)) return magnitude(y);
-        return graph_.function(Graph::Op::sqrt_sum_squares, {x, y});
-    }
-
-private:
-    // Factor by factor: those of a known sign need no root.
-    [[nodiscard]] Graph::Node magnitude(Graph::Node x) const {
-        const Graph::Entry entry = graph_.at(x);
-        if (entry.op == Graph::Op::rational) return graph_.rational(cln::abs(entry.value));
-        if (entry.op == Graph::Op::power)
-            return graph_.power(magnitude(entry.operands.front()), entry.exponent);
-        if (entry.op == Graph::Op::multiply) {
-            std::vector<Graph::Node> factors;
-            for (const Graph::Node factor : entry.operands) factors.push_back(magnitude(factor));
-            return graph_.multiply(factors);
-        }
-        if (entry.op == Graph::Op::sqrt_sum_squares || !signs_of(graph_, x, positive_).negative) return x;
-        return graph_.function(Graph::Op::sqrt_sum_squares, {x, graph_.rational(0)});
-    }
-
-    Graph& graph_;
-    const std::set<Graph::Node>& positive_;
-};
-
-} // namespace
 
 std::vector<MovingDivisor> moving_divisors(const Normalization& normalization) {
     return moving_of(normalization, Of::lasting);
@@ -178,60 +136,6 @@ void add_start_layers(Program& program, const Normalization& normalization, cons
     for (const MovingDivisor& moving : moving_divisors_at_start(normalization))
         for (const Graph::Node margin : margins_of(program.graph, ring, moving, surroundings, lower))
             program.positive.push_back({margin, quantity(ring, moving.divisor)});
-}
-
-Graph::Node corrections_of(Program& program, const Solution& solution, const Surroundings& surroundings,
-                           std::size_t growing, const std::vector<FlowUnit>& modes,
-                           const std::function<Graph::Node(const Polynomial&)>& lower) {
-    const GraphAlgebra algebra(program.graph, surroundings.positive);
-    std::vector<Graph::Node> moduli;
-    for (const FlowUnit& a : modes) moduli.push_back(algebra.hypot(a.u, a.v));
-    std::vector<Graph::Node> addends;
-    for (const FirstCorrection& correction : first_corrections(solution)) {
-        const auto place = std::find(correction.modes.begin(), correction.modes.end(), growing);
-        if (place == correction.modes.end() || correction.quantity) continue;
-        const auto own = static_cast<std::size_t>(place - correction.modes.begin());
-        for (const FirstCorrection::Term& term : correction.sums.front()) {
-            if (term.powers[own] < 1) continue;
-            const auto [re, im] =
-                parts(*solution.normalization->normal_form.field->ring, term.coefficient, lower);
-            std::vector<Graph::Node> factors{algebra.hypot(re, im),
-                                             algebra.power(program.eps, term.power_of_eps)};
-            for (std::size_t k = 0; k < correction.modes.size(); ++k)
-                if (k != own) factors.push_back(algebra.power(moduli[correction.modes[k]], term.powers[k]));
-            const Graph::Node size = algebra.multiply(factors);
-            addends.push_back(term.powers[own] == 1 ? size : program.graph.root(size, term.powers[own]));
-        }
-    }
-    return algebra.multiply({moduli[growing], algebra.add(std::move(addends))});
-}
-
-void add_corrections(Program& program, const Solution& solution, const Surroundings& surroundings,
-                     const std::vector<FlowUnit>& modes,
-                     const std::function<Graph::Node(const Polynomial&)>& lower) {
-    const Ring& ring = solution.flow ? *solution.normalization->normal_form.field->ring : *solution.ring;
-    const GraphAlgebra algebra(program.graph, surroundings.positive);
-    std::vector<Graph::Node> moduli;
-    for (const FlowUnit& a : modes) moduli.push_back(algebra.hypot(a.u, a.v));
-    for (const FirstCorrection& correction : first_corrections(solution)) {
-        std::vector<Graph::Node> sizes;
-        for (const Polynomial& p : correction.polynomials()) {
-            const auto [re, im] = parts(ring, p, lower);
-            sizes.push_back(algebra.hypot(re, im));
-        }
-        const Graph::Node margin = margin_of(algebra, correction, program.eps, moduli, sizes);
-        const bool moves = varies(program, margin);
-        // Corrections of modes with constant amplitudes were checked at the start.
-        if ((!moves && !correction.quantity) ||
-            signs_of(program.graph, margin, surroundings.positive).is_positive())
-            continue;
-        const std::string name =
-            correction.name.empty() ? quantity(ring, *correction.quantity) : correction.name;
-        if (!moves || needs_quadratures(solution, correction))
-            program.positive.push_back({margin, name});
-        else
-            program.layers.push_back({margin, name, false, true});
-    }
 }
 
 } // namespace resonform

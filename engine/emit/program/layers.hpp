@@ -5,13 +5,14 @@
 //   |D|^2 <= |dD/dt|,   dD/dt = sum_k dD/dzeta_k zeta_k'
 //
 // This is |D| <~ sqrt(eps) where D passes zero; of a frequency omega = D itself it is |d(1/omega)/dt| >= 1.
-// Nor is it valid where amplitudes have grown too large for its map (solve/first_correction.hpp).
+// Nor is it valid where amplitudes have grown too large for its map (emit/program/corrections.hpp).
 #pragma once
 
 #include "emit/program/flow_moment.hpp"
-#include "solve/first_correction.hpp"
+#include "solve/solution.hpp"
 
 #include <functional>
+#include <utility>
 
 namespace resonform {
 
@@ -21,6 +22,12 @@ struct MovingDivisor {
     Polynomial divisor, rate;
 };
 std::vector<MovingDivisor> moving_divisors(const Normalization& normalization);
+
+// |D|^2 -+ both parts of dD/dt, > 0 outside of the layer, without those that are known to be. `lower`: the
+// node of a real polynomial of the normal form's ring.
+std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const MovingDivisor& moving,
+                                    const Surroundings& surroundings,
+                                    const std::function<Graph::Node(const Polynomial&)>& lower);
 
 // Those of monomials with modes that decay or grow: they matter at the start alone, for what decays is gone
 // before the divisor moves far.
@@ -47,21 +54,9 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
 void add_start_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                       const std::function<Graph::Node(const Polynomial&)>& lower);
 
-// The first corrections of the near-identity map (solve/first_correction.hpp) in which a mode stands that
-// grows, at the start, in units of eps^weight: with terms T |a|^p, |a| its modulus,
-//
-//   |a| sum T^{1/p}
-//
-// so that this times e^chi is about the ratio of one power of the mode in the map to the one before.
-Graph::Node corrections_of(Program& program, const Solution& solution, const Surroundings& surroundings,
-                           std::size_t growing, const std::vector<FlowUnit>& modes,
-                           const std::function<Graph::Node(const Polynomial&)>& lower);
-
-// Adds the margins of solve/first_correction.hpp to program.layers. One that needs a quadrature becomes a
-// condition of every call instead (program.positive), since tables are built only after the layers. modes:
-// divided by eps^weight, at any slow time; `lower`: the node of a real polynomial of the solution's ring.
-void add_corrections(Program& program, const Solution& solution, const Surroundings& surroundings,
-                     const std::vector<FlowUnit>& modes,
-                     const std::function<Graph::Node(const Polynomial&)>& lower);
+// Real and imaginary part of a polynomial, by `lower`, the node of a real one.
+std::pair<Graph::Node, Graph::Node>
+real_and_imaginary(const Ring& ring, const Polynomial& p,
+                   const std::function<Graph::Node(const Polynomial&)>& lower);
 
 } // namespace resonform

@@ -54,8 +54,8 @@ struct ProgramPhase {
     std::vector<Graph::Node> fades_with = {};
     // Of an exponent that grows, in construction values: where this times e^theta exceeds 1, digits are lost.
     Graph::Node growth = -1;
-    // Where its rate may change its sign: lists of nodes of a call. One of each list is > 0, or digits are
-    // lost.
+    // Where its rate, or a divisor of what decays with it, may vanish: lists of nodes of a call. One of each
+    // list is > 0, or digits are lost.
     std::vector<std::vector<Graph::Node>> precision = {};
     [[nodiscard]] bool decays() const { return exponential >= 0; }
     [[nodiscard]] std::vector<Graph::Node> symbols() const {

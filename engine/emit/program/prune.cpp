@@ -118,6 +118,10 @@ std::set<Graph::Node> varying_symbols(const Program& program) {
     return result;
 }
 
+bool varies(const Program& program, Graph::Node n) {
+    return depending(program.graph, varying_symbols(program))[static_cast<std::size_t>(n)];
+}
+
 void prune(Program& program, const std::set<std::string>& kept_inputs) {
     const std::vector<bool> used = needed_nodes(program);
     const auto is_kept = [&](const ProgramInput& i) { return kept_inputs.count(i.name) > 0; };

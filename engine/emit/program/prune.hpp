@@ -16,8 +16,9 @@ std::vector<bool> reachable(const Graph& graph, const std::vector<Graph::Node>& 
 std::vector<bool> depending(const Graph& graph, const std::set<Graph::Node>& sources);
 
 // The symbols whose values differ from call to call: time, slow_time, values of the flow and of tables,
-// cosines, sines.
+// cosines, sines; and whether a node depends on one.
 std::set<Graph::Node> varying_symbols(const Program& program);
+bool varies(const Program& program, Graph::Node n);
 
 // Drops the flow, tables, phases, parameters, start values, conditions and names that outputs, state and
 // declared start values do not need; inputs of these names stay.

@@ -63,11 +63,14 @@ Polynomial slope_in_time(const GradedField& field, const Polynomial& p) {
     return sum(addends);
 }
 
+bool are_proportional(const Polynomial& p, const Polynomial& q) {
+    if (p.empty() || q.empty()) return false;
+    const Rational factor = p.terms().front().coefficient / q.terms().front().coefficient;
+    return p == factor * q;
+}
+
 bool is_multiple_of_growth(const GradedField& field, std::size_t k, const Polynomial& p) {
-    const Polynomial& growth = field.modes[k].growth;
-    if (p.empty() || growth.empty()) return false;
-    const Rational factor = p.terms().front().coefficient / growth.terms().front().coefficient;
-    return p == factor * growth;
+    return are_proportional(p, field.modes[k].growth);
 }
 
 } // namespace resonform

@@ -32,6 +32,9 @@ bool moves_slowly(const GradedField& field, const Polynomial& p);
 // dp/dt along slow variables that are not driven.
 Polynomial slope_in_time(const GradedField& field, const Polynomial& p);
 
+// Whether they differ by a rational factor.
+bool are_proportional(const Polynomial& p, const Polynomial& q);
+
 // Whether p is a multiple of Re lambda of mode k: the divisor of |z|^2 and its like, which are gone where it
 // vanishes.
 bool is_multiple_of_growth(const GradedField& field, std::size_t k, const Polynomial& p);

@@ -341,8 +341,8 @@ template <class Real> struct Interpreter<Real>::Impl {
                 for (std::size_t k = 0; k < phases.size(); ++k)
                     if (!phases[k].precise() && program->phases[k].fades_with.empty() != fading)
                         return plan.phase_names[k].c_str();
-        if (status == Status::low_precision && !plan.growths.empty())
-            return plan.phase_names[plan.growths.front().phase].c_str();
+        if (status == Status::low_precision && plan.loses_digits)
+            return plan.phase_names[*plan.loses_digits].c_str();
         return interval.why(status, shared->conditions.c_str(), shared->results.c_str());
     }
 

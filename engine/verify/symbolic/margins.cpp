@@ -31,6 +31,11 @@ struct MarginAlgebra {
 
 } // namespace
 
+Wide margin_of(const FirstCorrection& correction, const Wide& eps, const std::vector<Wide>& moduli,
+               const std::vector<Wide>& sizes) {
+    return margin_of(MarginAlgebra(), correction, eps, moduli, sizes);
+}
+
 SymbolicMargins::SymbolicMargins(const SymbolicFrame& frame) : frame_(frame) {
     for (const SymbolicCorrection& added : solution().corrections())
         if (added.is_layer && frame.any_moves(added.needs)) corrections_.push_back(&added);
@@ -49,8 +54,7 @@ std::vector<Wide> SymbolicMargins::at(const SymbolicValues<Wide>& values) const 
 Wide SymbolicMargins::of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const {
     Numbers sizes;
     for (const SymbolicSum& p : added.polynomials) sizes.push_back(value_of(p, values).size());
-    return margin_of(MarginAlgebra(), added.correction, frame_.eps, solution().moduli(values, frame_.eps),
-                     sizes);
+    return margin_of(added.correction, frame_.eps, solution().moduli(values, frame_.eps), sizes);
 }
 
 Status SymbolicMargins::keep_clear(const SymbolicIntegral& integral, Wide& reach) const {

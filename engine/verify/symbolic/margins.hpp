@@ -9,6 +9,10 @@
 
 namespace resonform {
 
+// Of a correction whose polynomials have these absolute values (solve/first_correction.hpp).
+Wide margin_of(const FirstCorrection& correction, const Wide& eps, const std::vector<Wide>& moduli,
+               const std::vector<Wide>& sizes);
+
 class SymbolicMargins {
 public:
     explicit SymbolicMargins(const SymbolicFrame& frame); // must outlive it

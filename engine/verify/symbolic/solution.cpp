@@ -3,7 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "algebra/number/functions.hpp"
-#include "emit/program/layers.hpp"
+#include "emit/program/fading.hpp"
 #include "solve/flow/slow_flow.hpp"
 
 #include <fmt/format.h>
@@ -235,8 +235,10 @@ void SymbolicSolution::read_flow() {
             conditions_.push_back({flow.modes[k].either ? SymbolicCondition::Kind::keeps_sign
                                                         : SymbolicCondition::Kind::radicand,
                                    fixed(flow.modes[k].leading_rate(mode))});
+    const std::vector<FadingDivisor> fading = fading_divisors(solution_);
     for (const SymbolicRing::Root& root : ring_->roots())
-        if (root.divisor && !passes_zero(flow, field, ring_->ring().generator(root.id).radicand))
+        if (root.divisor && !passes_zero(flow, field, ring_->ring().generator(root.id).radicand) &&
+            !fades(fading, root.id))
             conditions_.push_back({SymbolicCondition::Kind::keeps_sign, {{1, {{root.id, 1}}}}});
     add_layers([](const Polynomial& p) { return p; });
 }

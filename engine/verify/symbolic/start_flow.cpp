@@ -3,6 +3,7 @@
 #include "emit/program/layers.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 #include "verify/symbolic/map.hpp"
+#include "verify/symbolic/margins.hpp"
 #include "verify/symbolic/start.hpp"
 
 #include <algorithm>
@@ -23,6 +24,11 @@ public:
         physical_ = physical_ || field_.basis.states.empty();
         for (const MovingDivisor& moving : moving_divisors_at_start(normalization))
             layers_.push_back({ring_.fixed()(moving.divisor), ring_.fixed()(moving.rate)});
+        for (FirstCorrection& correction : transient_corrections(solution)) {
+            std::vector<SymbolicSum> polynomials;
+            for (const Polynomial& p : correction.polynomials()) polynomials.push_back(ring_.fixed()(p));
+            corrections_.push_back({std::move(correction), std::move(polynomials)});
+        }
         for (const DriftVariable& drift : field_.drift)
             physical_drift_.push_back(scene.start_of(drift.name) != nullptr);
         if (!physical_) return;
@@ -84,6 +90,7 @@ private:
         for (const SymbolicLayer& layer : layers_)
             for (const Wide& margin : layer.margins(values))
                 if (!(margin > 0)) start.status = Status::outside_domain;
+        if (!corrects_little(now.modes, values, inputs.eps)) start.status = Status::outside_domain;
         start.modes = now.modes;
         for (std::size_t k = 0; k < now.modes.size(); ++k)
             start.mode_spreads.push_back(physical_ ? spread(k, now.modes[k], inputs, values) : Wide(1));
@@ -92,6 +99,19 @@ private:
         for (std::size_t k = 0; k < field_.drift.size(); ++k)
             start.drifts.push_back(drift(k, inputs, values));
         return start;
+    }
+
+    // Whether the first corrections in which modes decay are as small at the start as the others are for
+    // ever.
+    [[nodiscard]] bool corrects_little(const std::vector<WideComplex>& modes,
+                                       const SymbolicValues<Wide>& values, const Wide& eps) const {
+        std::vector<Wide> moduli;
+        for (const WideComplex& mode : modes) moduli.push_back(mode.size());
+        return std::all_of(corrections_.begin(), corrections_.end(), [&](const auto& entry) {
+            std::vector<Wide> sizes;
+            for (const SymbolicSum& p : entry.second) sizes.push_back(value_of(p, values).size());
+            return margin_of(entry.first, eps, moduli, sizes) > 0;
+        });
     }
 
     // Of modes those of lower weight first, as in emitted code: products of them may be as heavy as a mode in
@@ -165,7 +185,8 @@ private:
     const SymbolicRing& ring_;
     bool physical_ = false, inverts_ = false;
     std::vector<bool> physical_drift_;
-    std::vector<SymbolicLayer> layers_; // of transients
+    std::vector<SymbolicLayer> layers_;                                             // of transients
+    std::vector<std::pair<FirstCorrection, std::vector<SymbolicSum>>> corrections_; // and theirs
     SymbolicMap map_;
     SymbolicMap::Shifts inverse_;
     std::vector<std::vector<SymbolicSum>> rows_;
