@@ -283,7 +283,7 @@ void CppStages::know_call(CppFunction& function) {
 }
 
 // Whether modes are followed to where they are (emit/program/passage.hpp), and what is divided by divisors
-// that vanish is gone (emit/program/fading.hpp).
+// that vanish is gone (emit/program/layers.hpp).
 std::string CppStages::passes() {
     if (plan_.precisions.empty()) return "";
     CppFunction function(plan_.code, "Real", "q");

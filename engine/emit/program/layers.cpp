@@ -7,73 +7,13 @@
 #include "solve/flow/slow_flow.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace resonform {
 
 namespace {
 
-const Rational least_divisor = Rational(1) / 10'000; // |D| > 10^-4 eps
-
-// One divisor of each kind D = factor * primitive, the one with the smallest factor > 0.
-enum class Of { all, lasting, transient };
-std::vector<Polynomial> smallest_of_each(const Normalization& normalization, Of which) {
-    std::vector<std::pair<Polynomial, Rational>> known; // primitive, factor
-    for (const DivisorRecord& record : normalization.divisors) {
-        if (record.verdict != DivisorVerdict::removed) continue;
-        const bool transient = has_damped_mode(*normalization.normal_form.field, record.monomial);
-        if (which != Of::all && transient != (which == Of::transient)) continue;
-        const Rational lead = record.divisor.terms().front().coefficient, factor = cln::abs(lead);
-        const Polynomial primitive = (1 / lead) * record.divisor;
-        const auto same = std::find_if(known.begin(), known.end(),
-                                       [&](const auto& entry) { return entry.first == primitive; });
-        if (same == known.end())
-            known.emplace_back(primitive, factor);
-        else
-            same->second = std::min(same->second, factor);
-    }
-    std::vector<Polynomial> divisors;
-    for (const auto& [primitive, factor] : known) divisors.push_back(factor * primitive);
-    return divisors;
-}
-
-// dD/dt by the leading part of each slow rate; nullopt: it is not known.
-std::optional<Polynomial> rate_of(const Polynomial& divisor, const NormalForm& normal_form) {
-    const GradedField& field = *normal_form.field;
-    const Ring& ring = *field.ring;
-    std::vector<Polynomial> addends;
-    for (std::size_t k = 0; k < field.slow.size(); ++k) {
-        if (!ring.derivative_known(divisor, field.slow[k].generator)) return std::nullopt;
-        const Series& rate = normal_form.slow[k];
-        int weight = 0;
-        while (weight < rate.through() && rate.part(weight).empty()) ++weight;
-        addends.push_back(
-            ring.multiply(ring.derivative(divisor, field.slow[k].generator), rate.part(weight)));
-    }
-    return sum(addends);
-}
-
-std::vector<MovingDivisor> moving_of(const Normalization& normalization, Of which) {
-    std::vector<MovingDivisor> moving;
-    for (const Polynomial& divisor : smallest_of_each(normalization, which)) {
-        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
-        if (rate && !rate->empty()) moving.push_back({divisor, *rate});
-    }
-    return moving;
-}
-
-} // namespace
-
-std::pair<Graph::Node, Graph::Node>
-real_and_imaginary(const Ring& ring, const Polynomial& p,
-                   const std::function<Graph::Node(const Polynomial&)>& lower) {
-    const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
-    const Polynomial conjugate = ring.conjugate(p);
-    return {lower(Rational(1) / 2 * (p + conjugate)),
-            lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
-}
-
+// |D|^2 -+ both parts of dD/dt, without those that are known to be positive.
 std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const MovingDivisor& moving,
                                     const Surroundings& surroundings,
                                     const std::function<Graph::Node(const Polynomial&)>& lower) {
@@ -90,26 +30,34 @@ std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const Moving
     return margins;
 }
 
-std::vector<MovingDivisor> moving_divisors(const Normalization& normalization) {
-    return moving_of(normalization, Of::lasting);
+// D^2 + rho^2
+Graph::Node raised_square(Graph& graph, Graph::Node now, Graph::Node start) {
+    const Graph::Node least = graph.rational(cln::expt(Rational(2), -180));
+    return graph.add({graph.power(now, 2), graph.multiply({least, graph.power(start, 2)})});
 }
 
-std::vector<MovingDivisor> moving_divisors_at_start(const Normalization& normalization) {
-    return moving_of(normalization, Of::transient);
+// eps^{2(N + 1)} |D|^{2(p + 1)} - 10^6 e^{2 chi} |D_0|^{2(p + 1)}
+Graph::Node gone(Program& program, int order, int power, Graph::Node square, Graph::Node square_at_start,
+                 const std::vector<int>& product, std::size_t first_decay) {
+    Graph& graph = program.graph;
+    std::vector<Graph::Node> left{graph.rational(-1'000'000), graph.power(square_at_start, power + 1)};
+    for (std::size_t k = 0; k < product.size(); ++k)
+        if (product[k] != 0)
+            left.push_back(graph.power(program.phases[first_decay + k].exponential, 2 * product[k]));
+    return graph.add(
+        {graph.multiply({graph.power(program.eps, 2 * (order + 1)), graph.power(square, power + 1)}),
+         graph.multiply(left)});
 }
 
-std::vector<StandingDivisor> standing_divisors(const Normalization& normalization) {
-    const GradedField& field = *normalization.normal_form.field;
-    const Ring& ring = *field.ring;
-    const Polynomial eps = ring.gen(field.eps, ring.weights_in_one());
-    const Polynomial floor = (least_divisor * least_divisor) * ring.multiply(eps, eps);
-    std::vector<StandingDivisor> standing;
-    for (const Polynomial& divisor : smallest_of_each(normalization, Of::all)) {
-        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
-        if (rate && rate->empty())
-            standing.push_back({divisor, ring.multiply(divisor, ring.conjugate(divisor)) - floor});
-    }
-    return standing;
+} // namespace
+
+std::pair<Graph::Node, Graph::Node>
+real_and_imaginary(const Ring& ring, const Polynomial& p,
+                   const std::function<Graph::Node(const Polynomial&)>& lower) {
+    const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
+    const Polynomial conjugate = ring.conjugate(p);
+    return {lower(Rational(1) / 2 * (p + conjugate)),
+            lower(ring.multiply(turned_back, Rational(1) / 2 * (p - conjugate)))};
 }
 
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
@@ -121,7 +69,7 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
             if (varies(program, margin)) program.layers.push_back({margin, quantity(ring, moving.divisor)});
     }
     const Graph::Node largest =
-        graph.rational(least_divisor * least_divisor / 4); // (10^-4 eps)^2 at eps = 1/2
+        graph.rational(least_divisor() * least_divisor() / 4); // (10^-4 eps)^2 at eps = 1/2
     for (const StandingDivisor& standing : standing_divisors(normalization)) {
         const Graph::Node square = lower(ring.multiply(standing.divisor, ring.conjugate(standing.divisor)));
         const Graph::Node rest = graph.add({square, graph.negate(largest)});
@@ -136,6 +84,32 @@ void add_start_layers(Program& program, const Normalization& normalization, cons
     for (const MovingDivisor& moving : moving_divisors_at_start(normalization))
         for (const Graph::Node margin : margins_of(program.graph, ring, moving, surroundings, lower))
             program.positive.push_back({margin, quantity(ring, moving.divisor)});
+}
+
+Graph::Node inverse_of(Graph& graph, Graph::Node now, Graph::Node start) {
+    return graph.multiply({now, graph.power(raised_square(graph, now, start), -1)});
+}
+
+void add_fading(Program& program, const Solution& solution, const Surroundings& surroundings,
+                const FadingDivisor& fading, const std::function<Graph::Node(const Polynomial&)>& start,
+                const std::function<Graph::Node(const Polynomial&)>& now) {
+    Graph& graph = program.graph;
+    const Ring& ring = *solution.normalization->normal_form.field->ring;
+    const Polynomial& divisor = fading.moving.divisor; // real, as a radicand is
+    const Graph::Node moves = now(divisor), begins = start(divisor);
+    std::vector<Graph::Node> clear = margins_of(graph, ring, fading.moving, surroundings, now);
+    clear.push_back(graph.multiply({begins, moves}));
+    const std::size_t first_decay = solution.flow->phases.size();
+    for (const std::vector<int>& product : fading.products) {
+        const auto decay = static_cast<std::size_t>(
+            std::find_if(product.begin(), product.end(), [](int times) { return times != 0; }) -
+            product.begin());
+        const Graph::Node harmless =
+            gone(program, solution.order, fading.power, raised_square(graph, moves, begins),
+                 graph.power(begins, 2), product, first_decay);
+        for (const Graph::Node margin : clear)
+            program.phases[first_decay + decay].precision.push_back({margin, harmless});
+    }
 }
 
 } // namespace resonform

@@ -6,41 +6,27 @@
 //
 // This is |D| <~ sqrt(eps) where D passes zero; of a frequency omega = D itself it is |d(1/omega)/dt| >= 1.
 // Nor is it valid where amplitudes have grown too large for its map (emit/program/corrections.hpp).
+//
+// A divisor of products that decay may vanish when these are gone (solve/flow/small_divisors.hpp). While it
+// keeps its sign outside of its layer, the map is as good as any other. Behind it terms are still right where
+// e^chi of their product, relative to the start, is small beyond all powers of eps; only near the zero 1/D is
+// larger. Of a term with 1/D^p that was no more than the mode itself at the start is left, with one power
+// more for the rounding of D,
+//
+//   e^chi |D_0/D|^{p + 1}
+//
+// and it does no harm below eps^{N + 1}/1000. Where neither holds, the status is low_precision. To have a
+// number where D = 0, 1/D is computed as D/(D^2 + rho^2) with rho = 2^-90 D_0, and (D^2 + rho^2)^{1/2} stands
+// for D above.
 #pragma once
 
 #include "emit/program/flow_moment.hpp"
-#include "solve/solution.hpp"
+#include "solve/flow/small_divisors.hpp"
 
 #include <functional>
 #include <utility>
 
 namespace resonform {
-
-// A divisor D that moves, and dD/dt by the leading parts of the slow rates, in the normal form's ring; of
-// divisors that differ by a factor the smallest.
-struct MovingDivisor {
-    Polynomial divisor, rate;
-};
-std::vector<MovingDivisor> moving_divisors(const Normalization& normalization);
-
-// |D|^2 -+ both parts of dD/dt, > 0 outside of the layer, without those that are known to be. `lower`: the
-// node of a real polynomial of the normal form's ring.
-std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const MovingDivisor& moving,
-                                    const Surroundings& surroundings,
-                                    const std::function<Graph::Node(const Polynomial&)>& lower);
-
-// Those of monomials with modes that decay or grow: they matter at the start alone, for what decays is gone
-// before the divisor moves far.
-std::vector<MovingDivisor> moving_divisors_at_start(const Normalization& normalization);
-
-// A constant divisor is as good as zero where the phase D t stays small on t <= 1/eps: then the monomial that
-// was divided by it cancels against its start value, but only in exact arithmetic. It must satisfy
-// margin = |D|^2 - (10^-4 eps)^2 > 0, so that two divisions by D leave eight digits of the real type. Of
-// divisors that differ by a factor, only the smallest.
-struct StandingDivisor {
-    Polynomial divisor, margin;
-};
-std::vector<StandingDivisor> standing_divisors(const Normalization& normalization);
 
 // Adds the margins D^2 - dD/dt and D^2 + dD/dt of all moving divisors, > 0 outside of the layers, to
 // program.layers. `lower`: the node of a real polynomial of the normal form's ring at any slow time. Divisors
@@ -53,6 +39,15 @@ void add_layers(Program& program, const Normalization& normalization, const Surr
 // Adds the margins of moving_divisors_at_start to program.positive. `lower`: the node at t = 0.
 void add_start_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
                       const std::function<Graph::Node(const Polynomial&)>& lower);
+
+// 1/D of such a divisor for the outputs, by the nodes of D at any slow time and at t = 0.
+Graph::Node inverse_of(Graph& graph, Graph::Node now, Graph::Node start);
+
+// Adds what leaves the outputs their digits to a phase of the program, which has all phases of the flow.
+// start, now: the node of a real polynomial of the normal form's ring at t = 0 and at any slow time.
+void add_fading(Program& program, const Solution& solution, const Surroundings& surroundings,
+                const FadingDivisor& fading, const std::function<Graph::Node(const Polynomial&)>& start,
+                const std::function<Graph::Node(const Polynomial&)>& now);
 
 // Real and imaginary part of a polynomial, by `lower`, the node of a real one.
 std::pair<Graph::Node, Graph::Node>

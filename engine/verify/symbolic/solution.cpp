@@ -3,8 +3,8 @@
 
 #include "algebra/number/error.hpp"
 #include "algebra/number/functions.hpp"
-#include "emit/program/fading.hpp"
 #include "solve/flow/slow_flow.hpp"
+#include "solve/flow/small_divisors.hpp"
 
 #include <fmt/format.h>
 

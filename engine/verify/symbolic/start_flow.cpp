@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/program/flow_start.hpp"
-#include "emit/program/layers.hpp"
 #include "normalize/recursion/inverse_map.hpp"
+#include "solve/first_correction.hpp"
+#include "solve/flow/small_divisors.hpp"
 #include "verify/symbolic/map.hpp"
 #include "verify/symbolic/margins.hpp"
 #include "verify/symbolic/start.hpp"

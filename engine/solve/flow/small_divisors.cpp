@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/program/fading.hpp"
+#include "solve/flow/small_divisors.hpp"
 
 #include "solve/flow/passage.hpp"
 #include "solve/flow/slow_flow.hpp"
@@ -11,6 +11,53 @@
 namespace resonform {
 
 namespace {
+
+// One divisor of each kind D = factor * primitive, the one with the smallest factor > 0.
+enum class Of { all, lasting, transient };
+std::vector<Polynomial> smallest_of_each(const Normalization& normalization, Of which) {
+    std::vector<std::pair<Polynomial, Rational>> known; // primitive, factor
+    for (const DivisorRecord& record : normalization.divisors) {
+        if (record.verdict != DivisorVerdict::removed) continue;
+        const bool transient = has_damped_mode(*normalization.normal_form.field, record.monomial);
+        if (which != Of::all && transient != (which == Of::transient)) continue;
+        const Rational lead = record.divisor.terms().front().coefficient, factor = cln::abs(lead);
+        const Polynomial primitive = (1 / lead) * record.divisor;
+        const auto same = std::find_if(known.begin(), known.end(),
+                                       [&](const auto& entry) { return entry.first == primitive; });
+        if (same == known.end())
+            known.emplace_back(primitive, factor);
+        else
+            same->second = std::min(same->second, factor);
+    }
+    std::vector<Polynomial> divisors;
+    for (const auto& [primitive, factor] : known) divisors.push_back(factor * primitive);
+    return divisors;
+}
+
+// dD/dt by the leading part of each slow rate; nullopt: it is not known.
+std::optional<Polynomial> rate_of(const Polynomial& divisor, const NormalForm& normal_form) {
+    const GradedField& field = *normal_form.field;
+    const Ring& ring = *field.ring;
+    std::vector<Polynomial> addends;
+    for (std::size_t k = 0; k < field.slow.size(); ++k) {
+        if (!ring.derivative_known(divisor, field.slow[k].generator)) return std::nullopt;
+        const Series& rate = normal_form.slow[k];
+        int weight = 0;
+        while (weight < rate.through() && rate.part(weight).empty()) ++weight;
+        addends.push_back(
+            ring.multiply(ring.derivative(divisor, field.slow[k].generator), rate.part(weight)));
+    }
+    return sum(addends);
+}
+
+std::vector<MovingDivisor> moving_of(const Normalization& normalization, Of which) {
+    std::vector<MovingDivisor> moving;
+    for (const Polynomial& divisor : smallest_of_each(normalization, which)) {
+        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
+        if (rate && !rate->empty()) moving.push_back({divisor, *rate});
+    }
+    return moving;
+}
 
 class Fading {
 public:
@@ -102,26 +149,31 @@ private:
     const Ring& ring_;
 };
 
-// D^2 + rho^2
-Graph::Node raised_square(Graph& graph, Graph::Node now, Graph::Node start) {
-    const Graph::Node least = graph.rational(cln::expt(Rational(2), -180));
-    return graph.add({graph.power(now, 2), graph.multiply({least, graph.power(start, 2)})});
-}
-
-// eps^{2(N + 1)} |D|^{2(p + 1)} - 10^6 e^{2 chi} |D_0|^{2(p + 1)}
-Graph::Node gone(Program& program, int order, int power, Graph::Node square, Graph::Node square_at_start,
-                 const std::vector<int>& product, std::size_t first_decay) {
-    Graph& graph = program.graph;
-    std::vector<Graph::Node> left{graph.rational(-1'000'000), graph.power(square_at_start, power + 1)};
-    for (std::size_t k = 0; k < product.size(); ++k)
-        if (product[k] != 0)
-            left.push_back(graph.power(program.phases[first_decay + k].exponential, 2 * product[k]));
-    return graph.add(
-        {graph.multiply({graph.power(program.eps, 2 * (order + 1)), graph.power(square, power + 1)}),
-         graph.multiply(left)});
-}
-
 } // namespace
+
+std::vector<MovingDivisor> moving_divisors(const Normalization& normalization) {
+    return moving_of(normalization, Of::lasting);
+}
+
+std::vector<MovingDivisor> moving_divisors_at_start(const Normalization& normalization) {
+    return moving_of(normalization, Of::transient);
+}
+
+std::vector<StandingDivisor> standing_divisors(const Normalization& normalization) {
+    const GradedField& field = *normalization.normal_form.field;
+    const Ring& ring = *field.ring;
+    const Polynomial eps = ring.gen(field.eps, ring.weights_in_one());
+    const Polynomial floor = (least_divisor() * least_divisor()) * ring.multiply(eps, eps);
+    std::vector<StandingDivisor> standing;
+    for (const Polynomial& divisor : smallest_of_each(normalization, Of::all)) {
+        const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
+        if (rate && rate->empty())
+            standing.push_back({divisor, ring.multiply(divisor, ring.conjugate(divisor)) - floor});
+    }
+    return standing;
+}
+
+Rational least_divisor() { return Rational(1) / 10'000; }
 
 std::vector<FadingDivisor> fading_divisors(const Solution& solution) {
     return solution.flow ? Fading(solution).all() : std::vector<FadingDivisor>();
@@ -130,32 +182,6 @@ std::vector<FadingDivisor> fading_divisors(const Solution& solution) {
 bool fades(const std::vector<FadingDivisor>& fading, GeneratorId generator) {
     return std::any_of(fading.begin(), fading.end(),
                        [&](const FadingDivisor& divisor) { return divisor.generator == generator; });
-}
-
-Graph::Node inverse_of(Graph& graph, Graph::Node now, Graph::Node start) {
-    return graph.multiply({now, graph.power(raised_square(graph, now, start), -1)});
-}
-
-void add_fading(Program& program, const Solution& solution, const Surroundings& surroundings,
-                const FadingDivisor& fading, const std::function<Graph::Node(const Polynomial&)>& start,
-                const std::function<Graph::Node(const Polynomial&)>& now) {
-    Graph& graph = program.graph;
-    const Ring& ring = *solution.normalization->normal_form.field->ring;
-    const Polynomial& divisor = fading.moving.divisor; // real, as a radicand is
-    const Graph::Node moves = now(divisor), begins = start(divisor);
-    std::vector<Graph::Node> clear = margins_of(graph, ring, fading.moving, surroundings, now);
-    clear.push_back(graph.multiply({begins, moves}));
-    const std::size_t first_decay = solution.flow->phases.size();
-    for (const std::vector<int>& product : fading.products) {
-        const auto decay = static_cast<std::size_t>(
-            std::find_if(product.begin(), product.end(), [](int times) { return times != 0; }) -
-            product.begin());
-        const Graph::Node harmless =
-            gone(program, solution.order, fading.power, raised_square(graph, moves, begins),
-                 graph.power(begins, 2), product, first_decay);
-        for (const Graph::Node margin : clear)
-            program.phases[first_decay + decay].precision.push_back({margin, harmless});
-    }
 }
 
 } // namespace resonform

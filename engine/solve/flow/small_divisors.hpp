@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The small divisors of a normal form by what becomes of them: they move in slow time or stand, and may
+// divide products only that decay.
+#pragma once
+
+#include "solve/solution.hpp"
+
+#include <vector>
+
+namespace resonform {
+
+// A divisor D that moves, and dD/dt by the leading parts of the slow rates, in the normal form's ring; of
+// divisors that differ by a factor the smallest.
+struct MovingDivisor {
+    Polynomial divisor, rate;
+};
+std::vector<MovingDivisor> moving_divisors(const Normalization& normalization);
+
+// Those of monomials with modes that decay or grow: they matter at the start alone, for what decays is gone
+// before the divisor moves far.
+std::vector<MovingDivisor> moving_divisors_at_start(const Normalization& normalization);
+
+// A constant divisor is as good as zero where the phase D t stays small on t <= 1/eps: then the monomial that
+// was divided by it cancels against its start value, but only in exact arithmetic. It must satisfy
+// margin = |D|^2 - (10^-4 eps)^2 > 0, so that two divisions by D leave eight digits of the real type. Of
+// divisors that differ by a factor, only the smallest.
+struct StandingDivisor {
+    Polynomial divisor, margin;
+};
+std::vector<StandingDivisor> standing_divisors(const Normalization& normalization);
+
+Rational least_divisor(); // 10^-4, in units of eps
+
+// A moving divisor that stands in no rate, and in outputs only beside modes that decay:
+//
+//   u' = -(1 + s) u,   y' = -2 y + u^2,   s' = -eps:     y = z_2 - z_1^2/(2 s) + ...
+//
+// What the equations divide by is none of them.
+struct FadingDivisor {
+    GeneratorId generator; // whose powers 1/D is
+    MovingDivisor moving;
+    int power;                              // the highest one of 1/D
+    std::vector<std::vector<int>> products; // e^{<product, chi>} multiplies it, with the decays of the flow
+};
+
+// The moving divisors that stand in no rate, and in outputs only beside modes that decay. What the equations
+// divide by is none of them.
+std::vector<FadingDivisor> fading_divisors(const Solution& solution);
+bool fades(const std::vector<FadingDivisor>& fading, GeneratorId generator);
+
+} // namespace resonform
