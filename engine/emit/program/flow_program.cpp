@@ -147,7 +147,7 @@ void FlowProgram::define_slow(std::size_t k) {
 
 // Moving small divisors must keep the sign that they start with: a change crosses a resonance surface. But
 // for those of what is gone by then: of a mode that passes (emit/program/passage.hpp), and of products that
-// decay (solve/flow/small_divisors.hpp).
+// decay (solve/small_divisors.hpp).
 void FlowProgram::keep_signs() {
     const FlowMoment at_start(program_, real_, surroundings_, start_, false);
     for (GeneratorId id = 0; id < real_.ring()->size(); ++id) {

@@ -7,7 +7,7 @@
 // This is |D| <~ sqrt(eps) where D passes zero; of a frequency omega = D itself it is |d(1/omega)/dt| >= 1.
 // Nor is it valid where amplitudes have grown too large for its map (emit/program/corrections.hpp).
 //
-// A divisor of products that decay may vanish when these are gone (solve/flow/small_divisors.hpp). While it
+// A divisor of products that decay may vanish when these are gone (solve/small_divisors.hpp). While it
 // keeps its sign outside of its layer, the map is as good as any other. Behind it terms are still right where
 // e^chi of their product, relative to the start, is small beyond all powers of eps; only near the zero 1/D is
 // larger. Of a term with 1/D^p that was no more than the mode itself at the start is left, with one power
@@ -21,7 +21,7 @@
 #pragma once
 
 #include "emit/program/flow_moment.hpp"
-#include "solve/flow/small_divisors.hpp"
+#include "solve/small_divisors.hpp"
 
 #include <functional>
 #include <utility>

@@ -4,7 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "algebra/number/functions.hpp"
 #include "solve/flow/slow_flow.hpp"
-#include "solve/flow/small_divisors.hpp"
+#include "solve/small_divisors.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "emit/program/flow_start.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 #include "solve/first_correction.hpp"
-#include "solve/flow/small_divisors.hpp"
+#include "solve/small_divisors.hpp"
 #include "verify/symbolic/map.hpp"
 #include "verify/symbolic/margins.hpp"
 #include "verify/symbolic/start.hpp"

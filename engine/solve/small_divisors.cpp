@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/flow/small_divisors.hpp"
+#include "solve/small_divisors.hpp"
 
 #include "solve/flow/passage.hpp"
 #include "solve/flow/slow_flow.hpp"
