@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values of normal forms in double precision, by what their generators mean: they compare forms over
-// different rings. What has no value of its own (modes, slow variables, functions known by name) gets one by
-// its name.
+// different rings. What is given no value (modes, slow variables, functions known by name) gets one by its
+// name.
 #pragma once
 
 #include "algebra/number/functions.hpp"
@@ -22,8 +22,9 @@ class PointInDoubles {
 public:
     using Value = std::complex<double>;
 
-    PointInDoubles(const Ring& ring, const std::map<std::string, double>& parameters) : ring_(ring) {
-        for (GeneratorId id = 0; id < ring.size(); ++id) values_.push_back(value_of(id, parameters));
+    // given: of every parameter, and of slow variables.
+    PointInDoubles(const Ring& ring, const std::map<std::string, double>& given) : ring_(ring) {
+        for (GeneratorId id = 0; id < ring.size(); ++id) values_.push_back(value_of(id, given));
     }
 
     [[nodiscard]] Value operator()(const Polynomial& p) const {
@@ -45,7 +46,7 @@ private:
         return 1 + std::sin(phase) / 2;
     }
 
-    [[nodiscard]] Value value_of(GeneratorId id, const std::map<std::string, double>& parameters) const {
+    [[nodiscard]] Value value_of(GeneratorId id, const std::map<std::string, double>& given) const {
         const Generator& g = ring_.generator(id);
         switch (g.kind) {
         case GeneratorKind::imaginary: return {0, 1};
@@ -53,11 +54,14 @@ private:
             if (g.conjugate < 0) return by_name(g.name);
             if (g.conjugate < id) return std::conj(values_[static_cast<std::size_t>(g.conjugate)]);
             return std::polar(by_name(g.name), by_name(g.name + "'"));
-        case GeneratorKind::parameter: return parameters.at(g.name);
+        case GeneratorKind::parameter: return given.at(g.name);
         case GeneratorKind::phase: return std::polar(1.0, by_name(g.name));
         case GeneratorKind::root: return std::pow((*this)(g.radicand).real(), 1.0 / g.index);
         case GeneratorKind::function: return function(g.of);
-        default: return by_name(g.name);
+        default: {
+            const auto found = given.find(g.name);
+            return found == given.end() ? by_name(g.name) : found->second;
+        }
         }
     }
 
