@@ -82,6 +82,7 @@ FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run,
 int points_needed(double bound, const System& system) {
     if (!(bound < 0.1))
         refuse(
+            Reason::size,
             {"one random point of the certificate leaves an error probability below 0.1",
              fmt::format("{:.2g}", bound),
              "ask for a lower order, or write fewer functions, powers and quotients inside of one another: "

@@ -194,6 +194,12 @@ bool concerns_symbols(const Error& error) {
     }
 }
 
+// About how the coefficients are written, not what they say.
+bool hangs_on_form(const Error& error) {
+    const Reason reason = error.diagnostic().reason;
+    return reason == Reason::undecided || reason == Reason::size;
+}
+
 } // namespace
 
 SceneLine solve_scene(Scene scene, Watch& watch) {
@@ -209,9 +215,8 @@ SceneLine solve_scene(Scene scene, Watch& watch) {
     try {
         return solve_as_given(with_fix_put_in(std::move(scene)), watch);
     } catch (const Error& error) {
-        // A definite refusal with symbols tells the user more than "undecided" with numbers.
-        const bool undecided = error.diagnostic().reason == Reason::undecided;
-        if (undecided && with_symbols->diagnostic().reason != Reason::undecided) throw *with_symbols;
+        // A definite refusal with symbols tells the user more than "undecided" or too large numbers.
+        if (hangs_on_form(error) && !hangs_on_form(*with_symbols)) throw *with_symbols;
         throw;
     }
 }

@@ -35,7 +35,8 @@ Polynomial leading_rate(const NormalForm& normal_form) {
     Polynomial rate;
     for (const RateTerm& t : real_parts(*normal_form.field->ring, oscillator_rate(normal_form))) {
         if (t.k == 0 && t.c == 0)
-            refuse({"an oscillator is undamped at weight 0",
+            refuse(Reason::too_fast,
+                   {"an oscillator is undamped at weight 0",
                     normal_form.field->modes.front().name + " has a growth rate at weight 1",
                     "multiply the damping by eps",
                     {}});

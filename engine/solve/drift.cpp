@@ -20,10 +20,10 @@ void solve_drift(Draft& draft) {
             const Polynomial part = Substitution(draft, through).rate_part(rate, n);
             if (part.empty()) continue;
             if (n == 0)
-                refuse({"the drift variable does not move slowly: its rate is not O(eps)",
-                        name + " has a rate of weight 0",
-                        "multiply its rate by eps",
-                        {}});
+                refuse(Reason::too_fast, {"the drift variable does not move slowly: its rate is not O(eps)",
+                                          name + " has a rate of weight 0",
+                                          "multiply its rate by eps",
+                                          {}});
             const GeneratorId eps = draft.solution.eps;
             const Polynomial over_slow_time = *quotient_in_ring(draft.ring(), part, draft.ring().gen(eps, n));
             const Polynomial integral = draft.integrate(over_slow_time, fmt::format("Q_{}{}", name, n - 1));

@@ -187,7 +187,8 @@ void Neglected::spread() {
             if (error.power < far && lower(quantities_[i.on].error, error + i.times)) moved = true;
         }
         if (moved && round > quantities_.size())
-            refuse({"neighbouring solutions of the slow flow part by a bounded power of 1/eps",
+            refuse(Reason::too_fast,
+                   {"neighbouring solutions of the slow flow part by a bounded power of 1/eps",
                     fmt::format("errors feed on each other within t = O(1/eps^{})", formula_.time_power),
                     "shorten verify.interval",
                     {}});

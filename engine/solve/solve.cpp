@@ -54,7 +54,8 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
                  {system.file.string(), 0, 0, "equations", ""}});
     for (const NamedFunction& f : system.functions)
         if (f.data != nullptr && f.data->degree < options.truncation + 1)
-            refuse({fmt::format(
+            refuse(Reason::not_smooth,
+                   {fmt::format(
                         "data are smooth enough: a spline of degree d has an error of eps^d, and weights "
                         "through {} ask for degree {}",
                         options.truncation, (options.truncation + 1) | 1),

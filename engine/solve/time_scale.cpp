@@ -17,7 +17,8 @@ void check_time_scale(const Solution& solution, const Scene& scene) {
     const NormalForm& normal_form = solution.normalization->normal_form;
     const auto require = [&](std::optional<int> power, const std::string& what) {
         if (power && *power < p)
-            refuse({"on a time scale beyond 1/eps slow flow and drifts go a finite way",
+            refuse(Reason::too_fast,
+                   {"on a time scale beyond 1/eps slow flow and drifts go a finite way",
                     fmt::format("time_scale = {}, {} of order eps^{}", p, what, *power),
                     fmt::format("use time_scale = {}, or give the truncation yourself", *power),
                     scene.time_scale_place});

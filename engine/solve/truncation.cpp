@@ -71,7 +71,8 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
     const int p = scene.time_scale.value_or(1);
     for (const SlowVariable& slow : field.slow)
         if (p >= 2 && has_explicit_law(field, slow))
-            refuse({"on a time scale beyond 1/eps the slow variables stay in a compact set",
+            refuse(Reason::too_fast,
+                   {"on a time scale beyond 1/eps the slow variables stay in a compact set",
                     fmt::format("time_scale = {}, {}' = O(eps) of constant sign", p, slow.name),
                     "use time_scale = 1, or give the truncation yourself", scene.time_scale_place});
     const auto [truncation, formula] = counted(field, scene, p);

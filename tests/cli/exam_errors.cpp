@@ -130,6 +130,7 @@ TEST_F(Errors, OfOrdersHaveALine) {
           "order = 2\n\ntime_scale = 2\n" + begins + "s = 1\n");
     const Json driven = document("evaluate systems/slow/scenes/s.toml --eps 0.1 --t 1", 3);
     EXPECT_EQ(driven["rule"], "on a time scale beyond 1/eps the slow variables stay in a compact set");
+    EXPECT_EQ(driven["reason"], "too_fast");
     EXPECT_EQ(driven["key"], "time_scale");
     EXPECT_EQ(driven["line"], 3);
     write(scratch_.path() / "systems/slow/system.toml",
@@ -181,6 +182,47 @@ TEST_F(Errors, HaveAReasonOfTheList) {
     write(scratch_.path() / "systems/bad/system.toml", oscillator + "x = \"x'' + x = 0\"\n[domian]\n");
     EXPECT_EQ(document("derive bad")["reason"], "name");
     EXPECT_EQ(document("derive duffing --stage manifold", 3)["reason"], "unsupported");
+}
+
+// What mathematics refuses, in a word for each cause.
+TEST_F(Errors, SayWhyASystemIsRefused) {
+    equation("x'' + 2*x' + x + x^3 = 0");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "not_semisimple");
+    equation("x'' + x + x*acosh(1 + x) = 0");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "singular");
+    const auto system = [&](const std::string& variables, const std::string& equations) {
+        write(scratch_.path() / "systems/bad/system.toml",
+              "[system]\nname = \"bad\"\n[variables]\n" + variables + "[equations]\n" + equations);
+    };
+    system("x = { role = \"fast\", weight = 0 }\n", "x = \"x' = -x - x^2\"\n");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "nonlinear_layer");
+    system("p = { role = \"angle\" }\n", "p = \"p' = 2 + sin(p)\"\n");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "nonlinear_layer");
+    system("x = { role = \"fast\", weight = 2 }\ny = { role = \"fast\" }\n",
+           "x = \"x' = -x + eps\"\ny = \"y'' + y + x = 0\"\n");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "too_fast");
+    system("x = { role = \"fast\" }\np = { role = \"angle\" }\n",
+           "x = \"x'' + x = eps*cos(p)\"\np = \"p' = 1\"\n");
+    EXPECT_EQ(document("derive bad", 3)["reason"], "resonance");
+}
+
+// ... and a solution, of what can be derived.
+TEST_F(Errors, SayWhyASceneIsRefused) {
+    const std::string scene = "systems/bad/scenes/s.toml",
+                      evaluate = "evaluate " + scene + " --eps 0.1 --t 1";
+    write(scratch_.path() / scene, "order = 1\n[start]\nx = 0\n\"x'\" = \"eps\"\n");
+    equation("x'' + 2*x' + x + x^3 = 0\"\n[normal_form]\nstyle = \"inner_product");
+    EXPECT_EQ(document(evaluate, 3)["reason"], "not_semisimple");
+    write(scratch_.path() / "systems/bad/system.toml",
+          "[system]\nname = \"bad\"\n[functions]\nf = { of = [\"s\"], positive = true }\n[variables]\ns = { "
+          "role = "
+          "\"slow\" }\nx = { role = \"fast\" }\n[equations]\ns = \"s' = eps\"\nx = \"x'' + f(s)*x = 0\"\n");
+    write(scratch_.path() / "systems/bad/scenes/f.csv",
+          "s,f\n0,1\n0.5,1.1\n1,1.2\n1.5,1.3\n2,1.4\n2.5,1.5\n3,1.6\n");
+    write(scratch_.path() / scene,
+          "order = 3\n[functions]\nf = { data = \"f.csv\", columns = [\"s\", \"f\"], degree = 3 }\n"
+          "[start]\ns = 0\nx = 0\n\"x'\" = \"eps\"\n");
+    EXPECT_EQ(document(evaluate, 3)["reason"], "not_smooth");
 }
 
 TEST_F(Errors, OfTheLimits) {

@@ -149,6 +149,13 @@ TEST_F(FixedFirst, WhatIsLeftIsSaid) {
     const Outcome pole = said("evaluate systems/s/scenes/a.toml --eps 0.1 --t 1");
     EXPECT_EQ(pole.code, 2);
     EXPECT_NE(pole.err.find("the values of [fix] make no denominator zero"), std::string::npos) << pole.err;
+    // Of numbers exp(-k^2) and tanh(k) have no common part; that is not why there is no solution.
+    files("k = {}\n",
+          {{"x", "fast", "x'' + 2*x' + x + tanh(k)*exp(-k^2)*x^3 = 0", "x = \"eps\"\n\"x'\" = 0"}},
+          "k = 1.48561\n");
+    const Outcome critical = said("evaluate systems/s/scenes/a.toml --eps 0.1 --t 1");
+    EXPECT_EQ(critical.code, 3);
+    EXPECT_NE(critical.err.find("at critical damping it is not"), std::string::npos) << critical.err;
 }
 
 } // namespace resonform::test

@@ -54,7 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "sin(a*(b + tau)) = sin(a*b + a*tau)", "exp(sin(2*tau)) = exp(sin(tau)*cos(tau))^2",
                       "1/(1 + tau) = exp(-log(1 + tau))", "sqrt(2 + cos(2*tau))^2 = 1 + 2*cos(tau)^2",
                       "omega(tau)*omega(a)/omega(tau) = omega(a)",
-                      "exp(tau)/(1 + exp(2*tau)) = 1/(2*cosh(tau))"));
+                      "exp(tau)/(1 + exp(2*tau)) = 1/(2*cosh(tau))", "sin(1.51968)^2 = 1 - cos(1.51968)^2",
+                      "cos(3.03936) = 2*cos(1.51968)^2 - 1"));
 
 // What the ring cannot decide it does not claim.
 TEST(Functions, DependentOnesAreNotCanonical) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/random_scene.hpp"
 
-#include "fuzz/draw.hpp"
+#include "fuzz/drawn_expression.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -59,8 +59,8 @@ private:
     void write_drifts();
     void write_plan();
 
-    std::string decimal(double low, double high);
-    std::string number(double low, double high);
+    std::string decimal(double low, double high) { return test::decimal(draw_, low, high); }
+    std::string number(double low, double high) { return test::number(draw_, low, high); }
     std::string parameter(double low, double high, bool positive);
     std::string coefficient(double low, double high);
     std::string monomial(int degree);
@@ -81,24 +81,6 @@ private:
     std::string parameters_, variables_, equations_, relations_, domain_, hamiltonian_, style_, fix_, start_,
         ladder_, roles_;
 };
-
-// 1 to 20 digits.
-std::string SceneWriter::decimal(double low, double high) {
-    constexpr int rounded = 3; // digits that keep it between low and high
-    const int digits = 1 + draw_.pick(20);
-    std::string text = fmt::format("{:.{}g}", draw_.uniform(low, high), std::min(digits, rounded));
-    if (digits <= rounded) return text;
-    if (text.find('.') == std::string::npos) text += ".";
-    for (int k = rounded; k < digits; ++k)
-        text += std::to_string(k + 1 < digits ? draw_.pick(10) : 1 + draw_.pick(9));
-    return text;
-}
-
-// As it may stand in an equation or, in quotes, under [fix].
-std::string SceneWriter::number(double low, double high) {
-    static const Texts exact = {"sqrt(2)", "1/sqrt(3)", "(1 + sqrt(5))/2", "2/3", "7/5", "1"};
-    return draw_.chance(4) ? draw_.any(exact) : decimal(low, high);
-}
 
 std::string SceneWriter::parameter(double low, double high, bool positive) {
     static const Texts transcendental = {"pi/3", "1 + log(2)/3", "exp(1/3)", "cos(1)", "sqrt(2 + sqrt(3))/2"};

@@ -80,6 +80,18 @@ TEST(GeneralModes, SymbolsOfUnknownSignAreDividedBy) {
     }
 }
 
+// Two rates that hold roots are known as they are written, without a root of the square of their difference.
+TEST(GeneralModes, RatesThatHoldRootsAreKnown) {
+    for (const std::string f : {"3/2/sqrt(2 + (k - 1/3)^2)", "(3 + 2*sin(7/10))/2", "1/(2 + sqrt(3))"}) {
+        const Normalization n =
+            normalized({"y = { role = \"fast\" }\n",
+                        "y = \"y'' = -(" + f + " + 2)*y' - " + f + "*2*y + y*y'\"\n", "k = {}\n", ""},
+                       3);
+        const std::vector<Mode>& modes = n.normal_form.field->modes;
+        EXPECT_TRUE(modes[0].growth == number(-2) || modes[1].growth == number(-2)) << f;
+    }
+}
+
 TEST(GeneralModes, DampedOscillatorIsLinearised) {
     const Normalization n =
         normalized({"x = { role = \"fast\" }\n", "x = \"x'' + 2*d*x' + w2*x + x^3 + x^2*x' = 0\"\n",

@@ -14,7 +14,7 @@ using namespace resonform::testing;
 namespace {
 
 void expect_error(const std::string& toml, int order, int truncation, ErrorKind kind,
-                  const std::string& value, const std::string& hint) {
+                  const std::string& value, const std::string& hint, Reason reason = Reason::by_kind) {
     const auto normalization = std::make_shared<const Normalization>(
         normalize_poincare(field_of(read_system_text(toml, "test.toml")), truncation));
     try {
@@ -22,6 +22,7 @@ void expect_error(const std::string& toml, int order, int truncation, ErrorKind 
         FAIL() << "accepted";
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), kind);
+        EXPECT_EQ(e.diagnostic().reason, reason);
         EXPECT_EQ(e.diagnostic().value, value);
         EXPECT_EQ(e.diagnostic().hint, hint);
         EXPECT_EQ(e.diagnostic().place.file, "test.toml");
@@ -40,7 +41,8 @@ TEST(Refusal, AResonanceThatIsOnlyNear) {
         "near", {{"x", "fast", "x'' + x + x*y = 0"}, {"y", "fast", "y'' + 4.01*y + x^2 = 0"}},
         "[normal_form]\nnear = 0.01\n");
     expect_error(near, 2, 2, ErrorKind::refused, "the rate of z1 has a term whose divisor is only near zero",
-                 "declare the resonance by [relations], with its detuning, instead of [normal_form] near");
+                 "declare the resonance by [relations], with its detuning, instead of [normal_form] near",
+                 Reason::resonance);
 }
 
 TEST(Refusal, ATruncationBelowTheOrder) {

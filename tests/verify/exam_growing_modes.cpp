@@ -65,6 +65,14 @@ TEST_F(GrowingModes, EndBeforeTheirSeriesDoes) {
     EXPECT_EQ(at(system, scene, eps, last).status, Status::low_precision);
 }
 
+// e^{2t} is no double before y + y^2 is none: no disagreement with the exact solution.
+TEST_F(GrowingModes, OverflowInTheirPowers) {
+    const Verification v = test::verified(test::line_of(written(
+        "[variables]\ny = { role = \"fast\" }\n[equations]\ny = \"y' = 0.27*y - 0.2*y^2\"\n",
+        "order = 2\noutputs = [\"y\"]\n[start]\ny = \"-0.37*eps\"\n[verify]\neps = [0.05, 0.02, 0.01]\n")));
+    EXPECT_EQ(v.emitted.verdict, Verdict::pass) << to_text(v.emitted);
+}
+
 // At 2 tau between rates, |D|^2 <= D' = 2 eps, a start is not taken apart, whether they decay or grow.
 TEST_F(GrowingModes, AResonanceOfRatesAtTheStartIsOutside) {
     for (const std::string sign : {"", "-"})

@@ -75,6 +75,12 @@ const char* to_string(Reason reason, ErrorKind kind) {
     case Reason::name: return "name";
     case Reason::undecided: return "undecided";
     case Reason::eigenvalues: return "eigenvalues";
+    case Reason::not_semisimple: return "not_semisimple";
+    case Reason::nonlinear_layer: return "nonlinear_layer";
+    case Reason::resonance: return "resonance";
+    case Reason::too_fast: return "too_fast";
+    case Reason::not_smooth: return "not_smooth";
+    case Reason::singular: return "singular";
     case Reason::size: return "size";
     case Reason::time: return "time";
     case Reason::memory: return "memory";

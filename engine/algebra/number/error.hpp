@@ -21,19 +21,25 @@ enum class ErrorKind {
 // an error says the rest, so most are by_kind: `value` of bad input, `unsupported` of a refusal.
 enum class Reason {
     by_kind,
-    command_line, // words or values of the command line
-    file,         // something cannot be found, read or written
-    syntax,       // neither TOML nor an expression
-    name,         // an unknown key or symbol
-    undecided,    // the sign, or whether it is zero, is not proved
-    eigenvalues,  // they have no closed form
-    size,         // more symbols, larger exponents, ... than a representation holds
-    time,         // --time-limit
-    memory,       // --memory-limit
-    terms,        // --term-limit
-    integration,  // the direct integration does not get to the end, or has no start
-    compiler,     // of emitted code: absent, ended, or dissatisfied
-    fault,        // of the engine
+    command_line,    // words or values of the command line
+    file,            // something cannot be found, read or written
+    syntax,          // neither TOML nor an expression
+    name,            // an unknown key or symbol
+    undecided,       // the sign, or whether it is zero, is not proved
+    eigenvalues,     // they have no closed form
+    not_semisimple,  // the linear part has fewer eigenvectors than variables
+    nonlinear_layer, // the motion at eps = 0 is not linear in the fast variables, or not uniform in an angle
+    resonance,       // a divisor vanishes, or nearly does, and no relation says so
+    too_fast,        // for the role, the weight or the time scale
+    not_smooth,      // data, for the order
+    singular,        // infinite or not real, at the origin or with the values given
+    size,            // more symbols, larger exponents, ... than a representation holds
+    time,            // --time-limit
+    memory,          // --memory-limit
+    terms,           // --term-limit
+    integration,     // the direct integration does not get to the end, or has no start
+    compiler,        // of emitted code: absent, ended, or dissatisfied
+    fault,           // of the engine
 };
 
 // Where the offending text stands. Empty members are unknown and are not printed.

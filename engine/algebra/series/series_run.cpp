@@ -50,10 +50,10 @@ bool is_one(const NumberDomain& domain, const NumberPart& p) { return domain.is_
 
 void require_start(bool holds, const std::string& rule) {
     if (holds) return;
-    refuse({.rule = rule,
-            .value = "another finite value",
-            .hint = "expand about the equilibrium, or declare the argument small",
-            .place = {}});
+    refuse(Reason::singular, {.rule = rule,
+                              .value = "another finite value",
+                              .hint = "expand about the equilibrium, or declare the argument small",
+                              .place = {}});
 }
 
 [[noreturn]] void refuse_start(const SeriesProgram::Instruction& power) {

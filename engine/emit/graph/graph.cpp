@@ -91,10 +91,10 @@ void Graph::collect(Node n, int exponent, Factors& factors, Rational& coefficien
     switch (e.op) {
     case Op::rational:
         if (e.value == 0 && exponent < 0)
-            refuse({"a division by zero cannot be emitted",
-                    "0",
-                    "change the values under [fix] or [start]",
-                    {}});
+            refuse(Reason::singular, {"a division by zero cannot be emitted",
+                                      "0",
+                                      "change the values under [fix] or [start]",
+                                      {}});
         coefficient = coefficient * cln::expt(e.value, exponent);
         return;
     case Op::multiply:
@@ -164,10 +164,10 @@ Graph::Node Graph::root(Node base, int k) {
     if (at(base).op == Op::rational) {
         const Rational value = at(base).value;
         if (value < 0)
-            refuse({"the root of a negative number is not real",
-                    to_string(value),
-                    "change the values under [fix] or [start]",
-                    {}});
+            refuse(Reason::singular, {"the root of a negative number is not real",
+                                      to_string(value),
+                                      "change the values under [fix] or [start]",
+                                      {}});
         Rational exact;
         if (exact_root(value, k, exact)) return rational(exact);
     }

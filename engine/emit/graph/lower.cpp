@@ -16,9 +16,11 @@ namespace {
 [[noreturn]] void divides_by_zero(const Ring& ring, const Generator& g) {
     const std::string name =
         g.kind == GeneratorKind::root ? spell(display(ring, g.radicand), text_spelling()) : g.name;
-    throw DivisionByZero(
-        ErrorKind::refused,
-        {"a value that is divided by must not be zero", name + " = 0", "change it under [fix]", {}});
+    throw DivisionByZero(ErrorKind::refused, {"a value that is divided by must not be zero",
+                                              name + " = 0",
+                                              "change it under [fix]",
+                                              {},
+                                              Reason::singular});
 }
 
 } // namespace

@@ -43,7 +43,7 @@ std::string fixed_in(const GiNaC::ex& e, const Scene& scene) {
     Place place = whole_file(scene.file);
     place.key = "fix";
     refuse(
-        certain ? Reason::by_kind : Reason::undecided,
+        certain ? Reason::resonance : Reason::undecided,
         {"a divisor that was divided by is zero with the values under [fix]",
          fmt::format("D({}) of {} = {}{}", text(Polynomial(record.monomial, 1)), record.variable,
                      text(record.divisor), certain ? " = 0" : ", which may be zero"),

@@ -272,7 +272,8 @@ void Expansion::add_angle_rate(AngleVariable& angle) {
     const Place place = place_of_equation(angle.variable);
     const ex frequency = coefficients_.at_origin(state.rate, place);
     if (occurs(Role::angle, frequency))
-        refuse({"the rate of an angle at eps = 0 depends on slow variables and parameters only",
+        refuse(Reason::nonlinear_layer,
+               {"the rate of an angle at eps = 0 depends on slow variables and parameters only",
                 fmt::format("{}' = {}", angle.name, spell(frequency)),
                 "write the rest with a factor eps, or choose an angle that moves uniformly", place});
     angle.law = frequency;

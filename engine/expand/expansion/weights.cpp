@@ -38,7 +38,8 @@ void Expansion::check_finite() const {
                 rest -= coefficients_.at_origin(at_rest.diff(of->symbol), place) * of->symbol;
         rest = rest.normal();
         if (std::any_of(finite.begin(), finite.end(), [&](const State* of) { return rest.has(of->symbol); }))
-            refuse({"with fast variables of weight 0 the equations are linear in them at eps = 0 "
+            refuse(Reason::nonlinear_layer,
+                   {"with fast variables of weight 0 the equations are linear in them at eps = 0 "
                     "(and rates of other variables are free of them)",
                     fmt::format("the rest for {} is {}", state.name, spell(rest)),
                     "write the rest with a factor eps, or use weight 1", place});
@@ -66,7 +67,8 @@ void Expansion::check_leading_terms() const {
     const std::vector<int> weights = field_.mode_weights();
     if (weights.empty() || (weights.size() == 1 && weights.front() <= 1)) return;
     if (field_.basis.numeric)
-        refuse({"modes without closed form go with fast variables of weight 1 (or 0) and whole powers of eps",
+        refuse(Reason::eigenvalues,
+               {"modes without closed form go with fast variables of weight 1 (or 0) and whole powers of eps",
                 fmt::format("weight {}", to_string(system_.weight(weights.front()))),
                 "leave out the weights, or give the modes in [modes]", whole_file(system_.file)});
     SeriesRun run(*program_);
@@ -107,7 +109,8 @@ void Expansion::refuse_leading_term(const State& state, int weight) const {
     const ex rate = state.rate.expand();
     const std::vector<ex> terms = terms_of(rate);
     const auto term = std::find_if(terms.begin(), terms.end(), offends);
-    refuse({weight < variable.weight
+    refuse(weight < variable.weight ? Reason::too_fast : Reason::nonlinear_layer,
+           {weight < variable.weight
                 ? "a term in the rate of a fast variable has its weight at least"
                 : "in the rate of a fast variable stand at its own weight its linear part and terms without "
                   "variables of this weight",

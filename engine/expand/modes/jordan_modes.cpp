@@ -160,7 +160,8 @@ private:
     [[nodiscard]] Rational number(const Complex& coupling, std::size_t m) const {
         const Complex n = normal(coupling);
         if (!n.im.is_zero() || !n.re.info(GiNaC::info_flags::rational))
-            refuse({"couplings of modes that have one eigenvalue can be scaled to numbers",
+            refuse(Reason::not_semisimple,
+                   {"couplings of modes that have one eigenvalue can be scaled to numbers",
                     fmt::format("that of {} is {}", modes_[m].name, spell(n.re + n.im)),
                     "take a combination of variables in which a coupling less is left, or give parameters "
                     "numeric values with --set NAME=VALUE",

@@ -149,7 +149,8 @@ void LargeBlock::refuse_unknown() const {
 }
 
 void LargeBlock::refuse_nilpotent(const Factor& factor) const {
-    refuse({"the linear part of the fast variables is semisimple (has as many eigenvectors as variables)",
+    refuse(Reason::not_semisimple,
+           {"the linear part of the fast variables is semisimple (has as many eigenvectors as variables)",
             fmt::format(
                 "{} is a {}-fold factor of the characteristic polynomial of {}, and has fewer eigenvectors",
                 spell(polynomial(factor, lambda_)), factor.multiplicity, name_.variables),

@@ -21,6 +21,7 @@ enum class Sign { negative, zero, positive };
 
 [[noreturn]] void refuse_nilpotent(const std::string& value, const BlockName& name) {
     refuse(
+        Reason::not_semisimple,
         {"the linear part of the fast variables is semisimple (has as many eigenvectors as variables)", value,
          "write style = \"inner_product\" in [normal_form], give the variable a restoring force, or unfold "
          "the block",
@@ -30,7 +31,8 @@ enum class Sign { negative, zero, positive };
 // x'' + 2 d x' + d^2 x, between an oscillation and two real rates.
 [[noreturn]] void refuse_critical(const ex& eigenvalue, const System& system, const BlockName& name) {
     const bool decays = provably_positive(-eigenvalue, system);
-    refuse({decays ? "the linear part of the fast variables is semisimple; at critical damping it is not"
+    refuse(Reason::not_semisimple,
+           {decays ? "the linear part of the fast variables is semisimple; at critical damping it is not"
                    : "the linear part of the fast variables is semisimple (has as many eigenvectors as "
                      "variables)",
             fmt::format("{} has the eigenvalue {} twice, with one eigenvector", name.variables,
@@ -73,12 +75,53 @@ ex discriminant_of(const Matrix& a) {
     return (difference * difference + a[0][1] * a[1][0]).normal();
 }
 
-Eigenvalues eigenvalues_of(const Matrix& a, const System& system, const BlockName& name) {
+// (n/d)^e = n^e d^-e, for n, d > 0: GiNaC may write (1/p)^(1/2) as (-1/(-p))^(1/2), of which no sign is
+// proved.
+struct RootsOfFractions : public GiNaC::map_function {
+    explicit RootsOfFractions(const System& of) : system(of) {}
+    ex operator()(const ex& e) override {
+        const bool root = GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer);
+        if (!root) return e.map(*this);
+        const ex fraction = e.op(0).numer_denom();
+        for (const int sign : {1, -1})
+            if (const ex below = (sign * fraction.op(1)).expand(); provably_positive(below, system))
+                return GiNaC::pow((sign * fraction.op(0)).expand(), e.op(1)) * GiNaC::pow(below, -e.op(1));
+        return e;
+    }
+    const System& system;
+};
+
+// Half the difference of two eigenvalues that are rational in the roots and functions of a, as f and g of
+// x'' + (f + g) x' + f g x; positive, if its sign is proved. The root of its square would be one more root,
+// which depends on these.
+std::optional<ex> known_root(const Matrix& a, const System& system) {
+    const GiNaC::symbol lambda;
+    const ex polynomial = (lambda - a[0][0]) * (lambda - a[1][1]) - a[0][1] * a[1][0];
+    if (!holds_functions_or_roots(polynomial)) return std::nullopt;
+    GiNaC::exmap roots; // and functions, kept as symbols
+    std::vector<ex> eigenvalues;
+    for (const ex& f : factors_of(GiNaC::factor(polynomial.numer().to_polynomial(roots))))
+        if (f.degree(lambda) == 1) eigenvalues.push_back(-f.coeff(lambda, 0) / f.coeff(lambda, 1));
+    if (eigenvalues.size() != 2) return std::nullopt;
+    const ex half = (eigenvalues[0] - eigenvalues[1]) / 2;
+    const ex difference = half.subs(roots, GiNaC::subs_options::no_pattern).normal();
+    for (const ex& positive : {difference, ex(-difference)})
+        if (provably_positive(positive, system)) return positive;
+    return canonical_sign(difference);
+}
+
+Eigenvalues eigenvalues_of(Matrix a, const System& system, const BlockName& name) {
+    RootsOfFractions split(system);
+    for (auto& row : a)
+        for (ex& entry : row) entry = split(entry);
     const ex middle = ((a[0][0] + a[1][1]) / 2).normal();
+    const auto known = known_root(a, system);
+    if (known && provably_nonzero(*known, system)) return {middle, *known, Sign::negative};
     const ex square = (-discriminant_of(a)).normal();
     const std::string what = name.oscillator ? "omega^2" : "(Im lambda)^2";
     const Sign sign = sign_of(square, middle, what, system, name);
     if (sign == Sign::zero) return {middle, 0, sign};
+    if (known) return {middle, *known, Sign::negative};
     return {middle, GiNaC::sqrt(sign == Sign::negative ? (-square).normal() : square), sign};
 }
 

@@ -87,8 +87,8 @@ void CoefficientRing::collect_function(const ex& e, const ex& u, const Place& pl
     const ex asked = f ? asked_of(u, *f).expand() : ex(1);
     const bool unreal = asked.info(GiNaC::info_flags::negative) && f != Function::logarithm;
     if (asked.is_zero() || unreal)
-        refuse({"a function is regular at the origin", spell(e),
-                "remove the singularity, or expand about another point", place});
+        refuse(Reason::singular, {"a function is regular at the origin", spell(e),
+                                  "remove the singularity, or expand about another point", place});
     if (!u.is_zero() || is_named(e)) need(with_argument(e, u));
     expands_named_ = expands_named_ || (is_named(e) && has_weight(e));
     if (f && !row_of(*f).slope.empty()) need(slope_of(*f, u));

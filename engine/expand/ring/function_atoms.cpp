@@ -207,9 +207,10 @@ private:
     std::pair<ex, int> whole_multiple(const std::string& family, const Multiple& m) {
         const std::string key = family + spell(m.part);
         const auto known = known_.units_.find(key);
-        // Of numbers, cos(2) = 2*cos(1)^2 - 1: a negative atom would have no root.
-        const Rational first =
-            m.part.is_equal(1) ? Rational(1) / cln::denominator(m.factor) : cln::abs(m.factor);
+        // Of numbers, cos(2) = 2*cos(1)^2 - 1: a negative atom would have no root. One such as cos(1.519) is
+        // an atom by itself.
+        const bool of_unit = m.part.is_equal(1) && cln::abs(cln::numerator(m.factor)) <= largest_multiple;
+        const Rational first = of_unit ? Rational(1) / cln::denominator(m.factor) : cln::abs(m.factor);
         Rational unit = known == known_.units_.end() ? first : known->second;
         if (learner_ != nullptr) {
             const Rational common = common_measure(unit, m.factor);

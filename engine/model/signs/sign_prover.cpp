@@ -114,6 +114,7 @@ SignSet SignProver::of_power(const ex& e) const {
 SignSet SignProver::of_function(const ex& e) const {
     const std::optional<Function> f = function_of(e);
     if (f && row_of(*f).keeps_sign) return signs(e.op(0));
+    if (f == Function::logarithm) return signs(e.op(0)).is_positive() ? signs(e.op(0) - 1) : SignSet::all();
     if (f != Function::exponential && f != Function::hyperbolic_cosine) return SignSet::all();
     return real(e.op(0)) ? SignSet::of(1) : SignSet::all();
 }

@@ -34,7 +34,8 @@ void restrict_all(const Ring& ring, std::vector<Series>& list, const std::vector
 void require_invariance(const GradedField& field, const Mode& mode, const Series& rate) {
     for (int n = 0; n <= rate.through(); ++n)
         if (!rate.part(n).empty())
-            refuse({"a mode that is slaved is not driven by resonant terms of the others",
+            refuse(Reason::resonance,
+                   {"a mode that is slaved is not driven by resonant terms of the others",
                     fmt::format("in the rate of {} at weight {}", mode.name,
                                 to_string(field.system().weight(n))),
                     "take back the threshold [normal_form] near or the relation that keeps the term",

@@ -215,7 +215,8 @@ private:
         if (rate.empty()) return;
         const Mode& mode = field_->modes[m];
         const bool one_weight = weights_.size() == 1;
-        refuse({one_weight ? "a forcing as large as the fast variables themselves is not resonant with them"
+        refuse(Reason::resonance,
+               {one_weight ? "a forcing as large as the fast variables themselves is not resonant with them"
                            : "a term of the weight of the fast variable in whose rate it stands is not "
                              "resonant with it",
                 fmt::format("in the normal form of {} at weight {}", mode.name,

@@ -19,15 +19,16 @@ void check_modes(const NormalForm& normal_form) {
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         const Mode& mode = field.modes[k];
         if (!field.couplings(k).empty())
-            refuse({"a solution is for a linear part that is semisimple",
+            refuse(Reason::not_semisimple,
+                   {"a solution is for a linear part that is semisimple",
                     mode.name + " is driven by another mode", "derive and print the normal form",
                     system.place_of(mode.variable)});
     }
     if (field.basis.numeric)
-        refuse({"a solution is for modes in closed form",
-                "modes in numbers",
-                "derive and print the normal form",
-                {system.file.string(), 0, 0, "equations", ""}});
+        refuse(Reason::eigenvalues, {"a solution is for modes in closed form",
+                                     "modes in numbers",
+                                     "derive and print the normal form",
+                                     {system.file.string(), 0, 0, "equations", ""}});
 }
 
 // The terms without modes that are left out.
@@ -69,7 +70,8 @@ public:
         }
         SlowFlow flow = framed(false);
         if (const auto term = complaint(flow))
-            refuse({"the frame of a slow flow obeys the resonance relations exactly",
+            refuse(Reason::resonance,
+                   {"the frame of a slow flow obeys the resonance relations exactly",
                     fmt::format("the rate of {} has a term whose divisor is only near zero", *term),
                     "declare the resonance by [relations], with its detuning, instead of [normal_form] near",
                     {field_.system().file.string(), 0, 0, "normal_form.near", ""}});

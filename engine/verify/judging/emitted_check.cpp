@@ -172,9 +172,10 @@ private:
                 if (abs(value) > Wide(std::numeric_limits<Real>::max())) return true;
         if (!beside)
             beside = std::make_unique<SymbolicEvaluator>(symbolic_, asked.inputs, asked.inputs.slow_time_end);
-        if (status == Status::overflow) // a power of e may be, though no value is
+        if (status == Status::overflow) // a power of a mode may be, though no value is
             for (const Wide& chi : beside->exponents(Wide(t)))
-                if (chi > log(Wide(std::numeric_limits<Real>::max())) - little_room) return true;
+                if (program_.truncation * chi > log(Wide(std::numeric_limits<Real>::max())) - little_room)
+                    return true;
         if (status == Status::outside_interval && exact.status == Status::ok &&
             beside->loses_phase(Wide(t), asked.inputs.slow_time_end / asked.inputs.eps,
                                 phase_resolution<Real>(is_flow_)))
