@@ -538,7 +538,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none};
@@ -566,7 +566,7 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 8> amplitudes(double T) const { return Evaluator::amplitudes(of.c_, T, of.look_up_1(T)); }
+        std::array<double, 8> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;
@@ -617,8 +617,8 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {c.c_1, c.c_3}; }
-        std::array<Real, 2> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& columns) const {
-            return flow_rates(c, T, columns);
+        std::array<Real, 2> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& row) const {
+            return flow_rates(c, T, row);
         }
         template <class Number> struct Angles {
             Constants<Number> c;
@@ -629,7 +629,7 @@ private:
                 lost = keep_constants(course.eps, course.parameters, course.given, c);
                 start = {c.c_9};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
+            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_rate(c, T)};
             }
         };
@@ -659,11 +659,11 @@ private:
         eps_ = eps;
         parameters_ = parameters;
         start_ = start;
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(c_, T, flow); },
-                              {c_.c_1, c_.c_3}, reach), "slow flow"}, reach);
+                {tables_0_.build([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(constants_, T, flow); },
+                              {constants_.c_1, constants_.c_3}, reach), "slow flow"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;
@@ -677,7 +677,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;

@@ -190,6 +190,7 @@ private:
         Number c_30{};
         Number c_31{};
         Number c_32{};
+        Number c_33{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -565,6 +566,16 @@ private:
         Number k_367{};
         Number k_368{};
         Number k_369{};
+        Number k_370{};
+        Number k_371{};
+        Number k_372{};
+        Number k_373{};
+        Number k_374{};
+        Number k_375{};
+        Number k_376{};
+        Number k_377{};
+        Number k_378{};
+        Number k_379{};
     };
 
     template <class Number> static void compute_constants_1(
@@ -846,148 +857,159 @@ private:
         w.k_236 = w.k_226 * c.eps * w.k_227 * w.k_235;
         c.c_26 = w.k_234 + w.k_236;
         c.c_27 = w.k_234 - w.k_236;
+        w.k_237 = hypot(c.u_psi, c.v_psi);
+        w.k_238 = Number(1) / c.c_16;
+        w.k_239 = w.k_217 * w.k_238;
+        w.k_240 = Number(1) / c.c_18;
+        w.k_241 = w.k_218 * w.k_240;
+        w.k_242 = Number(1) / w.k_219;
+        w.k_243 = w.k_220 * w.k_242;
+        w.k_244 = w.k_239 * w.k_226 * w.k_241 * w.k_243 * (-Number(3) / Number(8)) * c.c_6;
+        w.k_245 = hypot(Number(w.k_239 * w.k_241 * w.k_243 * (Number(3) / Number(8))), w.k_244);
+        w.k_246 = w.k_239 * w.k_226 * w.k_241 * w.k_243 * (-Number(3) / Number(4)) * c.c_6;
+        w.k_247 = hypot(Number(w.k_239 * w.k_241 * w.k_243 * (-Number(3) / Number(4))), w.k_246);
         c.c_28 = Number(9) + w.k_216 * (Number(2) - Number(9) * w.k_216);
-        c.c_29 = c.c_28 * c.c_28;
-        w.k_237 = w.k_35 * w.k_36;
-        w.k_238 = w.k_35 * w.k_50;
-        w.k_239 = w.k_1 * w.k_1;
-        w.k_240 = w.k_227 * w.k_227;
-        w.k_241 = Number(1) / c.c_16;
-        w.k_242 = w.k_241 * w.k_241;
-        w.k_243 = w.k_242 * w.k_241;
-        w.k_244 = w.k_243 * w.k_243 * w.k_241;
-        w.k_245 = w.k_225 * w.k_225;
-        w.k_246 = w.k_245 * w.k_225;
-        w.k_247 = Number(1) / c.c_18;
-        w.k_248 = w.k_247 * w.k_247;
-        w.k_249 = w.k_248 * w.k_247;
-        w.k_250 = w.k_249 * w.k_249 * w.k_247;
-        w.k_251 = Number(1) / w.k_219;
-        w.k_252 = w.k_251 * w.k_251;
-        w.k_253 = w.k_252 * w.k_251;
-        w.k_254 = w.k_253 * w.k_253 * w.k_251;
-        w.k_255 = Number(1) / c.c_28;
-        w.k_256 = w.k_255 * w.k_255;
-        w.k_257 = c.c_17 * w.k_224;
-        w.k_258 = w.k_257 * Number(6) * c.eps * c.c_16 * c.c_28;
-        w.k_259 = Number(47) / Number(8) * c.eps;
-        w.k_260 = Number(29) / Number(8) * c.eps;
-        w.k_261 = c.c_3 * c.c_6;
-        w.k_262 = c.eps * (Number(3) / Number(8) + Number(3) / Number(8) * c.c_6) + c.c_16 * (Number(1) + w.k_261);
-        w.k_263 = c.c_3 * c.c_16;
-        w.k_264 = Number(2) * c.c_16;
-        w.k_265 = c.c_6 * (c.c_6 * w.k_262 - w.k_260 - w.k_263) - w.k_260 - w.k_264;
-        w.k_266 = Number(9) / Number(2) * c.c_16;
-        w.k_267 = Number(7) * c.c_16;
-        w.k_268 = w.k_259 + c.c_6 * (c.c_6 * w.k_265 + w.k_259 - w.k_266) - w.k_267;
-        w.k_269 = c.c_16 * c.c_16;
-        w.k_270 = c.c_18 * c.c_18;
-        w.k_271 = w.k_270 * c.c_18;
-        w.k_272 = w.k_219 * w.k_219;
-        w.k_273 = w.k_272 * w.k_219;
-        w.k_274 = c.u_psi * c.u_psi;
-        w.k_275 = c.c_16 * (Number(9) / Number(2) + Number(9) / Number(2) * c.c_6) - c.c_9;
-        w.k_276 = c.c_28 * w.k_268 + c.eps * w.k_269 * w.k_271 * w.k_273 * w.k_274 * w.k_275;
-        w.k_277 = Number(3) / Number(2) * c.v_psi * w.k_224;
-        w.k_278 = c.u_psi * w.k_269 * w.k_271 * w.k_273 * (Number(9) / Number(2) * c.u_psi * c.c_16 - w.k_277);
-        w.k_279 = Number(95) / Number(8) * c.c_28;
-        w.k_280 = Number(11) / Number(2) * c.c_16 * c.c_28;
-        w.k_281 = c.c_6 * (c.c_6 * w.k_276 + c.eps * (w.k_278 + w.k_279) - w.k_280);
-        w.k_282 = c.v_psi * c.v_psi;
-        w.k_283 = Number(9) / Number(2) * c.c_16 * w.k_274 + Number(9) / Number(4) * c.c_17 * w.k_282;
-        w.k_284 = Number(4) * c.c_16 * c.c_28;
-        w.k_285 = w.k_281 + c.eps * (w.k_279 + w.k_269 * w.k_271 * w.k_273 * w.k_283) - w.k_284;
-        w.k_286 = Number(5) / Number(8) * w.k_216;
-        w.k_287 = Number(7) - w.k_286;
-        w.k_288 = Number(2) + w.k_216 * (w.k_216 * w.k_287 - Number(37) / Number(2));
-        w.k_289 = w.k_217 * w.k_269;
-        w.k_290 = w.k_218 * w.k_270;
-        w.k_291 = w.k_220 * w.k_272;
-        w.k_292 = w.k_289 * w.k_290 * w.k_291 * c.eps * c.u_psi * c.c_6 * c.c_28 * (w.k_216 - Number(3) / Number(2));
-        w.k_293 = w.k_224 * (c.c_17 * (c.c_16 * w.k_285 + c.eps * c.c_28 * w.k_288) + w.k_292);
-        w.k_294 = w.k_269 * c.c_16;
-        w.k_295 = w.k_217 * w.k_294;
-        w.k_296 = w.k_218 * w.k_271;
-        w.k_297 = w.k_220 * w.k_273;
-        w.k_298 = c.c_3 + w.k_216 * (-Number(2) - w.k_228);
-        w.k_299 = w.k_293 + w.k_295 * w.k_296 * w.k_297 * c.eps * c.v_psi * c.c_28 * w.k_298;
-        w.k_300 = c.c_16 * w.k_217;
-        w.k_301 = w.k_300 * w.k_290 * w.k_291 * Number(5) * c.u_psi - Number(4) * c.c_17;
-        w.k_302 = c.c_16 * w.k_224 * c.c_28 * (c.eps * w.k_301 - Number(2) * c.c_16 * c.c_17);
-        w.k_303 = w.k_289 * w.k_296 * w.k_297 * Number(6) * c.v_psi - w.k_257 * Number(4);
-        w.k_304 = c.c_6 * (c.c_6 * w.k_299 + w.k_302) + c.eps * c.c_16 * c.c_28 * w.k_303;
-        w.k_305 = c.c_6 * (c.c_6 * w.k_304 - w.k_258) - w.k_258;
-        w.k_306 = w.k_240 * w.k_244 * w.k_246 * w.k_250 * w.k_254 * w.k_256 * (w.k_305 * w.k_305);
-        w.k_307 = w.k_222 * w.k_221;
-        w.k_308 = w.k_307 * w.k_307;
-        w.k_309 = Number(177) / Number(8) * c.eps;
-        w.k_310 = Number(115) / Number(8) * c.eps;
-        w.k_311 = c.eps * (-Number(13) / Number(8) - Number(13) / Number(8) * c.c_6);
-        w.k_312 = c.c_6 * (w.k_311 + c.c_16 * (-Number(1) - w.k_261)) + w.k_310 + w.k_263;
-        w.k_313 = w.k_310 + c.c_6 * w.k_312 + w.k_264;
-        w.k_314 = c.c_6 * (c.c_6 * w.k_313 + w.k_266 - w.k_309) + w.k_267 - w.k_309;
-        w.k_315 = c.u_psi * (Number(21) / Number(2) + Number(21) / Number(2) * c.c_6);
-        w.k_316 = Number(9) * c.v_psi * w.k_224;
-        w.k_317 = c.eps * c.u_psi * w.k_269 * w.k_271 * w.k_273 * (c.c_16 * (w.k_315 - w.k_316) - Number(9) / Number(4) * c.u_psi);
-        w.k_318 = Number(21) / Number(2) * c.u_psi - w.k_316;
-        w.k_319 = c.u_psi * w.k_269 * w.k_271 * w.k_273 * (c.c_16 * w.k_318 + w.k_277);
-        w.k_320 = Number(321) / Number(8) * c.c_28;
-        w.k_321 = c.c_6 * (c.c_28 * w.k_314 + w.k_317) + c.eps * (w.k_319 - w.k_320) + w.k_280;
-        w.k_322 = w.k_269 * w.k_271 * w.k_273 * (c.u_psi * c.c_16 * w.k_318 + c.c_9 * c.c_17 * w.k_282);
-        w.k_323 = c.c_16 * (c.c_6 * w.k_321 + c.eps * (w.k_322 - w.k_320) + w.k_284);
-        w.k_324 = w.k_286 - Number(7);
-        w.k_325 = w.k_216 * (w.k_216 * w.k_324 + Number(37) / Number(2)) - Number(2);
+        w.k_248 = Number(1) / c.c_28;
+        w.k_249 = w.k_226 * (Number(3) / Number(8)) * c.c_6 * w.k_217 * w.k_218 * w.k_220 * w.k_248;
+        w.k_250 = hypot(Number(Number(9) / Number(8) * w.k_217 * w.k_218 * w.k_220 * w.k_248), w.k_249);
+        w.k_251 = Number(2) * c.eps * (w.k_237 * w.k_245 + w.k_237 * w.k_247 + w.k_237 * w.k_250);
+        c.c_29 = Number(1) - w.k_251;
+        c.c_30 = c.c_28 * c.c_28;
+        w.k_252 = w.k_35 * w.k_36;
+        w.k_253 = w.k_35 * w.k_50;
+        w.k_254 = w.k_1 * w.k_1;
+        w.k_255 = w.k_227 * w.k_227;
+        w.k_256 = w.k_238 * w.k_238;
+        w.k_257 = w.k_256 * w.k_238;
+        w.k_258 = w.k_257 * w.k_257 * w.k_238;
+        w.k_259 = w.k_225 * w.k_225;
+        w.k_260 = w.k_259 * w.k_225;
+        w.k_261 = w.k_240 * w.k_240;
+        w.k_262 = w.k_261 * w.k_240;
+        w.k_263 = w.k_262 * w.k_262 * w.k_240;
+        w.k_264 = w.k_242 * w.k_242;
+        w.k_265 = w.k_264 * w.k_242;
+        w.k_266 = w.k_265 * w.k_265 * w.k_242;
+        w.k_267 = w.k_248 * w.k_248;
+        w.k_268 = c.c_17 * w.k_224;
+        w.k_269 = w.k_268 * Number(6) * c.eps * c.c_16 * c.c_28;
+        w.k_270 = Number(47) / Number(8) * c.eps;
+        w.k_271 = Number(29) / Number(8) * c.eps;
+        w.k_272 = c.c_3 * c.c_6;
+        w.k_273 = c.eps * (Number(3) / Number(8) + Number(3) / Number(8) * c.c_6) + c.c_16 * (Number(1) + w.k_272);
+        w.k_274 = c.c_3 * c.c_16;
+        w.k_275 = Number(2) * c.c_16;
+        w.k_276 = c.c_6 * (c.c_6 * w.k_273 - w.k_271 - w.k_274) - w.k_271 - w.k_275;
+        w.k_277 = Number(9) / Number(2) * c.c_16;
+        w.k_278 = Number(7) * c.c_16;
+        w.k_279 = w.k_270 + c.c_6 * (c.c_6 * w.k_276 + w.k_270 - w.k_277) - w.k_278;
+        w.k_280 = c.c_16 * c.c_16;
+        w.k_281 = c.c_18 * c.c_18;
+        w.k_282 = w.k_281 * c.c_18;
+        w.k_283 = w.k_219 * w.k_219;
+        w.k_284 = w.k_283 * w.k_219;
+        w.k_285 = c.u_psi * c.u_psi;
+        w.k_286 = c.c_16 * (Number(9) / Number(2) + Number(9) / Number(2) * c.c_6) - c.c_9;
+        w.k_287 = c.c_28 * w.k_279 + c.eps * w.k_280 * w.k_282 * w.k_284 * w.k_285 * w.k_286;
+        w.k_288 = Number(3) / Number(2) * c.v_psi * w.k_224;
+        w.k_289 = c.u_psi * w.k_280 * w.k_282 * w.k_284 * (Number(9) / Number(2) * c.u_psi * c.c_16 - w.k_288);
+        w.k_290 = Number(95) / Number(8) * c.c_28;
+        w.k_291 = Number(11) / Number(2) * c.c_16 * c.c_28;
+        w.k_292 = c.c_6 * (c.c_6 * w.k_287 + c.eps * (w.k_289 + w.k_290) - w.k_291);
+        w.k_293 = c.v_psi * c.v_psi;
+        w.k_294 = Number(9) / Number(2) * c.c_16 * w.k_285 + Number(9) / Number(4) * c.c_17 * w.k_293;
+        w.k_295 = Number(4) * c.c_16 * c.c_28;
+        w.k_296 = w.k_292 + c.eps * (w.k_290 + w.k_280 * w.k_282 * w.k_284 * w.k_294) - w.k_295;
+        w.k_297 = Number(5) / Number(8) * w.k_216;
+        w.k_298 = Number(7) - w.k_297;
+        w.k_299 = Number(2) + w.k_216 * (w.k_216 * w.k_298 - Number(37) / Number(2));
+        w.k_300 = w.k_217 * w.k_280;
+        w.k_301 = w.k_218 * w.k_281;
+        w.k_302 = w.k_220 * w.k_283;
+        w.k_303 = w.k_300 * w.k_301 * w.k_302 * c.eps * c.u_psi * c.c_6 * c.c_28 * (w.k_216 - Number(3) / Number(2));
+        w.k_304 = w.k_224 * (c.c_17 * (c.c_16 * w.k_296 + c.eps * c.c_28 * w.k_299) + w.k_303);
+        w.k_305 = w.k_280 * c.c_16;
+        w.k_306 = w.k_217 * w.k_305;
+        w.k_307 = w.k_218 * w.k_282;
+        w.k_308 = w.k_220 * w.k_284;
+        w.k_309 = c.c_3 + w.k_216 * (-Number(2) - w.k_228);
+        w.k_310 = w.k_304 + w.k_306 * w.k_307 * w.k_308 * c.eps * c.v_psi * c.c_28 * w.k_309;
+        w.k_311 = c.c_16 * w.k_217;
+        w.k_312 = w.k_311 * w.k_301 * w.k_302 * Number(5) * c.u_psi - Number(4) * c.c_17;
+        w.k_313 = c.c_16 * w.k_224 * c.c_28 * (c.eps * w.k_312 - Number(2) * c.c_16 * c.c_17);
+        w.k_314 = w.k_300 * w.k_307 * w.k_308 * Number(6) * c.v_psi - w.k_268 * Number(4);
+        w.k_315 = c.c_6 * (c.c_6 * w.k_310 + w.k_313) + c.eps * c.c_16 * c.c_28 * w.k_314;
+        w.k_316 = c.c_6 * (c.c_6 * w.k_315 - w.k_269) - w.k_269;
+        w.k_317 = w.k_255 * w.k_258 * w.k_260 * w.k_263 * w.k_266 * w.k_267 * (w.k_316 * w.k_316);
+        w.k_318 = w.k_222 * w.k_221;
+        w.k_319 = w.k_318 * w.k_318;
+        w.k_320 = Number(177) / Number(8) * c.eps;
+        w.k_321 = Number(115) / Number(8) * c.eps;
+        w.k_322 = c.eps * (-Number(13) / Number(8) - Number(13) / Number(8) * c.c_6);
+        w.k_323 = c.c_6 * (w.k_322 + c.c_16 * (-Number(1) - w.k_272)) + w.k_321 + w.k_274;
+        w.k_324 = w.k_321 + c.c_6 * w.k_323 + w.k_275;
     }
 
     template <class Number> static void compute_constants_4(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_326 = Number(9) * c.u_psi * c.v_psi * w.k_224 * w.k_271 * w.k_273 * w.k_294;
-        w.k_327 = c.eps * (Number(8) * c.c_28 - w.k_326) + Number(2) * c.c_16 * c.c_28;
-        w.k_328 = w.k_224 * (c.c_6 * (w.k_323 + c.eps * c.c_28 * w.k_325) + c.c_16 * w.k_327);
-        w.k_329 = w.k_289 * w.k_290 * w.k_291 * c.eps * c.v_psi * c.c_6 * c.c_28 * (Number(3) / Number(2) - w.k_216);
-        w.k_330 = w.k_224 * (w.k_328 + w.k_329) + w.k_295 * w.k_296 * w.k_297 * c.eps * c.u_psi * c.c_28 * w.k_298;
-        w.k_331 = Number(8) * w.k_224 - w.k_300 * w.k_290 * w.k_291 * Number(5) * c.v_psi;
-        w.k_332 = c.c_6 * (c.c_6 * w.k_330 + c.eps * c.c_16 * w.k_224 * c.c_28 * w.k_331);
-        w.k_333 = w.k_289 * w.k_296 * w.k_297 * Number(6) * c.u_psi + Number(10) * c.c_17;
-        w.k_334 = c.c_6 * (w.k_332 + c.eps * c.c_16 * c.c_28 * w.k_333) + Number(10) * c.eps * c.c_16 * c.c_17 * c.c_28;
-        w.k_335 = w.k_244 * w.k_246 * w.k_250 * w.k_254 * w.k_256 * w.k_308 * (w.k_334 * w.k_334);
-        w.k_336 = w.k_217 * (w.k_242 * w.k_242);
-        w.k_337 = w.k_224 * w.k_245;
-        w.k_338 = w.k_218 * (w.k_248 * w.k_248);
-        w.k_339 = w.k_220 * (w.k_252 * w.k_252);
-        w.k_340 = w.k_336 * w.k_337 * w.k_338 * w.k_339 * w.k_227 * w.k_255 * w.k_305;
-        w.k_341 = w.k_139 + w.k_340;
-        w.k_342 = w.k_336 * w.k_337 * w.k_338 * w.k_339 * w.k_255 * w.k_307 * w.k_334;
-        w.k_343 = w.k_215 + w.k_342;
-        c.c_30 = w.k_237 + w.k_238 + w.k_239 + w.k_306 + w.k_335 - Number(4) * (w.k_341 * w.k_341 + w.k_343 * w.k_343);
-        w.k_344 = Number(6) * c.eps * c.c_16;
-        w.k_345 = c.c_6 * (c.c_16 * w.k_265 + c.eps * w.k_287) + c.c_16 * (w.k_259 - w.k_266);
-        w.k_346 = c.eps * (Number(47) / Number(8) * c.c_16 - Number(37) / Number(2));
-        w.k_347 = Number(7) * w.k_269;
-        w.k_348 = Number(11) / Number(2) * c.c_16;
-        w.k_349 = c.c_6 * (c.c_6 * w.k_345 + w.k_346 - w.k_347) + c.c_16 * (Number(95) / Number(8) * c.eps - w.k_348);
-        w.k_350 = Number(4) * w.k_269;
-        w.k_351 = c.c_6 * w.k_349 + c.eps * (Number(2) + Number(95) / Number(8) * c.c_16) - w.k_350;
-        w.k_352 = c.c_6 * (c.c_6 * w.k_351 + c.c_16 * (-w.k_264 - Number(4) * c.eps));
-        w.k_353 = c.c_6 * (c.c_6 * (w.k_352 - Number(4) * c.eps * c.c_16) - w.k_344);
-        w.k_354 = w.k_353 - w.k_344;
-        w.k_355 = Number(10) * c.eps * c.c_16;
-        w.k_356 = c.c_6 * (c.c_16 * w.k_313 + c.eps * w.k_324) + c.c_16 * (w.k_266 - w.k_309);
-        w.k_357 = c.eps * (Number(37) / Number(2) - Number(177) / Number(8) * c.c_16);
-        w.k_358 = c.c_6 * (c.c_6 * w.k_356 + w.k_357 + w.k_347) + c.c_16 * (w.k_348 - Number(321) / Number(8) * c.eps);
-        w.k_359 = c.c_6 * w.k_358 + c.eps * (-Number(2) - Number(321) / Number(8) * c.c_16) + w.k_350;
-        w.k_360 = c.c_6 * (c.c_6 * w.k_359 + c.c_16 * (w.k_264 + Number(8) * c.eps));
-        w.k_361 = c.c_6 * (c.c_6 * (w.k_360 + Number(8) * c.eps * c.c_16) + w.k_355);
-        w.k_362 = w.k_355 + w.k_361;
-        w.k_363 = w.k_225 * w.k_244 * w.k_250 * w.k_254 * w.k_308 * (w.k_362 * w.k_362);
-        w.k_364 = w.k_240 * w.k_244 * w.k_250 * w.k_254 * (w.k_354 * w.k_354) + w.k_363;
-        c.c_31 = Number(4) + Number(4) * (w.k_237 + w.k_238) - w.k_364;
-        w.k_365 = c.c_3 * c.u_psi * c.c_6 - c.c_3 * c.v_psi * w.k_224;
-        w.k_366 = c.c_10 * w.k_241 * w.k_247 * w.k_251 * w.k_239 * w.k_222 * (w.k_365 * w.k_365);
-        w.k_367 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
-        w.k_368 = w.k_217 * w.k_241 * (w.k_218 * w.k_247) * (w.k_220 * w.k_251) * w.k_1 * w.k_221 * w.k_365;
-        w.k_369 = w.k_23 + w.k_368;
-        c.c_32 = w.k_239 + w.k_366 + w.k_367 * w.k_7 - Number(4) * (w.k_369 * w.k_369);
+        w.k_325 = c.c_6 * (c.c_6 * w.k_324 + w.k_277 - w.k_320) + w.k_278 - w.k_320;
+        w.k_326 = c.u_psi * (Number(21) / Number(2) + Number(21) / Number(2) * c.c_6);
+        w.k_327 = Number(9) * c.v_psi * w.k_224;
+        w.k_328 = c.eps * c.u_psi * w.k_280 * w.k_282 * w.k_284 * (c.c_16 * (w.k_326 - w.k_327) - Number(9) / Number(4) * c.u_psi);
+        w.k_329 = Number(21) / Number(2) * c.u_psi - w.k_327;
+        w.k_330 = c.u_psi * w.k_280 * w.k_282 * w.k_284 * (c.c_16 * w.k_329 + w.k_288);
+        w.k_331 = Number(321) / Number(8) * c.c_28;
+        w.k_332 = c.c_6 * (c.c_28 * w.k_325 + w.k_328) + c.eps * (w.k_330 - w.k_331) + w.k_291;
+        w.k_333 = w.k_280 * w.k_282 * w.k_284 * (c.u_psi * c.c_16 * w.k_329 + c.c_9 * c.c_17 * w.k_293);
+        w.k_334 = c.c_16 * (c.c_6 * w.k_332 + c.eps * (w.k_333 - w.k_331) + w.k_295);
+        w.k_335 = w.k_297 - Number(7);
+        w.k_336 = w.k_216 * (w.k_216 * w.k_335 + Number(37) / Number(2)) - Number(2);
+        w.k_337 = Number(9) * c.u_psi * c.v_psi * w.k_224 * w.k_282 * w.k_284 * w.k_305;
+        w.k_338 = c.eps * (Number(8) * c.c_28 - w.k_337) + Number(2) * c.c_16 * c.c_28;
+        w.k_339 = w.k_224 * (c.c_6 * (w.k_334 + c.eps * c.c_28 * w.k_336) + c.c_16 * w.k_338);
+        w.k_340 = w.k_300 * w.k_301 * w.k_302 * c.eps * c.v_psi * c.c_6 * c.c_28 * (Number(3) / Number(2) - w.k_216);
+        w.k_341 = w.k_224 * (w.k_339 + w.k_340) + w.k_306 * w.k_307 * w.k_308 * c.eps * c.u_psi * c.c_28 * w.k_309;
+        w.k_342 = Number(8) * w.k_224 - w.k_311 * w.k_301 * w.k_302 * Number(5) * c.v_psi;
+        w.k_343 = c.c_6 * (c.c_6 * w.k_341 + c.eps * c.c_16 * w.k_224 * c.c_28 * w.k_342);
+        w.k_344 = w.k_300 * w.k_307 * w.k_308 * Number(6) * c.u_psi + Number(10) * c.c_17;
+        w.k_345 = c.c_6 * (w.k_343 + c.eps * c.c_16 * c.c_28 * w.k_344) + Number(10) * c.eps * c.c_16 * c.c_17 * c.c_28;
+        w.k_346 = w.k_258 * w.k_260 * w.k_263 * w.k_266 * w.k_267 * w.k_319 * (w.k_345 * w.k_345);
+        w.k_347 = w.k_217 * (w.k_256 * w.k_256);
+        w.k_348 = w.k_224 * w.k_259;
+        w.k_349 = w.k_218 * (w.k_261 * w.k_261);
+        w.k_350 = w.k_220 * (w.k_264 * w.k_264);
+        w.k_351 = w.k_347 * w.k_348 * w.k_349 * w.k_350 * w.k_227 * w.k_248 * w.k_316;
+        w.k_352 = w.k_139 + w.k_351;
+        w.k_353 = w.k_347 * w.k_348 * w.k_349 * w.k_350 * w.k_248 * w.k_318 * w.k_345;
+        w.k_354 = w.k_215 + w.k_353;
+        c.c_31 = w.k_252 + w.k_253 + w.k_254 + w.k_317 + w.k_346 - Number(4) * (w.k_352 * w.k_352 + w.k_354 * w.k_354);
+        w.k_355 = Number(6) * c.eps * c.c_16;
+        w.k_356 = c.c_6 * (c.c_16 * w.k_276 + c.eps * w.k_298) + c.c_16 * (w.k_270 - w.k_277);
+        w.k_357 = c.eps * (Number(47) / Number(8) * c.c_16 - Number(37) / Number(2));
+        w.k_358 = Number(7) * w.k_280;
+        w.k_359 = Number(11) / Number(2) * c.c_16;
+        w.k_360 = c.c_6 * (c.c_6 * w.k_356 + w.k_357 - w.k_358) + c.c_16 * (Number(95) / Number(8) * c.eps - w.k_359);
+        w.k_361 = Number(4) * w.k_280;
+        w.k_362 = c.c_6 * w.k_360 + c.eps * (Number(2) + Number(95) / Number(8) * c.c_16) - w.k_361;
+        w.k_363 = c.c_6 * (c.c_6 * w.k_362 + c.c_16 * (-w.k_275 - Number(4) * c.eps));
+        w.k_364 = c.c_6 * (c.c_6 * (w.k_363 - Number(4) * c.eps * c.c_16) - w.k_355);
+        w.k_365 = w.k_364 - w.k_355;
+        w.k_366 = Number(10) * c.eps * c.c_16;
+        w.k_367 = c.c_6 * (c.c_16 * w.k_324 + c.eps * w.k_335) + c.c_16 * (w.k_277 - w.k_320);
+        w.k_368 = c.eps * (Number(37) / Number(2) - Number(177) / Number(8) * c.c_16);
+        w.k_369 = c.c_6 * (c.c_6 * w.k_367 + w.k_368 + w.k_358) + c.c_16 * (w.k_359 - Number(321) / Number(8) * c.eps);
+        w.k_370 = c.c_6 * w.k_369 + c.eps * (-Number(2) - Number(321) / Number(8) * c.c_16) + w.k_361;
+        w.k_371 = c.c_6 * (c.c_6 * w.k_370 + c.c_16 * (w.k_275 + Number(8) * c.eps));
+        w.k_372 = c.c_6 * (c.c_6 * (w.k_371 + Number(8) * c.eps * c.c_16) + w.k_366);
+        w.k_373 = w.k_366 + w.k_372;
+        w.k_374 = w.k_225 * w.k_258 * w.k_263 * w.k_266 * w.k_319 * (w.k_373 * w.k_373);
+        w.k_375 = w.k_255 * w.k_258 * w.k_263 * w.k_266 * (w.k_365 * w.k_365) + w.k_374;
+        c.c_32 = Number(4) + Number(4) * (w.k_252 + w.k_253) - w.k_375;
+        w.k_376 = c.c_3 * c.u_psi * c.c_6 - c.c_3 * c.v_psi * w.k_224;
+        w.k_377 = c.c_10 * w.k_238 * w.k_240 * w.k_242 * w.k_254 * w.k_222 * (w.k_376 * w.k_376);
+        w.k_378 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
+        w.k_379 = w.k_23 + w.k_239 * w.k_241 * w.k_243 * w.k_1 * w.k_221 * w.k_376;
+        c.c_33 = w.k_254 + w.k_377 + w.k_378 * w.k_7 - Number(4) * (w.k_379 * w.k_379);
     }
 
     template <class Number> static void compute_constants(
@@ -1038,10 +1060,11 @@ private:
         if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
         if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
         if (!(scaled.c_27 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
-        if (!(scaled.c_29 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*b^2*w^2 - 9*w^4 + 9"};
-        if (!(scaled.c_30 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_29 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_30 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*b^2*w^2 - 9*w^4 + 9"};
         if (!(scaled.c_31 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
-        if (!(scaled.c_32 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w"};
+        if (!(scaled.c_32 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_33 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -1196,7 +1219,7 @@ private:
         Arguments a;
         const Status located = locate(t, low, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        const Status status = answers ? outputs(c_, a, values) : located;
+        const Status status = answers ? outputs(constants_, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
         values = {none, none};
@@ -1234,11 +1257,11 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {c.c_6}; }
-        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& columns) const {
-            return flow_rates(c, T, columns);
+        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& row) const {
+            return flow_rates(c, T, row);
         }
         static constexpr int samples = resonform::layer_samples;
-        auto margins(const Real& T, const Columns& columns) const { return layers(c, T, columns); }
+        auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;
@@ -1248,8 +1271,8 @@ private:
                 lost = keep_constants(course.eps, course.parameters, course.given, c);
                 start = {c.c_11, c.c_11};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& columns) const {
-                return {theta_rate(c, T, widened<Number>(columns)), chi_rate(c, T, widened<Number>(columns))};
+            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_rate(c, T, widened<Number>(row)), chi_rate(c, T, widened<Number>(row))};
             }
         };
     };
@@ -1276,16 +1299,16 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
-        if (const Cause bad = begin(eps, parameters, start, c_); bad.status != Status::ok) return bad;
+        if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build_while([this](const Real& T, const std::array<Real, 1>& flow) { return flow_rates(c_, T, flow); },
-                              [this](const Real& T, const std::array<Real, 1>& flow) { return resonform::all_clear(layers(c_, T, flow)); },
-                              {c_.c_6}, reach), "slow flow"}, reach);
+                {tables_0_.build_while([this](const Real& T, const std::array<Real, 1>& flow) { return flow_rates(constants_, T, flow); },
+                              [this](const Real& T, const std::array<Real, 1>& flow) { return resonform::all_clear(layers(constants_, T, flow)); },
+                              {constants_.c_6}, reach), "slow flow"}, reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(
-                resonform::clear_of_layers([this](const Real& T) { return layers(c_, T, look_up_1(T)); },
+                resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T, look_up_1(T)); },
                                            std::array{"b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "w - 1", "-(b^2*w^2 - 4*w^4 + 4)", "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"}, reach), reach);
             failed.status != Status::ok)
             return failed;
@@ -1305,7 +1328,7 @@ private:
         return {};
     }
 
-    Constants<Real> c_;
+    Constants<Real> constants_;
     Interval interval_;
     resonform::FlowTable<std::array<Real, 1>> tables_0_;
     resonform::Phase<Real> theta_;

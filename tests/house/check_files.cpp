@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What holds for every source file: its licence line, its length, and that the engine knows no system.
 #include "house/tree.hpp"
+#include "support/shell.hpp"
 
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <sstream>
 
 namespace resonform::test {
 
@@ -42,6 +44,21 @@ TEST(Files, NameNoPlaceOfOneMachine) {
                      {".hpp", ".cpp", ".toml", ".md", ".sh", ".cmake", ".txt"}))
         for (const std::string& line : file.lines)
             EXPECT_FALSE(std::regex_search(line, place)) << file.path << ": " << line;
+}
+
+// Of a merge that was not finished.
+TEST(Files, HoldNoTwoVersions) {
+    const auto one = [](const std::string& name, const std::string& line) {
+        EXPECT_FALSE(starts_with(line, "<<<<<<< ") || starts_with(line, ">>>>>>> ")) << name << ": " << line;
+    };
+    for (const SourceFile& file :
+         files_below({"engine", "tests", "generated", "systems", "docs", "scripts", "cmake"},
+                     {".hpp", ".cpp", ".toml", ".md", ".sh", ".cmake", ".txt"}))
+        for (const std::string& line : file.lines) one(file.path, line);
+    for (const char* name : {"README.md", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json"}) {
+        std::istringstream lines(read(std::filesystem::path(RESONFORM_SOURCE_DIR) / name));
+        for (std::string line; std::getline(lines, line);) one(name, line);
+    }
 }
 
 // Systems are files of the user: no name or constant of one may stand in the engine's code. (Comments may
