@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/first_correction.hpp"
 
+#include "solve/near_identity.hpp"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -21,7 +23,7 @@ public:
     [[nodiscard]] std::optional<FirstCorrection> of_mode(std::size_t mode) const {
         const std::vector<Found> found = first(solution_.normalization->map.mode[mode], 2);
         if (found.empty()) return std::nullopt;
-        FirstCorrection result{name_of(field_.modes[mode]), modes_in(found, mode), {}, {{}}, {}, {}};
+        FirstCorrection result{name_of(field_.modes[mode]), modes_in(found, mode), {}, {{}}, {}, {}, false};
         int lightest = weight(mode);
         for (const std::size_t k : result.modes) lightest = std::min(lightest, weight(k));
         for (const std::size_t k : result.modes) result.powers_of_eps.push_back(weight(k) - lightest);
@@ -29,6 +31,23 @@ public:
         for (const Found& f : found) terms.push_back(term(f, result.modes, -lightest));
         if (result.modes.size() == 1)
             for (FirstCorrection::Term& t : terms) --t.powers.front();
+        return result;
+    }
+
+    // nullopt: nothing is forced, or it is a solution by itself.
+    [[nodiscard]] std::optional<FirstCorrection> of_forcing(std::size_t mode) const {
+        const auto asks = [&](const MovedVariable& v) {
+            return v.kind == MovedVariable::Kind::mode && v.index == mode && !v.forced.empty();
+        };
+        if (std::none_of(moved_.begin(), moved_.end(), asks)) return std::nullopt;
+        FirstCorrection result{name_of(field_.modes[mode]), {mode}, {0}, {{}}, {}, {}, true};
+        for (const Found& f : first(solution_.normalization->map.mode[mode], 0)) {
+            if (std::any_of(f.degrees.begin(), f.degrees.end(), [](int degree) { return degree != 0; }))
+                continue;
+            FirstCorrection::Term added = term(f, result.modes, -weight(mode));
+            added.coefficient = Rational(1) / 4 * added.coefficient;
+            result.sums.front().push_back(std::move(added));
+        }
         return result;
     }
 
@@ -127,7 +146,7 @@ private:
                                            const std::vector<std::vector<Found>>& shifts) const {
         std::vector<Found> all;
         for (const std::vector<Found>& found : shifts) all.insert(all.end(), found.begin(), found.end());
-        FirstCorrection result{name, modes_in(all, std::nullopt), {}, {}, quantity, {}};
+        FirstCorrection result{name, modes_in(all, std::nullopt), {}, {}, quantity, {}, false};
         for (const std::vector<Found>& found : shifts) {
             result.sums.emplace_back();
             for (const Found& f : found) result.sums.back().push_back(term(f, result.modes, 0));
@@ -170,6 +189,7 @@ private:
     const Solution& solution_;
     const GradedField& field_;
     const Ring& ring_;
+    std::vector<MovedVariable> moved_ = moved_variables(solution_);
 };
 
 } // namespace
@@ -187,7 +207,8 @@ std::vector<FirstCorrection> first_corrections(const Solution& solution) {
     const Corrections corrections(solution);
     std::vector<FirstCorrection> result;
     for (std::size_t k = 0; k < solution.normalization->normal_form.field->modes.size(); ++k)
-        if (auto correction = corrections.of_mode(k)) result.push_back(std::move(*correction));
+        for (auto& correction : {corrections.of_mode(k), corrections.of_forcing(k)})
+            if (correction) result.push_back(*correction);
     if (solution.flow) {
         for (std::size_t k = 0; k < solution.normalization->normal_form.field->angles.size(); ++k)
             if (auto correction = corrections.of_angle(k)) result.push_back(std::move(*correction));
@@ -209,8 +230,9 @@ std::vector<FirstCorrection> transient_corrections(const Solution& solution) {
     const std::vector<Mode>& modes = solution.normalization->normal_form.field->modes;
     std::vector<FirstCorrection> result;
     for (FirstCorrection& correction : first_corrections(solution))
-        if (!correction.quantity && std::any_of(correction.modes.begin(), correction.modes.end(),
-                                                [&](std::size_t k) { return modes[k].is_damped(); }))
+        if (!correction.quantity && !correction.forced &&
+            std::any_of(correction.modes.begin(), correction.modes.end(),
+                        [&](std::size_t k) { return modes[k].is_damped(); }))
             result.push_back(std::move(correction));
     return result;
 }

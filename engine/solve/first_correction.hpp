@@ -7,7 +7,10 @@
 // x'' + x + x^3 = 0:   h = -w^3/16 + 3/16 w wbar^2 + wbar^3/32,   2 (9/32) eps^2 |a|^2 < 1
 //
 // The condition contains no phase, so it is smooth in slow time except where a coefficient vanishes. Forced
-// terms of h, which contain no mode, are left out.
+// terms of h, which contain no mode, do not grow with |a|. Where the equations are not linear in the modes,
+// those of lowest weight must not be larger than weights say, with what is in the mode already,
+//
+//   sum |f_j|  <  2 (1 + |a|)                       z = eps^w (a e^{i theta} + f_j e^{i ...} + ...)
 //
 // Functions of a driven slow variable xi = zeta + k are expanded about zeta, functions of an angle
 // phi = theta + m about theta. With p a declared variable, or a radicand or denominator of the equations:
@@ -45,6 +48,7 @@ struct FirstCorrection {
         Polynomial coefficient;
     };
     std::vector<Slope> slopes; // of a quantity; none: the sum itself
+    bool forced = false;       // of terms without a mode, each a quarter of f_j: 2 sum < 1 + |a|
 
     // Coefficients of terms, then of slopes, then the quantity: margin_of takes their absolute values.
     [[nodiscard]] std::vector<Polynomial> polynomials() const;
@@ -52,8 +56,8 @@ struct FirstCorrection {
 
 // For each mode with nonlinear terms: its quadratic and its cubic terms of lowest weight, and of all
 // nonlinear terms those of lowest weight. (Linear terms have divisors that move, with layers of their own.)
-// Then those of angles and slow variables. A closed solution has one more, for the factor of the amplitude:
-// 2 |F - 1| < 1.
+// Then what is forced, and those of angles and slow variables. A closed solution has one more, for the factor
+// of the amplitude: 2 |F - 1| < 1.
 std::vector<FirstCorrection> first_corrections(const Solution& solution);
 
 // Those of modes among which one decays, which along the motion count without it: they are asked for at the
@@ -93,6 +97,7 @@ template <class Algebra, class Real>
 Real margin_of(const Algebra& algebra, const FirstCorrection& correction, const Real& eps,
                const std::vector<Real>& moduli, const std::vector<Real>& sizes) {
     Real size = correction.quantity ? sizes.back() : algebra.rational(Rational(1));
+    if (correction.forced) size = algebra.add({size, moduli[correction.modes.front()]});
     if (!correction.quantity && correction.modes.size() > 1) {
         size = algebra.rational(Rational(0));
         for (std::size_t k = 0; k < correction.modes.size(); ++k)

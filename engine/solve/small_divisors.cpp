@@ -61,8 +61,8 @@ std::vector<MovingDivisor> moving_of(const Normalization& normalization, Of whic
 
 class Fading {
 public:
-    explicit Fading(const Solution& solution)
-        : flow_(*solution.flow), normalization_(*solution.normalization),
+    Fading(const Solution& solution, const std::vector<std::string>& outputs)
+        : outputs_(outputs), flow_(*solution.flow), normalization_(*solution.normalization),
           field_(*normalization_.normal_form.field), ring_(*field_.ring) {}
 
     [[nodiscard]] std::vector<FadingDivisor> all() const {
@@ -86,7 +86,8 @@ private:
             stands_under_a_root(id))
             return std::nullopt;
         FadingDivisor fading{id, moving, 0, {}};
-        for (const FlowOutput& output : flow_.outputs)
+        for (const FlowOutput& output : flow_.outputs) {
+            if (std::find(outputs_.begin(), outputs_.end(), output.name) == outputs_.end()) continue;
             for (int n = 0; n <= output.value.through(); ++n)
                 for (const Term& t : output.value.part(n).terms()) {
                     const int power = -ring_.exponent(t.monomial, id);
@@ -98,6 +99,7 @@ private:
                         fading.products.end())
                         fading.products.push_back(std::move(*product));
                 }
+        }
         std::sort(fading.products.begin(), fading.products.end());
         return fading;
     }
@@ -143,6 +145,7 @@ private:
         return false;
     }
 
+    const std::vector<std::string>& outputs_;
     const SlowFlow& flow_;
     const Normalization& normalization_;
     const GradedField& field_;
@@ -175,8 +178,9 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
 
 Rational least_divisor() { return Rational(1) / 10'000; }
 
-std::vector<FadingDivisor> fading_divisors(const Solution& solution) {
-    return solution.flow ? Fading(solution).all() : std::vector<FadingDivisor>();
+std::vector<FadingDivisor> fading_divisors(const Solution& solution,
+                                           const std::vector<std::string>& outputs) {
+    return solution.flow ? Fading(solution, outputs).all() : std::vector<FadingDivisor>();
 }
 
 bool fades(const std::vector<FadingDivisor>& fading, GeneratorId generator) {

@@ -5,6 +5,7 @@
 
 #include "solve/solution.hpp"
 
+#include <string>
 #include <vector>
 
 namespace resonform {
@@ -31,7 +32,7 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
 
 Rational least_divisor(); // 10^-4, in units of eps
 
-// A moving divisor that stands in no rate, and in outputs only beside modes that decay:
+// A moving divisor that stands in no rate, and in these outputs only beside modes that decay:
 //
 //   u' = -(1 + s) u,   y' = -2 y + u^2,   s' = -eps:     y = z_2 - z_1^2/(2 s) + ...
 //
@@ -45,7 +46,7 @@ struct FadingDivisor {
 
 // The moving divisors that stand in no rate, and in outputs only beside modes that decay. What the equations
 // divide by is none of them.
-std::vector<FadingDivisor> fading_divisors(const Solution& solution);
+std::vector<FadingDivisor> fading_divisors(const Solution& solution, const std::vector<std::string>& outputs);
 bool fades(const std::vector<FadingDivisor>& fading, GeneratorId generator);
 
 } // namespace resonform

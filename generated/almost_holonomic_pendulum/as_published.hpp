@@ -198,6 +198,7 @@ private:
         Number c_22{};
         Number c_23{};
         Number c_24{};
+        Number c_25{};
     };
 
     template <class Number> static void compute_constants(
@@ -233,8 +234,8 @@ private:
         c.c_21 = -Number(7) / Number(8) * c.C_delta * c.c_15;
         c.c_22 = c.C_delta * c.c_2;
         c.c_23 = c.c_12 * c.eps;
-        const Number k_3 = hypot(c.C_delta, Number(0));
-        c.c_24 = Number(3) / Number(32) * c.c_2 * (k_3 * k_3);
+        c.c_24 = hypot(c.C_delta, Number(0));
+        c.c_25 = Number(3) / Number(32) * c.c_2 * (c.c_24 * c.c_24);
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -300,18 +301,23 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes.
-    template <class Number> static std::array<Number, 3> layers(
+    template <class Number> static std::array<Number, 4> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
         const Number per_s = per(s);
+        const Number q_1 = per_s * per_s;
         const Number s_2 = sqrt(s);
         const Number s_4 = sqrt(s_2);
         const Number theta_dot_0 = s_2 * s_4 * per_s;
         const Number s_m1_2 = s_2 * per_s;
-        const Number s_m5_4 = s_2 * s_4 * (per_s * per_s);
-        const Number q_1 = c.c_23 * s_m5_4 * xi;
-        return {Number(s_m1_2 - q_1), Number(s_m1_2 + q_1), Number(Number(1) - c.c_24 * theta_dot_0)};
+        const Number s_8 = sqrt(s_4);
+        const Number s_m1_8 = s_2 * s_4 * s_8 * per_s;
+        const Number s_m3_2 = s_2 * q_1;
+        const Number s_m5_4 = s_2 * s_4 * q_1;
+        const Number q_2 = c.c_23 * s_m5_4 * xi;
+        const Number q_3 = c.c_24 * s_m1_8 + Number(1) - c.c_23 * s_m3_2 * hypot(xi, Number(0));
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_25 * theta_dot_0), Number(q_3)};
     }
 
     // dQ_x/dT
@@ -573,7 +579,7 @@ private:
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
-                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi"}, reach), reach);
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

@@ -160,6 +160,7 @@ private:
         Number c_8{};
         Number c_9{};
         Number c_10{};
+        Number c_11{};
     };
 
     template <class Number> static void compute_constants(
@@ -176,11 +177,11 @@ private:
         c.c_4 = Number(1) / Number(2);
         c.c_5 = c.c_4 * k_1;
         c.c_6 = c.c_4 * eps;
-        const Number k_2 = hypot(C_delta, Number(0));
-        c.c_7 = Number(5) / Number(12) * eps * k_2;
-        c.c_8 = Number(3) / Number(64) * (k_2 * k_2);
-        c.c_9 = Number(2) * c.c_2;
-        c.c_10 = Number(1) / Number(64) * c.c_2;
+        c.c_7 = hypot(C_delta, Number(0));
+        c.c_8 = Number(5) / Number(12) * eps * c.c_7;
+        c.c_9 = Number(3) / Number(64) * (c.c_7 * c.c_7);
+        c.c_10 = Number(2) * c.c_2;
+        c.c_11 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -199,7 +200,7 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes.
-    template <class Number> static std::array<Number, 4> layers(
+    template <class Number> static std::array<Number, 5> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
@@ -210,11 +211,13 @@ private:
         const Number s_m1_2 = s_2 * per_s;
         const Number s_m5_4 = s_2 * s_4 * q_1;
         const Number q_2 = c.c_6 * s_m5_4 * xi;
-        const Number s_m13_8 = s_4 * sqrt(s_4) * q_1;
-        const Number q_3 = hypot(xi, Number(0));
+        const Number q_3 = sqrt(s_4);
+        const Number s_m13_8 = s_4 * q_3 * q_1;
+        const Number q_4 = hypot(xi, Number(0));
         const Number s_m1_4 = s_2 * s_4 * per_s;
+        const Number s_m1_8 = s_2 * s_4 * q_3 * per_s;
         const Number s_m3_2 = s_2 * q_1;
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_9 * (c.c_7 * s_m13_8 * q_3 + c.c_8 * s_m1_4)), Number(Number(1) - c.c_10 * s_m3_2 * (q_3 * q_3))};
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_10 * (c.c_8 * s_m13_8 * q_4 + c.c_9 * s_m1_4)), Number(c.c_7 * s_m1_8 + Number(1) - c.c_6 * s_m3_2 * q_4), Number(Number(1) - c.c_11 * s_m3_2 * (q_4 * q_4))};
     }
 
     // dQ_x/dT
@@ -393,7 +396,7 @@ private:
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
-                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi"}, reach), reach);
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

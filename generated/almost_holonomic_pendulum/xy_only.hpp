@@ -189,6 +189,7 @@ private:
         Number c_18{};
         Number c_19{};
         Number c_20{};
+        Number c_21{};
     };
 
     template <class Number> static void compute_constants(
@@ -216,11 +217,11 @@ private:
         c.c_14 = -Number(7) / Number(8) * c.C_delta * c.c_11;
         c.c_15 = c.C_delta * c.c_2;
         c.c_16 = c.c_8 * c.eps;
-        const Number k_2 = hypot(c.C_delta, Number(0));
-        c.c_17 = Number(5) / Number(12) * c.eps * k_2;
-        c.c_18 = Number(3) / Number(64) * (k_2 * k_2);
-        c.c_19 = Number(2) * c.c_2;
-        c.c_20 = Number(1) / Number(64) * c.c_2;
+        c.c_17 = hypot(c.C_delta, Number(0));
+        c.c_18 = Number(5) / Number(12) * c.eps * c.c_17;
+        c.c_19 = Number(3) / Number(64) * (c.c_17 * c.c_17);
+        c.c_20 = Number(2) * c.c_2;
+        c.c_21 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -316,7 +317,7 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes.
-    template <class Number> static std::array<Number, 4> layers(
+    template <class Number> static std::array<Number, 5> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
@@ -331,9 +332,10 @@ private:
         const Number q_2 = c.c_16 * s_m5_4 * xi;
         const Number s_m13_8 = s_4 * s_8 * q_1;
         const Number q_3 = hypot(xi, Number(0));
-        const Number q_4 = Number(1) - c.c_19 * (c.c_17 * s_m13_8 * q_3 + c.c_18 * theta_dot_0);
+        const Number q_4 = Number(1) - c.c_20 * (c.c_18 * s_m13_8 * q_3 + c.c_19 * theta_dot_0);
+        const Number s_m1_8 = s_2 * s_4 * s_8 * per_s;
         const Number s_m3_2 = s_2 * q_1;
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(Number(1) - c.c_20 * s_m3_2 * (q_3 * q_3))};
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(c.c_17 * s_m1_8 + Number(1) - c.c_16 * s_m3_2 * q_3), Number(Number(1) - c.c_21 * s_m3_2 * (q_3 * q_3))};
     }
 
     // dQ_x/dT
@@ -572,7 +574,7 @@ private:
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
-                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi"}, reach), reach);
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

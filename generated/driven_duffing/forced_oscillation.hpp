@@ -183,6 +183,7 @@ private:
         Number c_19{};
         Number c_20{};
         Number c_21{};
+        Number c_22{};
     };
 
     template <class Number> static void compute_constants(
@@ -265,6 +266,7 @@ private:
         c.c_19 = Number(4) + Number(4) * (k_30 + k_31) - Number(1) / Number(16) * k_32;
         c.c_20 = Number(81) / Number(256) * k_1;
         c.c_21 = Number(2) * k_1;
+        c.c_22 = Number(1) - Number(1) / Number(8) * k_1;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -290,6 +292,7 @@ private:
         keep(scaled.c_17, c.c_17, "c_17 in x");
         keep(scaled.c_20, c.c_20, "c_20 in x");
         keep(scaled.c_21, c.c_21, "c_21 in x");
+        keep(scaled.c_22, c.c_22, "c_22 in x");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -320,12 +323,12 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes.
-    template <class Number> static std::array<Number, 1> layers(
+    template <class Number> static std::array<Number, 2> layers(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
-        return {Number(Number(1) - c.c_21 * (c.c_20 * q_1 + c.c_2 * (q_1 * q_1)))};
+        return {Number(Number(1) - c.c_21 * (c.c_20 * q_1 + c.c_2 * (q_1 * q_1))), Number(q_1 + c.c_22)};
     }
 
     // dtheta/dT
@@ -509,7 +512,7 @@ private:
             return failed;
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T, look_up_1(T)); },
-                                           std::array{"x"}, reach, resonform::broad_layer_samples), reach);
+                                           std::array{"x", "x"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -201,6 +201,7 @@ private:
         Number c_25{};
         Number c_26{};
         Number c_27{};
+        Number c_28{};
     };
 
     template <class Number> static void compute_constants(
@@ -236,11 +237,11 @@ private:
         c.c_21 = -Number(7) / Number(8) * c.C_delta * c.c_15;
         c.c_22 = c.C_delta * c.c_2;
         c.c_23 = c.c_12 * c.eps;
-        const Number k_3 = hypot(c.C_delta, Number(0));
-        c.c_24 = Number(5) / Number(12) * c.eps * k_3;
-        c.c_25 = Number(3) / Number(64) * (k_3 * k_3);
-        c.c_26 = Number(2) * c.c_2;
-        c.c_27 = Number(1) / Number(64) * c.c_2;
+        c.c_24 = hypot(c.C_delta, Number(0));
+        c.c_25 = Number(5) / Number(12) * c.eps * c.c_24;
+        c.c_26 = Number(3) / Number(64) * (c.c_24 * c.c_24);
+        c.c_27 = Number(2) * c.c_2;
+        c.c_28 = Number(1) / Number(64) * c.c_2;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -336,7 +337,7 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes.
-    template <class Number> static std::array<Number, 4> layers(
+    template <class Number> static std::array<Number, 5> layers(
             const Constants<Number>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
@@ -347,13 +348,14 @@ private:
         const Number theta_dot_0 = s_2 * s_4 * per_s;
         const Number s_m1_2 = s_2 * per_s;
         const Number s_8 = sqrt(s_4);
+        const Number s_m1_8 = s_2 * s_4 * s_8 * per_s;
         const Number s_m3_2 = s_2 * q_1;
         const Number s_m13_8 = s_4 * s_8 * q_1;
         const Number s_m5_4 = s_2 * s_4 * q_1;
         const Number q_2 = c.c_23 * s_m5_4 * xi;
         const Number q_3 = hypot(xi, Number(0));
-        const Number q_4 = Number(1) - c.c_26 * (c.c_24 * s_m13_8 * q_3 + c.c_25 * theta_dot_0);
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(Number(1) - c.c_27 * s_m3_2 * (q_3 * q_3))};
+        const Number q_4 = Number(1) - c.c_27 * (c.c_25 * s_m13_8 * q_3 + c.c_26 * theta_dot_0);
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(c.c_24 * s_m1_8 + Number(1) - c.c_23 * s_m3_2 * q_3), Number(Number(1) - c.c_28 * s_m3_2 * (q_3 * q_3))};
     }
 
     // dQ_x/dT
@@ -616,7 +618,7 @@ private:
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
-                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi"}, reach), reach);
+                                           std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(

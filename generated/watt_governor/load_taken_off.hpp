@@ -191,6 +191,7 @@ private:
         Number c_31{};
         Number c_32{};
         Number c_33{};
+        Number c_34{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -1010,6 +1011,7 @@ private:
         w.k_378 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
         w.k_379 = w.k_23 + w.k_239 * w.k_241 * w.k_243 * w.k_1 * w.k_221 * w.k_376;
         c.c_33 = w.k_254 + w.k_377 + w.k_378 * w.k_7 - Number(4) * (w.k_379 * w.k_379);
+        c.c_34 = Number(1) / Number(8);
     }
 
     template <class Number> static void compute_constants(
@@ -1023,7 +1025,7 @@ private:
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
         keep(scaled.eps, c.eps, "eps");
-        keep(scaled.c_3, c.c_3, "c_3 in psi_1");
+        keep(scaled.c_3, c.c_3, "c_3 in psi");
         keep(scaled.c_4, c.c_4, "c_4 in chi");
         keep(scaled.c_6, c.c_6, "c_6 in w");
         keep(scaled.c_7, c.c_7, "c_7 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
@@ -1037,6 +1039,7 @@ private:
         keep(scaled.u_psi, c.u_psi, "u_psi");
         keep(scaled.v_psi, c.v_psi, "v_psi");
         keep(scaled.c_28, c.c_28, "c_28 in 2*b^2*w^2 - 9*w^4 + 9");
+        keep(scaled.c_34, c.c_34, "c_34 in psi");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -1090,27 +1093,35 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes.
-    template <class Number> static std::array<Number, 5> layers(
+    template <class Number> static std::array<Number, 6> layers(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 1>& flow) {
         const Number w_ = flow[0];
         const Number per_w_mean = per(w_);
         const Number q_1 = per_w_mean * per_w_mean;
         const Number s = w_ - Number(1);
+        const Number per_s = per(s);
         const Number s2 = w_ + Number(1);
+        const Number per_s2 = per(s2);
         const Number q_2 = w_ * w_;
         const Number s3 = q_2 + Number(1);
+        const Number per_s3 = per(s3);
         const Number s1 = q_2 * (Number(4) * q_2 - Number(1)) - Number(4);
         const Number s1_2 = sqrt(s1);
         const Number per_s1 = per(s1);
         const Number s1_m1_2 = s1_2 * per_s1;
         const Number s_2 = sqrt(s);
+        const Number s_m3_2 = s_2 * (per_s * per_s);
         const Number s2_2 = sqrt(s2);
+        const Number s2_m3_2 = s2_2 * (per_s2 * per_s2);
         const Number s3_2 = sqrt(s3);
+        const Number s3_m3_2 = s3_2 * (per_s3 * per_s3);
         const Number q_3 = c.c_10 * s1 * q_1;
         const Number q_4 = s1_m1_2 * (q_1 * q_1) * (q_2 * (q_2 * (c.c_7 * q_2 - c.c_8) + c.c_7) - c.c_8);
-        const Number q_5 = hypot(s, c.c_11);
-        const Number q_6 = q_2 * s2_2 * s3_2 * q_5 * hypot(s_2, c.c_11) * (w_ * (w_ * s2 + Number(1)) + Number(1));
-        return {Number(q_3 + q_4 + c.c_10), Number(q_3 + c.c_10 - q_4), Number(q_5), Number(hypot(s1, c.c_11)), Number(q_6)};
+        const Number q_5 = c.c_34 * q_2;
+        const Number q_6 = hypot(Number(s_m3_2 * s2_m3_2 * s3_m3_2 * per_w_mean * (q_5 - c.c_3)), Number(s_m3_2 * s1_m1_2 * s2_m3_2 * s3_m3_2 * (c.c_3 - q_5)));
+        const Number q_7 = hypot(s, c.c_11);
+        const Number q_8 = q_2 * s2_2 * s3_2 * q_7 * hypot(s_2, c.c_11) * (w_ * (w_ * s2 + Number(1)) + Number(1));
+        return {Number(q_3 + q_4 + c.c_10), Number(q_3 + c.c_10 - q_4), Number(Number(1) - Number(2) * q_6), Number(q_7), Number(hypot(s1, c.c_11)), Number(q_8)};
     }
 
     // dtheta/dT
@@ -1309,7 +1320,7 @@ private:
             return failed;
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T, look_up_1(T)); },
-                                           std::array{"b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "w - 1", "-(b^2*w^2 - 4*w^4 + 4)", "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"}, reach), reach);
+                                           std::array{"b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "psi", "w - 1", "-(b^2*w^2 - 4*w^4 + 4)", "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

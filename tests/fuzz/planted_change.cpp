@@ -28,9 +28,11 @@ template <class F> void each_node(Program& p, const F& f) {
         for (Node* n : {&table.integrand, &table.value}) f(*n);
     for (ProgramPhase& phase : p.phases) {
         for (Node* n : {&phase.start, &phase.rate}) f(*n);
-        for (Node* n : {&phase.cosine, &phase.sine, &phase.exponential})
+        for (Node* n : {&phase.cosine, &phase.sine, &phase.exponential, &phase.growth})
             if (*n >= 0) f(*n);
         for (Node& n : phase.fades_with) f(n);
+        for (std::vector<Node>& either : phase.precision)
+            for (Node& n : either) f(n);
     }
     for (auto* results : {&p.slow, &p.outputs, &p.state, &p.names})
         for (ProgramOutput& result : *results) f(result.value);

@@ -126,6 +126,19 @@ TEST_F(SlowMapAlong, AFlowThatComesNearItsSingularity) {
     for (const std::size_t k : {4U, 5U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
 }
 
+// 0.02 (1 + tau)^3 = 2 (1 + |a|) at tau = 4.85, with |a| = 1.
+TEST_F(MapAlong, AForcedMotionThatGrows) {
+    read(beside_slow("x'' + x + x^3 - eps^2*(1 + tau)^3"), "order = 2\n" + from_eps + "tau = 0\n");
+    const double eps = 0.02;
+    const auto rate = [&](double t, double x, double) {
+        return eps * eps * std::pow(1 + eps * t, 3) - x - x * x * x;
+    };
+    const std::vector<double> x = at({0, 100, 240, 245, 300}, eps, 8, "x");
+    EXPECT_NEAR(x[1], integrated(rate, eps, 100), 5e-5);
+    EXPECT_NEAR(x[2], integrated(rate, eps, 240), 1e-2);
+    for (const std::size_t k : {3U, 4U}) EXPECT_TRUE(std::isnan(x[k])) << x[k];
+}
+
 TEST_F(MapAlong, AGrowingAmplitudeWithAFrequencyThatMoves) {
     read(beside_slow("x'' - 2*eps*x' + (1 + tau)*x + x^3"), "order = 2\n" + from_eps + "tau = 0\n");
     const double eps = 0.01;

@@ -76,6 +76,11 @@ std::string with(const std::string& text, const std::string& found, const std::s
     return std::string(text).replace(text.find(found), found.size(), instead);
 }
 
+// u = z_1 is divided by nothing.
+TEST_F(FadingDivisors, AreNothingToOtherOutputs) {
+    EXPECT_EQ(at(crossing, with(both_in_motion, "\"u\", \"y\"", "\"u\""), 0.1, 10).status, Status::ok);
+}
+
 // Of a manifold alone nothing is divided by s.
 TEST_F(FadingDivisors, AreNothingToTheManifold) {
     const std::string driven = with(crossing, "+ u^2", "+ u^2 + eps"),

@@ -30,7 +30,7 @@ public:
     FlowProgram(const Solution& solution, const Scene& scene, const ProgramOptions& options)
         : SceneProgram(solution, scene, options), flow_(*solution.flow),
           field_(*solution.normalization->normal_form.field), real_(field_),
-          fading_(fading_divisors(solution)) {}
+          fading_(fading_divisors(solution, scene.outputs)) {}
 
     Program build() {
         open(field_.ring->generator(field_.eps).name);
@@ -161,10 +161,13 @@ void FlowProgram::keep_signs() {
             program_.positive.push_back({program_.graph.power(begin, 2), name});
         const GeneratorId own = *field_.ring->find(g.name);
         const Graph::Node now = frame_->lowering.node(id);
+        const Graph::Node sign = program_.graph.multiply({begin, now});
+        if (signs_of(program_.graph, sign, surroundings_.positive).is_positive())
+            std::erase_if(fading_, [&](const FadingDivisor& d) { return d.generator == own; });
         if (fades(fading_, own))
             inverses_.emplace(now, inverse_of(program_.graph, now, begin));
         else if (!passes_zero(flow_, field_, field_.ring->generator(own).radicand))
-            program_.positive.push_back({program_.graph.multiply({begin, now}), name});
+            program_.positive.push_back({sign, name});
     }
 }
 

@@ -235,7 +235,7 @@ void SymbolicSolution::read_flow() {
             conditions_.push_back({flow.modes[k].either ? SymbolicCondition::Kind::keeps_sign
                                                         : SymbolicCondition::Kind::radicand,
                                    fixed(flow.modes[k].leading_rate(mode))});
-    const std::vector<FadingDivisor> fading = fading_divisors(solution_);
+    const std::vector<FadingDivisor> fading = fading_divisors(solution_, scene_.outputs);
     for (const SymbolicRing::Root& root : ring_->roots())
         if (root.divisor && !passes_zero(flow, field, ring_->ring().generator(root.id).radicand) &&
             !fades(fading, root.id))
