@@ -69,7 +69,7 @@ public:
         std::vector<FadingDivisor> result;
         for (const MovingDivisor& moving : moving_divisors_at_start(normalization_))
             for (const GeneratorId id : field_.coefficients->divisors())
-                if (is(id, moving.divisor))
+                if (is(id, moving.divisor) && !passes_zero(flow_, field_, ring_.generator(id).radicand))
                     if (std::optional<FadingDivisor> found = divisor(id, moving))
                         result.push_back(std::move(*found));
         return result;

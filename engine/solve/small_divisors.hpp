@@ -36,7 +36,8 @@ Rational least_divisor(); // 10^-4, in units of eps
 //
 //   u' = -(1 + s) u,   y' = -2 y + u^2,   s' = -eps:     y = z_2 - z_1^2/(2 s) + ...
 //
-// What the equations divide by is none of them.
+// What the equations divide by is none of them, nor is Re lambda of a mode that passes
+// (solve/flow/passage.hpp).
 struct FadingDivisor {
     GeneratorId generator; // whose powers 1/D is
     MovingDivisor moving;

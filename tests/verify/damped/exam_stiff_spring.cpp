@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mass on a stiff spring (systems/stiff_spring) at every rate: ladders where they are strict, and one
 // evaluator, whose argument the rate is, against implicit integration at any.
-#include "own_system.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/integrate/integrate.hpp"
+#include "verify/own_system.hpp"
 
 #include <gtest/gtest.h>
 

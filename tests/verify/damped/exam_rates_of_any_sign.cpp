@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modes whose growth rate has no declared sign, or passes through zero: statuses on both sides, values
 // against direct integration, lies.
-#include "own_system.hpp"
 #include "solve/flow/slow_flow.hpp"
 #include "verify/estimate/times.hpp"
+#include "verify/own_system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ladders of a system that only the implicit integrator can follow.
 #include "model/files/read_scene.hpp"
-#include "scene_line.hpp"
 #include "support/shell.hpp"
+#include "verify/scene_line.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ladders of scenes with modes that are damped at eps = 0, the first moments included, and liars among them.
-#include "own_system.hpp"
 #include "solve/flow/slow_flow.hpp"
 #include "verify/evaluate/interpreter.hpp"
+#include "verify/own_system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Divisors of products that decay: what is gone does no harm where they vanish, what is there is refused.
-#include "own_system.hpp"
 #include "support/program.hpp"
 #include "verify/evaluate/program_defaults.hpp"
+#include "verify/own_system.hpp"
 #include "verify/symbolic/evaluator.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modes that grow at eps = 0: followed as long as they leave digits, or projected away, and judged by
 // their defect.
-#include "own_system.hpp"
 #include "solve/flow/slow_flow.hpp"
 #include "verify/estimate/times.hpp"
+#include "verify/own_system.hpp"
 #include "verify/report/json.hpp"
 
 #include <gtest/gtest.h>
@@ -107,17 +107,18 @@ TEST_F(GrowingModes, AreNotProjectedWhereNoneGrows) {
     EXPECT_THROW((void)test::solution_of(scene), Error);
 }
 
-// A spiral that grows and is driven by an oscillator, with the slow variable that they move.
-const std::string spiral =
+// A growing_spiral that grows and is driven by an oscillator, with the slow variable that they move.
+const std::string growing_spiral =
     "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\ns = { role = \"slow\" }\n[equations]\n"
     "x = \"x'' + x + s*x*y = 0\"\ny = \"y'' - y' + 3*y = x^2\"\ns = \"s' = eps*(1 + y)\"\n";
-const std::string let_go = "[start]\nx = \"eps\"\n\"x'\" = 0\ny = 0\n\"y'\" = \"eps\"\ns = 1\n"
-                           "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\n";
+const std::string started_off = "[start]\nx = \"eps\"\n\"x'\" = 0\ny = 0\n\"y'\" = \"eps\"\ns = 1\n"
+                                "[verify]\neps = [0.04, 0.02, 0.01, 0.005]\n";
 
 TEST_F(GrowingModes, ThatTurnPassWithTheirDefect) {
     for (const std::string head :
          {"growing = \"project\"\n", "transients = false\n", "growing = \"status\"\n"}) {
-        const Scene scene = written(spiral, "order = 2\noutputs = [\"x\", \"y\", \"s\"]\n" + head + let_go);
+        const Scene scene =
+            written(growing_spiral, "order = 2\noutputs = [\"x\", \"y\", \"s\"]\n" + head + started_off);
         const Verification v = test::verified(test::line_of(scene));
         for (const OutputVerdict& o : v.outputs) EXPECT_EQ(o.verdict, Verdict::pass) << head << o.reason;
         EXPECT_EQ(v.emitted.verdict, Verdict::pass) << head << to_text(v.emitted);
@@ -133,8 +134,9 @@ TEST_F(GrowingModes, ThatTurnPassWithTheirDefect) {
 }
 
 TEST_F(GrowingModes, AWrongRateLeavesADefect) {
-    const std::string text = "order = 3\ntime_scale = 1\noutputs = [\"x\"]\ngrowing = \"project\"\n" + let_go;
-    test::SceneLine line = test::line_of(written(spiral, text));
+    const std::string text =
+        "order = 3\ntime_scale = 1\noutputs = [\"x\"]\ngrowing = \"project\"\n" + started_off;
+    test::SceneLine line = test::line_of(written(growing_spiral, text));
     SlowFlow wrong = *line.solution.flow;
     Series& rate = wrong.modes[0].rate;
     const Polynomial part = rate.part(3);
