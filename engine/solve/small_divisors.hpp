@@ -45,8 +45,6 @@ struct FadingDivisor {
     std::vector<std::vector<int>> products; // e^{<product, chi>} multiplies it, with the decays of the flow
 };
 
-// The moving divisors that stand in no rate, and in outputs only beside modes that decay. What the equations
-// divide by is none of them.
 std::vector<FadingDivisor> fading_divisors(const Solution& solution, const std::vector<std::string>& outputs);
 bool fades(const std::vector<FadingDivisor>& fading, GeneratorId generator);
 
