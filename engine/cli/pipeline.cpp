@@ -194,7 +194,7 @@ bool concerns_symbols(const Error& error) {
     }
 }
 
-// About how the coefficients are written, not what they say.
+// Whether another way to write the same coefficients may be accepted.
 bool hangs_on_form(const Error& error) {
     const Reason reason = error.diagnostic().reason;
     return reason == Reason::undecided || reason == Reason::size;

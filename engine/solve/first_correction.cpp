@@ -34,12 +34,9 @@ public:
         return result;
     }
 
-    // nullopt: nothing is forced, or it is a solution by itself.
+    // nullopt: nothing is forced, or what is forced is superposed on the rest.
     [[nodiscard]] std::optional<FirstCorrection> of_forcing(std::size_t mode) const {
-        const auto asks = [&](const MovedVariable& v) {
-            return v.kind == MovedVariable::Kind::mode && v.index == mode && !v.forced.empty();
-        };
-        if (std::none_of(moved_.begin(), moved_.end(), asks)) return std::nullopt;
+        if (!feels_forcing_) return std::nullopt;
         FirstCorrection result{name_of(field_.modes[mode]), {mode}, {0}, {{}}, {}, {}, true};
         for (const Found& f : first(solution_.normalization->map.mode[mode], 0)) {
             if (std::any_of(f.degrees.begin(), f.degrees.end(), [](int degree) { return degree != 0; }))
@@ -48,6 +45,7 @@ public:
             added.coefficient = Rational(1) / 4 * added.coefficient;
             result.sums.front().push_back(std::move(added));
         }
+        if (result.sums.front().empty()) return std::nullopt;
         return result;
     }
 
@@ -189,7 +187,7 @@ private:
     const Solution& solution_;
     const GradedField& field_;
     const Ring& ring_;
-    std::vector<MovedVariable> moved_ = moved_variables(solution_);
+    bool feels_forcing_ = feels_what_is_forced(*field_.first_order);
 };
 
 } // namespace

@@ -7,8 +7,9 @@
 // x'' + x + x^3 = 0:   h = -w^3/16 + 3/16 w wbar^2 + wbar^3/32,   2 (9/32) eps^2 |a|^2 < 1
 //
 // The condition contains no phase, so it is smooth in slow time except where a coefficient vanishes. Forced
-// terms of h, which contain no mode, do not grow with |a|. Where the equations are not linear in the modes,
-// those of lowest weight must not be larger than weights say, with what is in the mode already,
+// terms of h, which contain no mode, do not grow with |a|. But where the equations are not linear in the fast
+// variables, the forced terms f_j of lowest weight must be small together, as the weight w of the mode
+// assumes:
 //
 //   sum |f_j|  <  2 (1 + |a|)                       z = eps^w (a e^{i theta} + f_j e^{i ...} + ...)
 //
@@ -56,7 +57,7 @@ struct FirstCorrection {
 
 // For each mode with nonlinear terms: its quadratic and its cubic terms of lowest weight, and of all
 // nonlinear terms those of lowest weight. (Linear terms have divisors that move, with layers of their own.)
-// Then what is forced, and those of angles and slow variables. A closed solution has one more, for the factor
+// Then those of forced terms, of angles and of slow variables. A closed solution has one more, for the factor
 // of the amplitude: 2 |F - 1| < 1.
 std::vector<FirstCorrection> first_corrections(const Solution& solution);
 

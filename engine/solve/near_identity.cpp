@@ -34,7 +34,8 @@ std::vector<Polynomial> harmonics_without_modes(const GradedField& field, const 
     return coefficients;
 }
 
-// False where all equations are of first degree in the fast variables: forced motion is then superposed.
+} // namespace
+
 bool feels_what_is_forced(const FirstOrderSystem& equations) {
     const auto is_fast = [&](const State& s) {
         return equations.system->variables[s.variable].role == Role::fast;
@@ -49,8 +50,6 @@ bool feels_what_is_forced(const FirstOrderSystem& equations) {
                            [&](const State& by) { return is_fast(by) && bends(rated, by); });
     });
 }
-
-} // namespace
 
 std::vector<MovedVariable> moved_variables(const Solution& solution) {
     using Of = MovedVariable::Kind;

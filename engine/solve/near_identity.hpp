@@ -37,6 +37,9 @@ struct MovedVariable {
 };
 std::vector<MovedVariable> moved_variables(const Solution& solution);
 
+// False where all equations are of first degree in the fast variables: forced motion is then superposed.
+bool feels_what_is_forced(const FirstOrderSystem& equations);
+
 // Values at t = 0; modes are divided by eps^weight. Angles are measured from their old value, which is 0.
 template <class Complex> struct StartShift {
     Complex old, now, added; // added: by the map to the new variables

@@ -282,8 +282,8 @@ void CppStages::know_call(CppFunction& function) {
     }
 }
 
-// Whether modes are followed to where they are (emit/program/passage.hpp), and what is divided by divisors
-// that vanish is gone (emit/program/layers.hpp).
+// Whether digits are left where a growth rate changes its sign (emit/program/passage.hpp) or a small divisor
+// vanishes (emit/program/layers.hpp).
 std::string CppStages::passes() {
     if (plan_.precisions.empty()) return "";
     CppFunction function(plan_.code, "Real", "q");

@@ -145,9 +145,10 @@ void FlowProgram::define_slow(std::size_t k) {
     surroundings_.positive.insert({start_.slow[k], value});
 }
 
-// Moving small divisors must keep the sign that they start with: a change crosses a resonance surface. But
-// for those of what is gone by then: of a mode that passes (emit/program/passage.hpp), and of products that
-// decay (solve/small_divisors.hpp).
+// Moving small divisors must keep the sign that they start with: a change crosses a resonance surface. Two
+// kinds may change it, because the terms that they divide have decayed by then: multiples of Re lambda of a
+// mode that passes (emit/program/passage.hpp), and divisors of decaying products only
+// (solve/small_divisors.hpp).
 void FlowProgram::keep_signs() {
     const FlowMoment at_start(program_, real_, surroundings_, start_, false);
     for (GeneratorId id = 0; id < real_.ring()->size(); ++id) {

@@ -31,8 +31,10 @@ struct MarginAlgebra {
 
 } // namespace
 
-Wide margin_of(const FirstCorrection& correction, const Wide& eps, const std::vector<Wide>& moduli,
-               const std::vector<Wide>& sizes) {
+Wide margin_of(const FirstCorrection& correction, const std::vector<SymbolicSum>& polynomials,
+               const SymbolicValues<Wide>& values, const Wide& eps, const std::vector<Wide>& moduli) {
+    Numbers sizes;
+    for (const SymbolicSum& p : polynomials) sizes.push_back(value_of(p, values).size());
     return margin_of(MarginAlgebra(), correction, eps, moduli, sizes);
 }
 
@@ -52,9 +54,8 @@ std::vector<Wide> SymbolicMargins::at(const SymbolicValues<Wide>& values) const 
 }
 
 Wide SymbolicMargins::of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const {
-    Numbers sizes;
-    for (const SymbolicSum& p : added.polynomials) sizes.push_back(value_of(p, values).size());
-    return margin_of(added.correction, frame_.eps, solution().moduli(values, frame_.eps), sizes);
+    return margin_of(added.correction, added.polynomials, values, frame_.eps,
+                     solution().moduli(values, frame_.eps));
 }
 
 Status SymbolicMargins::keep_clear(const SymbolicIntegral& integral, Wide& reach) const {

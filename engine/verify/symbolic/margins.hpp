@@ -9,9 +9,9 @@
 
 namespace resonform {
 
-// Of a correction whose polynomials have these absolute values (solve/first_correction.hpp).
-Wide margin_of(const FirstCorrection& correction, const Wide& eps, const std::vector<Wide>& moduli,
-               const std::vector<Wide>& sizes);
+// Of a correction with its polynomials (solve/first_correction.hpp) at these values.
+Wide margin_of(const FirstCorrection& correction, const std::vector<SymbolicSum>& polynomials,
+               const SymbolicValues<Wide>& values, const Wide& eps, const std::vector<Wide>& moduli);
 
 class SymbolicMargins {
 public:

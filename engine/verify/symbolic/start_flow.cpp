@@ -109,9 +109,7 @@ private:
         std::vector<Wide> moduli;
         for (const WideComplex& mode : modes) moduli.push_back(mode.size());
         return std::all_of(corrections_.begin(), corrections_.end(), [&](const auto& entry) {
-            std::vector<Wide> sizes;
-            for (const SymbolicSum& p : entry.second) sizes.push_back(value_of(p, values).size());
-            return margin_of(entry.first, eps, moduli, sizes) > 0;
+            return margin_of(entry.first, entry.second, values, eps, moduli) > 0;
         });
     }
 

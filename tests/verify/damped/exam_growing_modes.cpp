@@ -107,7 +107,7 @@ TEST_F(GrowingModes, AreNotProjectedWhereNoneGrows) {
     EXPECT_THROW((void)test::solution_of(scene), Error);
 }
 
-// A growing_spiral that grows and is driven by an oscillator, with the slow variable that they move.
+// A spiral that grows and is driven by an oscillator, with the slow variable that they move.
 const std::string growing_spiral =
     "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\ns = { role = \"slow\" }\n[equations]\n"
     "x = \"x'' + x + s*x*y = 0\"\ny = \"y'' - y' + 3*y = x^2\"\ns = \"s' = eps*(1 + y)\"\n";
