@@ -36,9 +36,7 @@ protected:
         found.why = interpreter.why(found.status);
         found.x = values[0];
 
-        SymbolicInputs inputs{Wide(eps), {}, {}, Wide(1), {}};
-        for (std::size_t k = 0; k < start.size(); ++k)
-            inputs.start[program->start[k].canonical] = Wide(start[k]);
+        SymbolicInputs inputs = test::symbolic_inputs(*program, eps, start, 1);
         for (const StartValue& given : read.start)
             if (inputs.start.emplace(given.name, Wide(untaken_)).second) inputs.untaken.insert(given.name);
         const SymbolicEvaluator exact(std::make_shared<const SymbolicSolution>(solution, read), inputs,

@@ -43,11 +43,8 @@ protected:
                            const Check& check) {
         const std::vector<double> start = default_start<double>(*program_, eps, {});
         const Interpreter<double> interpreter(program_, eps, {}, start, end);
-        SymbolicInputs inputs{Wide(eps), {}, {}, Wide(end), {}};
-        for (std::size_t k = 0; k < start.size(); ++k)
-            inputs.start[program_->start[k].canonical] = Wide(start[k]);
-        const SymbolicEvaluator exact(std::make_shared<const SymbolicSolution>(solution_, scene_), inputs,
-                                      Wide(end));
+        const SymbolicEvaluator exact(std::make_shared<const SymbolicSolution>(solution_, scene_),
+                                      test::symbolic_inputs(*program_, eps, start, end), Wide(end));
         std::vector<double> found;
         for (const double t : times) {
             std::vector<double> values(program_->outputs.size());

@@ -6,6 +6,7 @@
 #include "scene_line.hpp"
 #include "support/shell.hpp"
 #include "verify/evaluate/interpreter.hpp"
+#include "verify/symbolic/evaluator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,14 @@
 #include <vector>
 
 namespace resonform::test {
+
+// What the exact solution takes for the start values of a program, in their order.
+inline SymbolicInputs symbolic_inputs(const Program& program, double eps, const std::vector<double>& start,
+                                      double slow_time_end) {
+    SymbolicInputs inputs{Wide(eps), {}, {}, Wide(slow_time_end), {}};
+    for (std::size_t k = 0; k < start.size(); ++k) inputs.start[program.start[k].canonical] = Wide(start[k]);
+    return inputs;
+}
 
 class WrittenSystem {
 protected:

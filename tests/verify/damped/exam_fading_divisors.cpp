@@ -18,13 +18,11 @@ protected:
     Status both(const std::string& system, const std::string& text, double eps) {
         const Scene scene = written(system, text);
         const Answer answer = at(system, text, eps, 1);
-        SymbolicInputs inputs{Wide(eps), {}, {}, Wide(4 * eps), {}};
         const auto program = test::program_of(scene);
-        const std::vector<double> start = default_start<double>(*program, eps, {});
-        for (std::size_t k = 0; k < start.size(); ++k)
-            inputs.start[program->start[k].canonical] = Wide(start[k]);
         const SymbolicEvaluator exact(
-            std::make_shared<const SymbolicSolution>(test::solution_of(scene), scene), inputs, Wide(4 * eps));
+            std::make_shared<const SymbolicSolution>(test::solution_of(scene), scene),
+            test::symbolic_inputs(*program, eps, default_start<double>(*program, eps, {}), 4 * eps),
+            Wide(4 * eps));
         EXPECT_EQ(exact(Wide(1)).status, answer.status) << eps;
         EXPECT_EQ(answer.why, answer.status == Status::ok ? "" : "y");
         return answer.status;
