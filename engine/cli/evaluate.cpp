@@ -142,7 +142,7 @@ int run_evaluate(const EvaluateRequest& request) {
     const Home home = find_home();
     std::optional<ErrorEstimator> estimator;
     const auto program = watched(request.limits, [&](Watch& watch) {
-        const SceneLine line = solve_scene(request.scene, home, watch);
+        const SceneLine line = solve_scene(read_scene_with_values(request.scene, home), watch);
         auto built = std::make_shared<const Program>(program_of(line, watch));
         require_values(*built, line.scene);
         (void)bounded_interval_length(line.scene, asked);

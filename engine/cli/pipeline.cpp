@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/pipeline.hpp"
 
+#include "algebra/number/error.hpp"
 #include "cli/output.hpp"
 #include "emit/cpp/cpp.hpp"
 #include "emit/display/decided.hpp"
@@ -166,6 +167,18 @@ Scene read_scene_of(const std::string& argument, const Home& home) {
     return scene;
 }
 
+Scene read_scene_with_values(const std::string& argument, const Home& home) {
+    Scene scene = read_scene_of(argument, home);
+    for (const NamedFunction& f : scene.system->functions)
+        if (f.callable)
+            bad_input({fmt::format("{} is a callable, which only emitted code can call", f.name),
+                       "callable = true",
+                       "give it as an expression or by data; or generate the header, and give the "
+                       "evaluator the function as last argument",
+                       *f.callable});
+    return scene;
+}
+
 namespace {
 
 SceneLine solve_as_given(Scene scene, Watch& watch) {
@@ -262,7 +275,8 @@ Header header_of(const SceneLine& line, Watch& watch, bool inline_runtime) {
 }
 
 SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits) {
-    return watched(limits, [&](Watch& watch) { return solve_scene(argument, home, watch); });
+    return watched(limits,
+                   [&](Watch& watch) { return solve_scene(read_scene_with_values(argument, home), watch); });
 }
 
 } // namespace resonform

@@ -70,13 +70,15 @@ Derive deriving_under(Watch& watch);
 
 // SCENE of the command line; errors: those of find_scene and read_scene.
 Scene read_scene_of(const std::string& argument, const Home& home);
+// The same for commands that compute numbers. Errors: also a function that only emitted code can call.
+Scene read_scene_with_values(const std::string& argument, const Home& home);
 // Parameters stay symbols where this can be done: the values of [fix] are put in before the derivation only
 // if it is refused with symbols (sin(al), a divisor or a sign that is not proved, a resonance of fixed
 // frequencies), and the scene of the line has them put in then.
 // Errors: those of every room on the way, with the values put in.
 SceneLine solve_scene(Scene scene, Watch& watch);
 SceneLine solve_scene(const std::string& argument, const Home& home, Watch& watch);
-// The same with a watch of its own, that ends with the derivation.
+// The same for commands that compute numbers, with a watch of its own, that ends with the derivation.
 SceneLine solve_scene(const std::string& argument, const Home& home, const DerivationLimits& limits);
 Program program_of(const SceneLine& line, Watch& watch);
 

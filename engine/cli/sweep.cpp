@@ -161,7 +161,7 @@ SweepShare share_of(SweepShare share, const SweepTeam& team) {
 int run_sweep(const SweepRequest& request, const SweepTeam& team) {
     SweepGrid grid = of_argument("--over", [&] { return SweepGrid(request.over, request.sample); });
     const Home home = find_home();
-    Scene scene = read_scene_of(request.scene, home);
+    Scene scene = read_scene_with_values(request.scene, home);
     of_argument("--over", [&] {
         require_axes(grid, scene);
         return bounded_product(

@@ -67,7 +67,7 @@ struct VerifyRequest {
 
 SceneLine solve_for(const VerifyRequest& request, const Home& home) {
     return watched(request.limits, [&](Watch& watch) {
-        Scene scene = read_scene_of(request.scene, home);
+        Scene scene = read_scene_with_values(request.scene, home);
         if (!request.report.empty()) require_same_subject(request.report, scene);
         return solve_scene(std::move(scene), watch);
     });

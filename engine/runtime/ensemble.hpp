@@ -148,6 +148,7 @@ private:
                           typename Single::Parameters& parameters, typename Single::Start& start) {
         eps = members.eps == nullptr ? math::not_a_number<Real>() : members.eps[i];
         parameters = {};
+        if constexpr (requires { members.give(parameters); }) members.give(parameters); // its functions
         for (std::size_t k = 0; k < Single::parameter_fields.size(); ++k)
             if (const Real* array = members.*Single::parameter_arrays[k]; array != nullptr)
                 parameters.*Single::parameter_fields[k] = array[i];

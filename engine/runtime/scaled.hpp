@@ -73,6 +73,13 @@ template <class Number> struct Scaled {
     }
 };
 
+// A function of Number at x: what is too small for Number is 0, what is too large is not a number.
+template <class Function, class Number> Scaled<Number> of_number(const Function& f, const Scaled<Number>& x) {
+    Number value;
+    if (x.fits(value)) return Scaled<Number>(f(value));
+    return Scaled<Number>(x.exponent < 0 ? f(Number(0)) : math::not_a_number<Number>());
+}
+
 namespace math {
 template <class Number> inline constexpr int digits<Scaled<Number>> = digits<Number>;
 

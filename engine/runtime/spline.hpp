@@ -63,9 +63,7 @@ template <class Real> Real spline(const Spline& of, int derivative, const Real& 
 }
 
 template <class Number> Scaled<Number> spline(const Spline& of, int derivative, const Scaled<Number>& x) {
-    Number value;
-    if (x.fits(value)) return Scaled<Number>(of.at(derivative, value));
-    return Scaled<Number>(x.exponent < 0 ? of.at(derivative, Number(0)) : math::not_a_number<Number>());
+    return of_number([&](const Number& value) { return of.at(derivative, value); }, x);
 }
 
 } // namespace resonform

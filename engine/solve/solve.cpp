@@ -46,7 +46,7 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
         if (const Generator& g = field.ring->generator(id); g.kind == GeneratorKind::function &&
                                                             g.of.function == Function::named &&
-                                                            system.function(g.of.symbol)->data == nullptr)
+                                                            !system.function(g.of.symbol)->is_opaque())
             refuse(
                 {"a solution is for functions that have values",
                  g.name,
@@ -159,7 +159,7 @@ void check_projected(const Solution& solution, const SolveOptions& options) {
 } // namespace
 
 bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
-    return solves_by_quadratures(*normal_form.field) && !normal_form.field->system().has_data() &&
+    return solves_by_quadratures(*normal_form.field) && !normal_form.field->system().has_opaque_functions() &&
            (time_scale < 2 || amplitude_is_constant(normal_form));
 }
 

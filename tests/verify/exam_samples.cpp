@@ -24,6 +24,8 @@ protected:
     using Function = double (*)(double);
     static double smooth(double s) { return 1 + std::exp(-s * s) / 2; }
 
+    std::string domain_; // a table of the system
+
     Scene scene(const std::string& way, double first, double last, const std::string& more, int degree = 5,
                 Function omega = smooth) {
         std::string data = "s,omega\n";
@@ -33,9 +35,10 @@ protected:
         }
         write_beside("data.csv", data);
         return written(
-            "[functions]\nomega = { of = [\"s\"], positive = true }\n"
-            "[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\" }\n"
-            "[equations]\nx = \"x'' + omega(s)^2*x + x^3 = 0\"\ns = \"s' = " +
+            domain_ +
+                "[functions]\nomega = { of = [\"s\"], positive = true }\n"
+                "[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\" }\n"
+                "[equations]\nx = \"x'' + omega(s)^2*x + x^3 = 0\"\ns = \"s' = " +
                 way + "eps\"\n",
             fmt::format("order = 2\n[functions]\nomega = {{ data = \"data.csv\", columns = [\"s\", "
                         "\"omega\"], degree = {} }}\n[start]\nx = \"eps\"\n\"x'\" = 0\n{}",
@@ -100,6 +103,26 @@ TEST_F(SampledFrequency, EndsWhereTheDataEnd) {
     EXPECT_EQ(at.call(49.9, x), Status::ok);
     EXPECT_EQ(at.call(50.1, x), Status::outside_domain);
     EXPECT_STREQ(at.why(Status::outside_domain), "slow flow");
+}
+
+// 1 + exp(-s^2)/2 = 5/4 at s = 0.8325...
+TEST_F(SampledFrequency, BoundsTheMotionByTheDomain) {
+    domain_ = "[domain]\npositive = [\"omega(s) - 5/4\"]\n";
+    const std::string interval = "s = 0\n[verify]\neps = [0.04, 0.02, 0.01]\ninterval = ";
+    const Scene within = scene("", 0, 1, interval + "\"4/(5*eps)\"\n");
+    const Interpreter<double> at(test::program_of(within), 0.01, {}, {}, 1.0);
+    std::vector<double> x;
+    EXPECT_EQ(at.call(83.2, x), Status::ok);
+    EXPECT_EQ(at.call(83.3, x), Status::outside_domain);
+    EXPECT_STREQ(at.why(Status::outside_domain), "omega(s) - 5/4");
+    EXPECT_TRUE(test::verified(test::line_of(within)).as_expected());
+    try {
+        (void)test::verified(test::line_of(scene("", 0, 1, interval + "\"1/eps\"\n")));
+        FAIL() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("s = 0.8325"), std::string::npos) << error.what();
+    }
+    EXPECT_THROW(scene("", 0, 1, "s = 0.9\n"), Error); // starts outside
 }
 
 TEST_F(SampledFrequency, IsSmoothEnoughOrRefused) {

@@ -34,6 +34,9 @@ private:
 
 std::string CppBegin::arguments() const {
     std::string text;
+    for (const CppCallable& callable : plan_.callables)
+        text +=
+            bad_unless(fmt::format("parameters.{}.given()", callable.name), "bad_argument", callable.name);
     std::map<Graph::Node, std::string> all{{program_.eps, "eps"}};
     const auto finite = [&](const std::string& from, const std::vector<ProgramInput>& inputs,
                             const std::vector<std::string>& names) {

@@ -301,7 +301,10 @@ std::string CppFrame::data_members() const {
 
 std::string cpp_class(const Program& program, const std::vector<CppFurther>& further) {
     CppPlan plan(program);
-    return "template <class Real = double> class Evaluator {\npublic:\n    using Status = "
+    const std::string parameters =
+        plan.callables.empty() ? "class Real = double" : "class Real, " + plan.callable_list("class {type}");
+    return "template <" + parameters +
+           "> class Evaluator {\npublic:\n    using Status = "
            "resonform::Status;\n    using BatchReport = resonform::BatchReport;\n\n" +
            cpp_interface(plan, further) + "private:\n" + cpp_fields(plan) + cpp_stages(plan) +
            CppFrame(plan, further).print() + "};\n";

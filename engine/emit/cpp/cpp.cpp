@@ -66,6 +66,7 @@ void add_headers(const Program& program, std::set<std::string>& names) {
         if (needed) names.insert(name);
     };
     add(std::any_of(phases.begin(), phases.end(), decay), "decay");
+    add(!CppPlan(program).callables.empty(), "callable");
     add(!program.flow.empty(), "flow");
     add(!program.layers.empty(), "layer");
     add(!std::all_of(phases.begin(), phases.end(), decay), "phase");

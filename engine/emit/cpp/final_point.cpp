@@ -110,7 +110,7 @@ std::string CppCourse::print() const {
         program_.phases.empty() && program_.data.empty()
             ? ""
             : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
-    const bool no_data = program_.data.empty();
+    const bool no_data = program_.data.empty(), no_callables = plan_.callables.empty();
     return filled(
         frames::course,
         {{"flow", program_.flow.empty() ? "false" : "true"},
@@ -126,7 +126,9 @@ std::string CppCourse::print() const {
          {"rates", rates()},
          {"margins", margins()},
          {"conditions", conditions()},
-         {"packs", plan_.range.native && program_.flow.empty() && none_decays && no_data ? "true" : "false"},
+         {"packs", plan_.range.native && program_.flow.empty() && none_decays && no_data && no_callables
+                       ? "true"
+                       : "false"},
          {"constants", constants},
          {"edges", no_data ? "" : "            decltype(Evaluator::edges(c)) edges;\n"},
          {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},

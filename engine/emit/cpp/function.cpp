@@ -166,6 +166,10 @@ CppFunction::Text CppFunction::function_of(const StraightLine::Instruction& i) c
     if (i.data != nullptr)
         return {fmt::format("spline({}, {}, {})", cpp_data_name(*i.data), i.index, arguments.front()),
                 Level::atom};
+    if (!i.callable.empty())
+        return {fmt::format("{}.{}({}, {})", callables_in_, cpp_callable_name(i.callable), i.index,
+                            arguments.front()),
+                Level::atom};
     const std::string name = i.op == StraightLine::Op::root ? "sqrt" : function_name(i.function);
     return {fmt::format("{}({})", name, fmt::join(arguments, ", ")), Level::atom};
 }

@@ -28,6 +28,13 @@ public:
     // A value to be assigned to `target`, not declared here.
     void assign(StraightLine::Value v, const std::string& target) { targets_[v] = target; }
 
+    // A statement before all others.
+    void begin_with(const std::string& target, const std::string& expression) {
+        statements_.insert(statements_.begin(), {target, expression, false});
+    }
+    // Callables are members of `object`.
+    void call_through(const std::string& object) { callables_in_ = object; }
+
     // Writes the statements for the roots and all they need.
     void compute(const std::vector<StraightLine::Value>& roots, bool through_constants);
     // How a root is written after compute().
@@ -66,6 +73,7 @@ private:
 
     const StraightLine* code_;
     std::string type_, prefix_;
+    std::string callables_in_ = "c";
     CppNames names_;
     bool in_pieces_ = false;
     std::map<StraightLine::Value, Text> texts_;

@@ -12,7 +12,11 @@ namespace resonform {
 
 namespace {
 
-std::string class_of(const CppFurther& further) { return name_of(further) + "::Evaluator<Real>"; }
+std::string class_of(const CppFurther& further) {
+    const CppPlan plan(*further.program);
+    const std::string types = plan.callables.empty() ? "" : ", " + plan.callable_list("{type}");
+    return fmt::format("{}::Evaluator<Real{}>", name_of(further), types);
+}
 
 // "own.g = parameters.g;" for what both have; how many they are.
 struct Copied {
@@ -37,8 +41,9 @@ Copied copied(const std::vector<ProgramInput>& to, const std::vector<std::string
 std::string arguments_of(const CppFurther& further, const CppPlan& plan) {
     const CppPlan own(*further.program);
     const Program &to = *further.program, &from = *plan.program;
-    const Copied parameters =
-        copied(to.parameters, own.parameters, from.parameters, plan.parameters, "parameters");
+    Copied parameters = copied(to.parameters, own.parameters, from.parameters, plan.parameters, "parameters");
+    for (const CppCallable& callable : own.callables)
+        parameters.text += fmt::format("        own.{0} = parameters.{0};\n", callable.name);
     const Copied start = copied(to.start, own.start, from.start, plan.start, "start");
     const bool complete = start.count == to.start.size();
     return filled(frames::further, {{"name", name_of(further)},

@@ -25,7 +25,7 @@ public:
     std::string print() {
         return parameters() + start() + results("Values", plan_.outputs, "The outputs at one time.") +
                results("State", plan_.state, "All states at one time, with the map at its full weight.") +
-               filled(frames::constructors, {{"further", cpp_further_built(further_)}}) + why() +
+               filled(frames::constructors, {{"further", cpp_further_built(further_)}}) + called() + why() +
                default_start() + default_slow_time_end() + calls() + cpp_estimates(plan_, further_);
     }
 
@@ -34,6 +34,7 @@ private:
     std::string start() const;
     static std::string results(const std::string& name, const std::vector<CppResult>& list,
                                const std::string& comment);
+    std::string called() const;
     std::string why() const;
     std::string default_start();
     std::string default_slow_time_end();
@@ -62,6 +63,10 @@ std::string CppInterface::parameters() {
         }
         text += fmt::format("        Real {} = {};\n", plan_.parameters[k], value);
     }
+    for (const CppCallable& callable : plan_.callables)
+        text += fmt::format(
+            "        resonform::Callable<{}> {}; // to be given: {} and its derivatives, 0 ... {}\n",
+            callable.type, callable.name, callable.function, callable.derivatives);
     return text + "    };\n\n";
 }
 
@@ -78,6 +83,17 @@ std::string CppInterface::results(const std::string& name, const std::vector<Cpp
     std::string text = fmt::format("    // {}\n    struct {} {{\n", comment, name);
     for (const CppResult& result : list) text += fmt::format("        Real {}{{}};\n", result.name);
     return text + "    };\n\n";
+}
+
+// Constructors and at_end whose last arguments are the callables.
+std::string CppInterface::called() const {
+    if (plan_.callables.empty()) return "";
+    std::string given;
+    for (const CppCallable& callable : plan_.callables)
+        given += fmt::format("        parameters.{0} = {0};\n", callable.name);
+    return filled(frames::called, {{"arguments", plan_.callable_list("const {type}& {name}")},
+                                   {"names", plan_.callable_list("{name}")},
+                                   {"given", given}});
 }
 
 std::string CppInterface::why() const {
@@ -106,6 +122,7 @@ std::string CppInterface::default_text(const CppFunction& function, Value v) con
 }
 
 void CppInterface::know_inputs(CppFunction& function) {
+    function.call_through("parameters");
     const auto know = [&](Graph::Node symbol, const std::string& name) {
         function.know(plan_.code.lower(symbol),
                       plan_.native_defaults ? name : fmt::format("{}({})", default_type(), name));
@@ -169,10 +186,20 @@ std::string CppInterface::ensemble() const {
         program_.phases.empty()
             ? ""
             : "        bool full_phase = true; // false: a phase may be off by 4e-13 radians\n";
-    return filled(frames::ensemble, {{"fields", fields},
-                                     {"full_phase", full_phase},
-                                     {"arrays", fmt::format("Real* {}", fmt::join(names, ", Real* "))},
-                                     {"names", fmt::format("{}", fmt::join(names, ", "))}});
+    const bool called = !plan_.callables.empty();
+    const std::string callables = plan_.callable_list("{name}");
+    const auto if_called = [&](const std::string& text) { return called ? text : std::string(); };
+    return filled(
+        frames::ensemble,
+        {{"fields", fields},
+         {"full_phase", full_phase},
+         {"optional", called ? "" : " = nullptr"},
+         {"callables", if_called(", " + plan_.callable_list("const {type}& {name}"))},
+         {"types", if_called(", " + plan_.callable_list("{type}"))},
+         {"members", called ? "Called{members, given(Parameters{}, " + callables + ")}" : "members"},
+         {"called", if_called(std::string(frames::called_members))},
+         {"arrays", fmt::format("Real* {}", fmt::join(names, ", Real* "))},
+         {"names", fmt::format("{}", fmt::join(names, ", "))}});
 }
 
 std::string CppInterface::calls() const {

@@ -84,6 +84,8 @@ std::string CppNames::numbered(const std::string& prefix) {
     return name;
 }
 
+std::string cpp_callable_name(const std::string& function) { return CppNames().unique(function); }
+
 std::string cpp_literal(const std::string& text) {
     std::string literal = "\"";
     for (const char c : text) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};

@@ -28,6 +28,8 @@ private:
 std::string cpp_namespace(const std::string& system, const std::string& scene);
 
 // The table of data: "data_omega".
+// The member that holds a callable.
+std::string cpp_callable_name(const std::string& function);
 std::string cpp_data_name(const PiecewisePolynomial& data);
 
 // A C++ string literal of ASCII text.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/plan.hpp"
 
+#include "algebra/number/error.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/program/prune.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -12,9 +15,10 @@ namespace resonform {
 using Value = StraightLine::Value;
 
 CppPlan::CppPlan(const Program& p) : program(&p), code(p) {
-    name_inputs();
     assign_levels();
     lower_results();
+    find_callables();
+    name_inputs();
     find_members(false);
     find_ranges();
     const bool native = range.native;
@@ -28,9 +32,51 @@ CppPlan::CppPlan(const Program& p) : program(&p), code(p) {
     name_kept();
 }
 
+// Of the results, which have been lowered, and of the start.
+void CppPlan::find_callables() {
+    std::map<std::string, int> highest;
+    const auto note = [&](const std::string& name, int derivative) {
+        if (!name.empty()) highest[name] = std::max(highest[name], derivative);
+    };
+    for (std::size_t v = 0; v < code.size(); ++v)
+        note(code.at(static_cast<Value>(v)).callable, code.at(static_cast<Value>(v)).index);
+    std::vector<Graph::Node> start;
+    for (const ProgramInput& input : program->start) start.push_back(input.default_value);
+    const std::vector<bool> in_start = reachable(program->graph, start);
+    for (std::size_t n = 0; n < in_start.size(); ++n)
+        if (const Graph::Entry& e = program->graph.at(static_cast<Graph::Node>(n));
+            in_start[n] && e.op == Graph::Op::callable)
+            note(e.name, e.exponent);
+    CppNames names;
+    for (const auto& [function, derivatives] : highest) {
+        const std::string name = cpp_callable_name(function);
+        if (names.unique(function) != name)
+            refuse({"the names of callables differ in C++, too",
+                    function + " would be " + name + " once more",
+                    "rename the function in the system",
+                    {}});
+        callables.push_back({function, name, names.unique("Function_" + function), derivatives});
+    }
+}
+
+CppNames CppPlan::names_beside_callables() const {
+    CppNames names;
+    for (const CppCallable& callable : callables)
+        for (const std::string& name : {callable.name, callable.type}) names.unique(name);
+    return names;
+}
+
+std::string CppPlan::callable_list(const char* form) const {
+    std::string text;
+    for (const CppCallable& callable : callables)
+        text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(form), fmt::arg("name", callable.name),
+                                                         fmt::arg("type", callable.type));
+    return text;
+}
+
 void CppPlan::name_inputs() {
-    const auto unique = [](const std::vector<ProgramInput>& inputs) {
-        CppNames names;
+    const auto unique = [this](const std::vector<ProgramInput>& inputs) {
+        CppNames names = names_beside_callables();
         std::vector<std::string> result;
         result.reserve(inputs.size());
         for (const ProgramInput& input : inputs) result.push_back(names.unique(input.name));
@@ -183,7 +229,7 @@ void CppPlan::find_members(bool conditions) {
     in_any_case.insert(flow_starts.begin(), flow_starts.end());
     for (const Growth& growth : growths) in_any_case.insert(growth.factor);
     for (const CppCondition& condition : constant_conditions) in_any_case.insert(condition.value);
-    CppNames names;
+    CppNames names = names_beside_callables();
     members.clear();
     for (const Value v : code.behind(all, false)) {
         const StraightLine::Instruction& i = code.at(v);

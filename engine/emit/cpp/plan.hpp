@@ -4,6 +4,7 @@
 #pragma once
 
 #include "emit/cpp/constant_range.hpp"
+#include "emit/cpp/names.hpp"
 #include "emit/program/straight_line.hpp"
 
 #include <map>
@@ -30,6 +31,12 @@ struct CppRow { // of program.rows
     StraightLine::Value amplitude;
 };
 
+// A function that the user of the class gives by an object: the name of its members, and that of its type.
+struct CppCallable {
+    std::string function, name, type;
+    int derivatives; // the highest
+};
+
 struct CppCondition { // > 0
     StraightLine::Value value;
     std::string quantity;
@@ -41,6 +48,7 @@ struct CppPlan {
     const Program* program;
     StraightLine code;
     std::vector<std::string> parameters, start; // members of Parameters and Start, as in the program
+    std::vector<CppCallable> callables;         // members of Parameters and Constants
     std::vector<CppLevel> levels;
     std::vector<StraightLine::Value> flow_starts, flow_rates;   // of program.flow
     std::vector<StraightLine::Value> integrands;                // of program.tables
@@ -85,6 +93,8 @@ struct CppPlan {
     // "c.u_x, c.v_x" for prefix "c."
     [[nodiscard]] std::string member_list(const std::vector<StraightLine::Value>& values,
                                           const std::string& prefix) const;
+    // "{type} {name}", say, of all callables, separated by commas.
+    [[nodiscard]] std::string callable_list(const char* form) const;
     // The exponents with which all decays that turns with a phase: indices of program.phases.
     [[nodiscard]] std::vector<std::size_t> fades_with(std::size_t phase) const;
     // A phase is as exact as the tables or the flow in its rate.
@@ -97,6 +107,8 @@ private:
     void find_members(bool conditions);
     void find_ranges();
     void name_kept();
+    void find_callables();
+    [[nodiscard]] CppNames names_beside_callables() const;
     [[nodiscard]] std::vector<StraightLine::Value> roots() const;
     [[nodiscard]] std::vector<std::string> users() const;
 };

@@ -69,12 +69,16 @@ std::string CppStages::constants() {
     CppFunction function(plan_.code, "Number", "k");
     know_arguments(function);
     std::vector<Value> roots;
+    for (const CppCallable& callable : plan_.callables)
+        text += fmt::format("        resonform::Callable<{}> {};\n", callable.type, callable.name);
     for (const auto& [value, name] : plan_.members) {
         text += fmt::format("        Number {}{{}};\n", name);
         function.assign(value, "c." + name);
         roots.push_back(value);
     }
     function.compute(roots, true);
+    for (const CppCallable& callable : plan_.callables)
+        function.begin_with("c." + callable.name, "parameters." + callable.name);
     return text + "    };\n\n" +
            function.print({"template <class Number> static",
                            "void",
@@ -115,6 +119,8 @@ std::string CppStages::kept_constants() const {
         text += fmt::format("        if (!(scaled.{} > resonform::Scaled<Number>(0))) return "
                             "{{Status::outside_domain, {}}};\n",
                             plan_.members.at(condition.value), cpp_literal(condition.quantity));
+    for (const CppCallable& callable : plan_.callables)
+        text += fmt::format("        c.{0} = parameters.{0};\n", callable.name);
     return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n";
 }
 
@@ -123,6 +129,7 @@ std::string CppStages::start_conditions() {
     if (!plan_.conditions_apart) return "";
     CppFunction function(plan_.code, "Number", "k");
     know_arguments(function);
+    function.call_through("parameters");
     std::vector<Value> conditions;
     for (const CppCondition& condition : plan_.constant_conditions) conditions.push_back(condition.value);
     function.compute(conditions, true);

@@ -6,6 +6,7 @@
 #include "model/text/canonical.hpp"
 #include "model/text/enclosure.hpp"
 #include "model/text/function_call.hpp"
+#include "model/text/named_function.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -26,8 +27,9 @@ std::string to_text(const GiNaC::ex& e) {
 
 class Translation {
 public:
-    Translation(Graph& graph, const std::map<std::string, Graph::Node>& names, const Place& place)
-        : graph_(graph), names_(names), place_(place) {}
+    Translation(Graph& graph, const std::map<std::string, Graph::Node>& names, const Place& place,
+                const NamedNode& named)
+        : graph_(graph), names_(names), place_(place), named_(named) {}
 
     Graph::Node operator()(const GiNaC::ex& e) const {
         if (GiNaC::is_a<GiNaC::numeric>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e));
@@ -68,14 +70,20 @@ private:
     }
 
     Graph::Node function(const GiNaC::ex& e) const {
+        if (is_named(e)) return named(e);
         const std::optional<Function> f = function_of(e);
         if (!f) refuse_function(e);
         const bool of_runtime = *f == Function::sine || *f == Function::cosine ||
                                 *f == Function::exponential || *f == Function::logarithm ||
                                 *f == Function::tangent || *f == Function::inverse_hyperbolic_sine;
         if (!of_runtime && is_constant(e)) return graph_.rational(value_of(e)); // atan(1/3)
-        if (*f == Function::named) refuse_function(e);
         return function_node(graph_, *f, (*this)(e.op(0)));
+    }
+
+    Graph::Node named(const GiNaC::ex& e) const {
+        if (!named_) refuse_function(e);
+        const NamedCall call = named_call(e);
+        return named_(call.name, call.derivative, (*this)(call.argument));
     }
 
     // Its value to more digits than any real type has.
@@ -94,6 +102,7 @@ private:
     Graph& graph_;
     const std::map<std::string, Graph::Node>& names_;
     const Place& place_;
+    const NamedNode& named_;
 };
 
 } // namespace
@@ -138,8 +147,8 @@ Graph::Node function_node(Graph& graph, Function f, Graph::Node x) {
 }
 
 Graph::Node from_expression(Graph& graph, const GiNaC::ex& e, const std::map<std::string, Graph::Node>& names,
-                            const Place& place) {
-    return Translation(graph, names, place)(e);
+                            const Place& place, const NamedNode& named) {
+    return Translation(graph, names, place, named)(e);
 }
 
 } // namespace resonform

@@ -17,6 +17,7 @@ std::string spelling(const Graph::Entry& e) {
     append(e.exponent);
     if (e.op == Graph::Op::rational) key += to_string(e.value);
     if (e.op == Graph::Op::symbol) key += e.name;
+    if (e.op == Graph::Op::callable) key += e.name + ' ';
     if (e.op == Graph::Op::spline) key += e.data->name + ' ';
     for (const Graph::Node n : e.operands) append(n);
     return key;
@@ -197,6 +198,15 @@ Graph::Node Graph::spline(DataPointer data, int derivative, Node x) {
     e.op = Op::spline;
     e.exponent = derivative;
     e.data = std::move(data);
+    e.operands = {x};
+    return intern(std::move(e));
+}
+
+Graph::Node Graph::callable(const std::string& name, int derivative, Node x) {
+    Entry e;
+    e.op = Op::callable;
+    e.name = name;
+    e.exponent = derivative;
     e.operands = {x};
     return intern(std::move(e));
 }

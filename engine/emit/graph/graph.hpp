@@ -39,13 +39,14 @@ public:
         erf,
         atan2,            // (y, x)
         sqrt_sum_squares, // hypot(a, b)
-        spline            // derivative of data
+        spline,           // derivative of data
+        callable          // derivative of a function that is given to emitted code
     };
     struct Entry {
         Op op = Op::rational;
         Rational value;   // rational
-        std::string name; // symbol
-        int exponent = 0; // power: exponent; root: k; spline: how often it is differentiated
+        std::string name; // symbol, callable
+        int exponent = 0; // power: exponent; root: k; spline, callable: how often it is differentiated
         DataPointer data; // spline
         std::vector<Node> operands;
     };
@@ -67,6 +68,7 @@ public:
     // One of sin ... sqrt_sum_squares; exact values at 0 and 1 are folded.
     Node function(Op op, std::vector<Node> operands);
     Node spline(DataPointer data, int derivative, Node x);
+    Node callable(const std::string& name, int derivative, Node x);
 
 private:
     using Factors = std::map<Node, int>; // base -> exponent

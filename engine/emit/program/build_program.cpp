@@ -193,10 +193,12 @@ std::string fixed_values(const System& system, const Scene& scene) {
     return text;
 }
 
-// "omega(tau) = sqrt(1 + tau^2)", "omega(tau): spline of degree 5 through 33 points of omega.csv"
+// "omega(tau) = sqrt(1 + tau^2)", "omega(tau): spline of degree 5 through 33 points of omega.csv",
+// "omega(tau): an object that the caller gives"
 std::string given_value(const NamedFunction& f) {
-    return fmt::format("{}({}){}", f.name, f.of,
-                       f.data != nullptr ? ": " + f.data_text : " = " + spell(f.value->value));
+    const std::string head = f.name + "(" + f.of + ")";
+    if (f.value) return head + " = " + spell(f.value->value);
+    return head + ": " + (f.callable ? "an object that the caller gives" : f.data_text);
 }
 
 Program built(const Solution& solution, const Scene& scene, const ProgramOptions& options) {
@@ -236,15 +238,16 @@ Program without_savings(const Solution& solution, Scene scene) {
 
 Program build_program(const Solution& solution, const Scene& scene, const ProgramOptions& wanted) {
     ProgramOptions options = wanted;
-    const bool has_data = solution.system().has_data();
-    options.rows = wanted.rows && !has_data;
+    const bool opaque = solution.system().has_opaque_functions();
+    options.rows = wanted.rows && !opaque;
     Program program = built_with_reason(solution, scene, options);
-    if (wanted.rows && has_data) program.form_reason = "no tables of data";
+    if (wanted.rows && opaque)
+        program.form_reason = solution.system().has_data() ? "no tables of data" : "no tables of callables";
     prune(program, wanted.kept_inputs);
     find_data(program);
     program.notes = scene_formulas(solution, scene, !program.phases.empty());
     for (const NamedFunction& f : solution.system().functions)
-        if (f.value || f.data != nullptr) program.notes.push_back(given_value(f));
+        if (f.value || f.is_opaque()) program.notes.push_back(given_value(f));
     if (options.fold_fixed && !scene.fix.empty())
         program.notes.push_back(fixed_values(solution.system(), scene));
     if (!solution.system().source.empty()) program.notes.push_back("source: " + solution.system().source);

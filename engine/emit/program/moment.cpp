@@ -47,18 +47,22 @@ bool contains_varying(const Lowering& lowering, const Polynomial& p) {
     });
 }
 
-void define_data(Lowering& lowering, Program& program, DataPointer data, GeneratorId id) {
+// The declared sign of a callable is seen only when it is called.
+void define_named(Lowering& lowering, Program& program, const Surroundings& surroundings, GeneratorId id) {
     const FunctionOf& of = lowering.ring().generator(id).of;
-    const Graph::Node argument = lowering.radicand(of.argument);
-    lowering.define(id, program.graph.spline(std::move(data), of.derivative, argument),
-                    contains_varying(lowering, of.argument));
+    const Graph::Node value =
+        named_node(program.graph, surroundings, of.symbol, of.derivative, lowering.radicand(of.argument));
+    if (const auto callable = surroundings.callables.find(of.symbol);
+        callable != surroundings.callables.end() && callable->second && of.derivative == 0)
+        program.positive.push_back({value, quantity(lowering.ring(), lowering.ring().gen(id))});
+    lowering.define(id, value, contains_varying(lowering, of.argument));
 }
 
 void define_function(Lowering& lowering, Program& program, const Surroundings& surroundings, GeneratorId id) {
     const Ring& ring = lowering.ring();
     const FunctionOf& of = ring.generator(id).of;
     if (of.function == Function::named) {
-        define_data(lowering, program, surroundings.data.at(of.symbol), id);
+        define_named(lowering, program, surroundings, id);
         return;
     }
     if (const std::optional<Polynomial> positive = positive_for(ring, of)) {
@@ -72,6 +76,12 @@ void define_function(Lowering& lowering, Program& program, const Surroundings& s
 }
 
 } // namespace
+
+Graph::Node named_node(Graph& graph, const Surroundings& surroundings, const std::string& name,
+                       int derivative, Graph::Node x) {
+    if (surroundings.callables.count(name) != 0) return graph.callable(name, derivative, x);
+    return graph.spline(surroundings.data.at(name), derivative, x);
+}
 
 void define_roots_and_functions(Lowering& lowering, Program& program, const Surroundings& surroundings,
                                 bool named) {

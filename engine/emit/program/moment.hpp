@@ -19,7 +19,12 @@ struct Surroundings {
         symbols;                    // eps, parameters, constants of the solution, by generator name
     std::set<Graph::Node> positive; // nodes whose sign is declared
     std::map<std::string, DataPointer> data = {}; // by the function that they are the value of
+    std::map<std::string, bool> callables = {};   // likewise; whether it is declared positive
 };
+
+// The derivative-th derivative at x of a function that is evaluated by its name.
+Graph::Node named_node(Graph& graph, const Surroundings& surroundings, const std::string& name,
+                       int derivative, Graph::Node x);
 
 struct MomentPlan {
     Graph::Node slow_time = -1;                        // T

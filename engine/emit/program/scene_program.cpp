@@ -21,7 +21,10 @@ Graph::Node add_start_input(Program& program, const Scene& scene,
     const StartValue* given = scene.start_of(canonical);
     const Graph::Node value =
         given == nullptr ? program.graph.rational(0)
-                         : from_expression(program.graph, given->value, names, place_of(given->source));
+                         : from_expression(program.graph, given->value, names, place_of(given->source),
+                                           [&](const std::string& function, int derivative, Graph::Node x) {
+                                               return program.graph.callable(function, derivative, x);
+                                           });
     program.start.push_back({identifier(name), meaning, symbol, value, canonical});
     return symbol;
 }
@@ -44,8 +47,10 @@ void SceneProgram::open(const std::string& eps) {
     surroundings_.symbols[eps] = program_.eps;
     surroundings_.positive.insert(program_.eps);
     program_.slow_time_end = program_.graph.rational(1);
-    for (const NamedFunction& f : solution_.system().functions)
+    for (const NamedFunction& f : solution_.system().functions) {
         if (f.data != nullptr) surroundings_.data.emplace(f.name, f.data);
+        if (f.callable) surroundings_.callables.emplace(f.name, f.positive);
+    }
     define_parameters();
 }
 
@@ -104,9 +109,12 @@ double SceneProgram::interval_slow_time() const {
 }
 
 void SceneProgram::close() {
+    const NamedNode named = [this](const std::string& name, int derivative, Graph::Node x) {
+        return named_node(program_.graph, surroundings_, name, derivative, x);
+    };
     for (const Declaration& condition : solution_.system().positive) {
         const Graph::Node node =
-            from_expression(program_.graph, condition.value, names_, place_of(condition.source));
+            from_expression(program_.graph, condition.value, names_, place_of(condition.source), named);
         const bool known = std::any_of(program_.positive.begin(), program_.positive.end(),
                                        [&](const ProgramCondition& c) { return c.value == node; });
         if (!known) program_.positive.push_back({node, short_quantity(condition.text)});

@@ -16,6 +16,7 @@ std::string spelling(const StraightLine::Instruction& i) {
                                   i.index, i.symbol, i.negative);
     if (i.op == StraightLine::Op::number) key += to_string(i.number);
     if (i.data != nullptr) key += i.data->name + '|';
+    if (!i.callable.empty()) key += i.callable + '|';
     for (const StraightLine::Value v : i.operands) key += fmt::format("{},", v);
     return key;
 }
@@ -70,6 +71,7 @@ StraightLine::Value StraightLine::lower(Graph::Node n) {
         i.function = e.op;
         i.index = e.exponent;
         i.data = e.data;
+        if (e.op == Graph::Op::callable) i.callable = e.name;
         for (const Graph::Node operand : e.operands) i.operands.push_back(lower(operand));
         value = append(std::move(i));
     }

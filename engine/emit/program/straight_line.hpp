@@ -24,9 +24,10 @@ public:
         Op op = Op::number;
         Rational number;                     // number
         Graph::Node symbol = -1;             // symbol
-        int index = 0;                       // root; how often data are differentiated
+        int index = 0;                       // root; how often data or a callable are differentiated
         Graph::Op function = Graph::Op::sin; // function
         DataPointer data;                    // of a spline
+        std::string callable;                // its name
         std::vector<Value> operands;         // of add: the positive ones first
         std::size_t negative = 0;            // add: how many operands at the end are subtracted
         bool varying = false;                // computed at each call

@@ -58,7 +58,9 @@ void SystemReader::give_values() {
                  "no value of " + in_quotes(f.name),
                  "write under [functions] its expression, as " + f.name + " = \"sqrt(1 + " + f.of + "^2)\"",
                  values_->place});
-        if (node->type == TomlNode::Type::table)
+        if (node->type == TomlNode::Type::table && node->find("callable") != nullptr)
+            read_callable(f, *node);
+        else if (node->type == TomlNode::Type::table)
             read_data(f, *node);
         else
             f.value = value_of(f, *node);
@@ -93,12 +95,32 @@ DataPointer through_every_other(const Samples& samples, const std::string& name)
 
 } // namespace
 
+void SystemReader::require_slow_argument(const NamedFunction& function, const TomlNode& node,
+                                         const std::string& what) const {
+    if (system_.variable(function.of) == nullptr)
+        bad_value(node, what + " a function of a slow variable, and " + function.of + " is a parameter",
+                  "write its value as an expression");
+}
+
+// An object that emitted code is given. Its sign is seen only where it is called.
+void SystemReader::read_callable(NamedFunction& function, const TomlNode& node) const {
+    check_keys(node, {"callable"});
+    const TomlNode& callable = *node.find("callable");
+    if (!boolean_of(callable))
+        bad_value(callable, "callable = false gives no value of " + function.name,
+                  "write callable = true, an expression, or data");
+    require_slow_argument(function, node, "a callable is");
+    if (function.nonzero && !function.positive)
+        bad_value(node,
+                  "the system declares " + function.name +
+                      " nonzero, and of a callable only that it is positive can be tested where it is called",
+                  "declare it positive, or give an expression");
+    function.callable = place_of(node.source);
+}
+
 // A spline through the columns of a file beside the scene.
 void SystemReader::read_data(NamedFunction& function, const TomlNode& node) const {
-    const Variable* variable = system_.variable(function.of);
-    if (variable == nullptr)
-        bad_value(node, "data give a function of a slow variable, and " + function.of + " is a parameter",
-                  "write its value as an expression");
+    require_slow_argument(function, node, "data give");
     const Samples samples = read_samples(node, values_->place.file);
     PiecewisePolynomial data = spline_through(samples.x, samples.y, samples.degree);
     data.name = function.name;

@@ -21,7 +21,8 @@ public:
 
     void check(const Declaration& declared) const {
         const Estimate estimate = where_regular([&] {
-                                      return scene_.estimate(declared.value.subs(values_));
+                                      const GiNaC::ex value = scene_.fixed(declared.value.subs(values_));
+                                      return scene_.estimate(scene_.system->with_data(value));
                                   }).value_or(Estimate::unbounded);
         if (estimate != Estimate::unknown && estimate != Estimate::positive) complain(declared);
     }

@@ -69,6 +69,9 @@ private:
     [[nodiscard]] bool is_canonical(const Variable& variable) const; // one of a pair
     void check_canonical(const Equation& equation, const GiNaC::exmap& rates) const;
     [[nodiscard]] std::string argument_of(const TomlEntry& entry) const; // of a function
+    void require_slow_argument(const NamedFunction& function, const TomlNode& node,
+                               const std::string& what) const;
+    void read_callable(NamedFunction& function, const TomlNode& node) const;
     void read_data(NamedFunction& function, const TomlNode& node) const;
     [[nodiscard]] FunctionValue value_of(const NamedFunction& function, const TomlNode& node) const;
     void check_order(const Variable& variable, int highest) const;

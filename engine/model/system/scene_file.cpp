@@ -5,6 +5,7 @@
 #include "algebra/number/real_ball.hpp"
 #include "model/system/start_names.hpp"
 #include "model/text/enclosure.hpp"
+#include "model/text/named_function.hpp"
 #include "model/text/regular.hpp"
 #include "model/text/why_unreal.hpp"
 #include "model/text/zero_test.hpp"
@@ -62,6 +63,7 @@ Scope Scene::constants() const {
             scope.define(set.parameter, found->second);
     for (const NamedFunction& f : system->functions) {
         if (f.data != nullptr) scope.define_data(f.name, f.of, f.data);
+        if (f.callable) scope.define_function(f.name);
         if (!f.value) continue;
         const GiNaC::ex value = f.value->value.subs(cancelled, GiNaC::subs_options::no_pattern);
         const bool known = std::none_of(system->cancelled.begin(), system->cancelled.end(),
@@ -85,6 +87,7 @@ Estimate Scene::estimate(const GiNaC::ex& value) const {
     if (!regular) return Estimate::unbounded;
     const GiNaC::ex& e = *regular;
     if (vanishes(e) == Zero::yes) return Estimate::zero; // (sqrt(2) + 1)*(sqrt(2) - 1) - 1
+    if (has_named(e)) return Estimate::unknown;
     for (const Parameter& p : system->parameters) {
         if (e.has(p.symbol)) return Estimate::unknown;
     }

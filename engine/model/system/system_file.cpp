@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/system/system_file.hpp"
 
+#include "model/text/named_function.hpp"
+
 #include <algorithm>
 
 namespace resonform {
@@ -58,9 +60,41 @@ const NamedFunction* System::function(const std::string& wanted) const {
     return find_named(functions, wanted);
 }
 
+namespace {
+
+struct DataValues : GiNaC::map_function {
+    const System& system;
+
+    explicit DataValues(const System& s) : system(s) {}
+    GiNaC::ex operator()(const GiNaC::ex& e) override {
+        if (!is_named(e)) return e.map(*this);
+        const NamedCall call = named_call(e);
+        const NamedFunction* function = system.function(call.name);
+        if (function == nullptr || function->data == nullptr ||
+            !call.argument.info(GiNaC::info_flags::rational))
+            return e;
+        const Rational at = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(call.argument).to_cl_N());
+        if (!function->data->holds(at)) return e;
+        return GiNaC::numeric(cln::cl_N(function->data->at(at, call.derivative)));
+    }
+};
+
+} // namespace
+
+GiNaC::ex System::with_data(const GiNaC::ex& e) const {
+    if (!has_data() || !has_named(e)) return e;
+    DataValues values(*this);
+    return values(e);
+}
+
 bool System::has_data() const {
     return std::any_of(functions.begin(), functions.end(),
                        [](const NamedFunction& f) { return f.data != nullptr; });
+}
+
+bool System::has_opaque_functions() const {
+    return std::any_of(functions.begin(), functions.end(),
+                       [](const NamedFunction& f) { return f.is_opaque(); });
 }
 
 std::string System::constant_name(const std::string& kind, const std::string& of) const {

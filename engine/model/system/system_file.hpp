@@ -67,6 +67,11 @@ struct NamedFunction { // [functions] omega = { of = ["tau"], positive = true }
     // Likewise, by samples: the name stands in the expressions, and this is evaluated in its place.
     DataPointer data = nullptr, coarse_data = nullptr; // through every other sample; nullptr: too few
     std::string data_text = {};                        // "spline of degree 5 through 33 points of omega.csv"
+    // Likewise, by an object that emitted code is given: where the scene says so.
+    std::optional<Place> callable = {};
+
+    // Is it evaluated by its name?
+    [[nodiscard]] bool is_opaque() const { return data != nullptr || callable; }
 };
 
 // [hamiltonian]: x' = dH/dp, p' = -dH/dx for each pair
@@ -173,8 +178,12 @@ struct System {
     // One of the file: in the equations, or cancelled.
     [[nodiscard]] const Parameter* declared_parameter(const std::string& name) const;
     [[nodiscard]] const NamedFunction* function(const std::string& name) const;
+    // An expression with the values of data in place of calls at rational numbers in their range.
+    [[nodiscard]] GiNaC::ex with_data(const GiNaC::ex& e) const;
     // Whether a function of it is given by samples.
     [[nodiscard]] bool has_data() const;
+    // Whether a function of it has values and no formula.
+    [[nodiscard]] bool has_opaque_functions() const;
     // The user's name of a constant of the solution, or kind + "_" + variable ("amplitude_psi").
     [[nodiscard]] std::string constant_name(const std::string& kind, const std::string& variable) const;
     // The parameters and eps: the symbols that start values and intervals may contain.
