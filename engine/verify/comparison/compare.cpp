@@ -218,7 +218,8 @@ Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& 
     Comparison result;
     result.machine = this_machine();
     const Tape rates = fixed_rates(*system, scene);
-    VerifyOptions interpreted = options; // nothing of the trial's code is timed
+    const VerifyOptions& usual = options;
+    VerifyOptions interpreted = usual; // nothing of the trial's code is timed
     interpreted.compiled = false;
     const Trial trial(std::move(system), scene, solution, interpreted, EpsFrom::command_line);
     result.system = trial.program()->system;

@@ -204,14 +204,15 @@ Section speed(const Findings& f, const Figures& figures) {
                              short_number(row.seconds.median), short_number(row.construction_seconds)});
     }
     Table even{"Rivals at the accuracy of the emitted evaluator",
-               {"task", "method", "seconds", "rival / emitted", "winner"},
+               {"task", "method", "tolerance", "seconds", "rival / emitted", "winner"},
                {}};
     for (const BreakEven& b : f.comparison.by_eps.front().tasks) {
         if (b.order != f.scene->order) continue;
         if (!b.failure.empty())
-            even.rows.push_back({to_string(b.task), "emitted", b.failure, "–", "not compared"});
+            even.rows.push_back({to_string(b.task), "emitted", "–", b.failure, "–", "not compared"});
         for (const RivalAtEqualAccuracy& rival : b.rivals)
             even.rows.push_back({to_string(b.task), rival.method,
+                                 rival.seconds ? short_number(rival.tolerance) : "–",
                                  rival.seconds ? short_number(*rival.seconds) : "not reached",
                                  rival.ratio ? short_number(*rival.ratio) : "–", b.winner});
     }
