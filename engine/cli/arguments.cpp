@@ -61,6 +61,15 @@ std::vector<std::string> split_at_commas(const std::string& text) {
     return items;
 }
 
+// The last of a list is none of those before.
+template <class Value>
+void require_new(const std::vector<Value>& list, const std::string& option, const std::string& thing,
+                 const std::string& text, const std::string& item) {
+    if (std::find(list.begin(), list.end() - 1, list.back()) != list.end() - 1)
+        bad_argument(option, fmt::format("each {} must be given once", thing), text,
+                     "leave out the second " + item);
+}
+
 } // namespace
 
 void bad_argument(const std::string& option, const std::string& rule, const std::optional<std::string>& value,
@@ -79,6 +88,17 @@ std::uint64_t read_integer(const std::string& option, const std::string& text, s
         bad_argument(option, fmt::format("must be an integer from {} to {}", lowest, highest), text,
                      fmt::format("give for example {} {}", option, example));
     return number;
+}
+
+std::vector<std::uint64_t> read_integers(const std::string& option, const std::string& text,
+                                         std::uint64_t lowest, std::uint64_t highest, std::uint64_t example) {
+    std::vector<std::uint64_t> list;
+    for (const std::string& item : split_at_commas(text)) {
+        list.push_back(read_integer(option, item, lowest, highest, example));
+        require_new(list, option, "number", text, item);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
 }
 
 int read_order(const std::string& option, const std::string& text) {
@@ -112,8 +132,7 @@ std::vector<Rational> read_eps_list(const std::string& text) {
     std::vector<Rational> list;
     for (const std::string& item : split_at_commas(text)) {
         list.push_back(read_eps(item));
-        if (std::find(list.begin(), list.end() - 1, list.back()) != list.end() - 1)
-            bad_argument("--eps", "each eps must be given once", text, "leave out the second " + item);
+        require_new(list, "--eps", "eps", text, item);
     }
     return list;
 }
@@ -167,6 +186,16 @@ std::string read_choice(const std::string& option, const std::string& text,
     bad_argument(option, fmt::format("must be one of {}", fmt::join(known, ", ")), text,
                  near.empty() ? fmt::format("give {}", known.front())
                               : fmt::format("did you mean {}?", near));
+}
+
+std::vector<std::string> read_choices(const std::string& option, const std::string& text,
+                                      const std::vector<std::string>& known) {
+    std::vector<std::string> list;
+    for (const std::string& item : split_at_commas(text)) {
+        list.push_back(read_choice(option, item, known));
+        require_new(list, option, "name", text, item);
+    }
+    return list;
 }
 
 } // namespace resonform

@@ -33,6 +33,9 @@ template <class Read> auto of_argument(const std::string& option, const Read& re
 // lowest ... highest; `example` is for the complaint.
 std::uint64_t read_integer(const std::string& option, const std::string& text, std::uint64_t lowest,
                            std::uint64_t highest, std::uint64_t example);
+// "1,2,3": several of these, all different, in ascending order.
+std::vector<std::uint64_t> read_integers(const std::string& option, const std::string& text,
+                                         std::uint64_t lowest, std::uint64_t highest, std::uint64_t example);
 // 1 ... 99.
 int read_order(const std::string& option, const std::string& text);
 // A decimal number or a fraction, exactly, within smallest_eps ... largest_eps: "0.01", "1/100".
@@ -54,5 +57,8 @@ int read_digits(const std::string& text);
 // One of `known`; the complaint lists them and names the nearest.
 std::string read_choice(const std::string& option, const std::string& text,
                         const std::vector<std::string>& known);
+// "a,b": several of these, all different.
+std::vector<std::string> read_choices(const std::string& option, const std::string& text,
+                                      const std::vector<std::string>& known);
 
 } // namespace resonform

@@ -112,15 +112,17 @@ int run_verify(const VerifyRequest& request) {
     finish_results(); // the verdicts are there while the report is still being made
     const int verdict = verification.as_expected() ? done : check_failed;
     if (!reported) return verdict;
-    return std::max(verdict, run_behind_results([&] {
-                        write_report(request.report,
-                                     report::make_report({system, &line.scene, &line.solution, verification,
-                                                          compare(system, line.scene, line.solution,
-                                                                  with_progress<CompareOptions>(cache)),
-                                                          stability(line.scene, line.solution,
-                                                                    with_progress<StabilityOptions>(cache))},
-                                                         options, drawn));
-                    }));
+    auto all_orders = with_progress<CompareOptions>(cache);
+    for (int order = 1; order <= line.scene.order; ++order) all_orders.orders.push_back(order);
+    return std::max(
+        verdict, run_behind_results([&] {
+            write_report(request.report,
+                         report::make_report(
+                             {system, &line.scene, &line.solution, verification,
+                              compare(system, line.scene, line.solution, all_orders),
+                              stability(line.scene, line.solution, with_progress<StabilityOptions>(cache))},
+                             options, drawn));
+        }));
 }
 
 } // namespace

@@ -31,11 +31,12 @@ std::string cpp_c_interface(const Program& program, const std::string& evaluator
     const CppPlan plan(program);
     std::string arrays;
     for (std::size_t k = 0; k < plan.outputs.size(); ++k) arrays += fmt::format("outputs[{}], ", k);
-    std::string text =
-        "\n" + filled(frames::library, {{"Evaluator", evaluator},
-                                        {"parameters", elements("parameters", program.parameters.size())},
-                                        {"start", elements("start", program.start.size())},
-                                        {"outputs", stores(plan.outputs, "outputs")}});
+    const std::vector<std::pair<std::string_view, std::string>> holes{
+        {"Evaluator", evaluator},
+        {"parameters", elements("parameters", program.parameters.size())},
+        {"start", elements("start", program.start.size())},
+        {"outputs", stores(plan.outputs, "outputs")}};
+    std::string text = "\n" + filled(frames::library, holes);
     if (!plan.state.empty())
         text += "\n" + filled(frames::library_state,
                               {{"Evaluator", evaluator}, {"state", stores(plan.state, "state")}});
@@ -52,6 +53,7 @@ std::string cpp_c_interface(const Program& program, const std::string& evaluator
                                 "library_state(scene, t, state); }}\n",
                                 letter, real);
     }
+    if (types.find('f') != std::string_view::npos) text += filled(frames::library_end, holes);
     if (types.find('e') != std::string_view::npos) {
         std::string members = "    members.eps = arguments[0];\n";
         std::size_t next = 1;

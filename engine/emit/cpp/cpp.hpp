@@ -30,6 +30,9 @@ std::string emit_cpp(const Program& program, const CppOptions& options = {});
 //   void  rf_batch_d(const void*, const double* t, long n, double* const* outputs, unsigned char* status);
 //   void  rf_grid_d(const void*, const double* t0, const double* dt, long n, double* const* outputs,
 //                   unsigned char* status);
+// With the letter "f", of a final point, nothing constructed (runtime/final_point.hpp):
+//   int   rf_at_end(const double* eps, const double* parameters, const double* start, const double* t,
+//                   double* outputs);                               status
 // With the letter "e", of many members in double (runtime/ensemble.hpp), whose arguments are eps, the
 // parameters and the start values, an array each, or null for the scene's default:
 //   void  rf_ensemble(const double* const* arguments, long n, const double* t, double* const* outputs,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ensemble form of emitted code, compiled and called: many members, each with arguments and a time of its
-// own. What a member gets depends on its arguments alone.
+// What emitted code computes without an object, compiled and called: one final point; many members, each with
+// arguments and a time of its own. What a member gets depends on its arguments alone.
 #pragma once
 
 #include "verify/evaluate/evaluator.hpp"
@@ -14,8 +14,23 @@
 
 namespace resonform {
 
+// One point at a final time.
+class FinalPointLibrary {
+public:
+    // Precondition: the library has the letter "f".
+    explicit FinalPointLibrary(std::shared_ptr<const EvaluatorLibrary> library);
+    // parameters, start: in the order of the program's. Thread-safe.
+    Status at_end(double eps, const double* parameters, const double* start, double t, double* outputs) const;
+
+private:
+    std::shared_ptr<const EvaluatorLibrary> library_;
+    int (*at_end_)(const double*, const double*, const double*, const double*, double*);
+};
+
 class EnsembleLibrary {
 public:
+    // Precondition: the library has the letter "e".
+    explicit EnsembleLibrary(std::shared_ptr<const EvaluatorLibrary> library);
     // Errors: those of SharedObject.
     EnsembleLibrary(const Program& program, const std::filesystem::path& cache,
                     const std::function<void(const std::string&)>& progress);

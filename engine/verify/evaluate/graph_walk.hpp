@@ -4,6 +4,7 @@
 
 #include "algebra/number/binary_parts.hpp"
 #include "emit/graph/graph.hpp"
+#include "runtime/math.hpp"
 #include "runtime/scaled.hpp"
 #include "verify/evaluate/graph_function.hpp"
 #include "verify/run/spline.hpp"

@@ -126,16 +126,17 @@ Trial::Trial(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
     interpreted_ = EvaluatorLibrary::interpreted(program_);
 }
 
-template <class Real> Evaluator<Real> Trial::evaluator(const TrialPoint& at) const {
+template <class Real>
+Evaluator<Real> Trial::evaluator(const TrialPoint& at, const GivenArguments& given) const {
     const Real eps = convert<Real>(at.eps_value);
-    const std::vector<Real> parameters = default_parameters<Real>(*program_, eps);
+    const ProgramArguments<Real> arguments = program_arguments<Real>(*program_, eps, given);
     const bool compiled = std::is_same_v<Real, long double>;
-    return Evaluator<Real>(compiled ? library_ : interpreted_, eps, parameters,
-                           default_start<Real>(*program_, eps, parameters), convert<Real>(at.slow_time_end));
+    return Evaluator<Real>(compiled ? library_ : interpreted_, eps, arguments.parameters, arguments.start,
+                           convert<Real>(at.slow_time_end));
 }
 
-template Evaluator<long double> Trial::evaluator(const TrialPoint&) const;
-template Evaluator<Float128> Trial::evaluator(const TrialPoint&) const;
+template Evaluator<long double> Trial::evaluator(const TrialPoint&, const GivenArguments&) const;
+template Evaluator<Float128> Trial::evaluator(const TrialPoint&, const GivenArguments&) const;
 
 TrialPoint Trial::point(const Rational& eps) const {
     domain_.require(eps);
@@ -148,14 +149,22 @@ TrialPoint Trial::point(const Rational& eps) const {
     at.interval = to_double_value(given[0]);
     at.interval = std::min(at.interval, judged_interval(*field_, scene_, eps));
     at.slow_time_end = end_of(at);
-    at.start.assign(system_->states.size(), Float128(0));
+    return started(std::move(at), {});
+}
 
-    const std::vector<Float128> state = state_at_start(at);
+TrialPoint Trial::started(TrialPoint at, const GivenArguments& start) const {
+    at.start.assign(system_->states.size(), Float128(0));
+    const std::vector<Float128> given = evaluate_constants(start_tape_, at.parameters, at.eps_value);
+    const std::vector<Float128> state = state_at_start(at, start);
     for (std::size_t k = 0; k < state.size(); ++k)
         at.start[static_cast<std::size_t>(&system_->state(program_->state[k].name) -
                                           system_->states.data())] = state[k];
-    for (std::size_t k = 0; k < given_.size(); ++k)
-        if (!comes_from_formula(system_->states[given_[k]])) at.start[given_[k]] = given[k + 1];
+    for (std::size_t k = 0; k < given_.size(); ++k) {
+        const State& of = system_->states[given_[k]];
+        if (comes_from_formula(of)) continue;
+        const auto changed = start.find(of.name);
+        at.start[given_[k]] = changed == start.end() ? given[k + 1] : Float128(changed->second);
+    }
     return at;
 }
 
@@ -180,12 +189,12 @@ std::vector<Conditions::Moved> Trial::moved(const TrialPoint& at) const {
 }
 
 // The state at the start by the formula, for start values that the scene does not give.
-std::vector<Float128> Trial::state_at_start(const TrialPoint& at) const {
+std::vector<Float128> Trial::state_at_start(const TrialPoint& at, const GivenArguments& given) const {
     std::vector<Float128> state(program_->state.size());
     if (state.empty()) return state;
     TrialPoint beginning = at; // tables of the whole interval may be costly, and t = 0 needs none
     beginning.slow_time_end = std::min(at.slow_time_end, at.eps_value);
-    const Evaluator<Float128> formula = evaluator<Float128>(beginning);
+    const Evaluator<Float128> formula = evaluator<Float128>(beginning, given);
     if (const Status status = formula.state(Float128(0), state.data()); !answers(status))
         refuse(Reason::integration,
                {"the formula answers at t = 0",

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "verify/evaluate/evaluator.hpp"
+#include "verify/evaluate/program_defaults.hpp"
 #include "verify/integrate/integrate.hpp"
 #include "verify/judging/conditions.hpp"
 #include "verify/judging/domain.hpp"
@@ -53,6 +54,8 @@ public:
     // physical start values and they are not projected, it is those. The interval is the judged one
     // (times.hpp). Errors: refused, the evaluator answers no start; those of bounded_interval_length.
     [[nodiscard]] TrialPoint point(const Rational& eps) const;
+    // The same point with another start: of the scene's start values those that are given.
+    [[nodiscard]] TrialPoint started(TrialPoint at, const GivenArguments& given) const;
     // The same point with the whole interval of the scene.
     [[nodiscard]] TrialPoint whole(TrialPoint at) const;
     // Given start values that a projection replaces, with the formula's.
@@ -77,7 +80,8 @@ public:
 
     // Real: long double, the emitted code; Float128, the same program interpreted, which takes the compiler
     // no time and is as fast, for arithmetic is all of it.
-    template <class Real> [[nodiscard]] Evaluator<Real> evaluator(const TrialPoint& at) const;
+    template <class Real>
+    [[nodiscard]] Evaluator<Real> evaluator(const TrialPoint& at, const GivenArguments& given = {}) const;
 
 private:
     struct Route {
@@ -89,7 +93,8 @@ private:
     [[nodiscard]] Integration<DoubleDouble> integrated(const TrialPoint& at, const std::vector<double>& times,
                                                        bool implicit, bool fine) const;
     [[nodiscard]] bool comes_from_formula(const State& state) const;
-    [[nodiscard]] std::vector<Float128> state_at_start(const TrialPoint& at) const;
+    [[nodiscard]] std::vector<Float128> state_at_start(const TrialPoint& at,
+                                                       const GivenArguments& given) const;
     [[nodiscard]] std::string without(const Rational& eps) const;
     [[noreturn]] void refuse_interval(const TrialPoint& at, const std::string& failure) const;
     [[nodiscard]] std::string cache_key(const TrialPoint& at, const std::vector<double>& times,

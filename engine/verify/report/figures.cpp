@@ -33,6 +33,11 @@ Curve power_law(std::string text, std::string hue, const std::vector<double>& ep
     return curve;
 }
 
+// Of emitted code the form that is meant for the task, of an integrator all.
+bool is_drawn(const ComparisonRow& row, Task task) {
+    return row.task == task && row.failure.empty() && row.form != Form::scalar;
+}
+
 // How wrong a row is: its worst output.
 double worst(const ComparisonRow& row) {
     return row.max_error.empty() ? 0 : *std::max_element(row.max_error.begin(), row.max_error.end());
@@ -194,7 +199,7 @@ Figure Figures::work_of(const Comparison& comparison, Task task) const {
     std::vector<Curve> curves;
     std::size_t points = 0;
     for (const ComparisonRow& row : comparison.rows) {
-        if (row.task != task || !row.failure.empty()) continue;
+        if (!is_drawn(row, task)) continue;
         points = row.points;
         auto curve =
             std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.label == row.method; });
@@ -222,7 +227,7 @@ Gallery Figures::work(const Comparison& comparison) const {
     Gallery gallery;
     for (const Task task : {Task::final, Task::dense})
         if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
-                        [&](const ComparisonRow& row) { return row.task == task && row.failure.empty(); }))
+                        [&](const ComparisonRow& row) { return is_drawn(row, task); }))
             gallery.figures.push_back(work_of(comparison, task));
     return gallery;
 }

@@ -2,8 +2,8 @@
 // The figures of a report, each from finished data.
 #pragma once
 
+#include "verify/comparison/comparison.hpp"
 #include "verify/judging/ladder.hpp"
-#include "verify/judging/work_precision.hpp"
 #include "verify/report/page.hpp"
 #include "verify/report/plot.hpp"
 

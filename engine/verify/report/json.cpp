@@ -97,38 +97,6 @@ void add_defects(Json& outputs, const std::vector<OutputVerdict>& defects) {
         }
 }
 
-Json of(const ComparisonRow& r) {
-    // One number for tools that want one; each output's own beside it.
-    double worst = 0;
-    for (const double e : r.max_error) worst = e <= worst ? worst : e;
-    Json out{{"eps", to_double(r.eps)},
-             {"method", r.method},
-             {"setting", r.setting},
-             {"task", to_string(r.task)},
-             {"points", r.points},
-             {"max_error", r.failure.empty() ? json_number(worst) : Json(nullptr)},
-             {"seconds", json_number(r.seconds.median)},
-             {"seconds_low", json_number(r.seconds.low)},
-             {"seconds_high", json_number(r.seconds.high)},
-             {"repetitions", r.seconds.repetitions},
-             {"construction_seconds", json_number(r.construction_seconds)},
-             {"max_error_by_output", json_numbers(r.max_error)}};
-    if (!r.failure.empty()) out["failure"] = r.failure;
-    return out;
-}
-
-Json of(const BreakEven& b) {
-    Json rivals = Json::array();
-    for (const RivalAtEqualAccuracy& r : b.rivals)
-        rivals.push_back({{"method", r.method},
-                          {"seconds", r.seconds ? json_number(*r.seconds) : Json(nullptr)},
-                          {"ratio", r.ratio ? json_number(*r.ratio) : Json(nullptr)}});
-    const bool compared = b.failure.empty();
-    return {{"emitted_seconds", compared ? json_number(b.emitted_seconds) : Json(nullptr)},
-            {"rivals", rivals},
-            {"winner", compared ? Json(b.winner) : Json(nullptr)}};
-}
-
 Json of(const WorstPoint& w) {
     Json at = Json::object();
     for (const auto& [name, value] : w.at) at[name] = json_number(value);
@@ -170,23 +138,6 @@ Json to_json(const Verification& v) {
     json["emitted_against_symbolic_ulp"] = json_number(v.emitted.worst());
     json["emitted_equals_symbolic"] = of(v.emitted);
     return json;
-}
-
-Json to_json(const Comparison& c) {
-    Json rows = Json::array(), by_eps = Json::array();
-    for (const ComparisonRow& r : c.rows) rows.push_back(of(r));
-    for (const BreakEvenAtEps& at : c.by_eps) {
-        Json tasks = Json::object();
-        for (const BreakEven& b : at.tasks) tasks[to_string(b.task)] = of(b);
-        by_eps.push_back({{"eps", to_double(at.eps)}, {"break_even", tasks}});
-    }
-    return {{"schema", "resonform.comparison/1"},
-            {"system", c.system},
-            {"scene", c.scene},
-            {"eps", by_eps.front()["eps"]},
-            {"rows", rows},
-            {"break_even", by_eps.front()["break_even"]},
-            {"by_eps", by_eps}};
 }
 
 Json to_json(const Stability& s) {

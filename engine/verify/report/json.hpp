@@ -3,9 +3,9 @@
 // NaN and infinities.
 #pragma once
 
+#include "verify/comparison/comparison.hpp"
 #include "verify/judging/ladder.hpp"
 #include "verify/judging/stability.hpp"
-#include "verify/judging/work_precision.hpp"
 
 #include <nlohmann/json.hpp>
 

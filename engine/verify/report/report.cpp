@@ -192,24 +192,27 @@ Section emitted(const EmittedCheck& check) {
 
 Section speed(const Findings& f, const Figures& figures) {
     Table rows{"Every run",
-               {"method", "setting", "task", "points", "max error", "seconds", "construction, s"},
+               {"method", "setting", "task", "form", "points", "max error", "seconds", "construction, s"},
                {},
                true};
     for (const ComparisonRow& row : f.comparison.rows) {
         std::vector<std::string> errors;
         for (const double e : row.max_error) errors.push_back(short_number(e));
-        rows.rows.push_back({row.method, row.setting, to_string(row.task), std::to_string(row.points),
+        rows.rows.push_back({row.method, row.setting, to_string(row.task),
+                             row.form ? to_string(*row.form) : "", std::to_string(row.points),
                              row.failure.empty() ? fmt::format("{}", fmt::join(errors, ", ")) : row.failure,
                              short_number(row.seconds.median), short_number(row.construction_seconds)});
     }
     Table even{"Rivals at the accuracy of the emitted evaluator",
-               {"task", "method", "seconds", "rival / emitted", "winner"},
+               {"task", "method", "tolerance", "seconds", "rival / emitted", "winner"},
                {}};
     for (const BreakEven& b : f.comparison.by_eps.front().tasks) {
+        if (b.order != f.scene->order) continue;
         if (!b.failure.empty())
-            even.rows.push_back({to_string(b.task), "emitted", b.failure, "–", "not compared"});
+            even.rows.push_back({to_string(b.task), "emitted", "–", b.failure, "–", "not compared"});
         for (const RivalAtEqualAccuracy& rival : b.rivals)
             even.rows.push_back({to_string(b.task), rival.method,
+                                 rival.seconds ? short_number(rival.tolerance) : "–",
                                  rival.seconds ? short_number(*rival.seconds) : "not reached",
                                  rival.ratio ? short_number(*rival.ratio) : "–", b.winner});
     }

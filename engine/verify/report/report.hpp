@@ -2,9 +2,9 @@
 // The report of a scene: its derivation, accuracy, speed and stability.
 #pragma once
 
+#include "verify/comparison/comparison.hpp"
 #include "verify/judging/ladder.hpp"
 #include "verify/judging/stability.hpp"
-#include "verify/judging/work_precision.hpp"
 #include "verify/report/page.hpp"
 
 #include <filesystem>

@@ -12,7 +12,9 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <locale>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -135,13 +137,28 @@ bool keeps_rounding_errors(void* handle) {
 
 fs::path checksum_file(const fs::path& object) { return fs::path(object) += ".sum"; }
 
-// Loading a shared object that was cut or changed would be the end of the program.
-bool is_whole(const fs::path& object) {
+// Beside the object: its hash, and the seconds that its compiler took.
+void store_checksum(const fs::path& object, double seconds) {
+    store_checked(checksum_file(object),
+                  fmt::format("{} {}", content_hash(read_bytes(object).value_or("")), seconds));
+}
+
+// The seconds that the compiler took. nullopt: the object is absent, or was cut or changed, and loading it
+// would be the end of the program.
+std::optional<double> seconds_of_whole(const fs::path& object) {
     const std::optional<std::string> bytes = read_bytes(object), sum = load_checked(checksum_file(object));
-    return bytes && sum && *sum == content_hash(*bytes);
+    if (!bytes || !sum) return std::nullopt;
+    std::istringstream words(*sum);
+    std::string hash;
+    double seconds = 0;
+    words.imbue(std::locale::classic());
+    if (!(words >> hash >> seconds) || hash != content_hash(*bytes)) return std::nullopt;
+    return seconds;
 }
 
 } // namespace
+
+std::string compile_command() { return compiler() + " " + flags; }
 
 SharedObject SharedObject::load(const std::string& text, const fs::path& cache,
                                 const std::function<void()>& announce) {
@@ -152,19 +169,22 @@ SharedObject SharedObject::load(const std::string& text, const fs::path& cache,
                    object = fs::absolute(cache) / (key + ".so");
     // libquadmath is not linked here: the engine has it loaded.
     const auto open = [&object] { return dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL); };
-    void* handle = is_whole(object) ? open() : nullptr;
+    std::optional<double> seconds = seconds_of_whole(object);
+    void* handle = seconds ? open() : nullptr;
     if (handle == nullptr) { // absent, or damaged
         remove_abandoned_drafts(fs::absolute(cache));
         announce();
         write_atomically(source, probed);
+        const auto begin = std::chrono::steady_clock::now();
         compile(source, object);
+        seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         handle = open();
         if (handle != nullptr && !keeps_rounding_errors(handle)) {
             dlclose(handle);
             fs::remove(object);
             refuse_hidden_fast_math();
         }
-        store_checked(checksum_file(object), content_hash(read_bytes(object).value_or("")));
+        store_checksum(object, *seconds);
     }
     if (handle == nullptr) {
         const char* why = dlerror(); // NOLINT(concurrency-mt-unsafe)
@@ -173,10 +193,11 @@ SharedObject SharedObject::load(const std::string& text, const fs::path& cache,
                                   "check the compiler named by CXX",
                                   {}});
     }
-    return SharedObject(handle);
+    return {handle, *seconds};
 }
 
-SharedObject::SharedObject(void* handle) : handle_(handle, dlclose) {}
+SharedObject::SharedObject(void* handle, double seconds)
+    : handle_(handle, dlclose), compile_seconds_(seconds) {}
 
 void* SharedObject::symbol(const std::string& name) const { return dlsym(handle_.get(), name.c_str()); }
 

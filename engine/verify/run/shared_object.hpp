@@ -9,6 +9,9 @@
 
 namespace resonform {
 
+// The compiler of emitted code, with its flags: "g++ -O2 -std=gnu++20 ...".
+std::string compile_command();
+
 // It stays loaded as long as the object lives.
 class SharedObject {
 public:
@@ -20,10 +23,13 @@ public:
                              const std::function<void()>& announce);
 
     [[nodiscard]] void* symbol(const std::string& name) const; // nullptr if absent
+    // What the compiler took, whenever it ran.
+    [[nodiscard]] double compile_seconds() const { return compile_seconds_; }
 
 private:
-    explicit SharedObject(void* handle);
+    SharedObject(void* handle, double seconds);
     std::unique_ptr<void, int (*)(void*)> handle_;
+    double compile_seconds_;
 };
 
 } // namespace resonform

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "verify/run/cache.hpp"
+#include "verify/run/machine.hpp"
 
 namespace resonform {
 
@@ -29,16 +30,6 @@ std::string hash_of(const SweepGrid& grid) {
 } // namespace
 
 std::vector<std::string> sweep_kinds() { return {"values", "validity"}; }
-
-std::string instruction_set() {
-#if defined(__x86_64__)
-    return __builtin_cpu_supports("fma") != 0 && __builtin_cpu_supports("avx2") != 0
-               ? "x86-64, functions with fused multiply-add"
-               : "x86-64";
-#else
-    return "one of its kind";
-#endif
-}
 
 Json subject_json(const SweepSubject& subject, const SweepGrid& grid) {
     return Json{{"schema", "resonform.sweep_parts/1"},

@@ -31,10 +31,6 @@ struct SweepSubject {
     [[nodiscard]] std::uint64_t columns() const { return 1 + outputs.size(); }
 };
 
-// The instructions that the numbers are computed with. Emitted code is compiled for the family of
-// processors, but the library of functions chooses by the processor that it runs on.
-std::string instruction_set();
-
 // With version and instruction set, and the values of the grid as a hash.
 Json subject_json(const SweepSubject& subject, const SweepGrid& grid);
 // Errors (bad_input): it is not what subject_json wrote.
