@@ -7,6 +7,8 @@
 #include "model/text/diagnostic.hpp"
 #include "model/text/regular.hpp"
 
+#include <cln/dfloat.h>
+#include <cln/real.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
