@@ -43,7 +43,8 @@ SweepOptions::SweepOptions(CLI::App& command)
       seed_(
           add_text(command, "--seed", "NUMBER", "of the sample: the same seed, the same points", first_seed)),
       what_(add_text(command, "--what", fmt::format("{}", fmt::join(sweep_kinds(), "|")),
-                     "the outputs, or up to which time their estimated errors are below the tolerance",
+                     "the outputs, or of each: its error and order against direct integration, up to which "
+                     "time its estimated error is below the tolerance, its worst ulp against 50 digits",
                      sweep_kinds().front())),
       tolerance_(add_text(command, "--tolerance", "NUMBER", "of the validity", usual_tolerance)),
       times_(add_text(command, "--t", "T1,T2,...",
@@ -169,9 +170,9 @@ SweepRequest SweepOptions::value() const {
     request.over = *over_;
     request.sample = sample();
     request.times = times();
-    if (request.what == SweepKind::validity && !request.times.empty())
-        bad_argument("--t", "must not be given with --what validity, which finds the times", *times_,
-                     "leave it out");
+    if (request.what != SweepKind::values && !request.times.empty())
+        bad_argument("--t", fmt::format("must not be given with --what {}, which finds the times", *what_),
+                     *times_, "leave it out");
     request.files = files_of_output();
     request.share = share();
     request.map = *map_;

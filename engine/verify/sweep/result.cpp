@@ -96,17 +96,19 @@ void put_numbers(Streamed& out, const SweepBlock& block, const SweepSize& size) 
 std::string csv_header(const SweepSubject& subject, const SweepGrid& grid) {
     std::string text;
     for (const Axis& axis : grid.axes()) text += axis.name() + ",";
-    text += "t";
+    text += quantities(subject.what).size() > 1 ? "quantity,t" : "t";
     for (const std::string& output : subject.outputs) text += "," + output;
     return text + ",status\n";
 }
 
-void put_lines(Streamed& out, const SweepBlock& block, const SweepSize& size, const SweepGrid& grid,
-               std::uint64_t first) {
+void put_lines(Streamed& out, const SweepBlock& block, const SweepSize& size, const SweepSubject& subject,
+               const SweepGrid& grid, std::uint64_t first) {
     std::string text;
+    const std::vector<std::string> names = quantities(subject.what);
     const auto end = std::back_inserter(text);
     for (std::size_t row = 0; row < block.status.size(); ++row) {
         for (const double x : grid.point(first + row / size.rows)) fmt::format_to(end, "{:.17g},", x);
+        if (names.size() > 1) text += names[row % size.rows] + ",";
         const double* numbers = &block.numbers[row * size.columns];
         fmt::format_to(end, "{:.17g}", numbers[0]);
         for (std::size_t k = 1; k < size.columns; ++k)
@@ -153,7 +155,7 @@ SweepTotals write_result(const fs::path& file, const SweepFolder& folder, const 
     out.put(table ? csv_header(subject, grid) : npy_header(shape_of(subject, grid)));
     SweepTotals totals = read_blocks(folder, size, [&](std::uint64_t b, const SweepBlock& block) {
         if (table)
-            put_lines(out, block, size, grid, size.first(b));
+            put_lines(out, block, size, subject, grid, size.first(b));
         else
             put_numbers(out, block, size);
     });
@@ -168,20 +170,20 @@ Json sweep_json(const Json& subject_file, const SweepSubject& subject, const Swe
     Json statuses = Json::object();
     for (const auto& [status, count] : totals.statuses)
         statuses[to_string(static_cast<Status>(status))] = count;
-    const bool of_validity = subject.what == SweepKind::validity;
+    const std::vector<std::string> names = quantities(subject.what);
     Json json{{"schema", "resonform.sweep/1"},
               {"version", subject_file.at("version")},
               {"instructions", subject_file.at("instructions")},
               {"system", subject.system},
               {"scene", subject.scene},
               {"what", subject_file.at("what")}};
-    if (of_validity) json["tolerance"] = subject.tolerance;
+    if (subject.what == SweepKind::validity) json["tolerance"] = subject.tolerance;
     json["axes"] = axes_json(grid);
     json["sample"] = subject_file.at("sample");
-    if (of_validity)
-        json["quantities"] = {"validity"};
-    else
+    if (names.empty())
         json["t"] = subject.times.empty() ? Json(subject.interval) : Json(subject.times);
+    else
+        json["quantities"] = names;
     json["outputs"] = subject.outputs;
     json["points"] = grid.points();
     json["done"] = totals.done;

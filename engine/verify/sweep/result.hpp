@@ -22,9 +22,10 @@ struct SweepTotals {
 SweepTotals read_blocks(const SweepFolder& folder, const SweepSize& size,
                         const std::function<void(std::uint64_t b, const SweepBlock&)>& each);
 
-// NumPy format 1.0, float64 in C order, of shape [axes ..., t, outputs]; or CSV with a line for each point
-// and time. By the suffix of `file`. Bytes depend on the subject alone. Precondition: all blocks are there,
-// else totals say so and nothing is written. Errors (bad_input): it cannot be written.
+// NumPy format 1.0, float64 in C order, of shape [axes ..., t or quantities, outputs]; or CSV with a line
+// for each point and time or quantity, which is named where there are several. By the suffix of `file`. Bytes
+// depend on the subject alone. Precondition: all blocks are there, else totals say so and nothing is written.
+// Errors (bad_input): it cannot be written.
 SweepTotals write_result(const std::filesystem::path& file, const SweepFolder& folder,
                          const SweepSubject& subject, const SweepGrid& grid, const SweepSize& size);
 
