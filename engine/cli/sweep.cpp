@@ -87,7 +87,7 @@ SweepSubject subject_asked(const SweepRequest& request, const SceneLine& line, c
     std::string code = emit_library(program, "e");
     // what the formula leaves out counts as well
     if (request.what == SweepKind::verify || request.what == SweepKind::validity)
-        code += equations_text(*line.expanded.first_order, line.scene);
+        code += equations_text(program, line.scene);
     return {request.what,
             request.tolerance,
             program.system,

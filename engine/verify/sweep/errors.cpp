@@ -8,7 +8,7 @@
 #include "verify/evaluate/scene_values.hpp"
 #include "verify/judging/descent.hpp"
 #include "verify/judging/start_scaling.hpp"
-#include "verify/run/real.hpp"
+#include "verify/run/cache.hpp"
 
 #include <cln/float.h>
 #include <cln/real.h>
@@ -29,6 +29,10 @@ constexpr std::array<int, 3> parts_of_eps{2, 4, 8}; // the rungs below the point
 
 Rational exact_number(double x) { return cln::rational(cln::cl_DF(x)); }
 GiNaC::numeric numeric(const Rational& x) { return GiNaC::numeric(cln::cl_N(x)); }
+
+// Rounded to the digits that do not depend on the order of operations in the integration, which GiNaC chooses
+// anew in every run: blocks of several runs stand side by side.
+double known_part(double error) { return std::stod(fmt::format("{:.5e}", error)); }
 
 // A point verified as a scene of its own.
 class VerifiedPoint {
@@ -70,7 +74,7 @@ public:
             const OutputVerdict& output = result_.outputs[k];
             const LadderRung& rung = output.ladder.front();
             if (std::isfinite(rung.max_error))
-                error[k] = rung.max_error;
+                error[k] = known_part(rung.max_error);
             else
                 status = rung.refused;
             const bool limit = output.found_order && std::isfinite(output.slope) && complaint_.empty();
@@ -101,14 +105,11 @@ private:
 
 } // namespace
 
-std::string equations_text(const FirstOrderSystem& system, const Scene& scene) {
-    std::vector<GiNaC::ex> constants{scene.verify.interval};
-    for (const StartValue& start : scene.start) constants.push_back(start.value);
-    std::string text = Tape::rates(system).text() + Tape::constants(*scene.system, constants).text();
-    for (const StartValue& start : scene.start) text += start.name + "\n";
-    const std::vector<Float128> values = parameter_values<Float128>(scene);
-    for (const Float128& value : values)
-        for (const double part : to_parts(value)) text += fmt::format("{:a} ", part);
+std::string equations_text(const Program& program, const Scene& scene) {
+    std::string text = read_bytes(scene.system->file).value_or("") + scene.verify.interval_text;
+    for (const std::string& note : program.notes) text += "\n" + note;
+    for (const StartValue& start : scene.start) text += "\n" + start.name + " = " + start.text;
+    for (const double value : parameter_values<double>(scene)) text += fmt::format("\n{:.15g}", value);
     return text;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formula of a scene against direct integration, over a grid: of each output
 //
-//   error = max |emitted - direct|(t), 0 <= t <= T,   T the end of the judged interval,
+//   error = max |emitted - direct|(t), 0 <= t <= T,   T the end of the judged interval, in 6 digits,
 //   order = q of error = O(eps^q), from the point's eps, eps/2, eps/4, eps/8,
 //
 // by the judge of verify (verify/judging): each point is a scene of its own with the point's arguments under
@@ -24,9 +24,9 @@
 
 namespace resonform {
 
-// What the errors of a scene depend on beside its emitted code: the equations, start values, interval and
-// [fix], as text. Errors: those of Tape.
-std::string equations_text(const FirstOrderSystem& system, const Scene& scene);
+// What the errors of a scene depend on beside its emitted code, as text: the system file, start values,
+// interval, [fix] and functions. No expression is in it: GiNaC writes them in another order in every run.
+std::string equations_text(const Program& program, const Scene& scene);
 
 class SweepErrors {
 public:
