@@ -70,7 +70,7 @@ std::string told(const Sweep& sweep, const SweepTotals& totals, bool written) {
     return text;
 }
 
-// Writes F.json and prints the totals; writes F.npy or F.csv, too, once all blocks are there.
+// Writes F.json and prints the totals; writes the output, too, once all blocks are there.
 SweepTotals finish(const Sweep& sweep, const SweepFolder& folder, bool whole, const std::string& format) {
     SweepTotals totals = whole
                              ? write_result(sweep.files.output, folder, sweep.subject, sweep.grid, sweep.size)
@@ -209,6 +209,7 @@ int run_gather(const SweepRequest& request) {
     SweepGrid grid(subject.over, subject.sample);
     SweepFiles files = request.files;
     if (files.output.empty()) files.output = with_suffix(files, subject.suffix);
+    require_form("--gather", files.output);
     require_place_for(files.output);
     require_place_for(files.json);
     const Sweep sweep = sweep_of(std::move(files), std::move(subject), std::move(grid));

@@ -97,8 +97,8 @@ TEST_F(SweepInput, Files) {
     const std::string scene = "systems/spring/scenes/s.toml --over eps=0.1 --over k=1 ";
     expect_message("--over eps=0.1 --output o.npy", "SCENE: sweep needs it, the path of a scene file\n");
     expect_message(scene, "--output: sweep needs it, the file to be written\n");
-    expect_message(scene + "--output o.txt", "--output: must end in .npy or .csv\n  found: o.txt\n");
-    expect_message(scene + "--output .npy", "--output: must end in .npy or .csv\n");
+    expect_message(scene + "--output o.txt", "--output: must end in .npy, .h5 or .csv\n  found: o.txt\n");
+    expect_message(scene + "--output .npy", "--output: must end in .npy, .h5 or .csv\n");
     expect_message(scene + "--output nowhere/o.npy",
                    "nowhere/o.npy: the output must be a file in a folder that exists and can be written\n");
     expect_message("--gather o", "o.parts/sweep.json: the blocks of a sweep must be described by sweep.json");

@@ -30,7 +30,7 @@ struct SweepSubject {
     std::vector<double> times; // empty: one, the end of the interval of each point
     std::string interval;      // as the scene writes it
     std::vector<std::string> outputs;
-    std::string suffix; // of the output, ".npy" or ".csv": for whoever gathers the blocks
+    std::string suffix; // of the output, ".npy", ".h5" or ".csv": for whoever gathers the blocks
 
     // Times or quantities.
     [[nodiscard]] std::uint64_t rows() const {
