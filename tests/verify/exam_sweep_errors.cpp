@@ -98,6 +98,17 @@ TEST_F(SweepChecks, APointThatCannotBeIntegratedHasAStatus) {
     EXPECT_TRUE(std::isnan(swept.order(1)));
 }
 
+// What is left is rounding, which is no error.
+TEST_F(SweepChecks, AnExactFormulaHasNoErrorAndNoOrder) {
+    const test::SceneLine line =
+        test::line_of(written("[variables]\nx = { role = \"fast\" }\n[equations]\nx = \"x'' + x = 0\"\n",
+                              "order = 1\n[start]\namplitude.x = 1\nphase.x = 0\n"));
+    const Swept swept = errors(line, {"eps=0.1"});
+    EXPECT_EQ(swept.answer(0), Status::ok);
+    EXPECT_EQ(swept.error(0), 0);
+    EXPECT_TRUE(std::isnan(swept.order(0)));
+}
+
 TEST_F(SweepChecks, AnIntervalTooLongToBeIntegratedHasAStatus) {
     const test::SceneLine line =
         test::line_of(written(spring, "order = 3\n[fix]\nk = 1\n[start]\namplitude.x = 1\nphase.x = 0\n"

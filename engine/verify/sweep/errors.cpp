@@ -7,6 +7,7 @@
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/evaluate/scene_values.hpp"
 #include "verify/judging/descent.hpp"
+#include "verify/judging/judge.hpp"
 #include "verify/judging/start_scaling.hpp"
 #include "verify/run/cache.hpp"
 
@@ -26,13 +27,20 @@ namespace resonform {
 namespace {
 
 constexpr std::array<int, 3> parts_of_eps{2, 4, 8}; // the rungs below the point's own
+constexpr double most_digits = 6;
 
 Rational exact_number(double x) { return cln::rational(cln::cl_DF(x)); }
 GiNaC::numeric numeric(const Rational& x) { return GiNaC::numeric(cln::cl_N(x)); }
 
-// Rounded to the digits that do not depend on the order of operations in the integration, which GiNaC chooses
-// anew in every run: blocks of several runs stand side by side.
-double known_part(double error) { return std::stod(fmt::format("{:.5e}", error)); }
+// In the digits that are clear of rounding, at most six; 0 where none are. The order of operations in the
+// integration is GiNaC's, another one in every run, and blocks of several runs stand side by side.
+double known_part(const LadderRung& rung) {
+    if (!usable(rung)) return 0;
+    const double noise = std::max(rung.reference_error, rung.floor);
+    const double digits = noise > 0 ? std::floor(std::log10(rung.max_error / noise)) : most_digits;
+    const int shown = static_cast<int>(std::clamp(digits, 1.0, most_digits));
+    return std::stod(fmt::format("{:.{}e}", rung.max_error, shown - 1));
+}
 
 // A point verified as a scene of its own.
 class VerifiedPoint {
@@ -74,7 +82,7 @@ public:
             const OutputVerdict& output = result_.outputs[k];
             const LadderRung& rung = output.ladder.front();
             if (std::isfinite(rung.max_error))
-                error[k] = known_part(rung.max_error);
+                error[k] = known_part(rung);
             else
                 status = rung.refused;
             const bool limit = output.found_order && std::isfinite(output.slope) && complaint_.empty();

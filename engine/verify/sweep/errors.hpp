@@ -38,7 +38,8 @@ public:
     // ComputePoints: rows are error and order; columns are T and the outputs. NaN where there is none, and
     // then the status is that of the formula at t = 0, or the first that it answers later; outside_domain,
     // where the motion leaves the declared domain or cannot be integrated to the end; outside_interval, where
-    // that is too long to be integrated. The order is NaN also where no limit is seen.
+    // that is too long to be integrated. The order is NaN also where no limit is seen; the error is 0, where
+    // it is not seen above the rounding.
     void operator()(std::uint64_t first, std::uint64_t count, double* numbers, unsigned char* status) const;
 
 private:
