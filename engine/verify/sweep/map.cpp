@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace resonform {
 
@@ -53,6 +54,11 @@ Drawn drawn(const SweepGrid& grid, std::size_t a) {
     return axis;
 }
 
+// Of an error; of none that is seen there is nothing to draw.
+double logarithm(double error) {
+    return error > 0 ? std::log10(error) : std::numeric_limits<double>::quiet_NaN();
+}
+
 // The numbers of all points that are drawn, the first axis slowest.
 std::vector<double> numbers(const SweepFolder& folder, const SweepSize& size, const SweepSubject& subject,
                             const std::vector<Drawn>& axes) {
@@ -69,7 +75,7 @@ std::vector<double> numbers(const SweepFolder& folder, const SweepSize& size, co
         for (; found.size() < wanted.size() && wanted[found.size()] < end;) {
             const std::uint64_t row = (wanted[found.size()] - size.first(b)) * size.rows + row_of_point;
             const double number = block.numbers[row * size.columns + 1];
-            found.push_back(subject.what == SweepKind::verify ? std::log10(number) : number);
+            found.push_back(subject.what == SweepKind::verify ? logarithm(number) : number);
         }
     });
     return found;
