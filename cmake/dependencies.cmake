@@ -18,6 +18,13 @@ foreach(part cvode nvecserial sunmatrixdense sunlinsoldense)
     list(APPEND RESONFORM_SUNDIALS ${RESONFORM_SUNDIALS_${part}})
 endforeach()
 find_package(MPI QUIET COMPONENTS CXX) # of resonform_mpi, which is left out without it
+# For F.h5 of sweeps: the headers; the library is loaded by its soname when it is needed. Left out without them.
+find_path(RESONFORM_HDF5_HEADERS hdf5.h PATH_SUFFIXES hdf5/serial)
+find_library(RESONFORM_HDF5_LIBRARY NAMES hdf5_serial hdf5)
+if(RESONFORM_HDF5_HEADERS AND RESONFORM_HDF5_LIBRARY)
+    file(REAL_PATH ${RESONFORM_HDF5_LIBRARY} library)
+    string(REGEX REPLACE "(\\.so\\.[0-9]+).*" "\\1" RESONFORM_HDF5 ${library})
+endif()
 find_library(RESONFORM_QD qd REQUIRED) # its pkg-config file of Debian 12 is broken: -I.../$fortran
 
 # libquadmath belongs to GCC: clang has neither its header's folder nor its library on its paths.

@@ -34,7 +34,7 @@ generated() {
 formatted() { find engine tests -name '*.cpp' -o -name '*.hpp' | for_each_file 32 clang-format-14 --dry-run --Werror; }
 # The files of the engine as the clang build joins them: what they all include is read once.
 linted() {
-    find build/clang/CMakeFiles -name '*.cxx' -path '*/Unity/*' |
+    { find build/clang/CMakeFiles -name '*.cxx' -path '*/Unity/*'; echo engine/verify/sweep/hdf5.cpp; } |
         for_each_file 1 clang-tidy-14 -p build/clang --quiet --warnings-as-errors='*'
 }
 

@@ -16,9 +16,11 @@
 #include "verify/run/cache.hpp"
 #include "verify/sweep/arguments.hpp"
 #include "verify/sweep/compute.hpp"
+#include "verify/sweep/errors.hpp"
 #include "verify/sweep/map.hpp"
 #include "verify/sweep/result.hpp"
 #include "verify/sweep/size.hpp"
+#include "verify/sweep/stability.hpp"
 #include "verify/sweep/subject.hpp"
 #include "verify/sweep/validity.hpp"
 #include "verify/sweep/values.hpp"
@@ -47,9 +49,8 @@ struct Sweep {
 
 Sweep sweep_of(SweepFiles files, SweepSubject subject, SweepGrid grid) {
     Json description = subject_json(subject, grid);
-    // an estimate is two thousand calls of interpreters
-    const std::uint64_t cost = subject.what == SweepKind::validity ? 10000 : 1;
-    const SweepSize size = size_of_sweep(grid.points(), subject.rows(), subject.columns(), cost);
+    const SweepSize size =
+        size_of_sweep(grid.points(), subject.rows(), subject.columns(), cost_of_point(subject.what));
     return {std::move(files), std::move(description), std::move(subject), std::move(grid), size};
 }
 
@@ -69,7 +70,7 @@ std::string told(const Sweep& sweep, const SweepTotals& totals, bool written) {
     return text;
 }
 
-// Writes F.json and prints the totals; writes F.npy or F.csv, too, once all blocks are there.
+// Writes F.json and prints the totals; writes the output, too, once all blocks are there.
 SweepTotals finish(const Sweep& sweep, const SweepFolder& folder, bool whole, const std::string& format) {
     SweepTotals totals = whole
                              ? write_result(sweep.files.output, folder, sweep.subject, sweep.grid, sweep.size)
@@ -83,11 +84,15 @@ SweepTotals finish(const Sweep& sweep, const SweepFolder& folder, bool whole, co
 }
 
 SweepSubject subject_asked(const SweepRequest& request, const SceneLine& line, const Program& program) {
+    std::string code = emit_library(program, "e");
+    // what the formula leaves out counts as well
+    if (request.what == SweepKind::verify || request.what == SweepKind::validity)
+        code += equations_text(program, line.scene);
     return {request.what,
             request.tolerance,
             program.system,
             program.scene,
-            content_hash(emit_library(program, "e")),
+            content_hash(code),
             request.over,
             request.sample,
             request.times,
@@ -126,13 +131,22 @@ void say_what_has_no_estimate(const ErrorEstimator& estimator) {
 
 ComputePoints computation(const SweepRequest& request, const Derived& derived, const SweepGrid& grid,
                           const CacheFolder& cache) {
-    return of_argument("--over", [&]() -> ComputePoints {
-        if (request.what == SweepKind::values)
-            return SweepValues(derived.program, derived.line.scene, grid, request.times, cache.path(),
-                               show_progress);
-        say_what_has_no_estimate(*derived.estimator);
-        return SweepValidity(derived.program, derived.line.scene, grid, derived.estimator, request.tolerance);
-    });
+    const auto& [scene, expanded, count, solution] = derived.line;
+    return of_argument(
+        "--over", [&, &scene = scene, &expanded = expanded, &solution = solution]() -> ComputePoints {
+            switch (request.what) {
+            case SweepKind::values: break;
+            case SweepKind::verify:
+                return SweepErrors(derived.program, scene, solution, expanded.first_order, grid);
+            case SweepKind::validity:
+                say_what_has_no_estimate(*derived.estimator);
+                return SweepValidity(derived.program, scene, grid, derived.estimator, request.tolerance);
+            case SweepKind::stability:
+                return SweepStability(derived.program, scene, solution, grid,
+                                      EvaluatorLibrary::build(*derived.program, cache.path(), show_progress));
+            }
+            return SweepValues(derived.program, scene, grid, request.times, cache.path(), show_progress);
+        });
 }
 
 // resonform links no MPI: each rank would compute all of it.
@@ -164,8 +178,8 @@ int run_sweep(const SweepRequest& request, const SweepTeam& team) {
     Scene scene = read_scene_with_values(request.scene, home);
     of_argument("--over", [&] {
         require_axes(grid, scene);
-        return bounded_product(
-            {grid.points(), std::max<std::uint64_t>(1, request.times.size()), scene.outputs.size()});
+        const std::size_t rows = std::max(request.times.size(), quantities(request.what).size());
+        return bounded_product({grid.points(), std::max<std::uint64_t>(1, rows), scene.outputs.size()});
     });
     require_place_for(request.files.output);
     require_place_for(request.files.json);
@@ -195,6 +209,7 @@ int run_gather(const SweepRequest& request) {
     SweepGrid grid(subject.over, subject.sample);
     SweepFiles files = request.files;
     if (files.output.empty()) files.output = with_suffix(files, subject.suffix);
+    require_form("--gather", files.output);
     require_place_for(files.output);
     require_place_for(files.json);
     const Sweep sweep = sweep_of(std::move(files), std::move(subject), std::move(grid));

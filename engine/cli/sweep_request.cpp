@@ -3,6 +3,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/output.hpp"
+#include "verify/sweep/hdf5.hpp"
 #include "verify/sweep/size.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t most_jobs = 1024, most_shards = 1'000'000;
 constexpr const char *first_seed = "1", *usual_tolerance = "1e-6";
 
-bool is_suffix(const fs::path& suffix) { return suffix == ".npy" || suffix == ".csv"; }
+bool is_suffix(const fs::path& suffix) { return suffix == ".npy" || suffix == ".csv" || suffix == ".h5"; }
 
 SweepFiles files_of(const fs::path& stem, const fs::path& output) {
     const auto beside = [&](const char* suffix) { return fs::path(stem) += suffix; };
@@ -30,6 +31,12 @@ SweepFiles files_of(const fs::path& stem, const fs::path& output) {
 }
 
 } // namespace
+
+void require_form(const char* option, const fs::path& output) {
+    if (output.extension() != ".h5") return;
+    if (const std::string why = why_no_hdf5(); !why.empty())
+        bad_argument(option, "HDF5 cannot be written here", why, "write .npy or .csv");
+}
 
 fs::path with_suffix(const SweepFiles& files, const std::string& suffix) {
     return fs::path(files.stem) += suffix;
@@ -43,13 +50,14 @@ SweepOptions::SweepOptions(CLI::App& command)
       seed_(
           add_text(command, "--seed", "NUMBER", "of the sample: the same seed, the same points", first_seed)),
       what_(add_text(command, "--what", fmt::format("{}", fmt::join(sweep_kinds(), "|")),
-                     "the outputs, or up to which time their estimated errors are below the tolerance",
+                     "the outputs, or of each: its error and order against direct integration, up to which "
+                     "time its estimated error is below the tolerance, its worst ulp against 50 digits",
                      sweep_kinds().front())),
       tolerance_(add_text(command, "--tolerance", "NUMBER", "of the validity", usual_tolerance)),
       times_(add_text(command, "--t", "T1,T2,...",
                       "times, separated by commas; default: the end of the scene's interval")),
       output_(add_output(command, "--output", "FILE",
-                         "F.npy or F.csv; F.json and the blocks, F.parts/, stand beside it")),
+                         "F.npy, F.h5 or F.csv; F.json and the blocks, F.parts/, stand beside it")),
       map_(add_output(command, "--map", "FILE", "F.svg: the first output over one or two axes, by gnuplot")),
       jobs_(add_text(command, "--jobs", "NUMBER",
                      "threads; default: one for each processor, of resonform_mpi one")),
@@ -129,7 +137,9 @@ SweepFiles SweepOptions::files_of_output() const {
                      "give for example --output sweep.npy");
     const fs::path output = *output_;
     if (!is_suffix(output.extension()) || output.stem().empty())
-        bad_argument("--output", "must end in .npy or .csv", *output_, "give for example --output sweep.npy");
+        bad_argument("--output", "must end in .npy, .h5 or .csv", *output_,
+                     "give for example --output sweep.npy");
+    require_form("--output", output);
     return files_of(fs::path(output).replace_extension(), output);
 }
 
@@ -169,9 +179,9 @@ SweepRequest SweepOptions::value() const {
     request.over = *over_;
     request.sample = sample();
     request.times = times();
-    if (request.what == SweepKind::validity && !request.times.empty())
-        bad_argument("--t", "must not be given with --what validity, which finds the times", *times_,
-                     "leave it out");
+    if (request.what != SweepKind::values && !request.times.empty())
+        bad_argument("--t", fmt::format("must not be given with --what {}, which finds the times", *what_),
+                     *times_, "leave it out");
     request.files = files_of_output();
     request.share = share();
     request.map = *map_;

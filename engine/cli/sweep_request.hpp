@@ -17,10 +17,13 @@ namespace resonform {
 // Of --output F.npy, or of --gather F.
 struct SweepFiles {
     std::filesystem::path stem;   // F
-    std::filesystem::path output; // F.npy or F.csv; empty: that of the sweep which is gathered
+    std::filesystem::path output; // F.npy, F.h5 or F.csv; empty: that of the sweep which is gathered
     std::filesystem::path json, parts;
 };
 std::filesystem::path with_suffix(const SweepFiles& files, const std::string& suffix);
+
+// Errors (bad_input): an output in HDF5, which this program cannot write, and why.
+void require_form(const char* option, const std::filesystem::path& output);
 
 struct SweepRequest {
     std::string scene; // empty: --gather

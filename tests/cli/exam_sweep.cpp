@@ -117,6 +117,48 @@ TEST_F(Sweep, ValidityIsZeroWhereTheErrorExceedsTheToleranceFromTheStart) {
     EXPECT_EQ(end[2], 0);
 }
 
+// In the order 1 of this spring the error of x is 3/8 eps^3 t sin t, about.
+TEST_F(Sweep, ErrorsHaveTwoQuantities) {
+    const std::string errors = "--over eps=0.1,0.05 --over amplitude.x=0.5,1 --what verify ";
+    const Outcome outcome =
+        shell("sweep " + errors + "--output a.csv && sweep " + errors +
+              "--output b.npy --shard 2/2 >said && rm a.parts/00000002.block && sweep " + errors +
+              "--output b.npy >said && sweep " + errors + "--output a.npy >said && cmp a.npy b.npy");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string npy = file("a.npy");
+    EXPECT_EQ(npy.substr(10, 67), "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2, 2, 1), }  ");
+    const std::vector<double> numbers = numbers_of(npy);
+    ASSERT_EQ(numbers.size(), 8U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double eps = i < 2 ? 0.1 : 0.05, amplitude = i % 2 == 0 ? 0.5 : 1;
+        EXPECT_NEAR(numbers[2 * i] / std::pow(eps * amplitude, 3), 1.8, 0.1);
+        EXPECT_EQ(numbers[2 * i + 1], 3);
+    }
+    EXPECT_EQ(file("a.csv").substr(0, 40), "eps,amplitude.x,quantity,t,x,status\n0.10");
+    EXPECT_NE(file("a.csv").find(",order,5,3,ok\n"), std::string::npos) << file("a.csv");
+    EXPECT_EQ(json("a.json")["quantities"], (Json{"error", "order"}));
+    EXPECT_EQ(json("a.json")["statuses"], (Json{{"ok", 8}}));
+    EXPECT_EQ(undocumented(json("a.json"), file_formats()), std::set<std::string>());
+    const Outcome other =
+        shell("sed -i 's/x^3/x^3 + x^5/' systems/spring/system.toml; sweep " + errors + "--output a.npy");
+    EXPECT_EQ(other.code, 2); // the emitted code is the same, its error is not
+    EXPECT_NE(other.err.find("found: blocks of another 'code'\n"), std::string::npos) << other.err;
+}
+
+TEST_F(Sweep, StabilityIsTheWorstUlp) {
+    ASSERT_EQ(shell("sweep --over eps=0.1,1e-9 --over amplitude.x=1,1e200 --what stability --output a.csv && "
+                    "resonform sweep --gather a.npy")
+                  .code,
+              0);
+    const std::vector<double> ulp = numbers_of(file("a.npy"));
+    ASSERT_EQ(ulp.size(), 4U);
+    for (const std::size_t i : {0U, 2U}) EXPECT_TRUE(ulp[i] > 0 && ulp[i] < 4) << ulp[i];
+    EXPECT_TRUE(std::isnan(ulp[1]));
+    EXPECT_EQ(json("a.json")["quantities"], Json::array({"ulp"}));
+    EXPECT_EQ(json("a.json")["statuses"]["ok"], 2);
+    EXPECT_EQ(undocumented(json("a.json"), file_formats()), std::set<std::string>());
+}
+
 TEST_F(Sweep, WhatIsNoNumberIsNaN) {
     ASSERT_EQ(shell("sweep --over eps=0.1 --over amplitude.x=1,1e200 --t 1 --output a.npy").code, 0);
     const std::vector<double> numbers = numbers_of(file("a.npy"));

@@ -64,13 +64,16 @@ TEST_F(SweepInput, OtherOptions) {
     of_scene(axes + "--jobs 0", "--jobs: must be an integer from 1 to 1024\n");
     of_scene(axes + "--sample 0", "--sample: must be an integer from 1 to 16777216\n");
     of_scene(axes + "--seed 3", "--seed: must be given with --sample");
-    of_scene(axes + "--what value", "--what: must be one of values, validity\n");
+    of_scene(axes + "--what value", "--what: must be one of values, verify, validity, stability\n");
     of_scene(axes + "--what validity --tolerance 0",
              "--tolerance: must be a decimal number or a fraction > 0");
     of_scene(axes + "--what validity --tolerance none",
              "--tolerance: must be a decimal number or a fraction > 0\n");
     of_scene(axes + "--tolerance 1", "--tolerance: must be given with --what validity");
-    of_scene(axes + "--what validity --t 1", "--t: must not be given with --what validity");
+    for (const char* what : {"verify", "stability"})
+        of_scene(axes + "--tolerance 1 --what " + what, "--tolerance: must be given with --what validity");
+    for (const char* what : {"verify", "validity", "stability"})
+        of_scene(axes + "--t 1 --what " + what, std::string("--t: must not be given with --what ") + what);
     of_scene(axes + "--map o.png", "--map: must end in .svg\n");
     of_scene(axes + "--map o.svg --shard 1/2", "--map: is of a whole sweep");
     of_scene(axes + "--map o.svg",
@@ -82,12 +85,20 @@ TEST_F(SweepInput, OtherOptions) {
     of_scene(axes + "--gather o", "--gather: reads what is swept from F.parts/, and takes no other option\n");
 }
 
+// Through order 1 the outputs do not depend on k; the motion does.
+TEST_F(SweepInput, ErrorsNeedEveryParameterOfTheEquations) {
+    write(scratch_.path() / "systems/spring/scenes/s.toml",
+          "order = 1\n[fix]\nh = 1\n[start]\namplitude.x = 1\nphase.x = 0\n");
+    of_scene("--over eps=0.1 --what verify",
+             "systems/spring/scenes/s.toml:2:1: fix: verification needs a value for every parameter\n");
+}
+
 TEST_F(SweepInput, Files) {
     const std::string scene = "systems/spring/scenes/s.toml --over eps=0.1 --over k=1 ";
     expect_message("--over eps=0.1 --output o.npy", "SCENE: sweep needs it, the path of a scene file\n");
     expect_message(scene, "--output: sweep needs it, the file to be written\n");
-    expect_message(scene + "--output o.txt", "--output: must end in .npy or .csv\n  found: o.txt\n");
-    expect_message(scene + "--output .npy", "--output: must end in .npy or .csv\n");
+    expect_message(scene + "--output o.txt", "--output: must end in .npy, .h5 or .csv\n  found: o.txt\n");
+    expect_message(scene + "--output .npy", "--output: must end in .npy, .h5 or .csv\n");
     expect_message(scene + "--output nowhere/o.npy",
                    "nowhere/o.npy: the output must be a file in a folder that exists and can be written\n");
     expect_message("--gather o", "o.parts/sweep.json: the blocks of a sweep must be described by sweep.json");

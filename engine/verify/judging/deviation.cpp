@@ -34,34 +34,37 @@ void fill(const Trial& trial, const Evaluator<Real>& evaluator, const Reference&
     }
 }
 
-// The status, with its cause, at the first time without numbers; "" if all times have numbers.
+// Tells the status at the first time without numbers, if there is one.
 template <class Real>
-std::string first_refusal(const Trial& trial, const Evaluator<Real>& evaluator, const Reference& reference,
-                          const Errors& error) {
-    const auto refused =
-        std::find_if(error.front().begin(), error.front().end(), [](double e) { return !std::isfinite(e); });
-    if (refused == error.front().end()) return "";
-    const double t = reference.times[static_cast<std::size_t>(refused - error.front().begin())];
+void tell_refusal(const Trial& trial, const Evaluator<Real>& evaluator, const Reference& reference,
+                  Deviation& result) {
+    result.refused = Status::ok;
+    result.refusal.clear();
+    const std::vector<double>& error = result.error.front();
+    const auto refused = std::find_if(error.begin(), error.end(), [](double e) { return !std::isfinite(e); });
+    if (refused == error.end()) return;
+    const double t = reference.times[static_cast<std::size_t>(refused - error.begin())];
     std::vector<Real> values(reference.values.size());
     const Status status = evaluator.call(static_cast<Real>(t), values.data());
-    if (trial.answers(status)) return "";
-    return fmt::format("{} at t = {:.3g}", told(status, evaluator.why(status)), t);
+    if (trial.answers(status)) return;
+    result.refused = status;
+    result.refusal = fmt::format("{} at t = {:.3g}", told(status, evaluator.why(status)), t);
 }
 
+// Sets the errors and the refusal.
 template <class Real>
-Errors errors_in(const Trial& trial, const TrialPoint& at, const Reference& reference, std::string& refusal) {
+void deviate(const Trial& trial, const TrialPoint& at, const Reference& reference, Deviation& result) {
     const std::size_t points = reference.times.size();
     const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
     const Evaluator<Real> evaluator = trial.evaluator<Real>(at);
-    Errors error(reference.values.size(), std::vector<double>(points));
+    result.error.assign(reference.values.size(), std::vector<double>(points));
     std::vector<std::future<void>> work;
     for (std::size_t j = 0; j < threads; ++j)
         work.push_back(std::async(std::launch::async, [&, j] {
-            fill(trial, evaluator, reference, error, points * j / threads, points * (j + 1) / threads);
+            fill(trial, evaluator, reference, result.error, points * j / threads, points * (j + 1) / threads);
         }));
     for (auto& w : work) w.get();
-    refusal = first_refusal(trial, evaluator, reference, error);
-    return error;
+    tell_refusal(trial, evaluator, reference, result);
 }
 
 double largest_of(const std::vector<double>& error) {
@@ -99,12 +102,12 @@ Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& r
     Deviation result;
     result.floor = long_double_floor(trial, at, reference);
     result.digits = RealTraits<long double>::digits;
-    result.error = errors_in<long double>(trial, at, reference, result.refusal);
+    deviate<long double>(trial, at, reference, result);
     bool clear = true;
     for (std::size_t k = 0; k < result.floor.size(); ++k)
         clear = clear && largest_of(result.error[k]) >= clear_of_floor * result.floor[k];
     if (clear) return result;
-    result.error = errors_in<Float128>(trial, at, reference, result.refusal);
+    deviate<Float128>(trial, at, reference, result);
     result.digits = RealTraits<DoubleDouble>::digits; // the reference has fewer than Float128
     for (double& f : result.floor)
         f *= RealTraits<Float128>::roundoff() / RealTraits<long double>::roundoff();

@@ -13,7 +13,8 @@ struct Deviation {
     std::vector<std::vector<double>> error; // [output][point]; infinite where the evaluator refuses
     int digits = 0;                         // of the arithmetic used
     std::vector<double> floor;              // its rounding, per output
-    std::string refusal;                    // the first one, with its cause and time
+    Status refused = Status::ok;            // the first refusal
+    std::string refusal;                    // the same with its cause and time
 };
 
 // Long double where its rounding is a hundred times below the largest errors, otherwise Float128.

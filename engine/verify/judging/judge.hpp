@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/system/scene_file.hpp"
+#include "runtime/status.hpp"
 #include "verify/estimate/error_estimate.hpp"
 #include "verify/judging/guarantee.hpp"
 
@@ -16,11 +17,12 @@ namespace resonform {
 struct LadderRung {
     Rational eps;
     double max_error = 0, rms_error = 0;
-    int digits = 0;             // decimal digits of the arithmetic used
-    double reference_error = 0; // estimated error of the direct integration
-    double floor = 0;           // rounding of the evaluator at this rung: smaller errors are invisible
-    double scale = 1;           // max |output| over the interval
-    std::string refusal;        // where the evaluator has no numbers: "outside_domain: 1 - tau at t = 3"
+    int digits = 0;              // decimal digits of the arithmetic used
+    double reference_error = 0;  // estimated error of the direct integration
+    double floor = 0;            // rounding of the evaluator at this rung: smaller errors are invisible
+    double scale = 1;            // max |output| over the interval
+    std::string refusal;         // where the evaluator has no numbers: "outside_domain: 1 - tau at t = 3"
+    Status refused = Status::ok; // the same as a status
 };
 
 struct DataError { // (verify/judging/data_error.hpp)

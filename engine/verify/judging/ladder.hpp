@@ -4,26 +4,14 @@
 #pragma once
 
 #include "model/exact/first_order_system.hpp"
-#include "verify/judging/conditions.hpp"
-#include "verify/judging/emitted_check.hpp"
-#include "verify/judging/guarantee.hpp"
-#include "verify/judging/judge.hpp"
 #include "verify/judging/options.hpp"
+#include "verify/judging/verification.hpp"
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace resonform {
-
-struct Verification {
-    std::string system, scene;
-    Conditions conditions;
-    std::vector<OutputVerdict> outputs;
-    EmittedCheck emitted;
-    std::vector<OutputVerdict> defects = {}; // beside modes that grow: of the equations, by their variables
-    [[nodiscard]] bool as_expected() const;  // every verdict equals the expected one, and emitted = symbolic
-};
 
 // Everything `resonform verify` prints.
 Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,

@@ -17,7 +17,8 @@
 namespace resonform {
 
 struct VerifyOptions {
-    std::filesystem::path cache; // integrations and compiled evaluators, by content hash
+    // Integrations and compiled evaluators, by content hash; empty: no integration is kept.
+    std::filesystem::path cache;
     std::function<void(const std::string&)> progress;
     // The guaranteed orders of a scene; empty: the count of weights alone, which derives nothing.
     std::function<Guarantees(const Scene&, const Solution&, const Claims&)> guarantee;

@@ -25,7 +25,6 @@ namespace {
 
 constexpr std::size_t listed_points = 5; // the worst of each output
 constexpr double covered_share = 0.5;    // of the decades of an input: with fewer there is none either
-constexpr std::array<double, 6> shares_of_interval{0, 1e-9, 0.1, 1.0 / 3, 0.7, 1};
 
 bool is_beyond_double(const SymbolicPoint& exact) {
     return std::any_of(exact.scales.begin(), exact.scales.end(),
@@ -35,9 +34,9 @@ bool is_beyond_double(const SymbolicPoint& exact) {
 class Sweep {
 public:
     Sweep(const Program& program, std::shared_ptr<const EvaluatorLibrary> library,
-          const StabilityReference& reference, bool is_flow, Stability& result)
-        : program_(program), library_(std::move(library)), reference_(reference), is_flow_(is_flow),
-          result_(result), ulps_(program.outputs.size()), worst_(program.outputs.size()) {}
+          const StabilityReference& reference, Stability& result)
+        : program_(program), library_(std::move(library)), reference_(reference), result_(result),
+          ulps_(program.outputs.size()), worst_(program.outputs.size()) {}
 
     // One construction, several times.
     void try_point(const SweepPoint& at, std::size_t times) {
@@ -46,7 +45,6 @@ public:
         const Evaluator<double> emitted(library_, at.eps, at.parameters, at.start, end);
         StabilityReference::From exact(reference_, at, end);
         std::vector<double> values(program_.outputs.size());
-        largest_.assign(values.size(), Wide(0));
         for (std::size_t i = 0; i < times; ++i) {
             const double t = shares_of_interval[i] * program_.interval_slow_time / at.eps;
             const Status status = emitted.call(t, values.data());
@@ -122,7 +120,6 @@ private:
             return;
         }
         add(at, result_.swept);
-        if (exact.status == Status::ok) see(exact.scales);
         if (status != Status::ok) {
             ++result_.refused;
             ++result_.refused_by[to_string(status)];
@@ -130,13 +127,10 @@ private:
             return;
         }
         ++result_.compared;
-        const bool numbers = exact.status == Status::ok;
-        std::vector<double> ulp(values.size(), std::numeric_limits<double>::infinity());
-        for (std::size_t k = 0; numbers && k < values.size(); ++k)
-            ulp[k] = in_ulp<double>(values[k], exact.values[k], largest_[k]);
+        const std::vector<double> ulp = from.ulp(t, values);
         std::vector<double> unavoidable(values.size(), 0.0);
         if (std::any_of(ulp.begin(), ulp.end(), [&](double u) { return !(u <= result_.threshold); }))
-            unavoidable = from.unavoidable(t, largest_);
+            unavoidable = from.unavoidable(t);
         for (std::size_t k = 0; k < values.size(); ++k) record(k, ulp[k], unavoidable[k], at, t);
     }
 
@@ -146,13 +140,7 @@ private:
         if (exact.status != Status::ok || is_beyond_double(exact)) return true;
         if (status == Status::outside_interval && from.loses_phase(t)) return true;
         if (status == Status::low_precision && (from.has_large_phase(t) || from.has_grown(t))) return true;
-        return std::isinf(from.unavoidable(t, largest_).front());
-    }
-
-    // Updates the scales: the table of a slow flow is accurate relative to its largest values so far.
-    void see(const std::vector<Wide>& scales) {
-        for (std::size_t k = 0; k < scales.size(); ++k)
-            largest_[k] = is_flow_ ? std::max(largest_[k], scales[k]) : scales[k];
+        return std::isinf(from.unavoidable(t).front());
     }
 
     void record(std::size_t output, double ulp, double unavoidable, const SweepPoint& at, double t) {
@@ -177,9 +165,7 @@ private:
     const Program& program_;
     std::shared_ptr<const EvaluatorLibrary> library_;
     const StabilityReference& reference_;
-    bool is_flow_;
     Stability& result_;
-    std::vector<Wide> largest_; // scale of each output, from the start at hand
     std::vector<std::vector<double>> ulps_;
     std::vector<std::vector<WorstPoint>> worst_;
 };
@@ -214,7 +200,7 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
     result.swept = nothing_swept(result.inputs);
     const StabilityReference reference(program, solution, scene);
     Sweep sweep(program, EvaluatorLibrary::build(program, options.cache, options.progress), reference,
-                solution.flow != nullptr, result);
+                result);
     if (options.progress) options.progress("sweeping the inputs over their decades");
     constexpr std::size_t times = shares_of_interval.size();
     const auto inside = [&](const SweepPoint& at) { return reference.inside(at); };

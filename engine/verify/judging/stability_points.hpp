@@ -4,6 +4,7 @@
 
 #include "emit/program/program.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -26,6 +27,9 @@ double decades(const SweptInput& input);
 // In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
 // they are declared positive), start values eps^weight * (1e-3 ... 1e3).
 std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
+
+// The times that are looked at from each start.
+inline constexpr std::array<double, 6> shares_of_interval{0, 1e-9, 0.1, 1.0 / 3, 0.7, 1};
 
 struct SweepPoint {
     double eps = 0;

@@ -7,6 +7,7 @@
 #include "verify/symbolic/ulp.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace resonform {
 
@@ -60,14 +61,25 @@ bool StabilityReference::inside(const SweepPoint& at) const {
 
 StabilityReference::From::From(const StabilityReference& reference, const SweepPoint& at, double end)
     : reference_(reference), inputs_(reference.inputs_at(at, end)),
-      exact_(reference.solution_, inputs_, Wide(end), most_panels) {}
+      exact_(reference.solution_, inputs_, Wide(end), most_panels),
+      scales_(reference.program_.outputs.size(), Wide(0)) {}
 
 const SymbolicPoint& StabilityReference::From::at(double t) {
     const auto known = known_.find(t);
     if (known != known_.end()) return known->second;
     SymbolicPoint point = exact_(Wide(t));
     if (!(inputs_.eps * t < exact_.tabulated())) point = {Status::outside_interval, {}, {}, {}};
+    for (std::size_t k = 0; point.status == Status::ok && k < scales_.size(); ++k)
+        scales_[k] = reference_.is_flow_ ? std::max(scales_[k], point.scales[k]) : point.scales[k];
     return known_.emplace(t, std::move(point)).first->second;
+}
+
+std::vector<double> StabilityReference::From::ulp(double t, const std::vector<double>& values) {
+    const SymbolicPoint& exact = at(t);
+    std::vector<double> ulp(values.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; exact.status == Status::ok && k < values.size(); ++k)
+        ulp[k] = in_ulp<double>(values[k], exact.values[k], scales_[k]);
+    return ulp;
 }
 
 bool StabilityReference::From::has_large_phase(double t) const {
@@ -86,7 +98,7 @@ bool StabilityReference::From::loses_phase(double t) const {
     return exact_.loses_phase(Wide(t), end, phase_resolution<double>(reference_.is_flow_));
 }
 
-std::vector<double> StabilityReference::From::unavoidable(double t, const std::vector<Wide>& scales) {
+std::vector<double> StabilityReference::From::unavoidable(double t) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
     std::vector<double> none(outputs, std::numeric_limits<double>::infinity());
@@ -105,7 +117,7 @@ std::vector<double> StabilityReference::From::unavoidable(double t, const std::v
         input = before;
         if (moved.status != here.status) return false;
         for (std::size_t k = 0; numbers && k < outputs; ++k)
-            sum[k] += in_ulp<double>(moved.values[k], here.values[k], scales[k]);
+            sum[k] += in_ulp<double>(moved.values[k], here.values[k], scales_[k]);
         return true;
     };
     if (!add(changed.eps)) return none;

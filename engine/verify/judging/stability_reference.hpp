@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact solution behind a stability sweep: parameters are inputs, those of [fix] included.
+// The exact solution behind a stability sweep: parameters are inputs, those of [fix] included where the
+// program takes them.
 #pragma once
 
 #include "verify/judging/stability_points.hpp"
@@ -13,7 +14,8 @@ namespace resonform {
 
 class StabilityReference {
 public:
-    // program: with parameters as inputs. All three must outlive it.
+    // Of the inputs that the program does not take, the values are those of the scene. All three must outlive
+    // it.
     StabilityReference(const Program& program, const Solution& solution, const Scene& scene);
 
     // Where the declared domain is not left at once.
@@ -25,23 +27,29 @@ public:
     public:
         From(const StabilityReference& reference, const SweepPoint& at, double end);
 
+        // Times are asked in ascending order: the scales of outputs are kept along the way.
         [[nodiscard]] const SymbolicPoint& at(double t);
+        // Of each value that the evaluator has at t, in units of the last place of the output's scale there;
+        // of a slow flow, of the largest scale so far, for its tables are accurate relative to that. Infinite
+        // where the exact solution has no number.
+        [[nodiscard]] std::vector<double> ulp(double t, const std::vector<double>& values);
         // 16 ulp of a phase at t are more than the 10^-9 radians that evaluators answer for.
         [[nodiscard]] bool has_large_phase(double t) const;
         // An exponent is above 0 at t: a growing mode has multiplied the truncation error.
         [[nodiscard]] bool has_grown(double t) const;
         // Emitted code in double has no phase at t, or ends within this eighth of the interval.
         [[nodiscard]] bool loses_phase(double t) const;
-        // The change of each output at t, in ulp of `scales`, when every input but t changes by its last bit
+        // The change of each output at t, in ulp as above, when every input but t changes by its last bit
         // with the phases unchanged, summed over the inputs: no code with inputs in double can be better.
         // Infinite where the status is another one for a start that close, or within 4 ulp of t.
-        [[nodiscard]] std::vector<double> unavoidable(double t, const std::vector<Wide>& scales);
+        [[nodiscard]] std::vector<double> unavoidable(double t);
 
     private:
         const StabilityReference& reference_;
         SymbolicInputs inputs_;
         SymbolicEvaluator exact_;
         std::map<double, SymbolicPoint> known_;
+        std::vector<Wide> scales_; // of each output
     };
 
 private:

@@ -78,6 +78,14 @@ std::string canonical_name(const Program& program, std::size_t place) {
                                : program.start[place - 1 - parameters].canonical;
 }
 
+GivenArguments arguments_at(const SweepGrid& grid, std::uint64_t i, const Program& program,
+                            const std::vector<std::size_t>& places) {
+    const std::vector<double> point = grid.point(i);
+    GivenArguments given;
+    for (std::size_t a = 0; a < places.size(); ++a) given[canonical_name(program, places[a])] = point[a];
+    return given;
+}
+
 void require_axes(const SweepGrid& grid, const Scene& scene) {
     bool has_eps = false;
     for (const Axis& axis : grid.axes()) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "emit/program/program.hpp"
+#include "verify/evaluate/program_defaults.hpp"
 #include "verify/sweep/grid.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,5 +23,9 @@ std::vector<std::size_t> places_of_axes(const SweepGrid& grid, const Program& pr
 
 // "eps", "g", "amplitude.psi": the argument's name whatever the system calls it.
 std::string canonical_name(const Program& program, std::size_t place);
+
+// The arguments of point i, eps among them, by these names. places: those of places_of_axes.
+GivenArguments arguments_at(const SweepGrid& grid, std::uint64_t i, const Program& program,
+                            const std::vector<std::size_t>& places);
 
 } // namespace resonform

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 
 namespace resonform {
 
@@ -52,9 +54,15 @@ Drawn drawn(const SweepGrid& grid, std::size_t a) {
     return axis;
 }
 
+// Of an error; of none that is seen there is nothing to draw.
+double logarithm(double error) {
+    return error > 0 ? std::log10(error) : std::numeric_limits<double>::quiet_NaN();
+}
+
 // The numbers of all points that are drawn, the first axis slowest.
-std::vector<double> numbers(const SweepFolder& folder, const SweepSize& size,
+std::vector<double> numbers(const SweepFolder& folder, const SweepSize& size, const SweepSubject& subject,
                             const std::vector<Drawn>& axes) {
+    const std::uint64_t row_of_point = subject.what == SweepKind::values ? size.rows - 1 : 0;
     std::vector<std::uint64_t> wanted;
     for (const std::uint64_t i : axes.front().places) {
         if (axes.size() == 1) wanted.push_back(i);
@@ -65,8 +73,9 @@ std::vector<double> numbers(const SweepFolder& folder, const SweepSize& size,
     read_blocks(folder, size, [&](std::uint64_t b, const SweepBlock& block) {
         const std::uint64_t end = size.first(b) + size.count(b);
         for (; found.size() < wanted.size() && wanted[found.size()] < end;) {
-            const std::uint64_t row = (wanted[found.size()] - size.first(b) + 1) * size.rows - 1;
-            found.push_back(block.numbers[row * size.columns + 1]);
+            const std::uint64_t row = (wanted[found.size()] - size.first(b)) * size.rows + row_of_point;
+            const double number = block.numbers[row * size.columns + 1];
+            found.push_back(subject.what == SweepKind::verify ? logarithm(number) : number);
         }
     });
     return found;
@@ -84,6 +93,10 @@ std::string quantity(const SweepSubject& subject) {
     if (subject.what == SweepKind::validity)
         return fmt::format("time up to which the estimated error of {} is below {:g}", output,
                            subject.tolerance);
+    if (subject.what == SweepKind::verify)
+        return fmt::format("log10 of the largest error of {} on t <= {}", output, subject.interval);
+    if (subject.what == SweepKind::stability)
+        return fmt::format("largest rounding error of {} on t <= {} in ulp", output, subject.interval);
     return fmt::format("{} at t = {}", output,
                        subject.times.empty() ? subject.interval : fmt::format("{:g}", subject.times.back()));
 }
@@ -111,7 +124,7 @@ std::string sweep_map(const SweepFolder& folder, const SweepSubject& subject, co
                       const SweepSize& size, const std::filesystem::path& scratch) {
     std::vector<Drawn> axes;
     for (const std::size_t a : long_axes(grid)) axes.push_back(drawn(grid, a));
-    const std::vector<double> z = numbers(folder, size, axes);
+    const std::vector<double> z = numbers(folder, size, subject, axes);
     const Drawn& x = axes.front();
     std::string svg;
     if (axes.size() == 1) {

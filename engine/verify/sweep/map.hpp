@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sweep as a picture: of its first output, at the last time (or of the last quantity), a line over one axis
-// or a colour over two.
+// A sweep as a picture: of its first output, at the last time (or of the first quantity; of errors the
+// logarithm), a line over one axis or a colour over two.
 #pragma once
 
 #include "verify/sweep/folder.hpp"

@@ -6,6 +6,7 @@
 #include "runtime/status.hpp"
 #include "verify/run/cache.hpp"
 #include "verify/run/drafts.hpp"
+#include "verify/sweep/hdf5.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "F.npy says <f8");
+static_assert(std::endian::native == std::endian::little, "F.npy and F.h5 say so");
 
 // A file that may be larger than the memory: written among the blocks, then put in place. What a kill leaves
 // there is removed by the next one that is written.
@@ -46,6 +47,12 @@ public:
         if (std::fwrite(bytes, 1, length, file_) != length) fail(errno);
     }
     void put(const std::string& text) { put(text.data(), text.size()); }
+    // At a place of a file that has been made, with write_hdf5.
+    void put_at(std::uint64_t offset, const std::vector<double>& numbers) {
+        if (fseeko(file_, static_cast<off_t>(offset), SEEK_SET) != 0) fail(errno);
+        put(numbers.data(), numbers.size() * sizeof(double));
+    }
+    [[nodiscard]] const fs::path& draft() const { return draft_; }
     void put_in_place() {
         if (std::fflush(file_) != 0) fail(errno);
         std::error_code failed;
@@ -96,17 +103,19 @@ void put_numbers(Streamed& out, const SweepBlock& block, const SweepSize& size) 
 std::string csv_header(const SweepSubject& subject, const SweepGrid& grid) {
     std::string text;
     for (const Axis& axis : grid.axes()) text += axis.name() + ",";
-    text += "t";
+    text += quantities(subject.what).size() > 1 ? "quantity,t" : "t";
     for (const std::string& output : subject.outputs) text += "," + output;
     return text + ",status\n";
 }
 
-void put_lines(Streamed& out, const SweepBlock& block, const SweepSize& size, const SweepGrid& grid,
-               std::uint64_t first) {
+void put_lines(Streamed& out, const SweepBlock& block, const SweepSize& size, const SweepSubject& subject,
+               const SweepGrid& grid, std::uint64_t first) {
     std::string text;
+    const std::vector<std::string> names = quantities(subject.what);
     const auto end = std::back_inserter(text);
     for (std::size_t row = 0; row < block.status.size(); ++row) {
         for (const double x : grid.point(first + row / size.rows)) fmt::format_to(end, "{:.17g},", x);
+        if (names.size() > 1) text += names[row % size.rows] + ",";
         const double* numbers = &block.numbers[row * size.columns];
         fmt::format_to(end, "{:.17g}", numbers[0]);
         for (std::size_t k = 1; k < size.columns; ++k)
@@ -117,6 +126,48 @@ void put_lines(Streamed& out, const SweepBlock& block, const SweepSize& size, co
         fmt::format_to(end, ",{}\n", to_string(static_cast<Status>(block.status[row])));
     }
     out.put(text);
+}
+
+// All but the numbers of the points: `values`, and `t` where each point has an end of its own. They are last.
+Hdf5Frame hdf5_frame(const SweepSubject& subject, const SweepGrid& grid) {
+    Hdf5Frame frame;
+    const Json description = subject_json(subject, grid);
+    frame.attributes = {{"schema", {"resonform.sweep/1"}},
+                        {"version", {description.at("version")}},
+                        {"instructions", {description.at("instructions")}},
+                        {"system", {subject.system}},
+                        {"scene", {subject.scene}},
+                        {"what", {description.at("what")}},
+                        {"outputs", subject.outputs},
+                        {"interval", {subject.interval}}};
+    if (const std::vector<std::string> names = quantities(subject.what); !names.empty())
+        frame.attributes.push_back({"quantities", names});
+    if (subject.what == SweepKind::validity)
+        frame.attributes.push_back({"tolerance", {fmt::format("{}", subject.tolerance)}});
+    std::vector<std::string> axes;
+    for (std::size_t a = 0; a < grid.axes().size(); ++a) {
+        axes.push_back(grid.axes()[a].name());
+        frame.arrays.push_back({"axes/" + axes.back(), {grid.values(a).size()}, grid.values(a)});
+    }
+    frame.attributes.push_back({"axes", axes});
+    frame.arrays.push_back(subject.times.empty() ? Hdf5Array{"t", grid.shape(), {}}
+                                                 : Hdf5Array{"t", {subject.times.size()}, subject.times});
+    frame.arrays.push_back({"values", shape_of(subject, grid), {}});
+    return frame;
+}
+
+// Into a frame whose last arrays, t and values, begin at these offsets.
+void put_block(Streamed& out, const SweepBlock& block, const SweepSize& size, const SweepSubject& subject,
+               const std::vector<std::uint64_t>& offsets, std::uint64_t first) {
+    std::vector<double> ends, values;
+    for (std::size_t row = 0; row < block.status.size(); ++row) {
+        const auto numbers = block.numbers.begin() + static_cast<std::ptrdiff_t>(row * size.columns);
+        if (row % size.rows == 0) ends.push_back(*numbers);
+        values.insert(values.end(), numbers + 1, numbers + static_cast<std::ptrdiff_t>(size.columns));
+    }
+    const std::uint64_t of_point = size.rows * (size.columns - 1);
+    if (subject.times.empty()) out.put_at(offsets.end()[-2] + first * sizeof(double), ends);
+    out.put_at(offsets.back() + first * of_point * sizeof(double), values);
 }
 
 Json axes_json(const SweepGrid& grid) {
@@ -148,12 +199,18 @@ SweepTotals read_blocks(const SweepFolder& folder, const SweepSize& size,
 
 SweepTotals write_result(const fs::path& file, const SweepFolder& folder, const SweepSubject& subject,
                          const SweepGrid& grid, const SweepSize& size) {
-    const bool table = file.extension() == ".csv";
+    const bool table = file.extension() == ".csv", framed = file.extension() == ".h5";
     Streamed out(folder.path(), file);
-    out.put(table ? csv_header(subject, grid) : npy_header(shape_of(subject, grid)));
+    std::vector<std::uint64_t> offsets;
+    if (framed)
+        offsets = write_hdf5(out.draft(), hdf5_frame(subject, grid));
+    else
+        out.put(table ? csv_header(subject, grid) : npy_header(shape_of(subject, grid)));
     SweepTotals totals = read_blocks(folder, size, [&](std::uint64_t b, const SweepBlock& block) {
-        if (table)
-            put_lines(out, block, size, grid, size.first(b));
+        if (framed)
+            put_block(out, block, size, subject, offsets, size.first(b));
+        else if (table)
+            put_lines(out, block, size, subject, grid, size.first(b));
         else
             put_numbers(out, block, size);
     });
@@ -168,20 +225,20 @@ Json sweep_json(const Json& subject_file, const SweepSubject& subject, const Swe
     Json statuses = Json::object();
     for (const auto& [status, count] : totals.statuses)
         statuses[to_string(static_cast<Status>(status))] = count;
-    const bool of_validity = subject.what == SweepKind::validity;
+    const std::vector<std::string> names = quantities(subject.what);
     Json json{{"schema", "resonform.sweep/1"},
               {"version", subject_file.at("version")},
               {"instructions", subject_file.at("instructions")},
               {"system", subject.system},
               {"scene", subject.scene},
               {"what", subject_file.at("what")}};
-    if (of_validity) json["tolerance"] = subject.tolerance;
+    if (subject.what == SweepKind::validity) json["tolerance"] = subject.tolerance;
     json["axes"] = axes_json(grid);
     json["sample"] = subject_file.at("sample");
-    if (of_validity)
-        json["quantities"] = {"validity"};
-    else
+    if (names.empty())
         json["t"] = subject.times.empty() ? Json(subject.interval) : Json(subject.times);
+    else
+        json["quantities"] = names;
     json["outputs"] = subject.outputs;
     json["points"] = grid.points();
     json["done"] = totals.done;

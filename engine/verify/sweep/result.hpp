@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes of the blocks of a sweep: F.npy or F.csv, and F.json.
+// What comes of the blocks of a sweep: F.npy, F.h5 or F.csv, and F.json.
 #pragma once
 
 #include "verify/sweep/folder.hpp"
@@ -22,9 +22,11 @@ struct SweepTotals {
 SweepTotals read_blocks(const SweepFolder& folder, const SweepSize& size,
                         const std::function<void(std::uint64_t b, const SweepBlock&)>& each);
 
-// NumPy format 1.0, float64 in C order, of shape [axes ..., t, outputs]; or CSV with a line for each point
-// and time. By the suffix of `file`. Bytes depend on the subject alone. Precondition: all blocks are there,
-// else totals say so and nothing is written. Errors (bad_input): it cannot be written.
+// HDF5, with "values", "axes/NAME" for each axis and "t", the times or the end of each point; or
+// NumPy format 1.0; both float64 in C order, of shape [axes ..., t or quantities, outputs]; or CSV with a
+// line for each point and time or quantity, which is named where there are several. By the suffix of `file`.
+// Bytes depend on the subject alone. Precondition: all blocks are there, else totals say so and nothing is
+// written. Errors (bad_input): it cannot be written.
 SweepTotals write_result(const std::filesystem::path& file, const SweepFolder& folder,
                          const SweepSubject& subject, const SweepGrid& grid, const SweepSize& size);
 

@@ -5,9 +5,39 @@
 #include "verify/run/cache.hpp"
 #include "verify/run/machine.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace resonform {
 
 namespace {
+
+struct Kind {
+    const char* name;
+    std::vector<const char*> quantities;
+    std::uint64_t cost;
+};
+
+// In the order of SweepKind. A ladder takes a second, an estimate two thousand calls of interpreters, a
+// comparison with 50 digits as long as that.
+const Kind& kind_at(SweepKind kind) {
+    static const std::array<Kind, 4> kinds{{{"values", {}, 1},
+                                            {"verify", {"error", "order"}, 1'000'000},
+                                            {"validity", {"validity"}, 10'000},
+                                            {"stability", {"ulp"}, 10'000}}};
+    return kinds[static_cast<std::size_t>(kind)];
+}
+
+SweepKind kind_named(const std::string& name) {
+    const std::vector<std::string> names = sweep_kinds();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        bad_input(Reason::file, {"the description of a sweep must be as it was written",
+                                 name,
+                                 "run the sweep again with another --output",
+                                 {}});
+    return static_cast<SweepKind>(found - names.begin());
+}
 
 // The same numbers may be asked for in several ways.
 bool counts(const std::string& key) { return key != "over" && key != "suffix"; }
@@ -29,7 +59,20 @@ std::string hash_of(const SweepGrid& grid) {
 
 } // namespace
 
-std::vector<std::string> sweep_kinds() { return {"values", "validity"}; }
+std::vector<std::string> sweep_kinds() {
+    std::vector<std::string> names;
+    for (const SweepKind kind :
+         {SweepKind::values, SweepKind::verify, SweepKind::validity, SweepKind::stability})
+        names.emplace_back(kind_at(kind).name);
+    return names;
+}
+
+std::vector<std::string> quantities(SweepKind kind) {
+    const std::vector<const char*>& names = kind_at(kind).quantities;
+    return {names.begin(), names.end()};
+}
+
+std::uint64_t cost_of_point(SweepKind kind) { return kind_at(kind).cost; }
 
 Json subject_json(const SweepSubject& subject, const SweepGrid& grid) {
     return Json{{"schema", "resonform.sweep_parts/1"},
@@ -41,7 +84,7 @@ Json subject_json(const SweepSubject& subject, const SweepGrid& grid) {
                 {"over", subject.over},
                 {"grid", hash_of(grid)},
                 {"sample", json_of(subject.sample)},
-                {"what", sweep_kinds()[static_cast<std::size_t>(subject.what)]},
+                {"what", kind_at(subject.what).name},
                 {"tolerance", subject.tolerance},
                 {"t", subject.times},
                 {"interval", subject.interval},
@@ -52,7 +95,7 @@ Json subject_json(const SweepSubject& subject, const SweepGrid& grid) {
 SweepSubject subject_of(const Json& json) {
     try {
         SweepSubject subject;
-        subject.what = json.at("what") == "validity" ? SweepKind::validity : SweepKind::values;
+        subject.what = kind_named(json.at("what"));
         subject.tolerance = json.at("tolerance");
         subject.system = json.at("system");
         subject.scene = json.at("scene");

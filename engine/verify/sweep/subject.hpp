@@ -5,28 +5,37 @@
 #include "emit/display/json.hpp"
 #include "verify/sweep/grid.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace resonform {
 
-enum class SweepKind { values, validity };
-std::vector<std::string> sweep_kinds(); // as --what names them, in this order
+// What is computed of each point: the outputs at some times, or of each output the quantities of the kind.
+enum class SweepKind { values, verify, validity, stability };
+std::vector<std::string> sweep_kinds();              // as --what names them, in this order
+std::vector<std::string> quantities(SweepKind kind); // of values none
+// How many closed solutions a point costs, about.
+std::uint64_t cost_of_point(SweepKind kind);
 
 struct SweepSubject {
     SweepKind what = SweepKind::values;
     double tolerance = 0; // of validity
     std::string system, scene;
-    std::string code;              // a hash of the emitted code: of everything in the scene that counts
+    std::string code;              // a hash of the emitted code, and of all else in the scene that counts
     std::vector<std::string> over; // the axes as written
     std::optional<SweepSample> sample;
     std::vector<double> times; // empty: one, the end of the interval of each point
     std::string interval;      // as the scene writes it
     std::vector<std::string> outputs;
-    std::string suffix; // of the output, ".npy" or ".csv": for whoever gathers the blocks
+    std::string suffix; // of the output, ".npy", ".h5" or ".csv": for whoever gathers the blocks
 
-    [[nodiscard]] std::uint64_t rows() const { return times.empty() ? 1 : times.size(); }
+    // Times or quantities.
+    [[nodiscard]] std::uint64_t rows() const {
+        return std::max<std::uint64_t>({1, times.size(), quantities(what).size()});
+    }
     // Time and outputs.
     [[nodiscard]] std::uint64_t columns() const { return 1 + outputs.size(); }
 };

@@ -35,12 +35,11 @@ SweepValidity::SweepValidity(std::shared_ptr<const Program> program, const Scene
       place_(places_of_axes(grid, *program_, scene)) {}
 
 Status SweepValidity::compute(std::uint64_t i, double* numbers) const {
-    const std::vector<double> point = grid_.point(i);
-    GivenArguments given;
-    for (std::size_t a = 0; a < place_.size(); ++a) given[canonical_name(*program_, place_[a])] = point[a];
+    const GivenArguments given = arguments_at(grid_, i, *program_, place_);
     const long double eps = given.at("eps");
-    auto arguments = program_arguments<long double>(*program_, eps, given);
-    const auto interval = default_slow_time_end<long double>(*program_, eps, arguments.parameters);
+    const NodeNumbers* known = &formula_->numbers;
+    auto arguments = program_arguments<long double>(*program_, eps, given, known);
+    const auto interval = default_slow_time_end<long double>(*program_, eps, arguments.parameters, known);
     const long double slow_end = interval * (1 + 4 * std::numeric_limits<double>::epsilon());
     const auto end = static_cast<double>(interval / eps);
     numbers[0] = end;
