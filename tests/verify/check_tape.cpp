@@ -2,11 +2,17 @@
 // Tapes: values against GiNaC's own evaluation, Taylor coefficients against GiNaC's derivatives.
 #include "first_order.hpp"
 #include "function_cases.hpp"
+#include "model/files/read_system.hpp"
+#include "support/exact.hpp"
 #include "verify/integrate/taylor_jet.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
 
 namespace resonform {
 namespace {
@@ -93,6 +99,45 @@ TEST(Tape, TextDoesNotDependOnTheOrderInWhichGinacSorts) {
         spacers.emplace_back("spacer");
         EXPECT_EQ(make().text(), first);
     }
+}
+
+// (a - b)^3 is -(b - a)^3 for GiNaC where b comes first, and sums change their signs where fractions are
+// brought to a common denominator.
+TEST(Tape, TextOfASystemIsTheSameInEveryRun) {
+    const std::filesystem::path systems = test::source_dir() / "systems";
+    std::vector<GiNaC::symbol> spacers;
+    for (const char* name :
+         {"almost_holonomic_pendulum", "pendulum_mechanism", "michaelis_menten", "watt_governor"}) {
+        std::set<std::string> texts;
+        for (int i = 0; i < 6; ++i) {
+            spacers.emplace_back("spacer");
+            const auto system = std::make_shared<const System>(read_system(systems / name / "system.toml"));
+            texts.insert(Tape::rates(solve_for_highest(system)).text());
+        }
+        EXPECT_EQ(texts.size(), 1U) << name;
+    }
+}
+
+TEST(Tape, PowersAndProductsOfDifferencesKeepTheirSigns) {
+    test::Builder b;
+    const GiNaC::symbol x = b.parameter("x"), y = b.parameter("y"), z = b.parameter("z");
+    const std::vector<GiNaC::ex> values{pow(x - y, 3),
+                                        pow(y - x, 3),
+                                        pow(x - y, -3),
+                                        pow(y - x, -1) * z,
+                                        -z * (x - y) * (y - z) * pow(z - x, 3),
+                                        -pow(x - y, 2) / (y - z),
+                                        (x - y) / 3 - z * (y - x) * GiNaC::numeric(-2, 7),
+                                        sin(y - x),
+                                        sin(x - y),
+                                        pow(z - y, GiNaC::numeric(3, 2)),
+                                        -x,
+                                        y - x};
+    const std::vector<double> found =
+        evaluate_constants<double>(Tape::constants(b.system(), values), {0.25, 0.5, 1.25}, 0.1);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_NEAR(found[i], number(values[i].subs(GiNaC::lst{x == 0.25, y == 0.5, z == 1.25})), 1e-12)
+            << values[i];
 }
 
 TEST(Tape, RefusesWhatItCannotIntegrate) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GiNaC expressions -> Tape. Operands of sums and products are taken in the order of a spelling made
-// here, because GiNaC's own order changes from run to run and with it the rounding.
+// GiNaC expressions -> Tape. Operands of sums and products are taken in the order of a spelling of our own
+// (spelling.hpp), and sums with the sign that it gives them, because GiNaC's choices change from run to run
+// and with them the rounding.
 #include "verify/integrate/tape.hpp"
 
 #include "algebra/number/error.hpp"
 #include "model/text/function_call.hpp"
 #include "model/text/function_slope.hpp"
 #include "model/text/named_function.hpp"
+#include "verify/integrate/spelling.hpp"
 #include "verify/run/real.hpp"
 
 #include <cln/cln.h>
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <tuple>
 
 namespace resonform {
@@ -107,14 +108,14 @@ private:
         return step(Op::divide, a, b);
     }
 
-    // A spelling that depends on the expression alone: operands of + and * sorted by their spellings.
-    const std::string& spelling(const GiNaC::ex& e);
-    std::vector<GiNaC::ex> sorted_operands(const GiNaC::ex& e);
+    [[nodiscard]] std::string name_of(const GiNaC::symbol& s) const;
 
     Value lower(const GiNaC::ex& e);
-    Value lower_fresh(const GiNaC::ex& e);
-    Value lower_sum(const GiNaC::ex& e);
-    Value lower_product(const GiNaC::ex& e);
+    // With its sign (Spelling::Form) taken out.
+    Value lower_unsigned(const GiNaC::ex& e);
+    Value lower_fresh(const GiNaC::ex& e, bool flipped);
+    Value lower_sum(const GiNaC::ex& e, bool flipped);
+    Value lower_product(const GiNaC::ex& e, bool negative);
     Value product(const std::vector<Value>& factors);
     Value lower_power(const GiNaC::ex& base, const GiNaC::ex& exponent);
     Value integer_power(Value base, unsigned long exponent);
@@ -125,92 +126,86 @@ private:
     const System& system_;
     Tape tape_;
     int constants_ = 0, varying_ = 0;
-    std::map<GiNaC::ex, Value, GiNaC::ex_is_less> known_; // symbols, then everything lowered
-    std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> spellings_;
+    std::map<GiNaC::ex, Value, GiNaC::ex_is_less> known_;    // symbols, then everything lowered
+    std::map<GiNaC::ex, Value, GiNaC::ex_is_less> unsigned_; // what is negative, with its sign taken out
+    Spelling spelling_{[this](const GiNaC::symbol& s) { return name_of(s); }};
     std::map<std::string, Value> numbers_;
     std::map<std::tuple<Op, Value, Value, Function>, Value> steps_;
     std::map<std::pair<std::string, int>, Value> data_;
     std::vector<LooseStep> prologue_, body_;
 };
 
-const std::string& TapeBuilder::spelling(const GiNaC::ex& e) {
-    const auto found = spellings_.find(e);
-    if (found != spellings_.end()) return found->second;
-    std::string text;
-    if (e.nops() == 0) {
-        // A symbol is spelled by its place in the file: names alone need not differ.
-        std::ostringstream out;
-        const auto symbol = known_.find(e);
-        if (GiNaC::is_a<GiNaC::symbol>(e) && symbol != known_.end())
-            out << (symbol->second.varying ? "state" : "constant") << symbol->second.index;
-        else
-            out << e;
-        text = out.str();
-    } else {
-        std::vector<std::string> operands;
-        for (const GiNaC::ex& operand : e) operands.push_back(spelling(operand));
-        const bool commutes = GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e);
-        if (commutes) std::sort(operands.begin(), operands.end());
-        text = "(" + (GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name()
-                      : GiNaC::is_a<GiNaC::add>(e)    ? "+"
-                      : GiNaC::is_a<GiNaC::mul>(e)    ? "*"
-                                                      : "^");
-        for (const std::string& operand : operands) text += " " + operand;
-        text += ")";
-    }
-    return spellings_.emplace(e, std::move(text)).first->second;
-}
-
-std::vector<GiNaC::ex> TapeBuilder::sorted_operands(const GiNaC::ex& e) {
-    std::vector<GiNaC::ex> operands(e.begin(), e.end());
-    std::sort(operands.begin(), operands.end(),
-              [this](const GiNaC::ex& a, const GiNaC::ex& b) { return spelling(a) < spelling(b); });
-    return operands;
+// By its place in the file.
+std::string TapeBuilder::name_of(const GiNaC::symbol& s) const {
+    const auto known = known_.find(s);
+    if (known == known_.end()) return s.get_name();
+    return fmt::format("{}{}", known->second.varying ? "state" : "constant", known->second.index);
 }
 
 TapeBuilder::Value TapeBuilder::lower(const GiNaC::ex& e) {
     const auto found = known_.find(e);
     if (found != known_.end()) return found->second;
-    const Value value = lower_fresh(e);
+    const Value value = lower_fresh(e, false);
     known_.emplace(e, value);
     return value;
 }
 
-TapeBuilder::Value TapeBuilder::lower_fresh(const GiNaC::ex& e) {
-    if (is_rational(e)) return number(exact(GiNaC::ex_to<GiNaC::numeric>(e)), spelling(e));
+TapeBuilder::Value TapeBuilder::lower_unsigned(const GiNaC::ex& e) {
+    if (!spelling_.of(e).negative) return lower(e);
+    const auto found = unsigned_.find(e);
+    if (found != unsigned_.end()) return found->second;
+    const Value value = lower_fresh(e, true);
+    unsigned_.emplace(e, value);
+    return value;
+}
+
+// Of what has a sign: flipped, -e.
+TapeBuilder::Value TapeBuilder::lower_fresh(const GiNaC::ex& e, bool flipped) {
+    const bool negative = spelling_.of(e).negative != flipped;
+    if (is_rational(e))
+        return number(flipped ? -exact(GiNaC::ex_to<GiNaC::numeric>(e))
+                              : exact(GiNaC::ex_to<GiNaC::numeric>(e)),
+                      (negative ? "-" : "") + spelling_.of(e).text);
     if (e.is_equal(GiNaC::Pi)) return number(cln::rational(cln::pi(cln::float_format(60))), "pi");
-    if (GiNaC::is_a<GiNaC::add>(e)) return lower_sum(e);
-    if (GiNaC::is_a<GiNaC::mul>(e)) return lower_product(e);
-    if (GiNaC::is_a<GiNaC::power>(e)) return lower_power(e.op(0), e.op(1));
+    if (GiNaC::is_a<GiNaC::add>(e)) return lower_sum(e, flipped);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return lower_product(e, negative);
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+        const Value power = lower_power(e.op(0), e.op(1));
+        return negative ? multiply(integer(-1), power) : power;
+    }
     if (GiNaC::is_a<GiNaC::function>(e)) return lower_function(e);
     refuse({"direct integration knows numbers, symbols, + - * / ^ and elementary functions",
-            spelling(e),
+            spelling_.with_sign(e),
             "write the equation with these",
             {}});
 }
 
-TapeBuilder::Value TapeBuilder::lower_sum(const GiNaC::ex& e) {
+TapeBuilder::Value TapeBuilder::lower_sum(const GiNaC::ex& e, bool flipped) {
     // Positive terms first, so that a - b is one subtraction and no term is negated.
     std::vector<Value> plus, minus;
-    for (const GiNaC::ex& term : sorted_operands(e)) {
-        const bool product = GiNaC::is_a<GiNaC::mul>(term);
-        const bool negative = is_negative_number(product ? term.op(term.nops() - 1) : term);
-        (negative ? minus : plus).push_back(lower(negative ? GiNaC::ex(-term) : term));
-    }
+    for (const GiNaC::ex& term : spelling_.sorted_operands(e))
+        (spelling_.of(term).negative != flipped ? minus : plus).push_back(lower_unsigned(term));
     Value sum = plus.empty() ? integer(0) : plus.front();
     for (std::size_t i = 1; i < plus.size(); ++i) sum = step(Op::add, sum, plus[i]);
     for (const Value& term : minus) sum = step(Op::subtract, sum, term);
     return sum;
 }
 
-TapeBuilder::Value TapeBuilder::lower_product(const GiNaC::ex& e) {
+TapeBuilder::Value TapeBuilder::lower_product(const GiNaC::ex& e, bool negative) {
     std::vector<Value> above, below;
-    for (const GiNaC::ex& factor : sorted_operands(e)) {
-        if (GiNaC::is_a<GiNaC::power>(factor) && is_negative_number(factor.op(1)))
+    bool sign = negative; // yet to be given to a factor
+    for (const GiNaC::ex& factor : spelling_.sorted_operands(e)) {
+        if (spelling_.of(factor).text == "1") continue; // -1 is but a sign
+        if (GiNaC::is_a<GiNaC::power>(factor) && is_negative_number(factor.op(1))) {
             below.push_back(lower_power(factor.op(0), -factor.op(1)));
-        else
-            above.push_back(lower(factor));
+        } else if (is_rational(factor) && sign) {
+            above.push_back(lower_fresh(factor, !spelling_.of(factor).negative));
+            sign = false;
+        } else {
+            above.push_back(lower_unsigned(factor));
+        }
     }
+    if (sign) above.push_back(integer(-1));
     const Value numerator = product(above);
     return below.empty() ? numerator : divide(numerator, product(below));
 }
@@ -227,11 +222,13 @@ TapeBuilder::Value TapeBuilder::product(const std::vector<Value>& factors) {
     return constant == one ? varying : multiply(constant, varying);
 }
 
+// Of an integer power: the sign of the base taken out.
 TapeBuilder::Value TapeBuilder::lower_power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
     if (is_negative_number(exponent)) return divide(integer(1), lower_power(base, -exponent));
-    const Value b = lower(base);
     if (is_integer(exponent))
-        return integer_power(b, static_cast<unsigned long>(GiNaC::ex_to<GiNaC::numeric>(exponent).to_long()));
+        return integer_power(lower_unsigned(base),
+                             static_cast<unsigned long>(GiNaC::ex_to<GiNaC::numeric>(exponent).to_long()));
+    const Value b = lower(base);
     if (exponent.is_equal(GiNaC::ex(1) / 2)) return step(Op::sqrt, b);
     const Value x = lower(exponent);
     if (!x.varying) return step(Op::power, b, x);
@@ -258,7 +255,7 @@ TapeBuilder::Value TapeBuilder::lower_function(const GiNaC::ex& e) {
     const std::optional<Function> f = function_of(e);
     if (!f)
         refuse({"direct integration knows the elementary functions",
-                spelling(e),
+                spelling_.with_sign(e),
                 "write the equation with these",
                 {}});
     const Value a = lower(e.op(0));
