@@ -43,7 +43,7 @@ public:
         const std::string format = format_.value();
         CompareOptions asked = options();
         const Home home = find_home();
-        Scene scene = read_scene_of(*scene_, home);
+        Scene scene = read_scene_with_values(*scene_, home);
         set_order(scene, asked.orders);
         std::optional<SceneLine> line;
         asked.derivation_seconds = seconds_of(1, [&] {

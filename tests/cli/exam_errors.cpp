@@ -225,6 +225,25 @@ TEST_F(Errors, SayWhyASceneIsRefused) {
     EXPECT_EQ(document(evaluate, 3)["reason"], "not_smooth");
 }
 
+// A function that the caller of emitted code gives has no numbers here.
+TEST_F(Errors, OfCallables) {
+    write(
+        scratch_.path() / "systems/bad/system.toml",
+        "[system]\nname = \"bad\"\n[functions]\nf = { of = [\"s\"] }\n[variables]\ns = { role = \"slow\" }\n"
+        "x = { role = \"fast\" }\n[equations]\ns = \"s' = eps\"\nx = \"x'' + x = eps*f(s)*x\"\n");
+    write(scratch_.path() / "systems/bad/scenes/s.toml",
+          "order = 1\n[functions]\nf = { callable = true }\n[start]\ns = 0\nx = 0\n\"x'\" = \"eps\"\n");
+    const std::string scene = "systems/bad/scenes/s.toml";
+    EXPECT_NE(printed("generate " + scene).find("Callable<Function_f> f;"), std::string::npos);
+    for (const std::string& command :
+         {"evaluate " + scene + " --eps 0.1 --t 1", "verify " + scene, "compare " + scene,
+          "stability " + scene, "sweep " + scene + " --over eps=0.1,0.2 --output f.npy"}) {
+        const Json json = document(command, 2);
+        EXPECT_EQ(json["key"], "functions.f") << command;
+        EXPECT_EQ(json["found"], "callable = true") << command;
+    }
+}
+
 TEST_F(Errors, OfTheLimits) {
     EXPECT_EQ(document("derive duffing --term-limit 1", 3)["reason"], "terms");
     // From another thread, which ends the program.

@@ -28,7 +28,7 @@ TEST(SlowInstall, LoopsAreLinkedAndTheProgramFindsItsOwnFiles) {
           "cmake_minimum_required(VERSION 3.25)\nproject(user LANGUAGES CXX)\n"
           "find_package(resonform 0.1.0 EXACT REQUIRED)\nadd_executable(main main.cpp)\n"
           "target_link_libraries(main PRIVATE resonform::batch)\n");
-    here("cmake -S . -B out -DCMAKE_PREFIX_PATH=$PWD/installed && cmake --build out");
+    here("cmake -G Ninja -S . -B out -DCMAKE_PREFIX_PATH=$PWD/installed && cmake --build out");
     EXPECT_EQ(here("out/main").out, "0");
 
     const Outcome list = here("installed/bin/resonform list");

@@ -78,8 +78,7 @@ TEST(Stability, StartsFollowTheGrading) {
 TEST(Stability, PhysicalStartsAreAsSmallAsTheirVariables) {
     const test::SceneLine line = test::line_of(test::scene_of("henon_heiles", "third_order"));
     const Program program = build_program(line.solution, line.scene, {false, false});
-    const auto points =
-        sweep_points(program, *line.scene.system, 40, 5, [](const SweepPoint&) { return true; });
+    const auto points = sweep_points(program, line.scene, 40, 5, [](const SweepPoint&) { return true; });
     ASSERT_EQ(points.size(), 40U);
     bool small = false, large = false, none = false;
     for (std::size_t k = 1; k < points.size(); ++k)
@@ -95,6 +94,28 @@ TEST(Stability, PhysicalStartsAreAsSmallAsTheirVariables) {
     EXPECT_TRUE(small && large && none);
 }
 
+// Davis and Skodje's y rests at x/(1 + x), Michaelis and Menten's complex at s/(s + kappa).
+TEST(Stability, StartsAreDrawnAroundTheEquilibrium) {
+    for (const auto& [system, name] :
+         {std::pair("davis_skodje", "onto_the_manifold"), std::pair("michaelis_menten", "from_no_complex")}) {
+        const test::SceneLine line = test::line_of(test::scene_of(system, name));
+        const Program program = build_program(line.solution, line.scene, {false, false});
+        std::vector<SweptInput> swept = nothing_swept(swept_inputs(program, *line.scene.system));
+        for (const SweepPoint& p :
+             sweep_points(program, line.scene, 60, 5, [](const SweepPoint&) { return true; })) {
+            ASSERT_EQ(p.start.size(), 2U);
+            const double kappa = p.parameters.empty() ? 1 : p.parameters.front();
+            const double rest = p.start[0] / (kappa + p.start[0]);
+            EXPECT_NEAR(p.start[1], rest + p.distance[1], 1e-14 * (1 + std::abs(p.distance[1]))) << system;
+            EXPECT_EQ(p.start[0], p.distance[0]);
+            add(p, swept);
+        }
+        EXPECT_LE(swept.back().low, 1.001e-3);
+        EXPECT_GE(swept.back().high, 0.999e3);
+        EXPECT_LE(swept.back().high, 1.001e3);
+    }
+}
+
 TEST(Stability, SamePointsForTheSameSeedInsideTheDomain) {
     const test::SceneLine line = test::pendulum("third_order");
     const Program program = build_program(line.solution, line.scene, {false, false});
@@ -102,7 +123,7 @@ TEST(Stability, SamePointsForTheSameSeedInsideTheDomain) {
     const auto draw = [&](std::uint64_t seed) {
         std::vector<double> all;
         const auto inside = [&](const SweepPoint& p) { return ++asked, p.parameters.front() > 1e-3; };
-        for (const SweepPoint& p : sweep_points(program, *line.scene.system, 30, seed, inside)) {
+        for (const SweepPoint& p : sweep_points(program, line.scene, 30, seed, inside)) {
             EXPECT_GT(p.parameters.front(), 1e-3);
             all.push_back(p.eps);
             all.insert(all.end(), p.parameters.begin(), p.parameters.end());
@@ -116,7 +137,7 @@ TEST(Stability, SamePointsForTheSameSeedInsideTheDomain) {
     EXPECT_NE(draw(3), first);
     const auto nowhere = [&](const SweepPoint&) { return ++asked, false; };
     asked = 0;
-    EXPECT_EQ(sweep_points(program, *line.scene.system, 3, 2, nowhere).size(), 3U);
+    EXPECT_EQ(sweep_points(program, line.scene, 3, 2, nowhere).size(), 3U);
     EXPECT_EQ(asked, 60)
         << "twenty times each, but for the scene's own; before what is moved to the edge, too";
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/error.hpp"
+#include "support/shell.hpp"
 #include "verify/run/cache.hpp"
 
 #include <gtest/gtest.h>
@@ -9,12 +10,6 @@
 namespace resonform {
 namespace {
 
-std::filesystem::path folder() {
-    const auto path = std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache_files";
-    std::filesystem::remove_all(path);
-    return path;
-}
-
 TEST(Cache, HashIsFowlerNollVo) { // published values of FNV-1a with 128 bits
     EXPECT_EQ(content_hash(""), "6c62272e07bb014262b821756295c58d");
     EXPECT_EQ(content_hash("a"), "d228cb696f1a8caf78912b704e4a8964");
@@ -22,7 +17,8 @@ TEST(Cache, HashIsFowlerNollVo) { // published values of FNV-1a with 128 bits
 }
 
 TEST(Cache, ReadsBackWhatWasStored) {
-    const auto file = folder() / "sub" / "entry";
+    const test::Scratch scratch;
+    const auto file = scratch.path() / "sub" / "entry";
     const std::string payload("\n\0binary\n", 9);
     EXPECT_EQ(load_checked(file), std::nullopt);
     store_checked(file, payload);
@@ -30,7 +26,8 @@ TEST(Cache, ReadsBackWhatWasStored) {
 }
 
 TEST(Cache, DraftsOfProgramsThatAreGoneAreRemoved) {
-    const auto entry = folder() / "entry";
+    const test::Scratch scratch;
+    const auto entry = scratch.path() / "entry";
     write_atomically(entry, "text");
     const auto draft = [&](const std::string& owner) {
         const auto file = std::filesystem::path(entry) += "." + owner + ".part";
@@ -51,7 +48,8 @@ TEST(Cache, DraftsOfProgramsThatAreGoneAreRemoved) {
 }
 
 TEST(Cache, DamagedFilesReadAsAbsent) {
-    const auto file = folder() / "entry";
+    const test::Scratch scratch;
+    const auto file = scratch.path() / "entry";
     store_checked(file, "0123456789");
     const std::string whole = read_bytes(file).value();
     for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -65,7 +63,8 @@ TEST(Cache, DamagedFilesReadAsAbsent) {
 }
 
 TEST(Cache, SaysThatItCannotWrite) {
-    const auto blocked = folder();
+    const test::Scratch scratch;
+    const auto blocked = scratch.path() / "blocked";
     write_atomically(blocked, "a file where a folder is wanted");
     try {
         store_checked(blocked / "entry", "payload");

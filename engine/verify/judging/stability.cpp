@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/stability.hpp"
 
-#include "algebra/number/error.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
-#include "model/text/diagnostic.hpp"
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/judging/stability_reference.hpp"
-#include "verify/judging/start_scaling.hpp"
 #include "verify/symbolic/ulp.hpp"
 
 #include <fmt/format.h>
@@ -170,15 +167,6 @@ private:
     std::vector<std::vector<WorstPoint>> worst_;
 };
 
-// Start values are swept on both sides of 0, and measured from there.
-void require_starts_about_zero(const Scene& scene) {
-    for (const StartValue& start : scene.start)
-        if (rests_elsewhere(*scene.system, start.name))
-            refuse({"start values are swept over decades about 0, which is no equilibrium of the variable",
-                    in_quotes(start.name) + " rests elsewhere, by [equilibrium]",
-                    "start it from its amplitude and phase", place_of(start.source)});
-}
-
 } // namespace
 
 bool WorstPoint::is_wrong(double threshold) const {
@@ -186,7 +174,6 @@ bool WorstPoint::is_wrong(double threshold) const {
 }
 
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options) {
-    require_starts_about_zero(scene);
     const auto begin = std::chrono::steady_clock::now();
     if (!scene.verify.eps.empty()) (void)bounded_interval_length(scene, scene.verify.eps.back());
     const Program program = build_program(solution, scene, {false, false});
@@ -205,7 +192,7 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
     constexpr std::size_t times = shares_of_interval.size();
     const auto inside = [&](const SweepPoint& at) { return reference.inside(at); };
     for (const SweepPoint& point :
-         sweep_points(program, *scene.system, (options.points + times - 1) / times, options.seed, inside))
+         sweep_points(program, scene, (options.points + times - 1) / times, options.seed, inside))
         sweep.try_point(point, std::min(times, options.points - result.cases));
     sweep.finish();
     if (options.progress)

@@ -2,11 +2,14 @@
 #include "verify/judging/stability_points.hpp"
 
 #include "verify/evaluate/interpreter.hpp"
+#include "verify/evaluate/scene_values.hpp"
+#include "verify/integrate/tape.hpp"
 #include "verify/judging/start_scaling.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 namespace resonform {
@@ -23,18 +26,75 @@ constexpr double parameter_decades = 1e12, start_decades = 1e3;
 using Inputs = std::vector<double>;
 using Inside = std::function<bool(const SweepPoint&)>;
 
-SweepPoint unpack(const Program& program, const Inputs& inputs) {
-    const auto parameters = inputs.begin() + 1,
-               start = parameters + static_cast<long>(program.parameters.size());
-    return {inputs.front(), {parameters, start}, {start, inputs.end()}};
+std::size_t place_of_input(const std::vector<ProgramInput>& inputs, const std::string& meaning) {
+    const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const ProgramInput& input) {
+        return input.meaning == meaning || input.canonical == meaning;
+    });
+    return static_cast<std::size_t>(found - inputs.begin());
 }
 
-Inputs defaults(const Program& program, double eps) {
+// Where start values rest at eps = 0: 0, or by [equilibrium].
+class Rests {
+public:
+    Rests(const Program& program, const Scene& scene)
+        : program_(program), system_(*scene.system), fixed_(parameter_values<double>(scene)) {
+        std::vector<GiNaC::symbol> slow;
+        for (const Variable& v : system_.variables) {
+            if (v.role != Role::slow) continue;
+            slow.push_back(GiNaC::ex_to<GiNaC::symbol>(v.jet.front()));
+            slow_.push_back(place_of_input(program.start, v.name));
+        }
+        std::vector<GiNaC::ex> values;
+        for (std::size_t k = 0; k < program.start.size(); ++k)
+            if (rests_elsewhere(system_, program.start[k].canonical)) {
+                resting_.push_back(k);
+                values.push_back(rest_of(system_, program.start[k].canonical, {}));
+            }
+        if (!resting_.empty()) tape_ = Tape::of(system_, slow, values);
+    }
+
+    [[nodiscard]] std::vector<double> at(double eps, const std::vector<double>& parameters,
+                                         const std::vector<double>& start) const {
+        std::vector<double> rests(start.size(), 0.0);
+        if (resting_.empty()) return rests;
+        std::vector<double> all = fixed_, slow, values(resting_.size());
+        for (std::size_t p = 0; p < all.size(); ++p)
+            if (const std::size_t k =
+                    place_of_input(program_.parameters, "parameter " + system_.parameters[p].name);
+                k < parameters.size())
+                all[p] = parameters[k];
+        for (const std::size_t k : slow_) slow.push_back(k < start.size() ? start[k] : 0);
+        BoundTape<double>(*tape_, all, eps).evaluate(slow.data(), values.data());
+        for (std::size_t k = 0; k < resting_.size(); ++k) rests[resting_[k]] = values[k];
+        return rests;
+    }
+
+private:
+    const Program& program_;
+    const System& system_;
+    std::vector<double> fixed_;
+    std::vector<std::size_t> slow_, resting_; // places of start values
+    std::optional<Tape> tape_;
+};
+
+// Start values are distances from where they rest.
+SweepPoint unpack(const Program& program, const Rests& rests, const Inputs& inputs) {
+    const auto parameters = inputs.begin() + 1,
+               start = parameters + static_cast<long>(program.parameters.size());
+    SweepPoint point{inputs.front(), {parameters, start}, {start, inputs.end()}, {start, inputs.end()}};
+    const std::vector<double> rest = rests.at(point.eps, point.parameters, point.start);
+    for (std::size_t k = 0; k < rest.size(); ++k) point.start[k] += rest[k];
+    return point;
+}
+
+Inputs defaults(const Program& program, const Rests& rests, double eps) {
     Inputs inputs{eps};
     std::vector<double> parameters = default_parameters<double>(program, eps);
     for (double& p : parameters)
         if (std::isnan(p)) p = 1; // the scene gives none
-    const std::vector<double> start = default_start<double>(program, eps, parameters);
+    std::vector<double> start = default_start<double>(program, eps, parameters);
+    const std::vector<double> rest = rests.at(eps, parameters, start);
+    for (std::size_t k = 0; k < rest.size(); ++k) start[k] -= rest[k];
     inputs.insert(inputs.end(), parameters.begin(), parameters.end());
     inputs.insert(inputs.end(), start.begin(), start.end());
     return inputs;
@@ -42,17 +102,19 @@ Inputs defaults(const Program& program, double eps) {
 
 class Draws {
 public:
-    Draws(const Program& program, const System& system, std::uint64_t seed, const Inside& inside)
-        : program_(program), inputs_(swept_inputs(program, system)), random_(seed), inside_(inside) {}
+    Draws(const Program& program, const Scene& scene, std::uint64_t seed, const Inside& inside)
+        : program_(program), rests_(program, scene), inputs_(swept_inputs(program, *scene.system)),
+          random_(seed), inside_(inside) {}
 
-    [[nodiscard]] Inputs of_scene() const { return defaults(program_, default_eps); }
+    [[nodiscard]] SweepPoint point(const Inputs& inputs) const { return unpack(program_, rests_, inputs); }
+    [[nodiscard]] Inputs of_scene() const { return defaults(program_, rests_, default_eps); }
 
     Inputs one_corner() {
         const std::size_t round = corners_ / (2 * inputs_.size());
         const std::size_t i = corners_ / 2 % inputs_.size(), which = 2 * round + corners_ % 2;
         ++corners_;
         const double value = corner(inputs_[i], default_eps, which % corners_of(inputs_[i]));
-        if (i == 0) return defaults(program_, value);
+        if (i == 0) return defaults(program_, rests_, value);
         Inputs inputs = of_scene();
         inputs[i] = value;
         return inputs;
@@ -70,12 +132,12 @@ public:
     // All drawn, then one of them moved close to where the domain ends, if there is a way out.
     Inputs near_edge() {
         Inputs within = all();
-        if (inputs_.size() == 1 || !inside_(unpack(program_, within))) return within;
+        if (inputs_.size() == 1 || !inside_(point(within))) return within;
         for (int n = 0; n < most_ways_out; ++n) {
             const std::size_t i = 1 + below(inputs_.size() - 1);
             Inputs beyond = within;
             beyond[i] = anywhere(inputs_[i], within.front());
-            if (inside_(unpack(program_, beyond))) continue;
+            if (inside_(point(beyond))) continue;
             const double begin = within[i], way = edge(within, i, beyond[i]) - begin;
             within[i] = begin + way * (1 - std::pow(10, -edge_decades * uniform()));
             break;
@@ -89,7 +151,7 @@ private:
         double last = at[i];
         for (int halvings = 0; halvings < std::numeric_limits<double>::digits; ++halvings) {
             at[i] = last + (outside - last) / 2;
-            (inside_(unpack(program_, at)) ? last : outside) = at[i];
+            (inside_(point(at)) ? last : outside) = at[i];
         }
         return last;
     }
@@ -112,6 +174,7 @@ private:
     static double middle(const SweptInput& input) { return std::sqrt(input.low) * std::sqrt(input.high); }
 
     const Program& program_;
+    Rests rests_;
     std::vector<SweptInput> inputs_;
     std::mt19937_64 random_;
     std::size_t corners_ = 0; // drawn so far
@@ -133,7 +196,8 @@ SweptInput of_start(const ProgramInput& input, const System& system) {
             start_decades,
             !(slow && variable->positive),
             !(slow && (variable->positive || variable->nonzero)),
-            start_weight(system, input.canonical)};
+            start_weight(system, input.canonical),
+            rests_elsewhere(system, input.canonical)};
 }
 
 } // namespace
@@ -161,7 +225,7 @@ std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs) {
 void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
     Inputs values{point.eps};
     values.insert(values.end(), point.parameters.begin(), point.parameters.end());
-    values.insert(values.end(), point.start.begin(), point.start.end());
+    values.insert(values.end(), point.distance.begin(), point.distance.end());
     for (std::size_t i = 0; i < values.size(); ++i) {
         SweptInput& input = swept[i];
         if (values[i] == 0) {
@@ -175,19 +239,19 @@ void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
     }
 }
 
-std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t count,
+std::vector<SweepPoint> sweep_points(const Program& program, const Scene& scene, std::size_t count,
                                      std::uint64_t seed, const Inside& inside) {
-    Draws draws(program, system, seed, inside);
+    Draws draws(program, scene, seed, inside);
     std::vector<SweepPoint> points;
     while (points.size() < count) {
         if (points.empty()) {
-            points.push_back(unpack(program, draws.of_scene()));
+            points.push_back(draws.point(draws.of_scene()));
             continue;
         }
         const bool corner = points.size() % 2 == 1, edge = points.size() % 4 == 2;
         SweepPoint drawn;
         for (int n = 0; n < most_draws; ++n) {
-            drawn = unpack(program, corner ? draws.one_corner() : edge ? draws.near_edge() : draws.all());
+            drawn = draws.point(corner ? draws.one_corner() : edge ? draws.near_edge() : draws.all());
             if (inside(drawn) && std::find(points.begin(), points.end(), drawn) == points.end()) break;
         }
         points.push_back(std::move(drawn));

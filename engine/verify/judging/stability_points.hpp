@@ -3,6 +3,7 @@
 #pragma once
 
 #include "emit/program/program.hpp"
+#include "model/system/scene_file.hpp"
 
 #include <array>
 #include <cstdint>
@@ -12,20 +13,21 @@
 
 namespace resonform {
 
-// |value| = eps^weight * (low ... high)
+// |value| = eps^weight * (low ... high), or |value - rest|
 struct SweptInput {
     std::string name; // as the evaluator's constructor calls it
     double low, high;
     bool negative = false; // of both signs
     bool zero = false;     // and 0
     int weight = 0;        // of a start value
+    bool rests = false;    // by [equilibrium]
 };
 
 // log10(high/low), 0 where nothing but 0 was tried.
 double decades(const SweptInput& input);
 
 // In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
-// they are declared positive), start values eps^weight * (1e-3 ... 1e3).
+// they are declared positive), start values eps^weight * (1e-3 ... 1e3), measured from [equilibrium].
 std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
 
 // The times that are looked at from each start.
@@ -34,6 +36,7 @@ inline constexpr std::array<double, 6> shares_of_interval{0, 1e-9, 0.1, 1.0 / 3,
 struct SweepPoint {
     double eps = 0;
     std::vector<double> parameters, start; // in the order of the program
+    std::vector<double> distance = {};     // of start values from where they rest, as they are drawn
 
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
@@ -47,7 +50,7 @@ void add(const SweepPoint& point, std::vector<SweptInput>& swept);
 // In the others all inputs are drawn: log-uniform, each at a corner with probability 0.4; in every other of
 // these one input is then moved towards the end of the domain, over all but 1 ... 1e-6 of the way. A point
 // not `inside`, or drawn before, is drawn again, 20 times at most. Same seed, same points.
-std::vector<SweepPoint> sweep_points(const Program& program, const System& system, std::size_t count,
+std::vector<SweepPoint> sweep_points(const Program& program, const Scene& scene, std::size_t count,
                                      std::uint64_t seed,
                                      const std::function<bool(const SweepPoint&)>& inside);
 

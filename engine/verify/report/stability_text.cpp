@@ -16,7 +16,8 @@ std::string line_of(const SweptInput& input, const SweptInput& whole) {
     if (!input.zero && input.high == 0) text += "nothing";
     if (input.weight == 1) text += ", times eps";
     if (input.weight > 1) text += fmt::format(", times eps^{}", input.weight);
-    return text + fmt::format(" ({:.0f} of {:.0f} decades)\n", decades(input), decades(whole));
+    return text + fmt::format(" ({:.0f} of {:.0f} decades){}\n", decades(input), decades(whole),
+                              input.rests ? ", from its equilibrium" : "");
 }
 
 } // namespace

@@ -32,8 +32,7 @@ constexpr double most_digits = 6;
 Rational exact_number(double x) { return cln::rational(cln::cl_DF(x)); }
 GiNaC::numeric numeric(const Rational& x) { return GiNaC::numeric(cln::cl_N(x)); }
 
-// In the digits that are clear of rounding, at most six; 0 where none are. The order of operations in the
-// integration is GiNaC's, another one in every run, and blocks of several runs stand side by side.
+// In the digits that are clear of the rounding of the integration, at most six; 0 where none are.
 double known_part(const LadderRung& rung) {
     if (!usable(rung)) return 0;
     const double noise = std::max(rung.reference_error, rung.floor);
