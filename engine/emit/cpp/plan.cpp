@@ -52,7 +52,7 @@ void CppPlan::find_callables() {
         const std::string name = cpp_callable_name(function);
         if (names.unique(function) != name)
             refuse({"the names of callables differ in C++, too",
-                    function + " would be " + name + " once more",
+                    fmt::format("{} would be {} once more", function, name),
                     "rename the function in the system",
                     {}});
         callables.push_back({function, name, names.unique("Function_" + function), derivatives});
