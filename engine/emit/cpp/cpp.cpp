@@ -61,17 +61,18 @@ std::string banner(const Program& program) {
 void add_headers(const Program& program, std::set<std::string>& names) {
     const auto decay = [](const ProgramPhase& phase) { return phase.decays(); };
     const std::vector<ProgramPhase>& phases = program.phases;
+    const CppPlan plan(program);
     names.insert({"ensemble", "final_point", "interval"});
     const auto add = [&](bool needed, const char* name) {
         if (needed) names.insert(name);
     };
     add(std::any_of(phases.begin(), phases.end(), decay), "decay");
-    add(!CppPlan(program).callables.empty(), "callable");
+    add(!plan.callables.empty(), "callable");
     add(!program.flow.empty(), "flow");
     add(!program.layers.empty(), "layer");
     add(!std::all_of(phases.begin(), phases.end(), decay), "phase");
     add(program.rows.empty(), "points");
-    add(CppPlan(program).uses_scaled(), "scaled");
+    add(plan.uses_scaled(), "scaled");
     add(!cpp_data_tables(program).empty(), "spline");
     add(!program.tables.empty(), "table");
     add(!program.rows.empty(), "tabulated");

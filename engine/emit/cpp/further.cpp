@@ -12,9 +12,9 @@ namespace resonform {
 
 namespace {
 
-std::string class_of(const CppFurther& further) {
-    const CppPlan plan(*further.program);
-    const std::string types = plan.callables.empty() ? "" : ", " + plan.callable_list("{type}");
+// own: the plan of the further program.
+std::string class_of(const CppFurther& further, const CppPlan& own) {
+    const std::string types = own.callables.empty() ? "" : ", " + own.callable_list("{type}");
     return fmt::format("{}::Evaluator<Real{}>", name_of(further), types);
 }
 
@@ -46,13 +46,14 @@ std::string arguments_of(const CppFurther& further, const CppPlan& plan) {
         parameters.text += fmt::format("        own.{0} = parameters.{0};\n", callable.name);
     const Copied start = copied(to.start, own.start, from.start, plan.start, "start");
     const bool complete = start.count == to.start.size();
-    return filled(frames::further, {{"name", name_of(further)},
-                                    {"class", class_of(further)},
-                                    {"parameters", parameters.text},
-                                    {"begin", complete ? ""
-                                                       : " = " + class_of(further) + "::default_start(eps, " +
-                                                             name_of(further) + "_parameters(parameters))"},
-                                    {"start", start.text}});
+    return filled(frames::further,
+                  {{"name", name_of(further)},
+                   {"class", class_of(further, own)},
+                   {"parameters", parameters.text},
+                   {"begin", complete ? ""
+                                      : " = " + class_of(further, own) + "::default_start(eps, " +
+                                            name_of(further) + "_parameters(parameters))"},
+                   {"start", start.text}});
 }
 
 } // namespace
@@ -68,7 +69,7 @@ std::string cpp_estimates(const CppPlan& plan, const std::vector<CppFurther>& fu
         const std::string values = fmt::format("of_{}", f.program->order);
         calls += fmt::format("        typename {}::Values {};\n        status = resonform::worse(status, "
                              "{}_(t, {}));\n",
-                             class_of(f), values, name_of(f), values);
+                             class_of(f, own), values, name_of(f), values);
         for (std::size_t k = 0; k < f.outputs.size(); ++k)
             errors[f.outputs[k]] = fmt::format("resonform::math::magnitude(Real({}.{} - values.{}))", values,
                                                own.outputs[k].name, plan.outputs[f.outputs[k]].name);
@@ -90,7 +91,8 @@ std::string cpp_further_arguments(const CppPlan& plan, const std::vector<CppFurt
 
 std::string cpp_further_members(const std::vector<CppFurther>& further) {
     std::string text;
-    for (const CppFurther& f : further) text += fmt::format("    {} {}_;\n", class_of(f), name_of(f));
+    for (const CppFurther& f : further)
+        text += fmt::format("    {} {}_;\n", class_of(f, CppPlan(*f.program)), name_of(f));
     return text;
 }
 

@@ -44,7 +44,7 @@ public:
     [[nodiscard]] std::string refusal(const EmittedCode& code) const {
         return refusal_at(along_.times->all, code);
     }
-    // The references, and the equations compiled, so that nothing is integrated between what is timed.
+    // Integrates the references and compiles the equations, before anything is timed.
     // Errors: those of Trial::reference.
     void prepare();
 

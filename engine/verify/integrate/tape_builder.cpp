@@ -127,7 +127,7 @@ private:
     Tape tape_;
     int constants_ = 0, varying_ = 0;
     std::map<GiNaC::ex, Value, GiNaC::ex_is_less> known_;    // symbols, then everything lowered
-    std::map<GiNaC::ex, Value, GiNaC::ex_is_less> unsigned_; // what is negative, with its sign taken out
+    std::map<GiNaC::ex, Value, GiNaC::ex_is_less> unsigned_; // -e, of the e that are spelled as negative
     Spelling spelling_{[this](const GiNaC::symbol& s) { return name_of(s); }};
     std::map<std::string, Value> numbers_;
     std::map<std::tuple<Op, Value, Value, Function>, Value> steps_;

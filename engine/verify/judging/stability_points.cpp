@@ -26,13 +26,6 @@ constexpr double parameter_decades = 1e12, start_decades = 1e3;
 using Inputs = std::vector<double>;
 using Inside = std::function<bool(const SweepPoint&)>;
 
-std::size_t place_of_input(const std::vector<ProgramInput>& inputs, const std::string& meaning) {
-    const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const ProgramInput& input) {
-        return input.meaning == meaning || input.canonical == meaning;
-    });
-    return static_cast<std::size_t>(found - inputs.begin());
-}
-
 // Where start values rest at eps = 0: 0, or by [equilibrium].
 class Rests {
 public:
@@ -42,7 +35,10 @@ public:
         for (const Variable& v : system_.variables) {
             if (v.role != Role::slow) continue;
             slow.push_back(GiNaC::ex_to<GiNaC::symbol>(v.jet.front()));
-            slow_.push_back(place_of_input(program.start, v.name));
+            const auto own =
+                std::find_if(program.start.begin(), program.start.end(),
+                             [&](const ProgramInput& input) { return input.canonical == v.name; });
+            slow_.push_back(static_cast<std::size_t>(own - program.start.begin()));
         }
         std::vector<GiNaC::ex> values;
         for (std::size_t k = 0; k < program.start.size(); ++k)
@@ -53,18 +49,15 @@ public:
         if (!resting_.empty()) tape_ = Tape::of(system_, slow, values);
     }
 
-    [[nodiscard]] std::vector<double> at(double eps, const std::vector<double>& parameters,
-                                         const std::vector<double>& start) const {
+    // Of a point whose slow variables are known.
+    [[nodiscard]] std::vector<double> at(const SweepPoint& point) const {
+        const std::vector<double>& start = point.start;
         std::vector<double> rests(start.size(), 0.0);
         if (resting_.empty()) return rests;
-        std::vector<double> all = fixed_, slow, values(resting_.size());
-        for (std::size_t p = 0; p < all.size(); ++p)
-            if (const std::size_t k =
-                    place_of_input(program_.parameters, "parameter " + system_.parameters[p].name);
-                k < parameters.size())
-                all[p] = parameters[k];
+        std::vector<double> slow, values(resting_.size());
         for (const std::size_t k : slow_) slow.push_back(k < start.size() ? start[k] : 0);
-        BoundTape<double>(*tape_, all, eps).evaluate(slow.data(), values.data());
+        const std::vector<double> parameters = with_parameters_of(point, program_, system_, fixed_);
+        BoundTape<double>(*tape_, parameters, point.eps).evaluate(slow.data(), values.data());
         for (std::size_t k = 0; k < resting_.size(); ++k) rests[resting_[k]] = values[k];
         return rests;
     }
@@ -82,7 +75,7 @@ SweepPoint unpack(const Program& program, const Rests& rests, const Inputs& inpu
     const auto parameters = inputs.begin() + 1,
                start = parameters + static_cast<long>(program.parameters.size());
     SweepPoint point{inputs.front(), {parameters, start}, {start, inputs.end()}, {start, inputs.end()}};
-    const std::vector<double> rest = rests.at(point.eps, point.parameters, point.start);
+    const std::vector<double> rest = rests.at(point);
     for (std::size_t k = 0; k < rest.size(); ++k) point.start[k] += rest[k];
     return point;
 }
@@ -93,7 +86,7 @@ Inputs defaults(const Program& program, const Rests& rests, double eps) {
     for (double& p : parameters)
         if (std::isnan(p)) p = 1; // the scene gives none
     std::vector<double> start = default_start<double>(program, eps, parameters);
-    const std::vector<double> rest = rests.at(eps, parameters, start);
+    const std::vector<double> rest = rests.at({eps, parameters, start});
     for (std::size_t k = 0; k < rest.size(); ++k) start[k] -= rest[k];
     inputs.insert(inputs.end(), parameters.begin(), parameters.end());
     inputs.insert(inputs.end(), start.begin(), start.end());

@@ -41,6 +41,17 @@ struct SweepPoint {
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
+// The parameters of a system, in its order: those of a point, and of the scene where the program has none.
+template <class Real>
+std::vector<Real> with_parameters_of(const SweepPoint& at, const Program& program, const System& system,
+                                     std::vector<Real> of_scene) {
+    for (std::size_t k = 0; k < of_scene.size(); ++k)
+        for (std::size_t i = 0; i < at.parameters.size(); ++i)
+            if (program.parameters[i].meaning == "parameter " + system.parameters[k].name)
+                of_scene[k] = at.parameters[i];
+    return of_scene;
+}
+
 // nothing_swept: the inputs with empty ranges; add() then widens `swept` by the values of a point.
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);
 void add(const SweepPoint& point, std::vector<SweptInput>& swept);

@@ -33,13 +33,9 @@ StabilityReference::StabilityReference(const Program& program, const Solution& s
 SymbolicInputs StabilityReference::inputs_at(const SweepPoint& at, double end) const {
     const System& system = *scene_.system;
     SymbolicInputs inputs{Wide(at.eps), {}, {}, Wide(end), {}};
-    std::vector<Float128> parameters = parameters_;
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        const std::string& name = system.parameters[k].name;
-        for (std::size_t i = 0; i < at.parameters.size(); ++i)
-            if (program_.parameters[i].meaning == "parameter " + name) parameters[k] = at.parameters[i];
-        inputs.parameters.emplace(name, widened(parameters[k]));
-    }
+    const std::vector<Float128> parameters = with_parameters_of(at, program_, system, parameters_);
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        inputs.parameters.emplace(system.parameters[k].name, widened(parameters[k]));
     const std::vector<Float128> of_scene = evaluate_constants(start_, parameters, Float128(at.eps));
     for (std::size_t k = 0; k < of_scene.size(); ++k) {
         const std::string name = canonical_start(scene_.start[k].name, system);
