@@ -81,6 +81,31 @@ TEST_F(EmittedEstimate, HasTheParametersOfTheNextWeight) {
     EXPECT_GT(found[3], 1.5 * found[1]);
 }
 
+// So does a function that the user of the class gives.
+TEST_F(EmittedEstimate, CallsTheFunctionsOfTheNextWeight) {
+    write(scratch_.path() / "systems/spring/system.toml",
+          "[system]\nname = \"spring\"\n[functions]\nc = { of = [\"s\"] }\n[variables]\n"
+          "x = { role = \"fast\" }\ns = { role = \"slow\" }\n[equations]\n"
+          "x = \"x'' + x + eps^2*c(s)*x = 0\"\ns = \"s' = eps\"\n");
+    write(scratch_.path() / "systems/spring/scenes/s.toml",
+          "order = 1\nerror_estimate = true\n[functions]\nc = { callable = true }\n[start]\n"
+          "amplitude.x = 1\nphase.x = 0\ns = 0\n");
+    const auto found = numbers(
+        "    for (const double size : {1.0, 3.0}) {\n"
+        "        const auto c = [size](int derivative, const auto& s) {\n"
+        "            using Number = std::decay_t<decltype(s)>;\n"
+        "            return derivative > 1 ? Number(0) : Number(size) * (derivative == 1 ? Number(1) : s);\n"
+        "        };\n"
+        "        using E = Evaluator<double, std::decay_t<decltype(c)>>;\n"
+        "        const E e(0.1, E::Parameters{}, c);\n"
+        "        E::Values value, error;\n"
+        "        if (e(9, value) != Status::ok || e.error_estimate(9, error) != Status::ok) return 1;\n"
+        "        std::printf(\"%.17g\\n%.17g\\n\", value.x, error.x);\n    }\n");
+    ASSERT_EQ(found.size(), 4U);
+    EXPECT_EQ(found[0], found[2]);
+    EXPECT_NEAR(found[3], 3 * found[1], 0.2 * found[3]);
+}
+
 TEST_F(EmittedEstimate, IsLeftOutUnlessItIsAskedFor) {
     scene("");
     EXPECT_NE(printed("generate systems/spring/scenes/s.toml").find("error_estimate"), std::string::npos);

@@ -293,14 +293,16 @@ std::string CppFrame::data_members() const {
         if (!program_.phases.empty()) text += "    Parameters parameters_;\n    Start start_;\n";
         text += "    resonform::SharedTables shared_;\n";
     }
-    return cpp_further_members(further_) + "    Constants<Real> constants_;\n    Interval interval_;\n" +
-           text + "    Cause cause_;\n";
+    return cpp_further_members(plan_, further_) +
+           "    Constants<Real> constants_;\n    Interval interval_;\n" + text + "    Cause cause_;\n";
 }
 
 } // namespace
 
 std::string cpp_class(const Program& program, const std::vector<CppFurther>& further) {
-    CppPlan plan(program);
+    std::vector<const Program*> beside;
+    for (const CppFurther& f : further) beside.push_back(f.program.get());
+    CppPlan plan(program, beside);
     const std::string parameters =
         plan.callables.empty() ? "class Real = double" : "class Real, " + plan.callable_list("class {type}");
     return "template <" + parameters +

@@ -12,9 +12,12 @@ namespace resonform {
 
 namespace {
 
-// own: the plan of the further program.
-std::string class_of(const CppFurther& further, const CppPlan& own) {
-    const std::string types = own.callables.empty() ? "" : ", " + own.callable_list("{type}");
+// own: the plan of the further program; plan: of the program, whose class has all callables.
+std::string class_of(const CppFurther& further, const CppPlan& own, const CppPlan& plan) {
+    std::string types;
+    for (const CppCallable& called : own.callables)
+        for (const CppCallable& given : plan.callables)
+            if (given.function == called.function) types += ", " + given.type;
     return fmt::format("{}::Evaluator<Real{}>", name_of(further), types);
 }
 
@@ -48,10 +51,10 @@ std::string arguments_of(const CppFurther& further, const CppPlan& plan) {
     const bool complete = start.count == to.start.size();
     return filled(frames::further,
                   {{"name", name_of(further)},
-                   {"class", class_of(further, own)},
+                   {"class", class_of(further, own, plan)},
                    {"parameters", parameters.text},
                    {"begin", complete ? ""
-                                      : " = " + class_of(further, own) + "::default_start(eps, " +
+                                      : " = " + class_of(further, own, plan) + "::default_start(eps, " +
                                             name_of(further) + "_parameters(parameters))"},
                    {"start", start.text}});
 }
@@ -69,7 +72,7 @@ std::string cpp_estimates(const CppPlan& plan, const std::vector<CppFurther>& fu
         const std::string values = fmt::format("of_{}", f.program->order);
         calls += fmt::format("        typename {}::Values {};\n        status = resonform::worse(status, "
                              "{}_(t, {}));\n",
-                             class_of(f, own), values, name_of(f), values);
+                             class_of(f, own, plan), values, name_of(f), values);
         for (std::size_t k = 0; k < f.outputs.size(); ++k)
             errors[f.outputs[k]] = fmt::format("resonform::math::magnitude(Real({}.{} - values.{}))", values,
                                                own.outputs[k].name, plan.outputs[f.outputs[k]].name);
@@ -89,10 +92,10 @@ std::string cpp_further_arguments(const CppPlan& plan, const std::vector<CppFurt
     return text;
 }
 
-std::string cpp_further_members(const std::vector<CppFurther>& further) {
+std::string cpp_further_members(const CppPlan& plan, const std::vector<CppFurther>& further) {
     std::string text;
     for (const CppFurther& f : further)
-        text += fmt::format("    {} {}_;\n", class_of(f, CppPlan(*f.program)), name_of(f));
+        text += fmt::format("    {} {}_;\n", class_of(f, CppPlan(*f.program), plan), name_of(f));
     return text;
 }
 

@@ -24,7 +24,7 @@ std::string name_of(const CppFurther& further);
 // the constructor, "next_4_(...), ". All are "" without formulas that go further.
 std::string cpp_estimates(const CppPlan& plan, const std::vector<CppFurther>& further);
 std::string cpp_further_arguments(const CppPlan& plan, const std::vector<CppFurther>& further);
-std::string cpp_further_members(const std::vector<CppFurther>& further);
+std::string cpp_further_members(const CppPlan& plan, const std::vector<CppFurther>& further);
 std::string cpp_further_built(const std::vector<CppFurther>& further);
 
 } // namespace resonform

@@ -14,10 +14,10 @@ namespace resonform {
 
 using Value = StraightLine::Value;
 
-CppPlan::CppPlan(const Program& p) : program(&p), code(p) {
+CppPlan::CppPlan(const Program& p, const std::vector<const Program*>& beside) : program(&p), code(p) {
     assign_levels();
     lower_results();
-    find_callables();
+    find_callables(beside);
     name_inputs();
     find_members(false);
     find_ranges();
@@ -33,7 +33,7 @@ CppPlan::CppPlan(const Program& p) : program(&p), code(p) {
 }
 
 // Of the results, which have been lowered, and of the start.
-void CppPlan::find_callables() {
+void CppPlan::find_callables(const std::vector<const Program*>& beside) {
     std::map<std::string, int> highest;
     const auto note = [&](const std::string& name, int derivative) {
         if (!name.empty()) highest[name] = std::max(highest[name], derivative);
@@ -47,6 +47,9 @@ void CppPlan::find_callables() {
         if (const Graph::Entry& e = program->graph.at(static_cast<Graph::Node>(n));
             in_start[n] && e.op == Graph::Op::callable)
             note(e.name, e.exponent);
+    for (const Program* other : beside)
+        for (const CppCallable& callable : CppPlan(*other).callables)
+            note(callable.function, callable.derivatives);
     CppNames names;
     for (const auto& [function, derivatives] : highest) {
         const std::string name = cpp_callable_name(function);
