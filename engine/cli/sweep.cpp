@@ -198,7 +198,9 @@ int run_sweep(const SweepRequest& request, const SweepTeam& team) {
     compute_blocks(folder, sweep.size, compute, share_of(request.share, team));
     if (const int code = team.computed(); code != done || !team.leads()) return code;
     if (whole && !request.map.empty())
-        write_file(request.map, sweep_map(folder, sweep.subject, sweep.grid, sweep.size, cache.path()));
+        write_file(request.map, of_argument("--map", [&] {
+                       return sweep_map(folder, sweep.subject, sweep.grid, sweep.size, cache.path());
+                   }));
     finish(sweep, folder, whole, request.format);
     return done;
 }

@@ -40,9 +40,8 @@ protected:
 
 } // namespace
 
-using SlowIntervalCommand = IntervalCommand; // four runs of verify
+using SlowIntervalCommand = IntervalCommand; // three runs of verify
 TEST_F(SlowIntervalCommand, OneThatIsTooLongEndsTheLadder) {
-    expect_open("1e40", "takes more than 2000000 steps");
     expect_open("1e300", "the interval is longer than 1e+200 there");
     expect_open("exp(1/eps^2)", "takes more than 2000000 steps");
     expect_open("exp(2400*eps)", "the interval is longer than 1e+200 there");

@@ -243,6 +243,17 @@ TEST_F(Sweep, MapsOneOrTwoAxes) {
     std::size_t cells = 0; // each a polygon, besides the 128 of the colour box
     for (std::size_t at = 0; (at = map.find("<polygon", at)) != std::string::npos; ++at) ++cells;
     EXPECT_EQ(cells, 128U + 9U);
+    const Outcome empty = shell("sweep --over eps=0.1,0.2 --over amplitude.x=1e300 --t 1 --output no.npy "
+                                "--map no.svg");
+    EXPECT_EQ(empty.code, 2);
+    EXPECT_EQ(empty.out, "");
+    EXPECT_NE(
+        empty.err.find("resonform: --map: a map must have a number to show\n"
+                       "  found: none at the 2 points that are drawn\n"
+                       "  hint:  leave out --map: what is computed is kept, and the statuses say why\n"),
+        std::string::npos)
+        << empty.err;
+    for (const char* name : {"no.npy", "no.svg", "no.json"}) EXPECT_EQ(file(name), "") << name;
 }
 
 TEST_F(Sweep, BlocksOfAnotherSweepAreRefused) {

@@ -19,7 +19,7 @@
 namespace resonform {
 namespace {
 
-// One comparison for all its tests.
+// One comparison, of the pendulum, for all that is asked of it: each test has a process of its own.
 class Compare : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -47,12 +47,17 @@ protected:
         return *at;
     }
 
+    static void check_rows_of_every_task_and_form();
+    static void check_forms_have_the_same_errors();
+    static void check_rivals_are_tuned_to_the_accuracy_of_each_order();
+    static void check_json_and_csv();
+    static void check_errors_fall_with_the_tolerance();
+
 private:
     inline static std::unique_ptr<Comparison> comparison_; // NOLINT: what SetUpTestSuite is for
 };
-using SlowCompare = Compare;
 
-TEST_F(Compare, RowsOfEveryTaskAndForm) {
+void Compare::check_rows_of_every_task_and_form() {
     const Comparison& c = compared();
     // two eps; two orders in 2 forms of one point, 3 of two numbers of points, 1 of members; three rivals at
     // ten tolerances for one point and for two numbers of points twice, and tuned to the orders for members
@@ -79,7 +84,7 @@ TEST_F(Compare, RowsOfEveryTaskAndForm) {
 }
 
 // The forms are one formula.
-TEST_F(Compare, FormsHaveTheSameErrors) {
+void Compare::check_forms_have_the_same_errors() {
     for (const int order : {1, 3}) {
         const auto same = [&](const ComparisonRow& a, const ComparisonRow& b) {
             for (std::size_t k = 0; k < 3; ++k)
@@ -99,7 +104,7 @@ TEST_F(Compare, FormsHaveTheSameErrors) {
     }
 }
 
-TEST_F(Compare, RivalsAreTunedToTheAccuracyOfEachOrder) {
+void Compare::check_rivals_are_tuned_to_the_accuracy_of_each_order() {
     const Comparison& c = compared();
     ASSERT_EQ(c.by_eps.size(), 2U);
     ASSERT_EQ(c.by_eps.front().tasks.size(), 2U * (1 + 2 * 2 + 1));
@@ -134,7 +139,7 @@ TEST_F(Compare, RivalsAreTunedToTheAccuracyOfEachOrder) {
         }
 }
 
-TEST_F(Compare, JsonAndCsv) {
+void Compare::check_json_and_csv() {
     const auto json = to_json(compared());
     EXPECT_EQ(json["schema"], "resonform.comparison/1");
     EXPECT_EQ(json["eps"], 0.01);
@@ -169,6 +174,26 @@ TEST_F(Compare, JsonAndCsv) {
         << csv.substr(0, 400);
 }
 
+void Compare::check_errors_fall_with_the_tolerance() {
+    const Comparison& c = compared();
+    for (const char* method : {"CVODE Adams", "odeint dopri5", "Taylor"}) {
+        std::vector<double> errors;
+        for (const ComparisonRow& row : c.rows)
+            if (row.method == method && row.task == Task::dense && row.points == 20000 &&
+                row.eps == c.by_eps.front().eps)
+                errors.push_back(row.max_error[0]);
+        EXPECT_GT(errors.front(), 1e6 * errors.back()) << method;
+    }
+}
+
+TEST_F(Compare, OfThePendulum) {
+    check_rows_of_every_task_and_form();
+    check_forms_have_the_same_errors();
+    check_rivals_are_tuned_to_the_accuracy_of_each_order();
+    check_json_and_csv();
+    check_errors_fall_with_the_tolerance();
+}
+
 // From the normal form of a higher order the same code as from its own.
 TEST(SolutionsOfLowerOrder, AreThoseOfTheirOwnDerivation) {
     for (const auto& [system, name] :
@@ -180,18 +205,6 @@ TEST(SolutionsOfLowerOrder, AreThoseOfTheirOwnDerivation) {
         EXPECT_EQ(emit_cpp(build_program(lower_solution(lower, test::solution_of(scene)), lower, as_emitted)),
                   emit_cpp(build_program(test::solution_of(lower), lower, as_emitted)))
             << system;
-    }
-}
-
-TEST_F(SlowCompare, ErrorsOfAMethodFallWithItsTolerance) {
-    const Comparison& c = compared();
-    for (const char* method : {"CVODE Adams", "odeint dopri5", "Taylor"}) {
-        std::vector<double> errors;
-        for (const ComparisonRow& row : c.rows)
-            if (row.method == method && row.task == Task::dense && row.points == 20000 &&
-                row.eps == c.by_eps.front().eps)
-                errors.push_back(row.max_error[0]);
-        EXPECT_GT(errors.front(), 1e6 * errors.back()) << method;
     }
 }
 

@@ -58,7 +58,9 @@ TEST_F(AboutEquilibrium, StartsThatDoNotScale) {
 TEST_F(AboutEquilibrium, IsSweptFromStartsAroundIt) {
     const test::SceneLine line =
         test::line_of(scene(resting_well, "order = 1\n[start]\nx = \"1 + 0.3*eps\"\n\"x'\" = \"eps\"\n"));
-    const Stability swept = stability(line.scene, line.solution, {});
+    StabilityOptions options;
+    static_cast<VerifyOptions&>(options) = test::options();
+    const Stability swept = stability(line.scene, line.solution, options);
     EXPECT_EQ(swept.verdict, Verdict::pass) << swept.rule;
     EXPECT_GT(swept.compared, swept.cases / 2);
 }

@@ -155,6 +155,9 @@ private:
         for (std::size_t i = 0; i < at.start.size(); ++i)
             point.at.emplace_back(program_.start[i].name, at.start[i]);
         point.at.emplace_back("t", t);
+        // without free inputs every start is the same
+        if (std::any_of(list.begin(), list.end(), [&](const WorstPoint& w) { return w.at == point.at; }))
+            return;
         list.insert(place, std::move(point));
         if (list.size() > listed_points) list.pop_back();
     }

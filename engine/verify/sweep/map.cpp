@@ -125,6 +125,11 @@ std::string sweep_map(const SweepFolder& folder, const SweepSubject& subject, co
     std::vector<Drawn> axes;
     for (const std::size_t a : long_axes(grid)) axes.push_back(drawn(grid, a));
     const std::vector<double> z = numbers(folder, size, subject, axes);
+    if (std::none_of(z.begin(), z.end(), [](double number) { return std::isfinite(number); }))
+        no_map("a map must have a number to show",
+               fmt::format("none at the {} points that are drawn{}", z.size(),
+                           subject.what == SweepKind::verify ? ", or an error of 0" : ""),
+               "leave out --map: what is computed is kept, and the statuses say why");
     const Drawn& x = axes.front();
     std::string svg;
     if (axes.size() == 1) {
