@@ -55,7 +55,7 @@ Drawn drawn(const SweepGrid& grid, std::size_t a) {
 }
 
 // Of an error; of none that is seen there is nothing to draw.
-double logarithm(double error) {
+double log_of_error(double error) {
     return error > 0 ? std::log10(error) : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -75,7 +75,7 @@ std::vector<double> numbers(const SweepFolder& folder, const SweepSize& size, co
         for (; found.size() < wanted.size() && wanted[found.size()] < end;) {
             const std::uint64_t row = (wanted[found.size()] - size.first(b)) * size.rows + row_of_point;
             const double number = block.numbers[row * size.columns + 1];
-            found.push_back(subject.what == SweepKind::verify ? logarithm(number) : number);
+            found.push_back(subject.what == SweepKind::verify ? log_of_error(number) : number);
         }
     });
     return found;
