@@ -87,7 +87,7 @@ const std::string stubborn = with_equation("x'' + x*(" + sum_of_fractions() + ")
 
 } // namespace
 
-TEST(Limits, HostileAlgebraEnds) {
+TEST(SlowLimits, HostileAlgebraEnds) {
     for (const std::string order : {"3", "99"}) {
         expect_an_end("sum of fractions", stubborn, order);
         expect_an_end("fractions", with_equation("x'' + x + eps*x*(" + sum_of_fractions() + ") = 0"), order);
@@ -150,7 +150,7 @@ TEST(Limits, TheMessageNamesTheStepOrTheWeight) {
 
 // Actions that drive two frequencies: the inverse map divides by ten combinations of them. Written over one
 // denominator, its coefficients would take minutes and more than a gigabyte.
-TEST(Limits, TheEvaluatorOfASlowFlowIsAStepOfItsOwn) {
+TEST(SlowLimits, TheEvaluatorOfASlowFlowIsAStepOfItsOwn) {
     const Scratch scratch;
     write(scratch.path() / "systems/actions/system.toml",
           "[system]\nname = \"actions\"\n[variables]\nJ = { role = \"slow\", positive = true }\n"

@@ -85,7 +85,7 @@ TEST(Ladder, RefusesAParameterWithoutValue) {
     }
 }
 
-TEST(Ladder, IntervalsThatTakeHoursEndItAtOnce) {
+TEST(SlowLadder, IntervalsThatTakeHoursEndItAtOnce) {
     test::SceneLine line = test::pendulum("xy_only");
     test::shorten_ladder(line.scene);
     VerifyOptions options = test::options();
