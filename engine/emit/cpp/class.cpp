@@ -21,7 +21,7 @@ namespace {
 
 class CppFrame {
 public:
-    CppFrame(const CppPlan& plan, const std::vector<CppFurther>& further)
+    CppFrame(const CppPlan& plan, const std::vector<PlannedFurther>& further)
         : program_(*plan.program), plan_(plan), further_(further) {}
 
     std::string print() const {
@@ -49,7 +49,7 @@ private:
 
     const Program& program_;
     const CppPlan& plan_;
-    const std::vector<CppFurther>& further_;
+    const std::vector<PlannedFurther>& further_;
 };
 
 std::string CppFrame::aliases() const {
@@ -300,16 +300,15 @@ std::string CppFrame::data_members() const {
 } // namespace
 
 std::string cpp_class(const Program& program, const std::vector<CppFurther>& further) {
-    std::vector<const Program*> beside;
-    for (const CppFurther& f : further) beside.push_back(f.program.get());
-    CppPlan plan(program, beside);
+    const std::vector<PlannedFurther> planned_further = planned(further);
+    CppPlan plan(program, callables_of(planned_further));
     const std::string parameters =
         plan.callables.empty() ? "class Real = double" : "class Real, " + plan.callable_list("class {type}");
     return "template <" + parameters +
            "> class Evaluator {\npublic:\n    using Status = "
            "resonform::Status;\n    using BatchReport = resonform::BatchReport;\n\n" +
-           cpp_interface(plan, further) + "private:\n" + cpp_fields(plan) + cpp_stages(plan) +
-           CppFrame(plan, further).print() + "};\n";
+           cpp_interface(plan, planned_further) + "private:\n" + cpp_fields(plan) + cpp_stages(plan) +
+           CppFrame(plan, planned_further).print() + "};\n";
 }
 
 } // namespace resonform

@@ -104,7 +104,8 @@ std::string further_classes(const std::vector<CppFurther>& further) {
         text += fmt::format(
             "// The outputs through eps^{0}, for error estimates.\nnamespace {1} {{\n\n{2}{3}\n}} "
             "// namespace {1}\n\n",
-            f.program->order, name_of(f), cpp_data_tables(*f.program), cpp_class(*f.program));
+            f.program->order, namespace_of_further(*f.program), cpp_data_tables(*f.program),
+            cpp_class(*f.program));
     return text;
 }
 

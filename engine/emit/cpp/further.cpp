@@ -12,10 +12,12 @@ namespace resonform {
 
 namespace {
 
-// own: the plan of the further program; plan: of the program, whose class has all callables.
-std::string class_of(const CppFurther& further, const CppPlan& own, const CppPlan& plan) {
+std::string name_of(const PlannedFurther& further) { return namespace_of_further(*further.plan.program); }
+
+// plan: of the program, whose class has all callables.
+std::string class_of(const PlannedFurther& further, const CppPlan& plan) {
     std::string types;
-    for (const CppCallable& called : own.callables)
+    for (const CppCallable& called : further.plan.callables)
         for (const CppCallable& given : plan.callables)
             if (given.function == called.function) types += ", " + given.type;
     return fmt::format("{}::Evaluator<Real{}>", name_of(further), types);
@@ -41,41 +43,54 @@ Copied copied(const std::vector<ProgramInput>& to, const std::vector<std::string
     return all;
 }
 
-std::string arguments_of(const CppFurther& further, const CppPlan& plan) {
-    const CppPlan own(*further.program);
-    const Program &to = *further.program, &from = *plan.program;
+std::string arguments_of(const PlannedFurther& further, const CppPlan& plan) {
+    const CppPlan& own = further.plan;
+    const Program &to = *own.program, &from = *plan.program;
+    const std::string type = class_of(further, plan);
     Copied parameters = copied(to.parameters, own.parameters, from.parameters, plan.parameters, "parameters");
     for (const CppCallable& callable : own.callables)
         parameters.text += fmt::format("        own.{0} = parameters.{0};\n", callable.name);
     const Copied start = copied(to.start, own.start, from.start, plan.start, "start");
     const bool complete = start.count == to.start.size();
-    return filled(frames::further,
-                  {{"name", name_of(further)},
-                   {"class", class_of(further, own, plan)},
-                   {"parameters", parameters.text},
-                   {"begin", complete ? ""
-                                      : " = " + class_of(further, own, plan) + "::default_start(eps, " +
-                                            name_of(further) + "_parameters(parameters))"},
-                   {"start", start.text}});
+    return filled(frames::further, {{"name", name_of(further)},
+                                    {"class", type},
+                                    {"parameters", parameters.text},
+                                    {"begin", complete ? ""
+                                                       : " = " + type + "::default_start(eps, " +
+                                                             name_of(further) + "_parameters(parameters))"},
+                                    {"start", start.text}});
 }
 
 } // namespace
 
-std::string name_of(const CppFurther& further) { return fmt::format("next_{}", further.program->order); }
+std::vector<PlannedFurther> planned(const std::vector<CppFurther>& further) {
+    std::vector<PlannedFurther> list;
+    list.reserve(further.size());
+    for (const CppFurther& f : further) list.push_back({f.outputs, CppPlan(*f.program)});
+    return list;
+}
 
-std::string cpp_estimates(const CppPlan& plan, const std::vector<CppFurther>& further) {
+std::vector<CppCallable> callables_of(const std::vector<PlannedFurther>& further) {
+    std::vector<CppCallable> list;
+    for (const PlannedFurther& f : further)
+        list.insert(list.end(), f.plan.callables.begin(), f.plan.callables.end());
+    return list;
+}
+
+std::string namespace_of_further(const Program& program) { return fmt::format("next_{}", program.order); }
+
+std::string cpp_estimates(const CppPlan& plan, const std::vector<PlannedFurther>& further) {
     if (further.empty()) return "";
     std::string calls;
     std::vector<std::string> errors(plan.outputs.size(), "none");
-    for (const CppFurther& f : further) {
-        const CppPlan own(*f.program);
-        const std::string values = fmt::format("of_{}", f.program->order);
+    for (const PlannedFurther& f : further) {
+        const std::string values = fmt::format("of_{}", f.plan.program->order);
         calls += fmt::format("        typename {}::Values {};\n        status = resonform::worse(status, "
                              "{}_(t, {}));\n",
-                             class_of(f, own, plan), values, name_of(f), values);
+                             class_of(f, plan), values, name_of(f), values);
         for (std::size_t k = 0; k < f.outputs.size(); ++k)
             errors[f.outputs[k]] = fmt::format("resonform::math::magnitude(Real({}.{} - values.{}))", values,
-                                               own.outputs[k].name, plan.outputs[f.outputs[k]].name);
+                                               f.plan.outputs[k].name, plan.outputs[f.outputs[k]].name);
     }
     const std::vector<std::string> names = plan.output_arrays(), none(plan.outputs.size(), "none");
     return filled(frames::estimates, {{"calls", calls},
@@ -85,23 +100,23 @@ std::string cpp_estimates(const CppPlan& plan, const std::vector<CppFurther>& fu
                                       {"names", fmt::format("{}", fmt::join(names, ", "))}});
 }
 
-std::string cpp_further_arguments(const CppPlan& plan, const std::vector<CppFurther>& further) {
+std::string cpp_further_arguments(const CppPlan& plan, const std::vector<PlannedFurther>& further) {
     if (further.empty()) return "";
     std::string text(frames::errors);
-    for (const CppFurther& f : further) text += arguments_of(f, plan);
+    for (const PlannedFurther& f : further) text += arguments_of(f, plan);
     return text;
 }
 
-std::string cpp_further_members(const CppPlan& plan, const std::vector<CppFurther>& further) {
+std::string cpp_further_members(const CppPlan& plan, const std::vector<PlannedFurther>& further) {
     std::string text;
-    for (const CppFurther& f : further)
-        text += fmt::format("    {} {}_;\n", class_of(f, CppPlan(*f.program), plan), name_of(f));
+    for (const PlannedFurther& f : further)
+        text += fmt::format("    {} {}_;\n", class_of(f, plan), name_of(f));
     return text;
 }
 
-std::string cpp_further_built(const std::vector<CppFurther>& further) {
+std::string cpp_further_built(const std::vector<PlannedFurther>& further) {
     std::string text;
-    for (const CppFurther& f : further)
+    for (const PlannedFurther& f : further)
         text += fmt::format("{0}_(eps, {0}_parameters(parameters), {0}_start(eps, parameters, start), "
                             "slow_time_end),\n          ",
                             name_of(f));

@@ -19,7 +19,7 @@ using Value = StraightLine::Value;
 
 class CppInterface {
 public:
-    CppInterface(CppPlan& plan, const std::vector<CppFurther>& further)
+    CppInterface(CppPlan& plan, const std::vector<PlannedFurther>& further)
         : program_(*plan.program), plan_(plan), further_(further) {}
 
     std::string print() {
@@ -47,7 +47,7 @@ private:
 
     const Program& program_;
     CppPlan& plan_;
-    const std::vector<CppFurther>& further_;
+    const std::vector<PlannedFurther>& further_;
 };
 
 std::string CppInterface::parameters() {
@@ -254,7 +254,7 @@ std::string cpp_fields(const CppPlan& plan) {
     return text + "\n";
 }
 
-std::string cpp_interface(CppPlan& plan, const std::vector<CppFurther>& further) {
+std::string cpp_interface(CppPlan& plan, const std::vector<PlannedFurther>& further) {
     return CppInterface(plan, further).print();
 }
 

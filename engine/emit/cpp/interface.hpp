@@ -10,7 +10,7 @@
 
 namespace resonform {
 
-std::string cpp_interface(CppPlan& plan, const std::vector<CppFurther>& further);
+std::string cpp_interface(CppPlan& plan, const std::vector<PlannedFurther>& further);
 
 // Tables of the members of Parameters and Start and of the arrays of Members that belong to them.
 std::string cpp_fields(const CppPlan& plan);

@@ -14,7 +14,7 @@ namespace resonform {
 
 using Value = StraightLine::Value;
 
-CppPlan::CppPlan(const Program& p, const std::vector<const Program*>& beside) : program(&p), code(p) {
+CppPlan::CppPlan(const Program& p, const std::vector<CppCallable>& beside) : program(&p), code(p) {
     assign_levels();
     lower_results();
     find_callables(beside);
@@ -33,7 +33,7 @@ CppPlan::CppPlan(const Program& p, const std::vector<const Program*>& beside) : 
 }
 
 // Of the results, which have been lowered, and of the start.
-void CppPlan::find_callables(const std::vector<const Program*>& beside) {
+void CppPlan::find_callables(const std::vector<CppCallable>& beside) {
     std::map<std::string, int> highest;
     const auto note = [&](const std::string& name, int derivative) {
         if (!name.empty()) highest[name] = std::max(highest[name], derivative);
@@ -47,9 +47,7 @@ void CppPlan::find_callables(const std::vector<const Program*>& beside) {
         if (const Graph::Entry& e = program->graph.at(static_cast<Graph::Node>(n));
             in_start[n] && e.op == Graph::Op::callable)
             note(e.name, e.exponent);
-    for (const Program* other : beside)
-        for (const CppCallable& callable : CppPlan(*other).callables)
-            note(callable.function, callable.derivatives);
+    for (const CppCallable& callable : beside) note(callable.function, callable.derivatives);
     CppNames names;
     for (const auto& [function, derivatives] : highest) {
         const std::string name = cpp_callable_name(function);

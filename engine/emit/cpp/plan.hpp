@@ -43,8 +43,8 @@ struct CppCondition { // > 0
 };
 
 struct CppPlan {
-    // beside: formulas that go further, which are given the same callables.
-    explicit CppPlan(const Program& program, const std::vector<const Program*>& beside = {});
+    // beside: callables of formulas that go further, which the class is given, too.
+    explicit CppPlan(const Program& program, const std::vector<CppCallable>& beside = {});
 
     const Program* program;
     StraightLine code;
@@ -108,7 +108,7 @@ private:
     void find_members(bool conditions);
     void find_ranges();
     void name_kept();
-    void find_callables(const std::vector<const Program*>& beside);
+    void find_callables(const std::vector<CppCallable>& beside);
     [[nodiscard]] CppNames names_beside_callables() const;
     [[nodiscard]] std::vector<StraightLine::Value> roots() const;
     [[nodiscard]] std::vector<std::string> users() const;
