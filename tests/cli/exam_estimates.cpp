@@ -38,6 +38,14 @@ protected:
         std::istringstream lines(outcome.out);
         return {std::istream_iterator<double>(lines), {}};
     }
+    // Of such a program: x and its estimated error at t, of an evaluator e of type E.
+    [[nodiscard]] static std::string prints_x_and_error(const std::string& t) {
+        return "        E::Values value, error;\n"
+               "        if (e(" +
+               t + ", value) != Status::ok || e.error_estimate(" + t +
+               ", error) != Status::ok) return 1;\n"
+               "        std::printf(\"%.17g\\n%.17g\\n\", value.x, error.x);\n";
+    }
 };
 
 } // namespace
@@ -70,12 +78,10 @@ TEST_F(EmittedEstimate, IsThatOfTheCommand) {
 // k*x^4 is first seen by the weight that is left out: it moves the estimate, and not the outputs.
 TEST_F(EmittedEstimate, HasTheParametersOfTheNextWeight) {
     scene("", "amplitude.x = 1\nphase.x = 0\n");
-    const auto found = numbers(
-        "    for (const double k : {0.0, 3.0}) {\n"
-        "        const Evaluator<> e(0.1, {.k = k});\n"
-        "        Evaluator<>::Values value, error;\n"
-        "        if (e(3, value) != Status::ok || e.error_estimate(3, error) != Status::ok) return 1;\n"
-        "        std::printf(\"%.17g\\n%.17g\\n\", value.x, error.x);\n    }\n");
+    const auto found = numbers("    for (const double k : {0.0, 3.0}) {\n"
+                               "        using E = Evaluator<>;\n"
+                               "        const E e(0.1, {.k = k});\n" +
+                               prints_x_and_error("3") + "    }\n");
     ASSERT_EQ(found.size(), 4U);
     EXPECT_EQ(found[0], found[2]);
     EXPECT_GT(found[3], 1.5 * found[1]);
@@ -97,10 +103,8 @@ TEST_F(EmittedEstimate, CallsTheFunctionsOfTheNextWeight) {
         "            return derivative > 1 ? Number(0) : Number(size) * (derivative == 1 ? Number(1) : s);\n"
         "        };\n"
         "        using E = Evaluator<double, std::decay_t<decltype(c)>>;\n"
-        "        const E e(0.1, E::Parameters{}, c);\n"
-        "        E::Values value, error;\n"
-        "        if (e(9, value) != Status::ok || e.error_estimate(9, error) != Status::ok) return 1;\n"
-        "        std::printf(\"%.17g\\n%.17g\\n\", value.x, error.x);\n    }\n");
+        "        const E e(0.1, E::Parameters{}, c);\n" +
+        prints_x_and_error("9") + "    }\n");
     ASSERT_EQ(found.size(), 4U);
     EXPECT_EQ(found[0], found[2]);
     EXPECT_NEAR(found[3], 3 * found[1], 0.2 * found[3]);

@@ -14,15 +14,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 
 namespace resonform {
 namespace {
 
-// One comparison, of the pendulum, for all that is asked of it: each test has a process of its own.
+// One comparison, which takes seconds, for all that is asked of it.
 class Compare : public testing::Test {
 protected:
-    static void SetUpTestSuite() {
+    static Comparison of_the_pendulum() {
         const test::SceneLine line = test::pendulum("third_order");
         CompareOptions options;
         static_cast<VerifyOptions&>(options) = test::options();
@@ -33,12 +32,11 @@ protected:
         options.members = 40;
         options.repetitions = 2;
         options.derivation_seconds = 1;
-        comparison_ = std::make_unique<Comparison>(compare(line.system, line.scene, line.solution, options));
+        return compare(line.system, line.scene, line.solution, options);
     }
-    static void TearDownTestSuite() { comparison_.reset(); }
-    static const Comparison& compared() { return *comparison_; }
+    [[nodiscard]] const Comparison& compared() const { return comparison_; }
 
-    static const ComparisonRow& emitted(int order, Task task, Form form, std::size_t points) {
+    [[nodiscard]] const ComparisonRow& emitted(int order, Task task, Form form, std::size_t points) const {
         const auto at =
             std::find_if(compared().rows.begin(), compared().rows.end(), [&](const ComparisonRow& r) {
                 return r.order == order && r.task == task && r.form == form && r.points == points;
@@ -47,17 +45,17 @@ protected:
         return *at;
     }
 
-    static void check_rows_of_every_task_and_form();
-    static void check_forms_have_the_same_errors();
-    static void check_rivals_are_tuned_to_the_accuracy_of_each_order();
-    static void check_json_and_csv();
-    static void check_errors_fall_with_the_tolerance();
+    void check_rows_of_every_task_and_form() const;
+    void check_forms_have_the_same_errors() const;
+    void check_rivals_are_tuned_to_the_accuracy_of_each_order() const;
+    void check_json_and_csv() const;
+    void check_errors_fall_with_the_tolerance() const;
 
 private:
-    inline static std::unique_ptr<Comparison> comparison_; // NOLINT: what SetUpTestSuite is for
+    const Comparison comparison_ = of_the_pendulum();
 };
 
-void Compare::check_rows_of_every_task_and_form() {
+void Compare::check_rows_of_every_task_and_form() const {
     const Comparison& c = compared();
     // two eps; two orders in 2 forms of one point, 3 of two numbers of points, 1 of members; three rivals at
     // ten tolerances for one point and for two numbers of points twice, and tuned to the orders for members
@@ -84,7 +82,7 @@ void Compare::check_rows_of_every_task_and_form() {
 }
 
 // The forms are one formula.
-void Compare::check_forms_have_the_same_errors() {
+void Compare::check_forms_have_the_same_errors() const {
     for (const int order : {1, 3}) {
         const auto same = [&](const ComparisonRow& a, const ComparisonRow& b) {
             for (std::size_t k = 0; k < 3; ++k)
@@ -104,7 +102,7 @@ void Compare::check_forms_have_the_same_errors() {
     }
 }
 
-void Compare::check_rivals_are_tuned_to_the_accuracy_of_each_order() {
+void Compare::check_rivals_are_tuned_to_the_accuracy_of_each_order() const {
     const Comparison& c = compared();
     ASSERT_EQ(c.by_eps.size(), 2U);
     ASSERT_EQ(c.by_eps.front().tasks.size(), 2U * (1 + 2 * 2 + 1));
@@ -139,7 +137,7 @@ void Compare::check_rivals_are_tuned_to_the_accuracy_of_each_order() {
         }
 }
 
-void Compare::check_json_and_csv() {
+void Compare::check_json_and_csv() const {
     const auto json = to_json(compared());
     EXPECT_EQ(json["schema"], "resonform.comparison/1");
     EXPECT_EQ(json["eps"], 0.01);
@@ -174,7 +172,7 @@ void Compare::check_json_and_csv() {
         << csv.substr(0, 400);
 }
 
-void Compare::check_errors_fall_with_the_tolerance() {
+void Compare::check_errors_fall_with_the_tolerance() const {
     const Comparison& c = compared();
     for (const char* method : {"CVODE Adams", "odeint dopri5", "Taylor"}) {
         std::vector<double> errors;
