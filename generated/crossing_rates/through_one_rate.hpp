@@ -7,7 +7,7 @@
 //   order       2, normal form and map through weight 3
 //   operations  4 add, 11 multiply, 1 divide, 0 root, 0 sincos, 2 other, 0 tables
 //   written out 6 add, 22 multiply, 4 divide, 0 root, 0 sincos, 0 other, 0 tables
-//   many points one by one: no tables of modes that decay
+//   many points one by one: no tables where a divisor may pass zero
 //
 // z1 = a1*exp(chi1)
 // a1 = eps*(u_u)

@@ -7,7 +7,7 @@
 //   order       3, normal form and map through weight 4
 //   operations  3 add, 3 multiply, 1 divide, 0 root, 0 sincos, 1 other, 1 tables
 //   written out 3 add, 4 multiply, 1 divide, 0 root, 0 sincos, 0 other, 3 tables
-//   many points one by one: no tables of modes that decay
+//   many points from tables of 3 rows (87 operations, 154 one by one)
 //
 // z1 = a1*exp(chi)
 // a1 = u_y
@@ -24,7 +24,7 @@
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
-#include "runtime/points.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
@@ -110,17 +110,20 @@ public:
 
     // The outputs at n times, in any order. An output whose array is null is left out; where there is no value, NaN is stored.
     BatchReport batch(const Real* t, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
-        return resonform::Points::batch(*this, t, n, std::array{x, y}, status);
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, y}, status);
     }
 
     // The same at the exact times t0 + i dt; dt of any sign.
     BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
-        return resonform::Points::grid(*this, t0, dt, n, std::array{x, y}, status);
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, y}, status);
     }
 
     // Builds now what the first call for many points would build: later calls allocate nothing.
     Status prepare() const noexcept {
-        return cause_.status;
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 
@@ -194,6 +197,18 @@ private:
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 3> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 1>& tables) {
+        const Number x = tables[0];
+        const Number s = x + Number(1);
+        const Number per_s = per(s);
+        std::array<Number, 3> none;
+        none.fill(resonform::math::not_a_number<Number>());
+        if (!(x > Number(0))) return none;
+        return {Number(x), Number(x * per_s), Number(c.u_y)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
@@ -214,6 +229,7 @@ private:
 
     friend struct resonform::Points;
     friend struct resonform::Ensemble;
+    friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
         Arguments a;
@@ -230,6 +246,42 @@ private:
         numbers[0] = values.x;
         numbers[1] = values.y;
     }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, decays = 1, outputs = 2;
+        static constexpr std::array<resonform::kernel::Term<1>, 3> terms{{
+            {0, resonform::kernel::Wave::one, {0}},
+            {1, resonform::kernel::Wave::one, {0}},
+            {1, resonform::kernel::Wave::cosine, {1}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 3> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                compute_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_1};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {chi_rate(c, T)};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
                        const Start& start, Constants<Real>& c) {
@@ -298,6 +350,9 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
@@ -319,6 +374,10 @@ private:
     Interval interval_;
     resonform::FlowTable<std::array<Real, 1>> tables_0_;
     resonform::Decay<Real> chi_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

@@ -7,7 +7,7 @@
 //   order       3, normal form and map through weight 4
 //   operations  50 add, 62 multiply, 1 divide, 0 root, 1 sincos, 1 other, 1 tables
 //   written out 196 add, 252 multiply, 9 divide, 0 root, 16 sincos, 0 other, 1 tables
-//   many points one by one: no tables of modes that decay
+//   many points one by one: no tables of modes that may grow
 //
 // z1 = a1*exp(chi + I*theta)
 // z2 = conj(z1)

@@ -7,7 +7,7 @@
 //   order       2, normal form and map through weight 3
 //   operations  34 add, 54 multiply, 1 divide, 0 root, 0 sincos, 1 other, 1 tables
 //   written out 82 add, 187 multiply, 22 divide, 0 root, 0 sincos, 0 other, 27 tables
-//   many points one by one: no tables of modes that decay
+//   many points from tables of 7 rows (135 operations, 236 one by one)
 //
 // z1 = a1*exp(chi)
 // a1 = u_c
@@ -41,8 +41,8 @@
 #include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
-#include "runtime/points.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
@@ -128,17 +128,20 @@ public:
 
     // The outputs at n times, in any order. An output whose array is null is left out; where there is no value, NaN is stored.
     BatchReport batch(const Real* t, std::size_t n, Real* s, Real* c_, Status* status = nullptr) const noexcept {
-        return resonform::Points::batch(*this, t, n, std::array{s, c_}, status);
+        return resonform::Tabulated::batch(*this, t, n, std::array{s, c_}, status);
     }
 
     // The same at the exact times t0 + i dt; dt of any sign.
     BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* s, Real* c_, Status* status = nullptr) const noexcept {
-        return resonform::Points::grid(*this, t0, dt, n, std::array{s, c_}, status);
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{s, c_}, status);
     }
 
     // Builds now what the first call for many points would build: later calls allocate nothing.
     Status prepare() const noexcept {
-        return cause_.status;
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 
@@ -209,6 +212,31 @@ private:
         Number c_43{};
         Number c_44{};
         Number c_45{};
+        Number c_46{};
+        Number c_47{};
+        Number c_48{};
+        Number c_49{};
+        Number c_50{};
+        Number c_51{};
+        Number c_52{};
+        Number c_53{};
+        Number c_54{};
+        Number c_55{};
+        Number c_56{};
+        Number c_57{};
+        Number c_58{};
+        Number c_59{};
+        Number c_60{};
+        Number c_61{};
+        Number c_62{};
+        Number c_63{};
+        Number c_64{};
+        Number c_65{};
+        Number c_66{};
+        Number c_67{};
+        Number c_68{};
+        Number c_69{};
+        Number c_70{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -325,6 +353,11 @@ private:
         Number k_109{};
         Number k_110{};
         Number k_111{};
+        Number k_112{};
+        Number k_113{};
+        Number k_114{};
+        Number k_115{};
+        Number k_116{};
     };
 
     template <class Number> static void compute_constants_1(
@@ -342,82 +375,84 @@ private:
         w.k_6 = w.s_0 * (Number(1) - Number(1) / Number(6) * w.k_5) + c.c_2 - Number(5) / Number(8) * w.k_5;
         w.k_7 = c.eps * w.k_6 + w.s_0 * (Number(11) / Number(8) + Number(1) / Number(4) * w.s_0) + Number(25) / Number(8);
         c.c_3 = Number(5) / Number(2);
-        w.k_8 = w.k_5 * w.k_7 + w.s_0 * (-w.s_0 - Number(19) / Number(4)) + c.c_3 * c.eps - Number(9);
-        w.k_9 = w.k_5 * (Number(25) / Number(32) - Number(43) / Number(48) * w.k_5);
-        w.k_10 = w.s_0 * w.k_8 + c.eps * (w.k_9 + Number(35) / Number(8)) + Number(15) / Number(4) * w.k_5 - Number(17) / Number(2);
+        w.k_8 = c.c_3 * c.eps;
+        w.k_9 = w.k_5 * w.k_7 + w.s_0 * (-w.s_0 - Number(19) / Number(4)) + w.k_8 - Number(9);
+        w.k_10 = w.k_5 * (Number(25) / Number(32) - Number(43) / Number(48) * w.k_5);
+        w.k_11 = w.s_0 * w.k_9 + c.eps * (w.k_10 + Number(35) / Number(8)) + Number(15) / Number(4) * w.k_5 - Number(17) / Number(2);
         c.c_4 = Number(15) / Number(2);
-        w.k_11 = w.s_0 * (w.s_0 * (w.s_0 + c.c_4) + Number(49) / Number(2)) + Number(91) / Number(2);
-        w.k_12 = c.eps * w.k_10 + w.s_0 * (w.s_0 * w.k_11 + Number(105) / Number(2)) + Number(77) / Number(2);
+        w.k_12 = w.s_0 * (w.s_0 * (w.s_0 + c.c_4) + Number(49) / Number(2)) + Number(91) / Number(2);
+        w.k_13 = c.eps * w.k_11 + w.s_0 * (w.s_0 * w.k_12 + Number(105) / Number(2)) + Number(77) / Number(2);
         c.c_5 = Number(7) / Number(4);
-        w.k_13 = w.k_5 * (-Number(29) / Number(48) * w.k_5 - Number(47) / Number(32));
-        w.k_14 = w.s_0 * w.k_12 + c.eps * (c.eps * (c.c_5 + w.k_13) + c.c_3 * w.k_5 - Number(4)) + Number(35) / Number(2);
+        w.k_14 = w.k_5 * (-Number(29) / Number(48) * w.k_5 - Number(47) / Number(32));
+        w.k_15 = w.s_0 * w.k_13 + c.eps * (c.eps * (c.c_5 + w.k_14) + c.c_3 * w.k_5 - Number(4)) + Number(35) / Number(2);
         c.c_6 = Number(5) / Number(4);
         c.c_7 = Number(1) / Number(2);
-        w.k_15 = c.c_7 * w.s_0;
-        w.k_16 = c.c_5 * c.eps;
-        w.k_17 = c.eps + w.s_0 * (w.s_0 * (-w.k_15 - c.c_5) + w.k_16 - c.c_2) - c.c_6;
-        w.k_18 = Number(3) / Number(16) * w.k_5;
+        w.k_16 = c.c_7 * w.s_0;
+        w.k_17 = c.c_5 * c.eps;
+        w.k_18 = c.eps + w.s_0 * (w.s_0 * (-w.k_16 - c.c_5) + w.k_17 - c.c_2) - c.c_6;
+        w.k_19 = Number(3) / Number(16) * w.k_5;
         c.c_8 = Number(3) / Number(8);
         c.c_9 = Number(3) / Number(4);
-        w.k_19 = c.eps * (w.k_5 * (-w.k_18 - Number(41) / Number(32)) - c.c_8) + Number(7) / Number(8) * w.k_5 - c.c_9;
-        w.k_20 = w.s_0 * (w.k_5 * w.k_14 + c.eps * w.k_17) + c.eps * (w.k_5 * w.k_19 - Number(1) / Number(4)) + Number(9) / Number(2) * w.k_5;
-        w.k_21 = w.k_5 * (-Number(1) / Number(48) * w.k_5 - Number(9) / Number(32));
-        w.k_22 = c.eps * (w.k_21 - Number(1) / Number(4)) + Number(1) / Number(8) * w.k_5;
-        w.k_23 = c.eps * (w.k_3 * w.k_3) * (w.s_0 * w.k_20 + w.k_5 * (c.c_7 + c.eps * w.k_22));
-        c.c_10 = w.s_0 + w.k_23;
-        w.k_24 = Number(1) / Number(4) * c.eps;
+        w.k_20 = c.eps * (w.k_5 * (-w.k_19 - Number(41) / Number(32)) - c.c_8) + Number(7) / Number(8) * w.k_5 - c.c_9;
+        w.k_21 = w.s_0 * (w.k_5 * w.k_15 + c.eps * w.k_18) + c.eps * (w.k_5 * w.k_20 - Number(1) / Number(4)) + Number(9) / Number(2) * w.k_5;
+        w.k_22 = w.k_5 * (-Number(1) / Number(48) * w.k_5 - Number(9) / Number(32));
+        w.k_23 = c.eps * (w.k_22 - Number(1) / Number(4)) + Number(1) / Number(8) * w.k_5;
+        w.k_24 = c.eps * (w.k_3 * w.k_3) * (w.s_0 * w.k_21 + w.k_5 * (c.c_7 + c.eps * w.k_23));
+        c.c_10 = w.s_0 + w.k_24;
+        w.k_25 = Number(1) / Number(4) * c.eps;
         c.c_11 = c.c_7 * c.eps;
         c.c_12 = c.c_11 - c.c_4;
-        c.c_13 = w.k_16 - Number(10);
-        w.k_25 = c.c_6 * c.eps;
-        c.c_14 = c.eps * (c.c_2 - w.k_25) - c.c_4;
+        c.c_13 = w.k_17 - Number(10);
+        w.k_26 = c.c_6 * c.eps;
+        c.c_14 = c.eps * (c.c_2 - w.k_26) - c.c_4;
         c.c_15 = c.eps * (c.c_6 - Number(5) / Number(8) * c.eps) - Number(3);
-        c.c_16 = w.k_24 - c.c_7;
+        c.c_16 = w.k_25 - c.c_7;
         c.c_17 = Number(0);
         c.c_18 = -c.eps - Number(36);
         c.c_19 = -Number(13) / Number(2) * c.eps - Number(84);
         c.c_20 = Number(3) / Number(2);
-        w.k_26 = c.c_20 * c.eps;
-        c.c_21 = c.eps * (w.k_26 - Number(18)) - Number(126);
-        w.k_27 = c.eps * (Number(19) / Number(4) * c.eps - Number(55) / Number(2));
-        c.c_22 = w.k_27 - Number(126);
+        w.k_27 = c.c_20 * c.eps;
+        c.c_21 = c.eps * (w.k_27 - Number(18)) - Number(126);
+        w.k_28 = c.eps * (Number(19) / Number(4) * c.eps - Number(55) / Number(2));
+        c.c_22 = w.k_28 - Number(126);
         c.c_23 = Number(13) / Number(4);
-        w.k_28 = c.c_23 * c.eps;
-        c.c_24 = c.eps * (c.eps * (Number(5) - w.k_28) - Number(25)) - Number(84);
-        c.c_25 = c.eps * (c.eps * (c.c_20 - w.k_26) - Number(27) / Number(2)) - Number(36);
-        c.c_26 = c.eps * (c.eps * (c.c_8 * c.eps - c.c_7) - Number(4)) - Number(9);
-        c.c_27 = c.eps * (-c.c_7 - w.k_24) - Number(1);
+        w.k_29 = c.c_23 * c.eps;
+        c.c_24 = c.eps * (c.eps * (Number(5) - w.k_29) - Number(25)) - Number(84);
+        c.c_25 = c.eps * (c.eps * (c.c_20 - w.k_27) - Number(27) / Number(2)) - Number(36);
+        w.k_30 = c.c_8 * c.eps - c.c_7;
+        c.c_26 = c.eps * (c.eps * w.k_30 - Number(4)) - Number(9);
+        c.c_27 = c.eps * (-c.c_7 - w.k_25) - Number(1);
         c.c_28 = Number(1) / c.eps;
-        w.k_29 = w.k_3 * w.k_1;
-        w.k_30 = w.s_0 * (c.c_3 - Number(2) / Number(9) * w.k_5) + Number(277) / Number(32) - Number(149) / Number(144) * w.k_5;
-        w.k_31 = c.eps * w.k_30 + w.s_0 * (c.c_8 * w.s_0 + Number(39) / Number(16)) + Number(27) / Number(4);
-        w.k_32 = w.k_5 * w.k_31 + w.s_0 * (-c.c_3 * w.s_0 - Number(59) / Number(4)) + w.k_28 - Number(73) / Number(2);
-        w.k_33 = w.k_5 * (Number(617) / Number(64) - Number(557) / Number(288) * w.k_5);
-        w.k_34 = w.s_0 * w.k_32 + c.eps * (w.k_33 + Number(177) / Number(16)) + Number(165) / Number(16) * w.k_5 - Number(195) / Number(4);
-        w.k_35 = w.s_0 * (w.s_0 * (w.s_0 + Number(17) / Number(2)) + Number(32)) + Number(70);
-        w.k_36 = c.eps * w.k_34 + w.s_0 * (w.s_0 * w.k_35 + Number(98)) + Number(91);
-        w.k_37 = w.k_5 * (Number(11) / Number(8) - Number(11) / Number(6) * w.k_5);
-        w.k_38 = c.eps * (w.k_37 + Number(443) / Number(32)) + Number(75) / Number(8) * w.k_5 - Number(75) / Number(2);
-        w.k_39 = c.c_5 + w.s_0 * (w.k_15 + c.c_5) - Number(11) / Number(4) * c.eps;
-        w.k_40 = w.k_5 * (w.s_0 * w.k_36 + c.eps * w.k_38 + Number(56)) + c.eps * (w.s_0 * w.k_39 - c.c_7 - c.c_11);
-        w.k_41 = Number(15) / Number(4) * c.eps;
-        w.k_42 = w.s_0 * (w.s_0 * (-w.k_15 - Number(3)) + w.k_25 - c.c_4) + w.k_41 - Number(10);
-        w.k_43 = c.eps * (Number(15) / Number(4) - Number(45) / Number(8) * c.eps);
-        w.k_44 = w.k_5 * (-Number(131) / Number(144) * w.k_5 - Number(149) / Number(32));
-        w.k_45 = c.eps * (w.k_44 + Number(29) / Number(4)) + Number(81) / Number(16) * w.k_5 - Number(65) / Number(4);
+        w.k_31 = w.k_3 * w.k_1;
+        w.k_32 = w.s_0 * (c.c_3 - Number(2) / Number(9) * w.k_5) + Number(277) / Number(32) - Number(149) / Number(144) * w.k_5;
+        w.k_33 = c.eps * w.k_32 + w.s_0 * (c.c_8 * w.s_0 + Number(39) / Number(16)) + Number(27) / Number(4);
+        w.k_34 = w.k_5 * w.k_33 + w.s_0 * (-c.c_3 * w.s_0 - Number(59) / Number(4)) + w.k_29 - Number(73) / Number(2);
+        w.k_35 = w.k_5 * (Number(617) / Number(64) - Number(557) / Number(288) * w.k_5);
+        w.k_36 = w.s_0 * w.k_34 + c.eps * (w.k_35 + Number(177) / Number(16)) + Number(165) / Number(16) * w.k_5 - Number(195) / Number(4);
+        w.k_37 = w.s_0 * (w.s_0 * (w.s_0 + Number(17) / Number(2)) + Number(32)) + Number(70);
+        w.k_38 = c.eps * w.k_36 + w.s_0 * (w.s_0 * w.k_37 + Number(98)) + Number(91);
+        w.k_39 = w.k_5 * (Number(11) / Number(8) - Number(11) / Number(6) * w.k_5);
+        w.k_40 = c.eps * (w.k_39 + Number(443) / Number(32)) + Number(75) / Number(8) * w.k_5 - Number(75) / Number(2);
+        w.k_41 = c.c_5 + w.s_0 * (w.k_16 + c.c_5) - Number(11) / Number(4) * c.eps;
+        w.k_42 = w.k_5 * (w.s_0 * w.k_38 + c.eps * w.k_40 + Number(56)) + c.eps * (w.s_0 * w.k_41 - c.c_7 - c.c_11);
+        w.k_43 = Number(15) / Number(4) * c.eps;
+        w.k_44 = w.s_0 * (w.s_0 * (-w.k_16 - Number(3)) + w.k_26 - c.c_4) + w.k_43 - Number(10);
+        w.k_45 = c.eps * (Number(15) / Number(4) - Number(45) / Number(8) * c.eps);
+        w.k_46 = w.k_5 * (-Number(131) / Number(144) * w.k_5 - Number(149) / Number(32));
+        w.k_47 = c.eps * (w.k_46 + Number(29) / Number(4)) + Number(81) / Number(16) * w.k_5 - Number(65) / Number(4);
         c.c_29 = Number(33) / Number(8);
-        w.k_46 = c.c_6 + w.k_5 * (w.k_5 * w.k_45 + c.c_29 * c.eps - Number(2)) + c.c_11;
-        w.k_47 = w.k_5 * w.k_5;
-        w.k_48 = w.s_0 * (w.k_5 * w.k_40 + w.s_0 * w.k_42 + w.k_43 - c.c_4) + c.eps * w.k_46 + Number(22) * w.k_47 - Number(3);
-        w.k_49 = w.k_5 * (-Number(31) / Number(144) * w.k_5 - Number(101) / Number(32));
-        w.k_50 = c.eps * (w.k_49 + Number(31) / Number(32)) + c.c_20 * w.k_5 - Number(7) / Number(2);
-        w.k_51 = w.k_5 * (w.k_5 * w.k_50 + Number(15) / Number(8) * c.eps - c.c_6);
-        w.k_52 = w.s_0 * w.k_48 + c.eps * (w.k_51 + w.k_24) + Number(5) * w.k_47 - c.c_7;
-        w.k_53 = w.k_5 * (-Number(5) / Number(288) * w.k_5 - Number(39) / Number(64));
-        w.k_54 = c.eps * (w.k_53 - Number(1) / Number(4)) + w.k_18 - Number(1) / Number(4);
-        w.k_55 = w.k_5 * (c.eps * (w.k_5 * w.k_54 - Number(1) / Number(4)) + c.c_7 * w.k_5);
-        w.k_56 = c.eps * (w.k_29 * w.k_29) * (w.s_0 * w.k_52 + w.k_55);
-        c.u_c = w.c_0 + w.k_56 - w.k_4;
+        w.k_48 = c.c_6 + w.k_5 * (w.k_5 * w.k_47 + c.c_29 * c.eps - Number(2)) + c.c_11;
+        w.k_49 = w.k_5 * w.k_5;
+        w.k_50 = w.s_0 * (w.k_5 * w.k_42 + w.s_0 * w.k_44 + w.k_45 - c.c_4) + c.eps * w.k_48 + Number(22) * w.k_49 - Number(3);
+        w.k_51 = w.k_5 * (-Number(31) / Number(144) * w.k_5 - Number(101) / Number(32));
+        w.k_52 = c.eps * (w.k_51 + Number(31) / Number(32)) + c.c_20 * w.k_5 - Number(7) / Number(2);
+        w.k_53 = w.k_5 * (w.k_5 * w.k_52 + Number(15) / Number(8) * c.eps - c.c_6);
+        w.k_54 = w.s_0 * w.k_50 + c.eps * (w.k_53 + w.k_25) + Number(5) * w.k_49 - c.c_7;
+        w.k_55 = w.k_5 * (-Number(5) / Number(288) * w.k_5 - Number(39) / Number(64));
+        w.k_56 = c.eps * (w.k_55 - Number(1) / Number(4)) + w.k_19 - Number(1) / Number(4);
+        w.k_57 = w.k_5 * (c.eps * (w.k_5 * w.k_56 - Number(1) / Number(4)) + c.c_7 * w.k_5);
+        w.k_58 = c.eps * (w.k_31 * w.k_31) * (w.s_0 * w.k_54 + w.k_57);
+        c.u_c = w.c_0 + w.k_58 - w.k_4;
         c.c_30 = Number(13) / Number(8) * c.u_c;
         c.c_31 = c.c_8 * c.u_c;
         c.c_32 = c.eps * c.u_c;
@@ -428,71 +463,99 @@ private:
         c.c_37 = Number(63) / Number(8);
         c.c_38 = Number(33) / Number(16) * c.u_c;
         c.c_39 = Number(5) / Number(16) * c.u_c;
-        c.c_40 = Number(1) + w.s_0 + w.k_23;
-        w.k_57 = c.c_40 * c.c_40;
-        w.k_58 = Number(1) / c.c_40;
-        w.k_59 = c.c_7 * c.eps * c.c_10 * w.k_58;
-        c.c_41 = w.k_57 - w.k_59;
-        c.c_42 = w.k_57 + w.k_59;
-        w.k_60 = hypot(c.u_c, c.c_17);
-        w.k_61 = Number(1) / hypot(c.c_40, c.c_17);
-        w.k_62 = w.k_61 * w.k_61;
-        w.k_63 = Number(5) / Number(16) + c.c_10 * (w.s_0 + w.k_23 + Number(9) / Number(8));
-        w.k_64 = c.eps * (w.k_62 * w.k_62) * hypot(w.k_63, c.c_17) * (w.k_60 * w.k_60);
-        w.k_65 = w.k_60 * w.k_62 * hypot(Number(-c.c_7 - c.c_10), c.c_17) + w.k_64;
-        c.c_43 = Number(1) - Number(2) * c.eps * w.k_65;
-        w.k_66 = c.eps * c.eps;
-        w.k_67 = w.k_66 * c.eps;
-        w.k_68 = w.k_67 * w.k_67;
-        w.k_69 = w.k_58 * w.k_58;
-        w.k_70 = w.k_69 * w.k_69 * w.k_58;
-        w.k_71 = w.k_70 * w.k_70;
-        w.k_72 = c.u_c * c.u_c;
-        w.k_73 = c.eps * (c.u_c * (-c.c_10 - Number(52) / Number(9)) - Number(4)) + c.c_10 * (w.s_0 + w.k_23 + Number(57) / Number(8)) + Number(353) / Number(16);
+        c.c_40 = Number(7) / Number(2) * c.eps * c.u_c;
+        w.k_59 = c.eps - Number(9) / Number(2);
+        c.c_41 = c.eps * c.u_c * w.k_59;
+        w.k_60 = c.c_9 * c.eps - c.c_3;
+        c.c_42 = c.eps * c.u_c * w.k_60;
+        c.c_43 = c.c_7 * c.eps * c.u_c;
+        w.k_61 = c.u_c * c.u_c;
+        w.k_62 = c.eps * c.eps;
+        c.c_44 = w.k_61 * w.k_62;
+        c.c_45 = c.c_6 * w.k_61 * w.k_62;
+        c.c_46 = c.c_8 * w.k_61 * w.k_62;
+        c.c_47 = c.c_11 + Number(20);
+        c.c_48 = w.k_27 + Number(15);
+        c.c_49 = Number(6) + c.eps * (c.c_20 - w.k_26);
+        c.c_50 = Number(1) + c.c_11;
+        c.c_51 = Number(6) * c.u_c;
+        c.c_52 = c.u_c * (Number(15) - c.eps);
+        c.c_53 = c.u_c * (Number(20) - Number(7) / Number(2) * c.eps);
+        c.c_54 = c.u_c * (Number(15) + c.eps * w.k_59);
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_74 = c.eps * (-Number(1019) / Number(72) * c.u_c - Number(597) / Number(32));
-        w.k_75 = c.u_c * (c.c_10 * w.k_73 + w.k_74 + Number(155) / Number(4)) + c.c_10 * (c.c_3 * c.c_10 + Number(59) / Number(4)) + Number(73) / Number(2) - w.k_28;
-        w.k_76 = c.u_c * (-Number(2741) / Number(144) * c.u_c - Number(2249) / Number(64));
-        w.k_77 = c.c_10 * w.k_75 + c.eps * (w.k_76 - Number(41) / Number(4)) + Number(675) / Number(16) * c.u_c + Number(195) / Number(4);
-        w.k_78 = c.c_10 * (c.c_10 * (-Number(17) / Number(2) - c.c_10) - Number(32));
-        w.k_79 = c.eps * w.k_77 + c.c_10 * (c.c_10 * (w.k_78 - Number(70)) - Number(98)) - Number(91);
-        w.k_80 = c.c_10 * (c.c_4 + c.c_10 * (c.c_7 * c.c_10 + Number(3)) - w.k_25);
-        w.k_81 = c.u_c * (-Number(91) / Number(6) * c.u_c - Number(271) / Number(8));
-        w.k_82 = c.eps * (w.k_81 - Number(183) / Number(16)) + Number(233) / Number(8) * c.u_c + Number(75) / Number(2);
-        w.k_83 = w.k_72 * w.k_82 + Number(41) / Number(8) * c.eps - Number(15) / Number(4);
-        w.k_84 = c.c_4 + c.c_10 * (w.k_72 * w.k_79 + w.k_80 + Number(10) - w.k_41) + c.eps * w.k_83 - Number(56) * w.k_72;
-        w.k_85 = c.u_c * (-Number(515) / Number(72) * c.u_c - Number(555) / Number(32));
-        w.k_86 = c.eps * (w.k_85 - Number(75) / Number(16)) + Number(199) / Number(16) * c.u_c + Number(65) / Number(4);
-        w.k_87 = Number(3) + c.c_10 * w.k_84 + c.eps * (w.k_72 * w.k_86 - c.c_11 - c.c_6) - Number(22) * w.k_72;
-        w.k_88 = c.u_c * (-Number(133) / Number(72) * c.u_c - Number(139) / Number(32));
-        w.k_89 = c.eps * (Number(3) / Number(16) + w.k_88) + Number(3) * c.u_c + Number(7) / Number(2);
-        w.k_90 = c.c_7 + c.c_10 * w.k_87 + c.eps * (w.k_72 * w.k_89 - Number(1) / Number(8) * c.eps) - Number(5) * w.k_72;
-        w.k_91 = c.u_c * (-Number(29) / Number(144) * c.u_c - Number(25) / Number(64));
-        w.k_92 = Number(1) / Number(4) + c.eps * (w.k_91 + Number(7) / Number(16)) + c.c_39;
-        w.k_93 = c.c_10 * w.k_90 + w.k_72 * (c.eps * w.k_92 - c.c_7);
-        w.k_94 = w.c_0 + w.k_56 + c.eps * w.k_71 * w.k_93 - w.k_4 - w.k_5;
-        c.c_44 = w.k_47 + w.k_68 + w.k_66 * (w.k_71 * w.k_71) * (w.k_93 * w.k_93) - Number(4) * (w.k_94 * w.k_94);
-        w.k_95 = w.k_69 * w.k_58;
-        w.k_96 = w.k_95 * w.k_95 * w.k_58;
-        w.k_97 = c.eps * (c.u_c * (-c.c_10 - Number(95) / Number(24)) - c.c_3) + c.c_10 * (w.s_0 + w.k_23 + Number(21) / Number(4)) + Number(91) / Number(8);
-        w.k_98 = c.eps * (-Number(37) / Number(6) * c.u_c - Number(27) / Number(4));
-        w.k_99 = Number(21) / Number(4) + c.u_c * (c.c_10 * w.k_97 + w.k_98 + Number(13)) + c.c_10 * (w.s_0 + Number(15) / Number(4) + w.k_23) - c.eps;
-        w.k_100 = c.u_c * (-Number(151) / Number(32) * c.u_c - Number(201) / Number(32));
-        w.k_101 = c.c_23 + c.c_10 * w.k_99 + c.eps * (w.k_100 - Number(9) / Number(8)) + Number(33) / Number(4) * c.u_c;
-        w.k_102 = c.c_10 * (c.c_10 * (-c.c_10 - Number(13) / Number(2)) - Number(18));
-        w.k_103 = c.c_10 * (c.c_10 * (w.k_102 - Number(55) / Number(2)) - Number(25));
-        w.k_104 = c.u_c * (-c.c_2 - Number(85) / Number(48) * c.u_c) - Number(1) / Number(8);
-        w.k_105 = c.eps * (c.eps * w.k_104 + Number(11) / Number(4) * c.u_c + c.c_9);
-        w.k_106 = c.c_10 * (c.eps * w.k_101 + w.k_103 - Number(27) / Number(2)) + w.k_105 - Number(4);
-        w.k_107 = c.u_c * (-Number(25) / Number(96) * c.u_c - Number(7) / Number(32));
-        w.k_108 = c.c_10 * w.k_106 + c.eps * (c.eps * (Number(1) / Number(8) + w.k_107) + c.c_31) - c.c_7;
-        w.k_109 = Number(1) / Number(16) * w.k_72 * w.k_66 * (w.k_96 * w.k_96) * (w.k_108 * w.k_108);
-        w.k_110 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
-        w.k_111 = w.k_23 + c.eps * c.u_c * w.k_96 * w.k_108;
-        c.c_45 = w.k_68 + w.k_109 + w.k_110 * (w.s_0 * w.s_0) - Number(4) * (w.k_111 * w.k_111);
+        c.c_55 = c.u_c * (Number(6) + c.eps * w.k_60);
+        c.c_56 = c.u_c * (Number(1) - c.c_11);
+        c.c_57 = c.eps * w.k_61;
+        c.c_58 = Number(7) / Number(2) * c.eps * w.k_61;
+        c.c_59 = c.eps * w.k_61 * (w.k_8 - Number(9) / Number(2));
+        c.c_60 = c.eps * w.k_61 * (w.k_8 - c.c_3);
+        c.c_61 = c.eps * w.k_61 * w.k_30;
+        w.k_63 = w.k_61 * c.u_c;
+        c.c_62 = w.k_62 * w.k_63;
+        c.c_63 = Number(9) / Number(8) * w.k_62 * w.k_63;
+        c.c_64 = Number(5) / Number(16) * w.k_62 * w.k_63;
+        c.c_65 = Number(1) + w.s_0 + w.k_24;
+        w.k_64 = c.c_65 * c.c_65;
+        w.k_65 = Number(1) / c.c_65;
+        w.k_66 = c.c_7 * c.eps * c.c_10 * w.k_65;
+        c.c_66 = w.k_64 - w.k_66;
+        c.c_67 = w.k_64 + w.k_66;
+        w.k_67 = hypot(c.u_c, c.c_17);
+        w.k_68 = Number(1) / hypot(c.c_65, c.c_17);
+        w.k_69 = w.k_68 * w.k_68;
+        w.k_70 = Number(5) / Number(16) + c.c_10 * (w.s_0 + w.k_24 + Number(9) / Number(8));
+        w.k_71 = c.eps * (w.k_69 * w.k_69) * hypot(w.k_70, c.c_17) * (w.k_67 * w.k_67);
+        w.k_72 = w.k_67 * w.k_69 * hypot(Number(-c.c_7 - c.c_10), c.c_17) + w.k_71;
+        c.c_68 = Number(1) - Number(2) * c.eps * w.k_72;
+        w.k_73 = w.k_62 * c.eps;
+        w.k_74 = w.k_73 * w.k_73;
+        w.k_75 = w.k_65 * w.k_65;
+        w.k_76 = w.k_75 * w.k_75 * w.k_65;
+        w.k_77 = w.k_76 * w.k_76;
+        w.k_78 = c.eps * (c.u_c * (-c.c_10 - Number(52) / Number(9)) - Number(4)) + c.c_10 * (w.s_0 + w.k_24 + Number(57) / Number(8)) + Number(353) / Number(16);
+        w.k_79 = c.eps * (-Number(1019) / Number(72) * c.u_c - Number(597) / Number(32));
+        w.k_80 = c.u_c * (c.c_10 * w.k_78 + w.k_79 + Number(155) / Number(4)) + c.c_10 * (c.c_3 * c.c_10 + Number(59) / Number(4)) + Number(73) / Number(2) - w.k_29;
+        w.k_81 = c.u_c * (-Number(2741) / Number(144) * c.u_c - Number(2249) / Number(64));
+        w.k_82 = c.c_10 * w.k_80 + c.eps * (w.k_81 - Number(41) / Number(4)) + Number(675) / Number(16) * c.u_c + Number(195) / Number(4);
+        w.k_83 = c.c_10 * (c.c_10 * (-Number(17) / Number(2) - c.c_10) - Number(32));
+        w.k_84 = c.eps * w.k_82 + c.c_10 * (c.c_10 * (w.k_83 - Number(70)) - Number(98)) - Number(91);
+        w.k_85 = c.c_10 * (c.c_4 + c.c_10 * (c.c_7 * c.c_10 + Number(3)) - w.k_26);
+        w.k_86 = c.u_c * (-Number(91) / Number(6) * c.u_c - Number(271) / Number(8));
+        w.k_87 = c.eps * (w.k_86 - Number(183) / Number(16)) + Number(233) / Number(8) * c.u_c + Number(75) / Number(2);
+        w.k_88 = w.k_61 * w.k_87 + Number(41) / Number(8) * c.eps - Number(15) / Number(4);
+        w.k_89 = c.c_4 + c.c_10 * (w.k_61 * w.k_84 + w.k_85 + Number(10) - w.k_43) + c.eps * w.k_88 - Number(56) * w.k_61;
+        w.k_90 = c.u_c * (-Number(515) / Number(72) * c.u_c - Number(555) / Number(32));
+        w.k_91 = c.eps * (w.k_90 - Number(75) / Number(16)) + Number(199) / Number(16) * c.u_c + Number(65) / Number(4);
+        w.k_92 = Number(3) + c.c_10 * w.k_89 + c.eps * (w.k_61 * w.k_91 - c.c_11 - c.c_6) - Number(22) * w.k_61;
+        w.k_93 = c.u_c * (-Number(133) / Number(72) * c.u_c - Number(139) / Number(32));
+        w.k_94 = c.eps * (Number(3) / Number(16) + w.k_93) + Number(3) * c.u_c + Number(7) / Number(2);
+        w.k_95 = c.c_7 + c.c_10 * w.k_92 + c.eps * (w.k_61 * w.k_94 - Number(1) / Number(8) * c.eps) - Number(5) * w.k_61;
+        w.k_96 = c.u_c * (-Number(29) / Number(144) * c.u_c - Number(25) / Number(64));
+        w.k_97 = Number(1) / Number(4) + c.eps * (w.k_96 + Number(7) / Number(16)) + c.c_39;
+        w.k_98 = c.c_10 * w.k_95 + w.k_61 * (c.eps * w.k_97 - c.c_7);
+        w.k_99 = w.c_0 + w.k_58 + c.eps * w.k_77 * w.k_98 - w.k_4 - w.k_5;
+        c.c_69 = w.k_49 + w.k_74 + w.k_62 * (w.k_77 * w.k_77) * (w.k_98 * w.k_98) - Number(4) * (w.k_99 * w.k_99);
+        w.k_100 = w.k_75 * w.k_65;
+        w.k_101 = w.k_100 * w.k_100 * w.k_65;
+        w.k_102 = c.eps * (c.u_c * (-c.c_10 - Number(95) / Number(24)) - c.c_3) + c.c_10 * (w.s_0 + w.k_24 + Number(21) / Number(4)) + Number(91) / Number(8);
+        w.k_103 = c.eps * (-Number(37) / Number(6) * c.u_c - Number(27) / Number(4));
+        w.k_104 = Number(21) / Number(4) + c.u_c * (c.c_10 * w.k_102 + w.k_103 + Number(13)) + c.c_10 * (w.s_0 + Number(15) / Number(4) + w.k_24) - c.eps;
+        w.k_105 = c.u_c * (-Number(151) / Number(32) * c.u_c - Number(201) / Number(32));
+        w.k_106 = c.c_23 + c.c_10 * w.k_104 + c.eps * (w.k_105 - Number(9) / Number(8)) + Number(33) / Number(4) * c.u_c;
+        w.k_107 = c.c_10 * (c.c_10 * (-c.c_10 - Number(13) / Number(2)) - Number(18));
+        w.k_108 = c.c_10 * (c.c_10 * (w.k_107 - Number(55) / Number(2)) - Number(25));
+        w.k_109 = c.u_c * (-c.c_2 - Number(85) / Number(48) * c.u_c) - Number(1) / Number(8);
+        w.k_110 = c.eps * (c.eps * w.k_109 + Number(11) / Number(4) * c.u_c + c.c_9);
+        w.k_111 = c.c_10 * (c.eps * w.k_106 + w.k_108 - Number(27) / Number(2)) + w.k_110 - Number(4);
+        w.k_112 = c.u_c * (-Number(25) / Number(96) * c.u_c - Number(7) / Number(32));
+        w.k_113 = c.c_10 * w.k_111 + c.eps * (c.eps * (Number(1) / Number(8) + w.k_112) + c.c_31) - c.c_7;
+        w.k_114 = Number(1) / Number(16) * w.k_61 * w.k_62 * (w.k_101 * w.k_101) * (w.k_113 * w.k_113);
+        w.k_115 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
+        w.k_116 = w.k_24 + c.eps * c.u_c * w.k_101 * w.k_113;
+        c.c_70 = w.k_74 + w.k_114 + w.k_115 * (w.s_0 * w.s_0) - Number(4) * (w.k_116 * w.k_116);
     }
 
     template <class Number> static void compute_constants(
@@ -543,6 +606,31 @@ private:
         keep(scaled.c_37, c.c_37, "c_37 in c_");
         keep(scaled.c_38, c.c_38, "c_38 in c_");
         keep(scaled.c_39, c.c_39, "c_39 in c_");
+        keep(scaled.c_40, c.c_40, "c_40 in s");
+        keep(scaled.c_41, c.c_41, "c_41 in s");
+        keep(scaled.c_42, c.c_42, "c_42 in s");
+        keep(scaled.c_43, c.c_43, "c_43 in s");
+        keep(scaled.c_44, c.c_44, "c_44 in s");
+        keep(scaled.c_45, c.c_45, "c_45 in s");
+        keep(scaled.c_46, c.c_46, "c_46 in s");
+        keep(scaled.c_47, c.c_47, "c_47 in c_");
+        keep(scaled.c_48, c.c_48, "c_48 in c_");
+        keep(scaled.c_49, c.c_49, "c_49 in c_");
+        keep(scaled.c_50, c.c_50, "c_50 in c_");
+        keep(scaled.c_51, c.c_51, "c_51 in c_");
+        keep(scaled.c_52, c.c_52, "c_52 in c_");
+        keep(scaled.c_53, c.c_53, "c_53 in c_");
+        keep(scaled.c_54, c.c_54, "c_54 in c_");
+        keep(scaled.c_55, c.c_55, "c_55 in c_");
+        keep(scaled.c_56, c.c_56, "c_56 in c_");
+        keep(scaled.c_57, c.c_57, "c_57 in c_");
+        keep(scaled.c_58, c.c_58, "c_58 in c_");
+        keep(scaled.c_59, c.c_59, "c_59 in c_");
+        keep(scaled.c_60, c.c_60, "c_60 in c_");
+        keep(scaled.c_61, c.c_61, "c_61 in c_");
+        keep(scaled.c_62, c.c_62, "c_62 in c_");
+        keep(scaled.c_63, c.c_63, "c_63 in c_");
+        keep(scaled.c_64, c.c_64, "c_64 in c_");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -551,12 +639,12 @@ private:
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
         if (!(scaled.c_1 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
-        if (!(scaled.c_40 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
-        if (!(scaled.c_41 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
-        if (!(scaled.c_42 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
-        if (!(scaled.c_43 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
-        if (!(scaled.c_44 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
-        if (!(scaled.c_45 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s"};
+        if (!(scaled.c_65 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
+        if (!(scaled.c_66 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
+        if (!(scaled.c_67 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "kappa + s"};
+        if (!(scaled.c_68 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
+        if (!(scaled.c_69 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "c"};
+        if (!(scaled.c_70 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -629,6 +717,26 @@ private:
         return finite(values.s) && finite(values.c_) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 7> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 1>& tables) {
+        const Number s = tables[0];
+        const Number s_ = s + Number(1);
+        const Number per_s = per(s_);
+        const Number q_1 = per_s * per_s;
+        const Number q_2 = q_1 * per_s;
+        const Number q_3 = q_2 * q_2;
+        const Number q_4 = q_1 * q_1;
+        const Number q_5 = s * (s * (s * (-c.c_32 * s - c.c_40) + c.c_41) + c.c_42) - c.c_43;
+        const Number q_6 = s * (s * (s * (s * (s + Number(6)) + Number(15)) + c.c_47) + c.c_48);
+        const Number q_7 = s * (s * (s * (s * (c.u_c * s + c.c_51) + c.c_52) + c.c_53) + c.c_54);
+        const Number q_8 = s * (s * (s * (-c.c_57 * s - c.c_58) + c.c_59) + c.c_60) + c.c_61;
+        std::array<Number, 7> none;
+        none.fill(resonform::math::not_a_number<Number>());
+        if (!(s > Number(0))) return none;
+        return {Number(s), Number(q_4 * q_5), Number(q_2 * (s * (c.c_44 * s + c.c_45) + c.c_46)), Number(s * (q_3 * per_s) * (s * (q_6 + c.c_49) + c.c_50)), Number(q_3 * (s * (q_7 + c.c_55) + c.c_56)), Number(q_4 * per_s * q_8), Number(q_4 * (s * (c.c_62 * s + c.c_63) + c.c_64))};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
@@ -655,6 +763,7 @@ private:
 
     friend struct resonform::Points;
     friend struct resonform::Ensemble;
+    friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
         Arguments a;
@@ -671,6 +780,46 @@ private:
         numbers[0] = values.s;
         numbers[1] = values.c_;
     }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 1, decays = 1, outputs = 2;
+        static constexpr std::array<resonform::kernel::Term<1>, 7> terms{{
+            {0, resonform::kernel::Wave::one, {0}},
+            {0, resonform::kernel::Wave::cosine, {1}},
+            {0, resonform::kernel::Wave::cosine, {2}},
+            {1, resonform::kernel::Wave::one, {0}},
+            {1, resonform::kernel::Wave::cosine, {1}},
+            {1, resonform::kernel::Wave::cosine, {2}},
+            {1, resonform::kernel::Wave::cosine, {3}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 7> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 1> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_17};
+            }
+            std::array<Wide, 1> operator()(const Wide& T) const {
+                return {chi_rate(c, T, widened<Wide>(of.look_up_1(static_cast<Real>(T))))};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), true, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
                        const Start& start, Constants<Real>& c) {
@@ -737,6 +886,9 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
@@ -765,6 +917,10 @@ private:
     Interval interval_;
     resonform::FlowTable<std::array<Real, 1>> tables_0_;
     resonform::Decay<Real> chi_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

@@ -7,7 +7,7 @@
 //   order       1, normal form and map through weight 2
 //   operations  15 add, 28 multiply, 0 divide, 0 root, 2 sincos, 1 other, 2 tables
 //   written out 57 add, 109 multiply, 24 divide, 0 root, 30 sincos, 0 other, 20 tables
-//   many points one by one: no tables of modes that decay
+//   many points from tables of 13 rows (315 operations, 743 one by one)
 //
 // z1 = a1*exp(I*theta1)
 // z2 = conj(z1)
@@ -47,8 +47,8 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
-#include "runtime/points.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
@@ -139,17 +139,20 @@ public:
 
     // The outputs at n times, in any order. An output whose array is null is left out; where there is no value, NaN is stored.
     BatchReport batch(const Real* t, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
-        return resonform::Points::batch(*this, t, n, std::array{x, y}, status);
+        return resonform::Tabulated::batch(*this, t, n, std::array{x, y}, status);
     }
 
     // The same at the exact times t0 + i dt; dt of any sign.
     BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* x, Real* y, Status* status = nullptr) const noexcept {
-        return resonform::Points::grid(*this, t0, dt, n, std::array{x, y}, status);
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{x, y}, status);
     }
 
     // Builds now what the first call for many points would build: later calls allocate nothing.
     Status prepare() const noexcept {
-        return cause_.status;
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 
@@ -208,6 +211,22 @@ private:
         Number c_26{};
         Number c_27{};
         Number c_28{};
+        Number c_29{};
+        Number c_30{};
+        Number c_31{};
+        Number c_32{};
+        Number c_33{};
+        Number c_34{};
+        Number c_35{};
+        Number c_36{};
+        Number c_37{};
+        Number c_38{};
+        Number c_39{};
+        Number c_40{};
+        Number c_41{};
+        Number c_42{};
+        Number c_43{};
+        Number c_44{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -319,6 +338,12 @@ private:
         Number k_102{};
         Number k_103{};
         Number k_104{};
+        Number k_105{};
+        Number k_106{};
+        Number k_107{};
+        Number k_108{};
+        Number k_109{};
+        Number k_110{};
     };
 
     template <class Number> static void compute_constants_1(
@@ -395,79 +420,101 @@ private:
         w.k_44 = Number(5051) / Number(10004) * w.x_0 - Number(5) / Number(2501) * w.x_dot_0;
         w.k_45 = c.eps * (w.k_43 + w.x_0 * w.k_44 - Number(49) / Number(10004) * w.k_2);
         c.v_y = w.k_45 - w.y_0 - w.k_3;
-        w.k_46 = hypot(c.u_x, c.v_x);
-        w.k_47 = hypot(c.u_y, c.v_y);
-        w.k_48 = hypot(w.k_46, w.k_47);
-        c.c_19 = resonform::math::number<Number>({7.888609052210118e-31});
-        w.k_49 = hypot(Number(Number(1) / Number(80)), Number(Number(1) / Number(80)));
-        w.k_50 = hypot(Number(Number(3) / Number(244)), Number(Number(5) / Number(488)));
-        w.k_51 = hypot(Number(-Number(1) / Number(80)), Number(Number(1) / Number(80)));
-        w.k_52 = hypot(Number(-Number(1) / Number(82)), Number(Number(5) / Number(328)));
-        w.k_53 = w.k_46 * w.k_46;
-        w.k_54 = w.k_46 * w.k_47 * w.k_49 + w.k_46 * w.k_47 * w.k_50 + w.k_46 * w.k_47 * w.k_51 + w.k_46 * w.k_47 * w.k_52 + c.c_2 * (w.k_53 * w.k_46);
-        c.c_20 = w.k_48 + c.c_19 - Number(2) * c.eps * w.k_54;
-        c.c_21 = hypot(Number(Number(5) / Number(41)), Number(-Number(25) / Number(164)));
-        c.c_22 = hypot(Number(Number(1) / Number(4)), Number(-Number(1) / Number(4)));
-        c.c_23 = hypot(Number(Number(15) / Number(122)), Number(-Number(25) / Number(244)));
-        w.k_55 = hypot(Number(Number(1) / Number(11808)), Number(-Number(1) / Number(1312)));
-        w.k_56 = hypot(Number(Number(1) / Number(40016)), Number(-Number(25) / Number(20008)));
-        w.k_57 = hypot(Number(-Number(1) / Number(21472)), Number(-Number(1) / Number(1952)));
-        w.k_58 = hypot(Number(Number(1) / Number(1952)), Number(-Number(11) / Number(1952)));
-        w.k_59 = hypot(Number(Number(1) / Number(1312)), Number(Number(9) / Number(1312)));
-        w.k_60 = w.k_47 * w.k_55 * w.k_53 + w.k_47 * w.k_56 * w.k_53 + w.k_47 * w.k_57 * w.k_53 + w.k_47 * w.k_58 * w.k_53 + w.k_47 * w.k_59 * w.k_53;
-        w.k_61 = c.c_21 * w.k_53 + c.c_22 * w.k_53 + c.c_23 * w.k_53 + c.eps * w.k_60;
-        c.c_24 = w.k_48 + c.c_19 - Number(2) * c.eps * w.k_61;
-        w.k_62 = w.k_31 * w.k_31;
-        w.k_63 = c.u_x * c.u_x;
-        w.k_64 = c.v_x * c.v_x;
-        w.k_65 = Number(25) / Number(256) * w.k_63 + Number(43) / Number(128) * w.k_64 + Number(67314235) / Number(503602640512LL) * c.u_y + Number(199271675) / Number(251801320256LL) * c.v_y + Number(6227) / Number(80032);
-        w.k_66 = Number(363459) / Number(2013605120) * c.u_y + Number(562041) / Number(2013605120) * c.v_y - Number(125) / Number(40016);
-        w.k_67 = Number(65) / Number(256) * w.k_64 + Number(350591175) / Number(251801320256LL) * c.v_y + Number(11127) / Number(80032) - Number(13348377) / Number(503602640512LL) * c.u_y;
-        w.k_68 = -Number(95004501) / Number(32333736323200LL) * c.u_y - Number(34999) / Number(160068001600LL) * c.v_y;
-        w.k_69 = c.v_y * c.v_y;
-        w.k_70 = c.u_x * (c.u_x * w.k_65 + c.v_x * w.k_66) + w.k_64 * w.k_67 + c.u_y * w.k_68 + Number(106924799) / Number(32333736323200LL) * w.k_69;
-        w.k_71 = Number(235193907) / Number(5036026405120LL) * c.u_y + Number(245712393) / Number(5036026405120LL) * c.v_y + Number(375) / Number(40016);
-        w.k_72 = Number(6945543) / Number(6466747264640LL) * c.u_y - Number(29247) / Number(32013600320LL) * c.v_y;
-        w.k_73 = w.k_64 * w.k_71 + c.u_y * w.k_72 + Number(734649) / Number(6466747264640LL) * w.k_69;
-        w.k_74 = c.c_3 * c.u_y;
-        w.k_75 = c.c_4 * c.v_y;
-        w.k_76 = c.eps * (c.u_x * w.k_70 + c.v_x * w.k_73) + c.u_x * (w.k_74 - c.c_1 * w.k_63 - c.c_2 * w.k_64 - w.k_75) + c.v_x * (c.c_5 * c.u_y + c.c_6 * c.v_y);
-        w.k_77 = Number(582031725) / Number(251801320256LL) * c.v_y - Number(89) / Number(256) * w.k_63 - Number(61) / Number(128) * w.k_64 - Number(249136575) / Number(503602640512LL) * c.u_y - Number(18477) / Number(80032);
-        w.k_78 = Number(5589351) / Number(402721024) * c.v_y - Number(5698971) / Number(402721024) * c.u_y - Number(875) / Number(40016);
-        w.k_79 = Number(119105625) / Number(251801320256LL) * c.v_y - Number(13) / Number(256) * w.k_64 - Number(4989315) / Number(503602640512LL) * c.u_y - Number(3777) / Number(80032);
-        w.k_80 = Number(894944499) / Number(32333736323200LL) * c.u_y + Number(115001) / Number(160068001600LL) * c.v_y;
-        w.k_81 = c.u_x * (c.u_x * w.k_77 + c.v_x * w.k_78) + w.k_64 * w.k_79 + c.u_y * w.k_80 - Number(115005001) / Number(32333736323200LL) * w.k_69;
-        w.k_82 = Number(44217339011LL) / Number(5036026405120LL) * c.v_y + Number(625) / Number(40016) - Number(34956922311LL) / Number(5036026405120LL) * c.u_y;
-        w.k_83 = -Number(372823951) / Number(6466747264640LL) * c.u_y - Number(4109349) / Number(32013600320LL) * c.v_y;
-        w.k_84 = w.k_63 * w.k_82 + c.u_y * w.k_83 + Number(412824951) / Number(6466747264640LL) * w.k_69;
-        w.k_85 = Number(15) / Number(32) * w.k_63 + Number(3) / Number(32) * w.k_64 + w.k_75 - w.k_74;
-        w.k_86 = Number(5051) / Number(100040) * c.u_y - Number(4951) / Number(100040) * c.v_y;
-        w.k_87 = c.eps * (c.v_x * w.k_81 + c.u_x * w.k_84) + c.v_x * w.k_85 + c.u_x * w.k_86;
+        w.k_46 = Number(1) / Number(6560) * c.u_y - Number(9) / Number(6560) * c.v_y;
+        c.c_19 = c.eps * w.k_46;
+        w.k_47 = Number(9) / Number(6560) * c.u_y;
+        w.k_48 = Number(1) / Number(6560) * c.v_y;
+        c.c_20 = c.eps * (w.k_47 + w.k_48);
+        c.c_21 = c.eps * (-w.k_47 - w.k_48);
+        c.c_22 = Number(3) / Number(32) * c.eps;
+        c.c_23 = Number(1) / Number(2);
+        w.k_49 = -Number(1) / Number(9760) * c.u_y - Number(11) / Number(9760) * c.v_y;
+        c.c_24 = c.eps * w.k_49;
+        w.k_50 = Number(11) / Number(9760) * c.u_y;
+        w.k_51 = Number(1) / Number(9760) * c.v_y;
+        c.c_25 = c.eps * (w.k_51 - w.k_50);
+        c.c_26 = c.eps * (w.k_50 - w.k_51);
+        c.c_27 = Number(1) / Number(64) * c.eps;
+        c.c_28 = Number(3) / Number(64) * c.eps;
+        c.c_29 = Number(1) / Number(4) * c.eps;
+        c.c_30 = -c.v_y;
+        c.c_31 = Number(1225) / Number(10004) * c.eps;
+        c.c_32 = Number(125) / Number(2501) * c.eps;
+        c.c_33 = Number(125) / Number(5002) * c.eps;
+        c.c_34 = Number(1225) / Number(5002) * c.eps;
+        w.k_52 = hypot(c.u_x, c.v_x);
+        w.k_53 = hypot(c.u_y, c.v_y);
+        w.k_54 = hypot(w.k_52, w.k_53);
+        c.c_35 = resonform::math::number<Number>({7.888609052210118e-31});
+        w.k_55 = hypot(Number(Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        w.k_56 = hypot(Number(Number(3) / Number(244)), Number(Number(5) / Number(488)));
+        w.k_57 = hypot(Number(-Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        w.k_58 = hypot(Number(-Number(1) / Number(82)), Number(Number(5) / Number(328)));
+        w.k_59 = w.k_52 * w.k_52;
+        w.k_60 = w.k_52 * w.k_53 * w.k_55 + w.k_52 * w.k_53 * w.k_56 + w.k_52 * w.k_53 * w.k_57 + w.k_52 * w.k_53 * w.k_58 + c.c_2 * (w.k_59 * w.k_52);
+        c.c_36 = w.k_54 + c.c_35 - Number(2) * c.eps * w.k_60;
+        c.c_37 = hypot(Number(Number(5) / Number(41)), Number(-Number(25) / Number(164)));
+        c.c_38 = hypot(Number(Number(1) / Number(4)), Number(-Number(1) / Number(4)));
+        c.c_39 = hypot(Number(Number(15) / Number(122)), Number(-Number(25) / Number(244)));
+        w.k_61 = hypot(Number(Number(1) / Number(11808)), Number(-Number(1) / Number(1312)));
+        w.k_62 = hypot(Number(Number(1) / Number(40016)), Number(-Number(25) / Number(20008)));
+        w.k_63 = hypot(Number(-Number(1) / Number(21472)), Number(-Number(1) / Number(1952)));
+        w.k_64 = hypot(Number(Number(1) / Number(1952)), Number(-Number(11) / Number(1952)));
+        w.k_65 = hypot(Number(Number(1) / Number(1312)), Number(Number(9) / Number(1312)));
+        w.k_66 = w.k_53 * w.k_61 * w.k_59 + w.k_53 * w.k_62 * w.k_59 + w.k_53 * w.k_63 * w.k_59 + w.k_53 * w.k_64 * w.k_59 + w.k_53 * w.k_65 * w.k_59;
+        w.k_67 = c.c_37 * w.k_59 + c.c_38 * w.k_59 + c.c_39 * w.k_59 + c.eps * w.k_66;
+        c.c_40 = w.k_54 + c.c_35 - Number(2) * c.eps * w.k_67;
+        w.k_68 = w.k_31 * w.k_31;
+        w.k_69 = c.u_x * c.u_x;
+        w.k_70 = c.v_x * c.v_x;
+        w.k_71 = Number(25) / Number(256) * w.k_69 + Number(43) / Number(128) * w.k_70 + Number(67314235) / Number(503602640512LL) * c.u_y + Number(199271675) / Number(251801320256LL) * c.v_y + Number(6227) / Number(80032);
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_88 = w.k_17 + c.eps * w.k_76;
-        w.k_89 = w.k_30 + c.eps * w.k_87;
-        c.c_25 = w.k_1 + w.k_2 + w.k_62 + w.k_31 * (w.k_76 * w.k_76) + w.k_31 * (w.k_87 * w.k_87) - Number(4) * (w.k_88 * w.k_88 + w.k_89 * w.k_89);
-        w.k_90 = Number(488314625) / Number(15737582516LL) * c.v_x - Number(40261441049LL) / Number(251801320256LL) * c.u_x;
-        w.k_91 = c.u_x * w.k_90 + Number(5299) / Number(3961584) * c.u_y - Number(5499) / Number(20128) * w.k_64 - Number(75) / Number(20008) * c.v_y;
-        w.k_92 = Number(255) / Number(10004) * c.u_y + Number(755) / Number(990396) * c.v_y - Number(73390125) / Number(3934395629LL) * w.k_64;
-        w.k_93 = Number(241944651) / Number(251801320256LL) * w.k_64 + Number(25) / Number(20008) * c.v_y - Number(5101) / Number(3961584) * c.u_y;
-        w.k_94 = c.eps * (c.u_x * (c.u_x * w.k_91 + c.v_x * w.k_92) + w.k_64 * w.k_93);
-        w.k_95 = w.k_94 + c.u_x * (c.c_16 * c.u_x + c.c_17 * c.v_x) + c.c_18 * w.k_64;
-        w.k_96 = Number(38536260249LL) / Number(251801320256LL) * c.u_x - Number(227277925) / Number(62950330064LL) * c.v_x;
-        w.k_97 = c.u_x * w.k_96 + Number(5799) / Number(20128) * w.k_64 + Number(4799) / Number(3961584) * c.v_y - Number(13) / Number(10004) * c.u_y;
-        w.k_98 = Number(22922115) / Number(62950330064LL) * w.k_64 + Number(245) / Number(10004) * c.v_y - Number(235) / Number(990396) * c.u_y;
-        w.k_99 = Number(232235949) / Number(251801320256LL) * w.k_64 - Number(3) / Number(2501) * c.u_y - Number(4997) / Number(3961584) * c.v_y;
-        w.k_100 = c.eps * (c.u_x * (c.u_x * w.k_97 + c.v_x * w.k_98) + w.k_64 * w.k_99);
-        w.k_101 = -Number(5051) / Number(10004) * c.u_x - Number(5) / Number(2501) * c.v_x;
-        w.k_102 = w.k_100 + c.u_x * w.k_101 + Number(49) / Number(10004) * w.k_64;
-        w.k_103 = w.k_38 + c.eps * w.k_95;
-        w.k_104 = w.k_45 + c.eps * w.k_102 - w.y_0 - w.k_3 - w.k_4;
-        c.c_26 = w.k_9 + w.k_62 + w.y_0 * w.y_0 + w.k_31 * (w.k_95 * w.k_95) + w.k_31 * (w.k_102 * w.k_102) - Number(4) * (w.k_103 * w.k_103 + w.k_104 * w.k_104);
-        c.c_27 = Number(9) / Number(16) * c.eps;
-        c.c_28 = Number(2) * c.eps;
+        w.k_72 = Number(363459) / Number(2013605120) * c.u_y + Number(562041) / Number(2013605120) * c.v_y - Number(125) / Number(40016);
+        w.k_73 = Number(65) / Number(256) * w.k_70 + Number(350591175) / Number(251801320256LL) * c.v_y + Number(11127) / Number(80032) - Number(13348377) / Number(503602640512LL) * c.u_y;
+        w.k_74 = -Number(95004501) / Number(32333736323200LL) * c.u_y - Number(34999) / Number(160068001600LL) * c.v_y;
+        w.k_75 = c.v_y * c.v_y;
+        w.k_76 = c.u_x * (c.u_x * w.k_71 + c.v_x * w.k_72) + w.k_70 * w.k_73 + c.u_y * w.k_74 + Number(106924799) / Number(32333736323200LL) * w.k_75;
+        w.k_77 = Number(235193907) / Number(5036026405120LL) * c.u_y + Number(245712393) / Number(5036026405120LL) * c.v_y + Number(375) / Number(40016);
+        w.k_78 = Number(6945543) / Number(6466747264640LL) * c.u_y - Number(29247) / Number(32013600320LL) * c.v_y;
+        w.k_79 = w.k_70 * w.k_77 + c.u_y * w.k_78 + Number(734649) / Number(6466747264640LL) * w.k_75;
+        w.k_80 = c.c_3 * c.u_y;
+        w.k_81 = c.c_4 * c.v_y;
+        w.k_82 = c.eps * (c.u_x * w.k_76 + c.v_x * w.k_79) + c.u_x * (w.k_80 - c.c_1 * w.k_69 - c.c_2 * w.k_70 - w.k_81) + c.v_x * (c.c_5 * c.u_y + c.c_6 * c.v_y);
+        w.k_83 = Number(582031725) / Number(251801320256LL) * c.v_y - Number(89) / Number(256) * w.k_69 - Number(61) / Number(128) * w.k_70 - Number(249136575) / Number(503602640512LL) * c.u_y - Number(18477) / Number(80032);
+        w.k_84 = Number(5589351) / Number(402721024) * c.v_y - Number(5698971) / Number(402721024) * c.u_y - Number(875) / Number(40016);
+        w.k_85 = Number(119105625) / Number(251801320256LL) * c.v_y - Number(13) / Number(256) * w.k_70 - Number(4989315) / Number(503602640512LL) * c.u_y - Number(3777) / Number(80032);
+        w.k_86 = Number(894944499) / Number(32333736323200LL) * c.u_y + Number(115001) / Number(160068001600LL) * c.v_y;
+        w.k_87 = c.u_x * (c.u_x * w.k_83 + c.v_x * w.k_84) + w.k_70 * w.k_85 + c.u_y * w.k_86 - Number(115005001) / Number(32333736323200LL) * w.k_75;
+        w.k_88 = Number(44217339011LL) / Number(5036026405120LL) * c.v_y + Number(625) / Number(40016) - Number(34956922311LL) / Number(5036026405120LL) * c.u_y;
+        w.k_89 = -Number(372823951) / Number(6466747264640LL) * c.u_y - Number(4109349) / Number(32013600320LL) * c.v_y;
+        w.k_90 = w.k_69 * w.k_88 + c.u_y * w.k_89 + Number(412824951) / Number(6466747264640LL) * w.k_75;
+        w.k_91 = Number(15) / Number(32) * w.k_69 + Number(3) / Number(32) * w.k_70 + w.k_81 - w.k_80;
+        w.k_92 = Number(5051) / Number(100040) * c.u_y - Number(4951) / Number(100040) * c.v_y;
+        w.k_93 = c.eps * (c.v_x * w.k_87 + c.u_x * w.k_90) + c.v_x * w.k_91 + c.u_x * w.k_92;
+        w.k_94 = w.k_17 + c.eps * w.k_82;
+        w.k_95 = w.k_30 + c.eps * w.k_93;
+        c.c_41 = w.k_1 + w.k_2 + w.k_68 + w.k_31 * (w.k_82 * w.k_82) + w.k_31 * (w.k_93 * w.k_93) - Number(4) * (w.k_94 * w.k_94 + w.k_95 * w.k_95);
+        w.k_96 = Number(488314625) / Number(15737582516LL) * c.v_x - Number(40261441049LL) / Number(251801320256LL) * c.u_x;
+        w.k_97 = c.u_x * w.k_96 + Number(5299) / Number(3961584) * c.u_y - Number(5499) / Number(20128) * w.k_70 - Number(75) / Number(20008) * c.v_y;
+        w.k_98 = Number(255) / Number(10004) * c.u_y + Number(755) / Number(990396) * c.v_y - Number(73390125) / Number(3934395629LL) * w.k_70;
+        w.k_99 = Number(241944651) / Number(251801320256LL) * w.k_70 + Number(25) / Number(20008) * c.v_y - Number(5101) / Number(3961584) * c.u_y;
+        w.k_100 = c.eps * (c.u_x * (c.u_x * w.k_97 + c.v_x * w.k_98) + w.k_70 * w.k_99);
+        w.k_101 = w.k_100 + c.u_x * (c.c_16 * c.u_x + c.c_17 * c.v_x) + c.c_18 * w.k_70;
+        w.k_102 = Number(38536260249LL) / Number(251801320256LL) * c.u_x - Number(227277925) / Number(62950330064LL) * c.v_x;
+        w.k_103 = c.u_x * w.k_102 + Number(5799) / Number(20128) * w.k_70 + Number(4799) / Number(3961584) * c.v_y - Number(13) / Number(10004) * c.u_y;
+        w.k_104 = Number(22922115) / Number(62950330064LL) * w.k_70 + Number(245) / Number(10004) * c.v_y - Number(235) / Number(990396) * c.u_y;
+        w.k_105 = Number(232235949) / Number(251801320256LL) * w.k_70 - Number(3) / Number(2501) * c.u_y - Number(4997) / Number(3961584) * c.v_y;
+        w.k_106 = c.eps * (c.u_x * (c.u_x * w.k_103 + c.v_x * w.k_104) + w.k_70 * w.k_105);
+        w.k_107 = -Number(5051) / Number(10004) * c.u_x - Number(5) / Number(2501) * c.v_x;
+        w.k_108 = w.k_106 + c.u_x * w.k_107 + Number(49) / Number(10004) * w.k_70;
+        w.k_109 = w.k_38 + c.eps * w.k_101;
+        w.k_110 = w.k_45 + c.eps * w.k_108 - w.y_0 - w.k_3 - w.k_4;
+        c.c_42 = w.k_9 + w.k_68 + w.y_0 * w.y_0 + w.k_31 * (w.k_101 * w.k_101) + w.k_31 * (w.k_108 * w.k_108) - Number(4) * (w.k_109 * w.k_109 + w.k_110 * w.k_110);
+        c.c_43 = Number(9) / Number(16) * c.eps;
+        c.c_44 = Number(2) * c.eps;
     }
 
     template <class Number> static void compute_constants(
@@ -501,12 +548,28 @@ private:
         keep(scaled.c_18, c.c_18, "c_18 in y_1");
         keep(scaled.u_y, c.u_y, "u_y");
         keep(scaled.v_y, c.v_y, "v_y");
-        keep(scaled.c_19, c.c_19, "c_19 in y");
-        keep(scaled.c_21, c.c_21, "c_21 in y");
-        keep(scaled.c_22, c.c_22, "c_22 in y");
-        keep(scaled.c_23, c.c_23, "c_23 in y");
+        keep(scaled.c_19, c.c_19, "c_19 in x");
+        keep(scaled.c_20, c.c_20, "c_20 in x");
+        keep(scaled.c_21, c.c_21, "c_21 in x");
+        keep(scaled.c_22, c.c_22, "c_22 in x");
+        keep(scaled.c_23, c.c_23, "c_23 in x");
+        keep(scaled.c_24, c.c_24, "c_24 in x");
+        keep(scaled.c_25, c.c_25, "c_25 in x");
+        keep(scaled.c_26, c.c_26, "c_26 in x");
         keep(scaled.c_27, c.c_27, "c_27 in x");
-        keep(scaled.c_28, c.c_28, "c_28 in y");
+        keep(scaled.c_28, c.c_28, "c_28 in x");
+        keep(scaled.c_29, c.c_29, "c_29 in y");
+        keep(scaled.c_30, c.c_30, "c_30 in y");
+        keep(scaled.c_31, c.c_31, "c_31 in y");
+        keep(scaled.c_32, c.c_32, "c_32 in y");
+        keep(scaled.c_33, c.c_33, "c_33 in y");
+        keep(scaled.c_34, c.c_34, "c_34 in y");
+        keep(scaled.c_35, c.c_35, "c_35 in y");
+        keep(scaled.c_37, c.c_37, "c_37 in y");
+        keep(scaled.c_38, c.c_38, "c_38 in y");
+        keep(scaled.c_39, c.c_39, "c_39 in y");
+        keep(scaled.c_43, c.c_43, "c_43 in x");
+        keep(scaled.c_44, c.c_44, "c_44 in y");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -514,10 +577,10 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_20 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_24 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
-        if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        if (!(scaled.c_36 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_40 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+        if (!(scaled.c_41 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_42 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -547,8 +610,8 @@ private:
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
         const Number q_2 = q_1 * q_1;
-        const Number q_3 = q_1 + c.c_19 - c.c_28 * (c.c_21 * q_2 + c.c_22 * q_2 + c.c_23 * q_2);
-        return {Number(q_1 + c.c_19 - c.c_27 * (q_2 * q_1)), Number(q_3)};
+        const Number q_3 = q_1 + c.c_35 - c.c_44 * (c.c_37 * q_2 + c.c_38 * q_2 + c.c_39 * q_2);
+        return {Number(q_1 + c.c_35 - c.c_43 * (q_2 * q_1)), Number(q_3)};
     }
 
     // dtheta_1/dT
@@ -604,6 +667,18 @@ private:
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 13> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
+        const Number v_x = tables[1];
+        const Number u_x = tables[0];
+        const Number q_1 = u_x * u_x;
+        const Number q_2 = v_x * v_x;
+        const Number q_3 = c.c_23 - c.c_22 * q_1 - c.c_22 * q_2;
+        const Number q_4 = -Number(2) * (u_x * (c.c_34 * v_x - c.c_33 * u_x) + c.c_33 * q_2);
+        return {Number(Number(2) * (c.c_19 * u_x + c.c_20 * v_x)), Number(-Number(2) * (c.c_21 * u_x + c.c_19 * v_x)), Number(Number(2) * u_x * q_3), Number(-Number(2) * v_x * q_3), Number(Number(2) * (c.c_24 * u_x + c.c_25 * v_x)), Number(-Number(2) * (c.c_26 * u_x + c.c_24 * v_x)), Number(Number(2) * u_x * (c.c_27 * q_1 - c.c_28 * q_2)), Number(-Number(2) * v_x * (c.c_28 * q_1 - c.c_27 * q_2)), Number(c.c_29 * q_1 + c.c_29 * q_2), Number(c.u_y), Number(c.c_30), Number(Number(2) * (u_x * (c.c_31 * u_x + c.c_32 * v_x) - c.c_31 * q_2)), Number(q_4)};
+    }
+
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
@@ -632,6 +707,7 @@ private:
 
     friend struct resonform::Points;
     friend struct resonform::Ensemble;
+    friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
         Arguments a;
@@ -648,6 +724,52 @@ private:
         numbers[0] = values.x;
         numbers[1] = values.y;
     }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 3, decays = 1, outputs = 2;
+        static constexpr std::array<resonform::kernel::Term<3>, 13> terms{{
+            {0, resonform::kernel::Wave::cosine, {1, -1, 1}},
+            {0, resonform::kernel::Wave::sine, {1, -1, 1}},
+            {0, resonform::kernel::Wave::cosine, {1, 0, 0}},
+            {0, resonform::kernel::Wave::sine, {1, 0, 0}},
+            {0, resonform::kernel::Wave::cosine, {1, 1, 1}},
+            {0, resonform::kernel::Wave::sine, {1, 1, 1}},
+            {0, resonform::kernel::Wave::cosine, {3, 0, 0}},
+            {0, resonform::kernel::Wave::sine, {3, 0, 0}},
+            {1, resonform::kernel::Wave::one, {0, 0, 0}},
+            {1, resonform::kernel::Wave::cosine, {0, 1, 1}},
+            {1, resonform::kernel::Wave::sine, {0, 1, 1}},
+            {1, resonform::kernel::Wave::cosine, {2, 0, 0}},
+            {1, resonform::kernel::Wave::sine, {2, 0, 0}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 13> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 3> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_12, c.c_12, c.c_12};
+            }
+            std::array<Wide, 3> operator()(const Wide& T) const {
+                return {theta_1_rate(c, T), theta_2_rate(c, T, widened<Wide>(of.look_up_1(static_cast<Real>(T)))), chi_rate(c, T, widened<Wide>(of.look_up_1(static_cast<Real>(T))))};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), true, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
                        const Start& start, Constants<Real>& c) {
@@ -720,6 +842,9 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
@@ -760,6 +885,10 @@ private:
     resonform::Phase<Real> theta_1_;
     resonform::Phase<Real> theta_2_;
     resonform::Decay<Real> chi_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

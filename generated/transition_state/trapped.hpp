@@ -7,7 +7,7 @@
 //   order       3, normal form and map through weight 4
 //   operations  21 add, 42 multiply, 0 divide, 0 root, 1 sincos, 1 other, 0 tables
 //   written out 86 add, 217 multiply, 57 divide, 0 root, 40 sincos, 0 other, 0 tables
-//   many points one by one: no tables of modes that decay
+//   many points one by one: no tables of modes that may grow
 //
 // z1 = a1*exp(I*theta)
 // z2 = conj(z1)

@@ -7,7 +7,7 @@
 //   order       1, normal form and map through weight 2
 //   operations  6 add, 17 multiply, 4 divide, 3 root, 1 sincos, 1 other, 1 tables
 //   written out 9 add, 23 multiply, 4 divide, 3 root, 2 sincos, 0 other, 9 tables
-//   many points one by one: no tables of modes that decay
+//   many points from tables of 4 rows (156 operations, 483 one by one)
 //
 // z1 = a1*exp(chi + I*theta)
 // z2 = conj(z1)
@@ -31,8 +31,8 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
-#include "runtime/points.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/tabulated.hpp"
 
 #include <algorithm>
 #include <array>
@@ -120,17 +120,20 @@ public:
 
     // The outputs at n times, in any order. An output whose array is null is left out; where there is no value, NaN is stored.
     BatchReport batch(const Real* t, std::size_t n, Real* w_, Real* psi, Status* status = nullptr) const noexcept {
-        return resonform::Points::batch(*this, t, n, std::array{w_, psi}, status);
+        return resonform::Tabulated::batch(*this, t, n, std::array{w_, psi}, status);
     }
 
     // The same at the exact times t0 + i dt; dt of any sign.
     BatchReport grid(const Real& t0, const Real& dt, std::size_t n, Real* w_, Real* psi, Status* status = nullptr) const noexcept {
-        return resonform::Points::grid(*this, t0, dt, n, std::array{w_, psi}, status);
+        return resonform::Tabulated::grid(*this, t0, dt, n, std::array{w_, psi}, status);
     }
 
     // Builds now what the first call for many points would build: later calls allocate nothing.
     Status prepare() const noexcept {
-        return cause_.status;
+        if (cause_.status != Status::ok) return cause_.status;
+        if constexpr (std::is_same_v<Real, double>)
+            if (prepare_tables() == Status::no_memory) return Status::no_memory;
+        return Status::ok;
     }
 
 
@@ -192,6 +195,8 @@ private:
         Number c_32{};
         Number c_33{};
         Number c_34{};
+        Number c_35{};
+        Number c_36{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -820,48 +825,50 @@ private:
         w.k_214 = w.w_0 * (c.eps * (w.w_0 * w.k_211 + w.k_129 * w.k_212) + w.k_213);
         w.k_215 = w.k_24 * (w.k_18 * w.k_28) * w.k_25 * w.k_26 * w.k_30 * (w.k_27 * w.k_2) * (w.k_214 + Number(468) * c.eps * w.k_129);
         c.v_psi = c.c_4 * w.k_21 + w.k_215;
-        c.c_15 = w.k_11 * w.k_7 * w.k_13 * w.k_15 * (w.k_124 - Number(1));
-        c.c_16 = w.w_0 + w.k_23 - Number(1);
+        c.c_15 = c.eps * c.u_psi;
+        c.c_16 = -c.eps * c.v_psi;
+        c.c_17 = w.k_11 * w.k_7 * w.k_13 * w.k_15 * (w.k_124 - Number(1));
+        c.c_18 = w.w_0 + w.k_23 - Number(1);
         w.k_216 = c.c_6 * c.c_6;
-        c.c_17 = w.k_216 * (Number(4) * w.k_216 - Number(1)) - Number(4);
-        c.c_18 = Number(1) + w.w_0 + w.k_23;
     }
 
     template <class Number> static void compute_constants_3(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_217 = sqrt(c.c_16);
-        w.k_218 = sqrt(c.c_18);
+        c.c_19 = w.k_216 * (Number(4) * w.k_216 - Number(1)) - Number(4);
+        c.c_20 = Number(1) + w.w_0 + w.k_23;
+        w.k_217 = sqrt(c.c_18);
+        w.k_218 = sqrt(c.c_20);
         w.k_219 = Number(1) + w.k_216;
         w.k_220 = sqrt(w.k_219);
-        c.c_19 = w.k_217 * w.k_216 * w.k_218 * w.k_220 * (w.k_216 * w.k_216 - Number(1));
+        c.c_21 = w.k_217 * w.k_216 * w.k_218 * w.k_220 * (w.k_216 * w.k_216 - Number(1));
         w.k_221 = Number(1) / c.c_6;
         w.k_222 = w.k_221 * w.k_221;
-        w.k_223 = c.c_10 * c.c_17 * w.k_222;
-        w.k_224 = sqrt(c.c_17);
-        w.k_225 = Number(1) / c.c_17;
+        w.k_223 = c.c_10 * c.c_19 * w.k_222;
+        w.k_224 = sqrt(c.c_19);
+        w.k_225 = Number(1) / c.c_19;
         w.k_226 = w.k_224 * w.k_225;
         w.k_227 = w.k_222 * w.k_222;
         w.k_228 = c.c_3 * w.k_216;
         w.k_229 = w.k_226 * c.eps * w.k_227 * (w.k_216 * (c.c_3 + w.k_216 * (w.k_228 - Number(2))) - Number(2));
-        c.c_20 = c.c_10 + w.k_223 + w.k_229;
-        c.c_21 = c.c_10 + w.k_223 - w.k_229;
+        c.c_22 = c.c_10 + w.k_223 + w.k_229;
+        c.c_23 = c.c_10 + w.k_223 - w.k_229;
         w.k_230 = w.k_226 * c.eps * w.k_227 * (Number(2) + w.k_216 * (w.k_216 * (Number(2) - w.k_228) - c.c_3));
-        c.c_22 = c.c_10 + w.k_223 + w.k_230;
-        c.c_23 = c.c_10 + w.k_223 - w.k_230;
-        w.k_231 = Number(9) / Number(4) * c.c_17 * w.k_222;
+        c.c_24 = c.c_10 + w.k_223 + w.k_230;
+        c.c_25 = c.c_10 + w.k_223 - w.k_230;
+        w.k_231 = Number(9) / Number(4) * c.c_19 * w.k_222;
         w.k_232 = w.k_216 * (Number(6) - Number(3) / Number(2) * w.k_216) - Number(3) / Number(2);
         w.k_233 = w.k_226 * c.eps * w.k_227 * (Number(6) + w.k_216 * w.k_232);
-        c.c_24 = c.c_10 + w.k_231 + w.k_233;
-        c.c_25 = c.c_10 + w.k_231 - w.k_233;
-        w.k_234 = c.c_17 * w.k_222;
+        c.c_26 = c.c_10 + w.k_231 + w.k_233;
+        c.c_27 = c.c_10 + w.k_231 - w.k_233;
+        w.k_234 = c.c_19 * w.k_222;
         w.k_235 = Number(4) + w.k_216 * (w.k_216 * (Number(4) - w.k_216) - Number(1));
         w.k_236 = w.k_226 * c.eps * w.k_227 * w.k_235;
-        c.c_26 = w.k_234 + w.k_236;
-        c.c_27 = w.k_234 - w.k_236;
+        c.c_28 = w.k_234 + w.k_236;
+        c.c_29 = w.k_234 - w.k_236;
         w.k_237 = hypot(c.u_psi, c.v_psi);
-        w.k_238 = Number(1) / c.c_16;
+        w.k_238 = Number(1) / c.c_18;
         w.k_239 = w.k_217 * w.k_238;
-        w.k_240 = Number(1) / c.c_18;
+        w.k_240 = Number(1) / c.c_20;
         w.k_241 = w.k_218 * w.k_240;
         w.k_242 = Number(1) / w.k_219;
         w.k_243 = w.k_220 * w.k_242;
@@ -869,13 +876,13 @@ private:
         w.k_245 = hypot(Number(w.k_239 * w.k_241 * w.k_243 * (Number(3) / Number(8))), w.k_244);
         w.k_246 = w.k_239 * w.k_226 * w.k_241 * w.k_243 * (-Number(3) / Number(4)) * c.c_6;
         w.k_247 = hypot(Number(w.k_239 * w.k_241 * w.k_243 * (-Number(3) / Number(4))), w.k_246);
-        c.c_28 = Number(9) + w.k_216 * (Number(2) - Number(9) * w.k_216);
-        w.k_248 = Number(1) / c.c_28;
+        c.c_30 = Number(9) + w.k_216 * (Number(2) - Number(9) * w.k_216);
+        w.k_248 = Number(1) / c.c_30;
         w.k_249 = w.k_226 * (Number(3) / Number(8)) * c.c_6 * w.k_217 * w.k_218 * w.k_220 * w.k_248;
         w.k_250 = hypot(Number(Number(9) / Number(8) * w.k_217 * w.k_218 * w.k_220 * w.k_248), w.k_249);
         w.k_251 = Number(2) * c.eps * (w.k_237 * w.k_245 + w.k_237 * w.k_247 + w.k_237 * w.k_250);
-        c.c_29 = Number(1) - w.k_251;
-        c.c_30 = c.c_28 * c.c_28;
+        c.c_31 = Number(1) - w.k_251;
+        c.c_32 = c.c_30 * c.c_30;
         w.k_252 = w.k_35 * w.k_36;
         w.k_253 = w.k_35 * w.k_50;
         w.k_254 = w.k_1 * w.k_1;
@@ -892,34 +899,34 @@ private:
         w.k_265 = w.k_264 * w.k_242;
         w.k_266 = w.k_265 * w.k_265 * w.k_242;
         w.k_267 = w.k_248 * w.k_248;
-        w.k_268 = c.c_17 * w.k_224;
-        w.k_269 = w.k_268 * Number(6) * c.eps * c.c_16 * c.c_28;
+        w.k_268 = c.c_19 * w.k_224;
+        w.k_269 = w.k_268 * Number(6) * c.eps * c.c_18 * c.c_30;
         w.k_270 = Number(47) / Number(8) * c.eps;
         w.k_271 = Number(29) / Number(8) * c.eps;
         w.k_272 = c.c_3 * c.c_6;
-        w.k_273 = c.eps * (Number(3) / Number(8) + Number(3) / Number(8) * c.c_6) + c.c_16 * (Number(1) + w.k_272);
-        w.k_274 = c.c_3 * c.c_16;
-        w.k_275 = Number(2) * c.c_16;
+        w.k_273 = c.eps * (Number(3) / Number(8) + Number(3) / Number(8) * c.c_6) + c.c_18 * (Number(1) + w.k_272);
+        w.k_274 = c.c_3 * c.c_18;
+        w.k_275 = Number(2) * c.c_18;
         w.k_276 = c.c_6 * (c.c_6 * w.k_273 - w.k_271 - w.k_274) - w.k_271 - w.k_275;
-        w.k_277 = Number(9) / Number(2) * c.c_16;
-        w.k_278 = Number(7) * c.c_16;
+        w.k_277 = Number(9) / Number(2) * c.c_18;
+        w.k_278 = Number(7) * c.c_18;
         w.k_279 = w.k_270 + c.c_6 * (c.c_6 * w.k_276 + w.k_270 - w.k_277) - w.k_278;
-        w.k_280 = c.c_16 * c.c_16;
-        w.k_281 = c.c_18 * c.c_18;
-        w.k_282 = w.k_281 * c.c_18;
+        w.k_280 = c.c_18 * c.c_18;
+        w.k_281 = c.c_20 * c.c_20;
+        w.k_282 = w.k_281 * c.c_20;
         w.k_283 = w.k_219 * w.k_219;
         w.k_284 = w.k_283 * w.k_219;
         w.k_285 = c.u_psi * c.u_psi;
-        w.k_286 = c.c_16 * (Number(9) / Number(2) + Number(9) / Number(2) * c.c_6) - c.c_9;
-        w.k_287 = c.c_28 * w.k_279 + c.eps * w.k_280 * w.k_282 * w.k_284 * w.k_285 * w.k_286;
+        w.k_286 = c.c_18 * (Number(9) / Number(2) + Number(9) / Number(2) * c.c_6) - c.c_9;
+        w.k_287 = c.c_30 * w.k_279 + c.eps * w.k_280 * w.k_282 * w.k_284 * w.k_285 * w.k_286;
         w.k_288 = Number(3) / Number(2) * c.v_psi * w.k_224;
-        w.k_289 = c.u_psi * w.k_280 * w.k_282 * w.k_284 * (Number(9) / Number(2) * c.u_psi * c.c_16 - w.k_288);
-        w.k_290 = Number(95) / Number(8) * c.c_28;
-        w.k_291 = Number(11) / Number(2) * c.c_16 * c.c_28;
+        w.k_289 = c.u_psi * w.k_280 * w.k_282 * w.k_284 * (Number(9) / Number(2) * c.u_psi * c.c_18 - w.k_288);
+        w.k_290 = Number(95) / Number(8) * c.c_30;
+        w.k_291 = Number(11) / Number(2) * c.c_18 * c.c_30;
         w.k_292 = c.c_6 * (c.c_6 * w.k_287 + c.eps * (w.k_289 + w.k_290) - w.k_291);
         w.k_293 = c.v_psi * c.v_psi;
-        w.k_294 = Number(9) / Number(2) * c.c_16 * w.k_285 + Number(9) / Number(4) * c.c_17 * w.k_293;
-        w.k_295 = Number(4) * c.c_16 * c.c_28;
+        w.k_294 = Number(9) / Number(2) * c.c_18 * w.k_285 + Number(9) / Number(4) * c.c_19 * w.k_293;
+        w.k_295 = Number(4) * c.c_18 * c.c_30;
         w.k_296 = w.k_292 + c.eps * (w.k_290 + w.k_280 * w.k_282 * w.k_284 * w.k_294) - w.k_295;
         w.k_297 = Number(5) / Number(8) * w.k_216;
         w.k_298 = Number(7) - w.k_297;
@@ -927,19 +934,19 @@ private:
         w.k_300 = w.k_217 * w.k_280;
         w.k_301 = w.k_218 * w.k_281;
         w.k_302 = w.k_220 * w.k_283;
-        w.k_303 = w.k_300 * w.k_301 * w.k_302 * c.eps * c.u_psi * c.c_6 * c.c_28 * (w.k_216 - Number(3) / Number(2));
-        w.k_304 = w.k_224 * (c.c_17 * (c.c_16 * w.k_296 + c.eps * c.c_28 * w.k_299) + w.k_303);
-        w.k_305 = w.k_280 * c.c_16;
+        w.k_303 = w.k_300 * w.k_301 * w.k_302 * c.eps * c.u_psi * c.c_6 * c.c_30 * (w.k_216 - Number(3) / Number(2));
+        w.k_304 = w.k_224 * (c.c_19 * (c.c_18 * w.k_296 + c.eps * c.c_30 * w.k_299) + w.k_303);
+        w.k_305 = w.k_280 * c.c_18;
         w.k_306 = w.k_217 * w.k_305;
         w.k_307 = w.k_218 * w.k_282;
         w.k_308 = w.k_220 * w.k_284;
         w.k_309 = c.c_3 + w.k_216 * (-Number(2) - w.k_228);
-        w.k_310 = w.k_304 + w.k_306 * w.k_307 * w.k_308 * c.eps * c.v_psi * c.c_28 * w.k_309;
-        w.k_311 = c.c_16 * w.k_217;
-        w.k_312 = w.k_311 * w.k_301 * w.k_302 * Number(5) * c.u_psi - Number(4) * c.c_17;
-        w.k_313 = c.c_16 * w.k_224 * c.c_28 * (c.eps * w.k_312 - Number(2) * c.c_16 * c.c_17);
+        w.k_310 = w.k_304 + w.k_306 * w.k_307 * w.k_308 * c.eps * c.v_psi * c.c_30 * w.k_309;
+        w.k_311 = c.c_18 * w.k_217;
+        w.k_312 = w.k_311 * w.k_301 * w.k_302 * Number(5) * c.u_psi - Number(4) * c.c_19;
+        w.k_313 = c.c_18 * w.k_224 * c.c_30 * (c.eps * w.k_312 - Number(2) * c.c_18 * c.c_19);
         w.k_314 = w.k_300 * w.k_307 * w.k_308 * Number(6) * c.v_psi - w.k_268 * Number(4);
-        w.k_315 = c.c_6 * (c.c_6 * w.k_310 + w.k_313) + c.eps * c.c_16 * c.c_28 * w.k_314;
+        w.k_315 = c.c_6 * (c.c_6 * w.k_310 + w.k_313) + c.eps * c.c_18 * c.c_30 * w.k_314;
         w.k_316 = c.c_6 * (c.c_6 * w.k_315 - w.k_269) - w.k_269;
         w.k_317 = w.k_255 * w.k_258 * w.k_260 * w.k_263 * w.k_266 * w.k_267 * (w.k_316 * w.k_316);
         w.k_318 = w.k_222 * w.k_221;
@@ -947,33 +954,33 @@ private:
         w.k_320 = Number(177) / Number(8) * c.eps;
         w.k_321 = Number(115) / Number(8) * c.eps;
         w.k_322 = c.eps * (-Number(13) / Number(8) - Number(13) / Number(8) * c.c_6);
-        w.k_323 = c.c_6 * (w.k_322 + c.c_16 * (-Number(1) - w.k_272)) + w.k_321 + w.k_274;
-        w.k_324 = w.k_321 + c.c_6 * w.k_323 + w.k_275;
     }
 
     template <class Number> static void compute_constants_4(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
+        w.k_323 = c.c_6 * (w.k_322 + c.c_18 * (-Number(1) - w.k_272)) + w.k_321 + w.k_274;
+        w.k_324 = w.k_321 + c.c_6 * w.k_323 + w.k_275;
         w.k_325 = c.c_6 * (c.c_6 * w.k_324 + w.k_277 - w.k_320) + w.k_278 - w.k_320;
         w.k_326 = c.u_psi * (Number(21) / Number(2) + Number(21) / Number(2) * c.c_6);
         w.k_327 = Number(9) * c.v_psi * w.k_224;
-        w.k_328 = c.eps * c.u_psi * w.k_280 * w.k_282 * w.k_284 * (c.c_16 * (w.k_326 - w.k_327) - Number(9) / Number(4) * c.u_psi);
+        w.k_328 = c.eps * c.u_psi * w.k_280 * w.k_282 * w.k_284 * (c.c_18 * (w.k_326 - w.k_327) - Number(9) / Number(4) * c.u_psi);
         w.k_329 = Number(21) / Number(2) * c.u_psi - w.k_327;
-        w.k_330 = c.u_psi * w.k_280 * w.k_282 * w.k_284 * (c.c_16 * w.k_329 + w.k_288);
-        w.k_331 = Number(321) / Number(8) * c.c_28;
-        w.k_332 = c.c_6 * (c.c_28 * w.k_325 + w.k_328) + c.eps * (w.k_330 - w.k_331) + w.k_291;
-        w.k_333 = w.k_280 * w.k_282 * w.k_284 * (c.u_psi * c.c_16 * w.k_329 + c.c_9 * c.c_17 * w.k_293);
-        w.k_334 = c.c_16 * (c.c_6 * w.k_332 + c.eps * (w.k_333 - w.k_331) + w.k_295);
+        w.k_330 = c.u_psi * w.k_280 * w.k_282 * w.k_284 * (c.c_18 * w.k_329 + w.k_288);
+        w.k_331 = Number(321) / Number(8) * c.c_30;
+        w.k_332 = c.c_6 * (c.c_30 * w.k_325 + w.k_328) + c.eps * (w.k_330 - w.k_331) + w.k_291;
+        w.k_333 = w.k_280 * w.k_282 * w.k_284 * (c.u_psi * c.c_18 * w.k_329 + c.c_9 * c.c_19 * w.k_293);
+        w.k_334 = c.c_18 * (c.c_6 * w.k_332 + c.eps * (w.k_333 - w.k_331) + w.k_295);
         w.k_335 = w.k_297 - Number(7);
         w.k_336 = w.k_216 * (w.k_216 * w.k_335 + Number(37) / Number(2)) - Number(2);
         w.k_337 = Number(9) * c.u_psi * c.v_psi * w.k_224 * w.k_282 * w.k_284 * w.k_305;
-        w.k_338 = c.eps * (Number(8) * c.c_28 - w.k_337) + Number(2) * c.c_16 * c.c_28;
-        w.k_339 = w.k_224 * (c.c_6 * (w.k_334 + c.eps * c.c_28 * w.k_336) + c.c_16 * w.k_338);
-        w.k_340 = w.k_300 * w.k_301 * w.k_302 * c.eps * c.v_psi * c.c_6 * c.c_28 * (Number(3) / Number(2) - w.k_216);
-        w.k_341 = w.k_224 * (w.k_339 + w.k_340) + w.k_306 * w.k_307 * w.k_308 * c.eps * c.u_psi * c.c_28 * w.k_309;
+        w.k_338 = c.eps * (Number(8) * c.c_30 - w.k_337) + Number(2) * c.c_18 * c.c_30;
+        w.k_339 = w.k_224 * (c.c_6 * (w.k_334 + c.eps * c.c_30 * w.k_336) + c.c_18 * w.k_338);
+        w.k_340 = w.k_300 * w.k_301 * w.k_302 * c.eps * c.v_psi * c.c_6 * c.c_30 * (Number(3) / Number(2) - w.k_216);
+        w.k_341 = w.k_224 * (w.k_339 + w.k_340) + w.k_306 * w.k_307 * w.k_308 * c.eps * c.u_psi * c.c_30 * w.k_309;
         w.k_342 = Number(8) * w.k_224 - w.k_311 * w.k_301 * w.k_302 * Number(5) * c.v_psi;
-        w.k_343 = c.c_6 * (c.c_6 * w.k_341 + c.eps * c.c_16 * w.k_224 * c.c_28 * w.k_342);
-        w.k_344 = w.k_300 * w.k_307 * w.k_308 * Number(6) * c.u_psi + Number(10) * c.c_17;
-        w.k_345 = c.c_6 * (w.k_343 + c.eps * c.c_16 * c.c_28 * w.k_344) + Number(10) * c.eps * c.c_16 * c.c_17 * c.c_28;
+        w.k_343 = c.c_6 * (c.c_6 * w.k_341 + c.eps * c.c_18 * w.k_224 * c.c_30 * w.k_342);
+        w.k_344 = w.k_300 * w.k_307 * w.k_308 * Number(6) * c.u_psi + Number(10) * c.c_19;
+        w.k_345 = c.c_6 * (w.k_343 + c.eps * c.c_18 * c.c_30 * w.k_344) + Number(10) * c.eps * c.c_18 * c.c_19 * c.c_30;
         w.k_346 = w.k_258 * w.k_260 * w.k_263 * w.k_266 * w.k_267 * w.k_319 * (w.k_345 * w.k_345);
         w.k_347 = w.k_217 * (w.k_256 * w.k_256);
         w.k_348 = w.k_224 * w.k_259;
@@ -983,35 +990,35 @@ private:
         w.k_352 = w.k_139 + w.k_351;
         w.k_353 = w.k_347 * w.k_348 * w.k_349 * w.k_350 * w.k_248 * w.k_318 * w.k_345;
         w.k_354 = w.k_215 + w.k_353;
-        c.c_31 = w.k_252 + w.k_253 + w.k_254 + w.k_317 + w.k_346 - Number(4) * (w.k_352 * w.k_352 + w.k_354 * w.k_354);
-        w.k_355 = Number(6) * c.eps * c.c_16;
-        w.k_356 = c.c_6 * (c.c_16 * w.k_276 + c.eps * w.k_298) + c.c_16 * (w.k_270 - w.k_277);
-        w.k_357 = c.eps * (Number(47) / Number(8) * c.c_16 - Number(37) / Number(2));
+        c.c_33 = w.k_252 + w.k_253 + w.k_254 + w.k_317 + w.k_346 - Number(4) * (w.k_352 * w.k_352 + w.k_354 * w.k_354);
+        w.k_355 = Number(6) * c.eps * c.c_18;
+        w.k_356 = c.c_6 * (c.c_18 * w.k_276 + c.eps * w.k_298) + c.c_18 * (w.k_270 - w.k_277);
+        w.k_357 = c.eps * (Number(47) / Number(8) * c.c_18 - Number(37) / Number(2));
         w.k_358 = Number(7) * w.k_280;
-        w.k_359 = Number(11) / Number(2) * c.c_16;
-        w.k_360 = c.c_6 * (c.c_6 * w.k_356 + w.k_357 - w.k_358) + c.c_16 * (Number(95) / Number(8) * c.eps - w.k_359);
+        w.k_359 = Number(11) / Number(2) * c.c_18;
+        w.k_360 = c.c_6 * (c.c_6 * w.k_356 + w.k_357 - w.k_358) + c.c_18 * (Number(95) / Number(8) * c.eps - w.k_359);
         w.k_361 = Number(4) * w.k_280;
-        w.k_362 = c.c_6 * w.k_360 + c.eps * (Number(2) + Number(95) / Number(8) * c.c_16) - w.k_361;
-        w.k_363 = c.c_6 * (c.c_6 * w.k_362 + c.c_16 * (-w.k_275 - Number(4) * c.eps));
-        w.k_364 = c.c_6 * (c.c_6 * (w.k_363 - Number(4) * c.eps * c.c_16) - w.k_355);
+        w.k_362 = c.c_6 * w.k_360 + c.eps * (Number(2) + Number(95) / Number(8) * c.c_18) - w.k_361;
+        w.k_363 = c.c_6 * (c.c_6 * w.k_362 + c.c_18 * (-w.k_275 - Number(4) * c.eps));
+        w.k_364 = c.c_6 * (c.c_6 * (w.k_363 - Number(4) * c.eps * c.c_18) - w.k_355);
         w.k_365 = w.k_364 - w.k_355;
-        w.k_366 = Number(10) * c.eps * c.c_16;
-        w.k_367 = c.c_6 * (c.c_16 * w.k_324 + c.eps * w.k_335) + c.c_16 * (w.k_277 - w.k_320);
-        w.k_368 = c.eps * (Number(37) / Number(2) - Number(177) / Number(8) * c.c_16);
-        w.k_369 = c.c_6 * (c.c_6 * w.k_367 + w.k_368 + w.k_358) + c.c_16 * (w.k_359 - Number(321) / Number(8) * c.eps);
-        w.k_370 = c.c_6 * w.k_369 + c.eps * (-Number(2) - Number(321) / Number(8) * c.c_16) + w.k_361;
-        w.k_371 = c.c_6 * (c.c_6 * w.k_370 + c.c_16 * (w.k_275 + Number(8) * c.eps));
-        w.k_372 = c.c_6 * (c.c_6 * (w.k_371 + Number(8) * c.eps * c.c_16) + w.k_366);
+        w.k_366 = Number(10) * c.eps * c.c_18;
+        w.k_367 = c.c_6 * (c.c_18 * w.k_324 + c.eps * w.k_335) + c.c_18 * (w.k_277 - w.k_320);
+        w.k_368 = c.eps * (Number(37) / Number(2) - Number(177) / Number(8) * c.c_18);
+        w.k_369 = c.c_6 * (c.c_6 * w.k_367 + w.k_368 + w.k_358) + c.c_18 * (w.k_359 - Number(321) / Number(8) * c.eps);
+        w.k_370 = c.c_6 * w.k_369 + c.eps * (-Number(2) - Number(321) / Number(8) * c.c_18) + w.k_361;
+        w.k_371 = c.c_6 * (c.c_6 * w.k_370 + c.c_18 * (w.k_275 + Number(8) * c.eps));
+        w.k_372 = c.c_6 * (c.c_6 * (w.k_371 + Number(8) * c.eps * c.c_18) + w.k_366);
         w.k_373 = w.k_366 + w.k_372;
         w.k_374 = w.k_225 * w.k_258 * w.k_263 * w.k_266 * w.k_319 * (w.k_373 * w.k_373);
         w.k_375 = w.k_255 * w.k_258 * w.k_263 * w.k_266 * (w.k_365 * w.k_365) + w.k_374;
-        c.c_32 = Number(4) + Number(4) * (w.k_252 + w.k_253) - w.k_375;
+        c.c_34 = Number(4) + Number(4) * (w.k_252 + w.k_253) - w.k_375;
         w.k_376 = c.c_3 * c.u_psi * c.c_6 - c.c_3 * c.v_psi * w.k_224;
         w.k_377 = c.c_10 * w.k_238 * w.k_240 * w.k_242 * w.k_254 * w.k_222 * (w.k_376 * w.k_376);
         w.k_378 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
         w.k_379 = w.k_23 + w.k_239 * w.k_241 * w.k_243 * w.k_1 * w.k_221 * w.k_376;
-        c.c_33 = w.k_254 + w.k_377 + w.k_378 * w.k_7 - Number(4) * (w.k_379 * w.k_379);
-        c.c_34 = Number(1) / Number(8);
+        c.c_35 = w.k_254 + w.k_377 + w.k_378 * w.k_7 - Number(4) * (w.k_379 * w.k_379);
+        c.c_36 = Number(1) / Number(8);
     }
 
     template <class Number> static void compute_constants(
@@ -1038,8 +1045,10 @@ private:
         keep(scaled.c_14, c.c_14, "c_14 in chi_dot");
         keep(scaled.u_psi, c.u_psi, "u_psi");
         keep(scaled.v_psi, c.v_psi, "v_psi");
-        keep(scaled.c_28, c.c_28, "c_28 in 2*b^2*w^2 - 9*w^4 + 9");
-        keep(scaled.c_34, c.c_34, "c_34 in psi");
+        keep(scaled.c_15, c.c_15, "c_15 in psi");
+        keep(scaled.c_16, c.c_16, "c_16 in psi");
+        keep(scaled.c_30, c.c_30, "c_30 in 2*b^2*w^2 - 9*w^4 + 9");
+        keep(scaled.c_36, c.c_36, "c_36 in psi");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -1050,24 +1059,24 @@ private:
         if (!(scaled.c_1 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w - 1"};
         if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-(b^2*w^2 - 4*w^4 + 4)"};
         if (!(scaled.c_2 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w + 1"};
-        if (!(scaled.c_15 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
-        if (!(scaled.c_16 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w - 1"};
-        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-(b^2*w^2 - 4*w^4 + 4)"};
-        if (!(scaled.c_18 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w + 1"};
-        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
-        if (!(scaled.c_20 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_21 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_22 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_23 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_24 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
-        if (!(scaled.c_27 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
-        if (!(scaled.c_29 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
-        if (!(scaled.c_30 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*b^2*w^2 - 9*w^4 + 9"};
+        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
+        if (!(scaled.c_18 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w - 1"};
+        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-(b^2*w^2 - 4*w^4 + 4)"};
+        if (!(scaled.c_20 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w + 1"};
+        if (!(scaled.c_21 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
+        if (!(scaled.c_22 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(scaled.c_23 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(scaled.c_24 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(scaled.c_27 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(scaled.c_28 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
+        if (!(scaled.c_29 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
         if (!(scaled.c_31 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
-        if (!(scaled.c_32 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
-        if (!(scaled.c_33 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w"};
+        if (!(scaled.c_32 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*b^2*w^2 - 9*w^4 + 9"};
+        if (!(scaled.c_33 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_34 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_35 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -1117,7 +1126,7 @@ private:
         const Number s3_m3_2 = s3_2 * (per_s3 * per_s3);
         const Number q_3 = c.c_10 * s1 * q_1;
         const Number q_4 = s1_m1_2 * (q_1 * q_1) * (q_2 * (q_2 * (c.c_7 * q_2 - c.c_8) + c.c_7) - c.c_8);
-        const Number q_5 = c.c_34 * q_2;
+        const Number q_5 = c.c_36 * q_2;
         const Number q_6 = hypot(Number(s_m3_2 * s2_m3_2 * s3_m3_2 * per_w_mean * (q_5 - c.c_3)), Number(s_m3_2 * s1_m1_2 * s2_m3_2 * s3_m3_2 * (c.c_3 - q_5)));
         const Number q_7 = hypot(s, c.c_11);
         const Number q_8 = q_2 * s2_2 * s3_2 * q_7 * hypot(s_2, c.c_11) * (w_ * (w_ * s2 + Number(1)) + Number(1));
@@ -1191,11 +1200,37 @@ private:
         if (!(s > Real(0))) return Status::outside_domain;
         if (!(s1 > Real(0))) return Status::outside_domain;
         if (!(s_2 * q_1 * s2_2 * s3_2 * (q_3 - Real(1)) > Real(0))) return Status::outside_domain;
-        if (!(c.c_28 * (q_1 * (Real(2) - Real(9) * q_1) + Real(9)) > Real(0))) return Status::outside_domain;
+        if (!(c.c_30 * (q_1 * (Real(2) - Real(9) * q_1) + Real(9)) > Real(0))) return Status::outside_domain;
         if (!(Real(4) * q_3 - q_1 - Real(4) > Real(0))) return Status::outside_domain;
         values.w_ = w_;
         values.psi = c.eps * psi_1;
         return finite(values.w_) && finite(values.psi) ? Status::ok : Status::overflow;
+    }
+
+    // Of the rows; NaN outside of the domain.
+    template <class Number> static std::array<Number, 4> amplitudes(
+            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 1>& tables) {
+        const Number w_ = tables[0];
+        const Number per_w_mean = per(w_);
+        const Number s = w_ - Number(1);
+        const Number per_s = per(s);
+        const Number s2 = w_ + Number(1);
+        const Number per_s2 = per(s2);
+        const Number q_1 = w_ * w_;
+        const Number s3 = q_1 + Number(1);
+        const Number per_s3 = per(s3);
+        const Number s1 = q_1 * (Number(4) * q_1 - Number(1)) - Number(4);
+        const Number s_2 = sqrt(s);
+        const Number s_m3_2 = s_2 * (per_s * per_s);
+        const Number s2_2 = sqrt(s2);
+        const Number s2_m3_2 = s2_2 * (per_s2 * per_s2);
+        const Number s3_2 = sqrt(s3);
+        const Number s3_m3_2 = s3_2 * (per_s3 * per_s3);
+        const Number q_2 = q_1 * q_1;
+        std::array<Number, 4> none;
+        none.fill(resonform::math::not_a_number<Number>());
+        if (!(w_ > Number(0) && s > Number(0) && s1 > Number(0) && s_2 * q_1 * s2_2 * s3_2 * (q_2 - Number(1)) > Number(0) && c.c_30 * (q_1 * (Number(2) - Number(9) * q_1) + Number(9)) > Number(0) && Number(4) * q_2 - q_1 - Number(4) > Number(0))) return none;
+        return {Number(w_), Number(s_m3_2 * s2_m3_2 * s3_m3_2 * per_w_mean * (c.c_7 * q_1 - c.c_8)), Number(c.c_15), Number(c.c_16)};
     }
 
     using Cause = resonform::Cause;
@@ -1225,6 +1260,7 @@ private:
 
     friend struct resonform::Points;
     friend struct resonform::Ensemble;
+    friend struct resonform::Tabulated;
 
     Status at(const Real& t, const Real& low, Values& values) const noexcept {
         Arguments a;
@@ -1241,6 +1277,43 @@ private:
         numbers[0] = values.w_;
         numbers[1] = values.psi;
     }
+
+    // The outputs as sums of rows: amplitudes times 1, cosines and sines (runtime/kernel/scene.hpp).
+    struct Rows {
+        static constexpr std::size_t phases = 2, decays = 1, outputs = 2;
+        static constexpr std::array<resonform::kernel::Term<2>, 4> terms{{
+            {0, resonform::kernel::Wave::one, {0, 0}},
+            {1, resonform::kernel::Wave::one, {0, 0}},
+            {1, resonform::kernel::Wave::cosine, {1, 1}},
+            {1, resonform::kernel::Wave::sine, {1, 1}},
+        }};
+        const Evaluator& of;
+        double eps, reach;
+
+        std::array<double, 4> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+
+        template <class Wide> struct Phases {
+            const Evaluator& of;
+            Constants<Wide> c;
+            std::array<Wide, 2> start;
+
+            explicit Phases(const Evaluator& evaluator) : of(evaluator) {
+                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                start = {c.c_11, c.c_11};
+            }
+            std::array<Wide, 2> operator()(const Wide& T) const {
+                return {theta_rate(c, T, widened<Wide>(of.look_up_1(static_cast<Real>(T)))), chi_rate(c, T, widened<Wide>(of.look_up_1(static_cast<Real>(T))))};
+            }
+        };
+        template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
+    };
+
+    Status prepare_tables() const noexcept {
+        return shared_.prepare([this](resonform::kernel::Tables& tables) {
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), true, tables);
+        });
+    }
+    const resonform::kernel::View& view() const noexcept { return shared_.view(); }
 
     static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,
                        const Start& start, Constants<Real>& c) {
@@ -1310,6 +1383,9 @@ private:
                      const Real& end) {
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
+        eps_ = eps;
+        parameters_ = parameters;
+        start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
@@ -1344,6 +1420,10 @@ private:
     resonform::FlowTable<std::array<Real, 1>> tables_0_;
     resonform::Phase<Real> theta_;
     resonform::Decay<Real> chi_;
+    Real eps_{};
+    Parameters parameters_;
+    Start start_;
+    resonform::SharedTables shared_;
     Cause cause_;
 };
 

@@ -148,6 +148,43 @@ template <class Real, std::size_t Phases> struct Many {
     }
 };
 
+// Two angles and two exponents: an output that keeps something, one of which nothing is left, one that does
+// not turn.
+template <class Real> struct Layers {
+    static constexpr std::size_t phases = 4, decays = 2, outputs = 3;
+    static constexpr std::array<Term<4>, 9> terms{{{0, Wave::one, {}},
+                                                   {0, Wave::cosine, {1, 0, 0, 0}},
+                                                   {0, Wave::sine, {1, -1, 1, 0}},
+                                                   {0, Wave::cosine, {1, 1, 1, 1}},
+                                                   {1, Wave::cosine, {0, 1, 1, 0}},
+                                                   {1, Wave::sine, {0, 1, 1, 0}},
+                                                   {1, Wave::cosine, {0, 0, 2, 0}},
+                                                   {1, Wave::sine, {2, 1, 3, 1}},
+                                                   {2, Wave::cosine, {0, 0, 0, 1}}}};
+    Real eps, end;
+    double reach;
+
+    explicit Layers(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
+    std::array<Real, 9> amplitudes(const Real& T) const {
+        const Real s = Real(1) + T * T;
+        return {eps * s,       Real(1), eps * eps * T, eps * s, Real(1) / s, eps / (s + Real(1)), eps * s,
+                eps * eps * T, s};
+    }
+    // What errors are judged by: the slower exponential, e^chi, chi = -(10 T + T^2/2)/eps; the last -2T/eps.
+    std::array<double, 3> scale_at(const Fifty& t) const {
+        const Fifty e(eps), T = e * t, slow = exp(-(10 * T + T * T / 2) / e), last = exp(-2 * T / e);
+        return {1, static_cast<double>(slow), static_cast<double>(last)};
+    }
+    template <class Wide> PhasesOf<Wide, Layers> rates() const {
+        return {*this, {Wide(0), Wide(1) / Wide(4), Wide(0), Wide(0)}};
+    }
+    template <class Wide> std::array<Wide, 4> rate(const Wide& T) const {
+        const Wide per = Wide(1) / Wide(eps);
+        return {per * (Wide(1) + T / (Wide(5) + T)), per * Wide(3) / Wide(2), -per * (Wide(10) + T),
+                -Wide(2) * per};
+    }
+};
+
 // No phase at all.
 template <class Real> struct Mean {
     static constexpr std::size_t phases = 0, outputs = 1;
@@ -181,12 +218,14 @@ public:
         std::array<Fifty, Scene<Fifty>::outputs> result{};
         for (std::size_t r = 0; r < a.size(); ++r) {
             const auto& term = Scene<Fifty>::terms[r];
-            Fifty angle(0);
-            for (std::size_t p = 0; p < theta.size(); ++p) angle += term.k[p] * theta[p];
-            result[term.output] +=
-                term.wave == Wave::one
-                    ? a[r]
-                    : Fifty(term.wave == Wave::cosine ? Fifty(a[r] * cos(angle)) : Fifty(a[r] * sin(angle)));
+            Fifty angle(0), exponent(0);
+            for (std::size_t p = 0; p < theta.size(); ++p)
+                (p < theta.size() - kernel::decays_of<Scene<Fifty>>() ? angle : exponent) +=
+                    term.k[p] * theta[p];
+            const Fifty wave = term.wave == Wave::one      ? Fifty(1)
+                               : term.wave == Wave::cosine ? Fifty(cos(angle))
+                                                           : Fifty(sin(angle));
+            result[term.output] += Fifty(a[r] * exp(exponent)) * wave;
         }
         return result;
     }

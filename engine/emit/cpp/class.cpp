@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string>
 
 namespace resonform {
@@ -169,9 +170,12 @@ std::string CppFrame::rates() const {
 
 std::string CppFrame::rows() const {
     if (plan_.rows.empty()) return "";
+    const auto decays = std::count_if(program_.phases.begin(), program_.phases.end(),
+                                      [](const ProgramPhase& phase) { return phase.decays(); });
     return filled(
         frames::rows,
         {{"phases", std::to_string(program_.phases.size())},
+         {"decays", decays == 0 ? "" : fmt::format("decays = {}, ", decays)},
          {"outputs", std::to_string(plan_.outputs.size())},
          {"rows", std::to_string(plan_.rows.size())},
          {"terms", terms()},

@@ -65,6 +65,7 @@ private:
     std::vector<FlowUnit> lasting_modes();
     void define_results();
     Graph::Node result(const FlowOutput& output, bool oscillating);
+    [[nodiscard]] std::string no_rows() const;
     void append_rows(const FlowOutput& output);
     const FlowOutput& output_of(const std::string& name) const;
 
@@ -230,22 +231,32 @@ Graph::Node FlowProgram::result(const FlowOutput& output, bool oscillating) {
     return value;
 }
 
-// Of a harmonic A e^{i k.theta} + conjugate: 2 Re A cos k.theta - 2 Im A sin k.theta.
+// Why there are no rows, "" if there are: where a mode may grow, or a divisor may change its sign, more is
+// asked of a point than that tables reach it.
+std::string FlowProgram::no_rows() const {
+    if (flow_.decays.empty()) return "";
+    if (flow_.may_grow()) return "no tables of modes that may grow";
+    return fading_.empty() ? "" : "no tables where a divisor may pass zero";
+}
+
+// Of a harmonic A e^{i k.theta} + conjugate: 2 Re A cos k.theta - 2 Im A sin k.theta, times e^{d.chi}.
 void FlowProgram::append_rows(const FlowOutput& output) {
     Graph& graph = program_.graph;
     FlowMoment call(program_, real_, surroundings_, moving_, false);
     Amplitudes rows;
-    if (output.drift) rows.add(std::vector<int>(flow_.phases.size(), 0), 0, drift_[*output.drift]);
+    if (output.drift)
+        rows.add(std::vector<int>(flow_.phases.size() + flow_.decays.size(), 0), 0, drift_[*output.drift]);
     for (const FlowHarmonic& harmonic :
          flow_harmonics(field_, flow_, output.value.total(output.value.through()))) {
-        const bool mean =
-            std::all_of(harmonic.turns.begin(), harmonic.turns.end(), [](int n) { return n == 0; });
-        if (!mean && !scene_.oscillating) break;
+        const bool mean = harmonic.turns_not();
+        if (!(mean && harmonic.lasts()) && !scene_.oscillating) break;
         const FlowMoment::Unit amplitude = call.value(harmonic.part, 0, mean);
+        std::vector<int> powers = harmonic.turns;
+        powers.insert(powers.end(), harmonic.decays.begin(), harmonic.decays.end());
         if (mean)
-            rows.add(harmonic.turns, 0, amplitude.u);
+            rows.add(powers, 0, amplitude.u);
         else
-            rows.add(harmonic.turns, 0, graph.multiply({graph.rational(2), amplitude.u}),
+            rows.add(powers, 0, graph.multiply({graph.rational(2), amplitude.u}),
                      graph.multiply({graph.rational(-2), amplitude.v}));
     }
     rows.append_to(program_, program_.outputs.size());
@@ -265,7 +276,7 @@ const FlowOutput& FlowProgram::output_of(const std::string& name) const {
 void FlowProgram::define_results() {
     for (std::size_t k = 0; k < field_.slow.size(); ++k)
         if (!field_.slow[k].driven) program_.slow.push_back({field_.slow[k].name, moving_.slow[k]});
-    if (options_.rows && !flow_.decays.empty()) program_.form_reason = "no tables of modes that decay";
+    if (options_.rows) program_.form_reason = no_rows();
     for (const std::string& wanted : scene_.outputs) {
         const FlowOutput& output = output_of(wanted);
         const bool its_own = solution_.order == scene_.order; // lower orders may be 0
@@ -274,7 +285,7 @@ void FlowProgram::define_results() {
             bad_input({"without transients an output has something that lasts",
                        fmt::format("{} = O(eps^{}) on the slow manifold", wanted, solution_.order + 1),
                        "remove it from outputs, or write transients = true", scene_.transients_place});
-        if (options_.rows && flow_.decays.empty()) append_rows(output);
+        if (options_.rows && no_rows().empty()) append_rows(output);
         program_.outputs.push_back({wanted, result(output, scene_.oscillating)});
     }
     if (options_.keep_state)

@@ -69,12 +69,13 @@ struct ProgramOutput {
     Graph::Node value;
 };
 
-// A part of an output: its amplitude times 1, cos k.theta or sin k.theta. The output is the sum of its rows.
+// A part of an output: its amplitude times 1, cos k.theta or sin k.theta, and e^{d.chi} of what decays. The
+// output is the sum of its rows.
 enum class ProgramWave { one, cosine, sine };
 struct ProgramRow {
     std::size_t output = 0; // index into Program::outputs
     ProgramWave wave = ProgramWave::one;
-    std::vector<int> turns;     // k, one for each phase; the first that is not 0 is positive
+    std::vector<int> turns;     // k and d, one for each phase; the first k that is not 0 is positive
     Graph::Node amplitude = -1; // in slow_time, construction values, the flow and tables
 };
 

@@ -80,7 +80,7 @@ void keep_phases(Program& program, const std::vector<bool>& used) {
         const auto place = static_cast<std::ptrdiff_t>(p);
         program.phases.erase(program.phases.begin() + place);
         for (ProgramRow& row : program.rows)
-            if (p < row.turns.size()) row.turns.erase(row.turns.begin() + place); // exponents come last
+            row.turns.erase(row.turns.begin() + place);
     }
     for (ProgramPhase& phase : program.phases)
         std::erase_if(phase.fades_with, [&](Graph::Node n) { return !used[static_cast<std::size_t>(n)]; });

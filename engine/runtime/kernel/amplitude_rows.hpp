@@ -3,10 +3,11 @@
 // others cut in Chebyshev coefficients, eight of about one length side by side, halved on to the pieces, and
 // turned to powers.
 //
-// An amplitude matters by its share of the output's scale, the sum of the sizes of all its amplitudes. Panels
-// are halved until the scale changes by less than a factor of 4. Where halving does not help (a drift or a
-// forced oscillation that begins with 0) the panel is weak: a table would lose digits there and does not
-// answer.
+// An amplitude matters by its share of the output's scale, the sum of the sizes of all its amplitudes. (What
+// decays with the same exponential is a part of its own, and its scale is that of all parts of the output
+// that decay no faster.) Panels are halved until the scale changes by less than a factor of 4. Where halving
+// does not help (a drift or a forced oscillation that begins with 0) the panel is weak: a table would lose
+// digits there and does not answer.
 #ifndef RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 #define RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 
@@ -38,11 +39,19 @@ public:
     bool resolved = true;
     int deepest = 0;
 
-    // amplitudes(t), with the output of each row
-    template <class Amplitudes>
-    void fit(const Amplitudes& amplitudes, double root, const std::array<unsigned, Rows>& output, int most) {
+    // amplitudes(t), with the part that each row belongs to, part < Rows; lasts(a, b): part a as long as b
+    template <class Amplitudes, class Lasts>
+    void fit(const Amplitudes& amplitudes, double root, const std::array<unsigned, Rows>& part,
+             const Lasts& lasts, int most) {
         most_ = most;
-        output_ = output;
+        part_ = part;
+        for (unsigned a = 0; a < Rows; ++a)
+            if (part[a] == a) parts_.push_back(a);
+        for (const unsigned b : parts_) {
+            slower_.emplace_back();
+            for (const unsigned a : parts_)
+                if (lasts(a, b)) slower_.back().push_back(a);
+        }
         divide(amplitudes, root, 0, 0, -1);
         if (status == Status::ok) choose();
     }
@@ -111,7 +120,7 @@ private:
         std::array<std::array<Side, sides>, nodes> c;
         std::array<double, Rows>
             base; // of each row its value in the middle, which is not in c: the small rest rounds less
-        std::array<double, most_outputs> scale{}; // of each output, the smallest in the panel
+        std::array<double, Rows> scale{}; // of each part, the smallest in the panel
         bool weak = false;
         double at(std::size_t j, std::size_t row) const { return c[j][row / group].at[row % group]; }
     };
@@ -152,7 +161,7 @@ private:
             double most = std::abs(p.base[r]);
             for (std::size_t k = 0; k < nodes; ++k) most = std::max(most, std::abs(p.at(k, r)));
             const double tail = std::max(std::abs(p.at(nodes - 1, r)), std::abs(p.at(nodes - 2, r)));
-            worst = std::max(worst, tail / std::max(2e-16 * most, negligible * p.scale[output_[r]]));
+            worst = std::max(worst, tail / std::max(2e-16 * most, negligible * p.scale[part_[r]]));
         }
         if (even && (worst <= 1 || (worst < 1e3 && parent >= 0 && parent < 4 * worst))) {
             deepest = std::max(deepest, level);
@@ -167,22 +176,25 @@ private:
         if (status == Status::ok && resolved) divide(amplitudes, root, level + 1, 2 * index + 1, worst);
     }
 
-    // False: the scale of an output changes by more than a factor of 4.
-    bool set_scale(const Values& values, Panel& p) {
-        std::array<double, most_outputs> most{};
+    // False: the scale of a part changes by more than a factor of 4.
+    bool set_scale(const Values& values, Panel& panel) {
+        std::array<double, Rows> most{};
         for (std::size_t j = 0; j < nodes; ++j) {
-            std::array<double, most_outputs> sum{};
+            std::array<double, Rows> sum{};
             for (std::size_t r = 0; r < Rows; ++r)
-                sum[output_[r]] += std::abs(values[r / group][j].at[r % group]);
-            for (std::size_t o = 0; o < most_outputs; ++o) {
-                most[o] = std::max(most[o], sum[o]);
-                p.scale[o] = j == 0 ? sum[o] : std::min(p.scale[o], sum[o]);
+                sum[part_[r]] += std::abs(values[r / group][j].at[r % group]);
+            for (std::size_t p = 0; p < parts_.size(); ++p) {
+                const unsigned part = parts_[p];
+                double scale = 0;
+                for (const unsigned slower : slower_[p]) scale += sum[slower];
+                most[part] = std::max(most[part], scale);
+                panel.scale[part] = j == 0 ? scale : std::min(panel.scale[part], scale);
             }
         }
         bool even = true;
-        for (std::size_t o = 0; o < most_outputs; ++o) {
+        for (const unsigned o : parts_) {
             if (!(most[o] < 1e300)) status = Status::overflow; // and so might the sums in the loops
-            even = even && most[o] <= 4 * p.scale[o];
+            even = even && most[o] <= 4 * panel.scale[o];
         }
         return even;
     }
@@ -192,7 +204,7 @@ private:
         for (std::size_t r = 0; r < Rows; ++r)
             for (Panel& p : panels_) {
                 if (p.weak) continue;
-                const double scale = p.scale[output_[r]];
+                const double scale = p.scale[part_[r]];
                 double most = std::abs(p.base[r]), sum = most;
                 for (std::size_t k = 0; k < nodes; ++k) {
                     most = std::max(most, std::abs(p.at(k, r)));
@@ -232,7 +244,7 @@ private:
         descend(left.data(), size, g, panel, level + 1, 2 * index, levels, base);
         descend(right.data(), size, g, panel, level + 1, 2 * index + 1, levels, base);
     }
-    double scale_of(const Panel& panel, std::size_t place) const { return panel.scale[output_[kept[place]]]; }
+    double scale_of(const Panel& panel, std::size_t place) const { return panel.scale[part_[kept[place]]]; }
     std::size_t cut(const Side* c, std::size_t size, std::size_t g, const Panel& panel) const {
         for (; size > 1; --size)
             for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l)
@@ -243,7 +255,9 @@ private:
 
     Values values_ = Values(sides); // at the nodes of one panel
     std::vector<Side> base_;
-    std::array<unsigned, Rows> output_{};
+    std::array<unsigned, Rows> part_{};
+    std::vector<unsigned> parts_;               // each by its first row
+    std::vector<std::vector<unsigned>> slower_; // of each part, itself among them
     int most_ = 0;
     std::vector<Panel> panels_;
 };

@@ -43,17 +43,20 @@ template <bool Low>
                                   unsigned long long wanted, double* const* to, std::size_t first) {
     constexpr std::size_t one = lanes, many = lanes * at_once;
     const double* piece = w.pieces + static_cast<std::size_t>(k) * w.stride;
+    const bool faded = k >= w.faded;
     const auto low_at = [&](std::size_t i) { return Low ? low + i : nullptr; };
     if (n >= many) {
         for (std::size_t i = 0;; i = i + 2 * many <= n ? i + many : n - many) {
-            block<lanes, at_once, Low>(w, piece, t + first + i, low_at(first + i), wanted, to, first + i);
+            block<lanes, at_once, Low>(w, piece, t + first + i, low_at(first + i), wanted, to, first + i,
+                                       faded);
             if (i + many == n) return;
         }
     }
     for (std::size_t i = 0; i < n; i += one) {
         if (n >= one) {
             const std::size_t from = i + one <= n ? i : n - one;
-            block<lanes, 1, Low>(w, piece, t + first + from, low_at(first + from), wanted, to, first + from);
+            block<lanes, 1, Low>(w, piece, t + first + from, low_at(first + from), wanted, to, first + from,
+                                 faded);
             continue;
         }
         double times[lanes], lows[lanes] = {}, values[most_outputs][lanes];
@@ -62,7 +65,7 @@ template <bool Low>
         if constexpr (Low)
             for (std::size_t j = 0; j < one; ++j) lows[j] = low[first + (j < n ? j : 0)];
         for (unsigned o = 0; o < w.outputs && o < most_outputs; ++o) into[o] = values[o];
-        block<lanes, 1, Low>(w, piece, times, lows, wanted, into, 0);
+        block<lanes, 1, Low>(w, piece, times, lows, wanted, into, 0, faded);
         for (unsigned o = 0; o < w.outputs; ++o)
             if ((wanted >> o & 1) != 0)
                 for (std::size_t j = 0; j < n; ++j) to[o][first + j] = values[o][j];

@@ -125,8 +125,17 @@ inline void in_window(const double* values, double u0, double du, std::size_t n,
 
 struct Window {
     std::size_t first, count;
-    double centre;
+    double centre, half;
 };
+
+// A power of two: at most 0.4 radians of what changes with this period, and a quarter of a piece.
+inline double half_window(const View& w, double period) {
+    double longest = 0.25 / w.per_width, half = 1;
+    if (period > 0 && 0.06 * period < longest) longest = 0.06 * period;
+    while (half > longest) half /= 2;
+    while (2 * half <= longest) half *= 2;
+    return half;
+}
 
 inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, double* const* outputs,
                         Status* status, const Direct* direct) noexcept {
@@ -134,13 +143,11 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
     const Target target(w, outputs);
     const ExactTimes times{t0, dt};
     const double highest = highest_ok(w);
-    // half a window: 0.4 radians of the fastest harmonic, a quarter of a piece
-    double longest = 0.25 / w.per_width, half = 1;
-    if (w.shortest_period > 0 && 0.06 * w.shortest_period < longest) longest = 0.06 * w.shortest_period;
-    while (half > longest) half /= 2;
-    while (2 * half <= longest) half *= 2;
-    const double size = dt < 0 ? -dt : dt, in_one = 2 * half / size;
-    const bool windows = t0 - t0 == 0 && in_one >= static_cast<double>(least_in_window) && size > 0x1p-900;
+    const double size = dt < 0 ? -dt : dt;
+    const double wide = half_window(w, w.shortest_period), narrow = half_window(w, w.shortest_layer);
+    const double layer_end = static_cast<double>(w.faded) / w.per_width; // as far as exponentials count
+    const auto many_in = [&](double half) { return 2 * half / size >= static_cast<double>(least_in_window); };
+    const bool windows = t0 - t0 == 0 && many_in(wide) && size > 0x1p-900;
     Window window[windows_at_once];
     double at[windows_at_once * window_nodes], values[most_outputs][windows_at_once * window_nodes];
     double* to[most_outputs];
@@ -151,13 +158,18 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
             double t = 0, low = 0;
             times.at(next, t, low);
             if (!(t >= w.begin && t <= highest)) break;
+            const auto left_of = [t](double half_width) {
+                return 2 * half_width * static_cast<double>(static_cast<long long>(t / (2 * half_width)));
+            };
+            const double half = left_of(wide) < layer_end ? narrow : wide;
+            if (!many_in(half)) break;
             const double k = static_cast<double>(static_cast<long long>(t / (2 * half)));
             const double left = 2 * half * k, right = left + 2 * half;
             if (left < w.begin || right > highest || (dt < 0 && k == 0)) break;
             const double inside = (dt > 0 ? right - t : t - left) / size;
             std::size_t points = inside < 1e15 ? static_cast<std::size_t>(inside) + 1 : n;
             if (points > n - next) points = n - next;
-            window[count] = {next, points, left + half};
+            window[count] = {next, points, left + half, half};
             for (int j = 0; j < window_nodes; ++j)
                 at[count * window_nodes + static_cast<std::size_t>(j)] =
                     left + half + half * (static_cast<double>(WindowRule::node[j]) / 1048576);
@@ -169,7 +181,7 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
             if (windows) {
                 double t = 0, low = 0;
                 times.at(i, t, low);
-                if (!(t >= w.begin && t <= highest)) points = chunk / 4;
+                if (!(t >= w.begin && t <= highest) || t < layer_end) points = chunk / 4;
             }
             if (points > n - i) points = n - i;
             point_by_point(w, times, i, points, target, status, direct, report);
@@ -182,8 +194,8 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
             for (std::size_t k = 0; k < count; ++k) {
                 double t = 0, low = 0;
                 times.at(window[k].first, t, low);
-                in_window(values[o] + k * window_nodes, ((t - window[k].centre) + low) / half, dt / half,
-                          window[k].count, target.to[o] + window[k].first);
+                in_window(values[o] + k * window_nodes, ((t - window[k].centre) + low) / window[k].half,
+                          dt / window[k].half, window[k].count, target.to[o] + window[k].first);
             }
         }
         all_fine(status == nullptr ? nullptr : status + i, next - i);

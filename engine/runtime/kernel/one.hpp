@@ -23,10 +23,7 @@ inline Status one(const View& w, double t, double* values) noexcept {
     Factors<2, 1> g;
     for (unsigned k = 0; k < w.phases; ++k) {
         const PhaseRow& p = w.phase[k];
-        if (p.outputs == 0) continue;
-        Lanes<2>::Vector f[1], turned[1];
-        phase_of<2, 1, false>(w, p, piece, at, f, turned);
-        cosine_and_sine<2>(f[0], turned[0], g.at[2 * p.harmonic][0], g.at[2 * p.harmonic + 1][0]);
+        if (p.outputs != 0) turn<2, 1, false>(w, p, piece, at, g);
     }
     for (unsigned k = 0; k < w.steps; ++k) turn<2, 1>(w.step[k], g);
     double row_values[most_rows];

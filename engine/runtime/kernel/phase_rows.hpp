@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A phase on [0, root], root = 2^levels pieces, in quarter turns: its rate is interpolated in panels, which
 // are halved until 32 terms are enough, integrated from exact edge to exact edge, and halved on to the
-// pieces.
+// pieces. An exponent the same, in units of ln 2, as far as something is left of its exponential.
 #ifndef RESONFORM_RUNTIME_KERNEL_PHASE_ROWS
 #define RESONFORM_RUNTIME_KERNEL_PHASE_ROWS
 
@@ -16,6 +16,9 @@
 namespace resonform::kernel {
 
 inline constexpr int most_levels = 12;
+inline constexpr double gone = -1100; // 2^gone is no number that counts
+
+template <class Wide> Wide ln_two() { return Wide(0.6931471805599453) + Wide(2.3190468138462996e-17); }
 
 // x rounded to 26 bits.
 inline double upper_half(double x) {
@@ -34,7 +37,7 @@ public:
         Series theta; // quarter turns
     };
     std::vector<Panel> panels;
-    bool resolved = true;
+    bool resolved = true, exponent = false;
 
     // rate(t) in quarter turns per time
     template <class Rate> void fit(const Rate& rate, double root, const Wide& start) {
@@ -44,18 +47,19 @@ public:
     // Levels of halving until all but constant and slope is below one quarter turn in each piece.
     int straight_at() const {
         int levels = 0;
-        for (const Panel& p : panels) {
-            double curved = 0;
-            for (std::size_t k = 2; k < p.size; ++k) curved += std::abs(static_cast<double>(p.theta[k]));
-            int level = p.level;
-            for (; curved > 1.0 && level < 60; ++level) curved /= 4;
-            levels = std::max(levels, level);
-        }
+        for (const Panel& p : panels) levels = std::max(levels, straight_at(p.theta.data(), p.size, p.level));
         return levels;
+    }
+    // Nothing is left of the exponential of a piece.
+    bool is_gone(const Wide* c, std::size_t size) const {
+        double highest = static_cast<double>(c[0]);
+        for (std::size_t k = 1; k < size; ++k) highest += std::abs(static_cast<double>(c[k]));
+        return exponent && highest < gone;
     }
     double steepest() const { // quarter turns in units of the root
         double most = 0;
         for (const Panel& p : panels) {
+            if (is_gone(p.theta.data(), p.size)) continue;
             double slope = 0;
             for (std::size_t k = 1; k < p.size; ++k)
                 slope += static_cast<double>(k * k) * std::abs(static_cast<double>(p.theta[k]));
@@ -74,6 +78,19 @@ public:
     }
 
 private:
+    int straight_at(const Wide* c, std::size_t size, int level) const {
+        double curved = 0;
+        for (std::size_t k = 2; k < size; ++k) curved += std::abs(static_cast<double>(c[k]));
+        if (is_gone(c, size) || curved <= 1.0) return level;
+        if (exponent && level < most_levels) { // it may be gone in a part
+            Series left, right;
+            halve(c, size, left.data(), right.data());
+            return std::max(straight_at(left.data(), size, level + 1),
+                            straight_at(right.data(), size, level + 1));
+        }
+        for (; curved > 1.0 && level < 60; ++level) curved /= 4;
+        return level;
+    }
     template <class Rate>
     void divide(const Rate& rate, double root, int level, std::size_t index, double parent) {
         if (!resolved) return;
@@ -149,15 +166,19 @@ template <class Wide> Wide whole_turns(const Wide& x) { // a whole number near x
     return Wide(a) + Wide(std::round(static_cast<double>(x - Wide(a))));
 }
 
-template <class Wide> void reduce(Wide& c, PhasePiece& p) {
+template <class Wide> void reduce(Wide& c, PhasePiece& p, bool exponent) {
     const Wide whole = whole_turns(c);
     c = c - whole;
+    if (exponent) {
+        p.shift = static_cast<double>(whole);
+        return;
+    }
     const double quarters = static_cast<double>(whole - Wide(4) * whole_turns(Wide(whole / Wide(4))));
     p.shift = quarters < 0 ? quarters + 4 : quarters;
 }
 
 template <class Wide>
-PhasePiece straight_piece(const Wide* series, std::size_t size, double width, double middle) {
+PhasePiece straight_piece(const Wide* series, std::size_t size, double width, double middle, bool exponent) {
     std::array<Wide, nodes + 1> c{};
     std::copy(series, series + size, c.begin());
     to_powers(c.data(), size);
@@ -169,7 +190,7 @@ PhasePiece straight_piece(const Wide* series, std::size_t size, double width, do
     p.largest = std::abs(static_cast<double>(c[0])) + std::abs(static_cast<double>(c[1]));
     c[0] = c[0] - taken;
     c[1] = c[1] - taken;
-    reduce(c[0], p);
+    reduce(c[0], p, exponent);
     p.size = static_cast<unsigned>(size);
     double power = 1;
     for (std::size_t j = 0; j < size; ++j, power *= middle) p.high[j] = static_cast<double>(c[j]) / power;
@@ -178,7 +199,7 @@ PhasePiece straight_piece(const Wide* series, std::size_t size, double width, do
 
 // By powers of u = d to_unit: the piece from its left edge.
 template <class Wide>
-PhasePiece curved_piece(const Wide* series, std::size_t size, double width, double to_unit) {
+PhasePiece curved_piece(const Wide* series, std::size_t size, double width, double to_unit, bool exponent) {
     std::array<Wide, nodes + 1> c{};
     std::copy(series, series + size, c.begin());
     to_powers(c.data(), size);
@@ -188,12 +209,20 @@ PhasePiece curved_piece(const Wide* series, std::size_t size, double width, doub
     for (std::size_t j = 1; j < size; ++j, power = power * unit) c[j] = c[j] * power;
     PhasePiece p;
     p.largest = std::abs(static_cast<double>(c[0])) + std::abs(static_cast<double>(c[1]));
-    reduce(c[0], p);
+    reduce(c[0], p, exponent);
     p.size = static_cast<unsigned>(size);
     for (std::size_t j = 0; j < size; ++j) {
         p.high[j] = static_cast<double>(c[j]);
         p.low[j] = low_part(c[j], p.high[j]);
     }
+    return p;
+}
+
+// Of an exponent where nothing is left of its exponential.
+inline PhasePiece gone_piece() {
+    PhasePiece p;
+    p.shift = gone;
+    p.size = 2;
     return p;
 }
 

@@ -3,6 +3,7 @@
 //
 //   struct Scene {
 //       static constexpr std::size_t phases, outputs;
+//       static constexpr std::size_t decays;                             // if any; else it may be missing
 //       static constexpr std::array<Term<phases>, R> terms;              // the rows
 //       double eps, reach;                                               // T = eps t, 0 <= t <= reach
 //       std::array<double, R> amplitudes(double T) const;                // of all rows
@@ -12,6 +13,9 @@
 //       std::array<Wide, phases> start;                                  // theta at t = 0
 //       std::array<Wide, phases> operator()(const Wide& T) const;        // dtheta/dT
 //   };
+//
+// The last `decays` of the phases are exponents chi, and a term is A e^{d.chi} cos(k.theta), d >= 0: the last
+// of its k are d.
 #ifndef RESONFORM_RUNTIME_KERNEL_SCENE
 #define RESONFORM_RUNTIME_KERNEL_SCENE
 
@@ -25,14 +29,24 @@ namespace resonform::kernel {
 enum class Wave : unsigned char { one, cosine, sine };
 
 // A row: the output it belongs to and its wave of k.theta; the first index of k that is not 0 is positive.
+// One that decays and does not turn is a cosine.
 template <std::size_t Phases> struct Term {
     unsigned output = 0;
     Wave wave = Wave::one;
     std::array<int, Phases> k{};
 };
 
-// Each harmonic as a sum or difference of two that come before it; the first ones are the phases themselves.
-template <std::size_t Phases> struct Harmonics {
+template <class Scene> constexpr std::size_t decays_of() {
+    if constexpr (requires { Scene::decays; })
+        return Scene::decays;
+    else
+        return 0;
+}
+
+// Each harmonic as a sum or difference of two that come before it (their exponents add up); the first ones
+// are the phases themselves.
+template <std::size_t Phases, std::size_t Decays = 0> struct Harmonics {
+    static constexpr std::size_t angles = Phases - Decays;
     static constexpr std::size_t most = most_factors / 2;
     struct Made {
         std::array<int, Phases> k{};
@@ -55,7 +69,7 @@ template <std::size_t Phases> struct Harmonics {
                 for (const int sign : {1, -1}) {
                     bool same = true;
                     for (std::size_t p = 0; p < Phases; ++p)
-                        same = same && made[i].k[p] + sign * made[j].k[p] == k[p];
+                        same = same && made[i].k[p] + (p < angles ? sign : 1) * made[j].k[p] == k[p];
                     if (same) return append(k, static_cast<unsigned>(i), static_cast<unsigned>(j), sign);
                 }
         std::array<int, Phases> half{}, rest = k; // by halves: few steps, small errors
@@ -70,12 +84,12 @@ template <std::size_t Phases> struct Harmonics {
                 --left;
             }
         int sign = 1;
-        for (std::size_t p = 0; p < Phases; ++p)
+        for (std::size_t p = 0; p < angles; ++p)
             if (rest[p] != 0) {
                 sign = rest[p] < 0 ? -1 : 1;
                 break;
             }
-        for (int& n : rest) n *= sign;
+        for (std::size_t p = 0; p < angles; ++p) rest[p] *= sign;
         const unsigned i = add(half), j = add(rest);
         return append(k, i, j, sign);
     }
@@ -92,7 +106,7 @@ private:
 };
 
 template <class Scene> constexpr auto harmonics_of() {
-    Harmonics<Scene::phases> result;
+    Harmonics<Scene::phases, decays_of<Scene>()> result;
     for (std::size_t p = 0; p < Scene::phases; ++p) {
         result.made[p].k[p] = 1;
         ++result.count;

@@ -33,6 +33,35 @@ struct Options {
     bool ends = false;     // the scene must not be asked beyond its reach
 };
 
+template <class Scene> constexpr bool is_exponent(std::size_t phase) {
+    return phase >= Scene::phases - decays_of<Scene>();
+}
+
+enum class Part { fading, turning, mean };
+template <class Scene> constexpr Part part_of(const Term<Scene::phases>& term) {
+    for (std::size_t p = 0; p < Scene::phases; ++p)
+        if (is_exponent<Scene>(p) && term.k[p] != 0) return Part::fading;
+    return term.wave == Wave::one ? Part::mean : Part::turning;
+}
+
+// Whether row a belongs to the output of b and decays no faster.
+template <class Scene> constexpr bool lasts(unsigned a, unsigned b) {
+    bool so = Scene::terms[a].output == Scene::terms[b].output;
+    for (std::size_t p = 0; p < Scene::phases; ++p)
+        so = so && (!is_exponent<Scene>(p) || Scene::terms[a].k[p] <= Scene::terms[b].k[p]);
+    return so;
+}
+
+// Of each row what belongs to the same output and decays with the same exponential: the first such row.
+template <class Scene> constexpr auto parts_of() {
+    std::array<unsigned, Scene::terms.size()> parts{};
+    for (unsigned r = 0; r < parts.size(); ++r)
+        for (parts[r] = 0; parts[r] < r; ++parts[r]) {
+            if (lasts<Scene>(parts[r], r) && lasts<Scene>(r, parts[r])) break;
+        }
+    return parts;
+}
+
 class Tables {
 public:
     Tables() = default;
@@ -68,10 +97,9 @@ private:
         constexpr std::size_t count = Scene::terms.size();
         const double eps = scene.eps;
         view_.reach = reach;
-        std::array<unsigned, count> output;
-        for (std::size_t r = 0; r < count; ++r) output[r] = Scene::terms[r].output;
         AmplitudeFit<count> rows;
-        rows.fit([&](double t) { return scene.amplitudes(eps * t); }, root, output, most_levels);
+        rows.fit([&](double t) { return scene.amplitudes(eps * t); }, root, parts_of<Scene>(), lasts<Scene>,
+                 most_levels);
         if (rows.status != Status::ok) return rows.status;
         if (!rows.resolved) return Status::outside_domain;
         if constexpr (Scene::phases == 0) {
@@ -95,18 +123,21 @@ private:
 
     template <class Wide, class Scene, class Rows>
     Status with_phases(const Scene& scene, const Options& options, Rows& rows, double root) {
-        const Wide per_quarter = Wide(2) / math::pi<Wide>(), eps(scene.eps), scaled = eps * per_quarter;
+        const Wide per_quarter = Wide(2) / math::pi<Wide>(), eps(scene.eps);
         const auto rates = scene.template rates<Wide>();
         std::array<PhaseFit<Wide>, Scene::phases> fits;
         int levels = std::max(options.levels, rows.deepest), straight = 0;
         bool steep = false;
         for (std::size_t p = 0; p < Scene::phases; ++p) {
-            fits[p].fit([&](const Wide& t) { return Wide(rates(Wide(eps * t))[p] * scaled); }, root,
-                        Wide(rates.start[p] * per_quarter));
+            fits[p].exponent = is_exponent<Scene>(p);
+            const Wide per_unit = fits[p].exponent ? Wide(1) / ln_two<Wide>() : per_quarter;
+            fits[p].fit([&](const Wide& t) { return Wide(rates(Wide(eps * t))[p] * (eps * per_unit)); }, root,
+                        Wide(rates.start[p] * per_unit));
             if (!fits[p].resolved) return Status::outside_domain;
             levels = std::max(levels, fits[p].deepest());
             straight = std::max(straight, fits[p].straight_at());
-            steep = steep || std::ldexp(fits[p].steepest(), -std::max(levels, straight)) > 0x1p21;
+            steep = steep || (!fits[p].exponent &&
+                              std::ldexp(fits[p].steepest(), -std::max(levels, straight)) > 0x1p21);
         }
         const bool curved = steep || straight > options.most_straight;
         levels = curved ? std::max(levels, 8) : std::max(levels, straight);
@@ -118,11 +149,17 @@ private:
         std::vector<PhasePiece> phases(pieces * Scene::phases);
         for (std::size_t p = 0; p < Scene::phases; ++p)
             fits[p].pieces(levels, [&](std::size_t index, const Wide* c, std::size_t size) {
-                phases[index * Scene::phases + p] = curved ? curved_piece(c, size, width, view_.to_local / 2)
-                                                           : straight_piece(c, size, width, view_.middle);
+                const bool exponent = fits[p].exponent, is_gone = fits[p].is_gone(c, size);
+                phases[index * Scene::phases + p] =
+                    is_gone  ? gone_piece()
+                    : curved ? curved_piece(c, size, width, view_.to_local / 2, exponent)
+                             : straight_piece(c, size, width, view_.middle, exponent);
+                if (exponent && !is_gone) view_.faded = std::max(view_.faded, static_cast<int>(index) + 1);
             });
-        for (std::size_t p = 0; p < Scene::phases; ++p)
+        for (std::size_t p = 0; p < Scene::phases; ++p) {
             phase_.push_back(shape(phases, p, Scene::phases, curved));
+            phase_.back().exponent = fits[p].exponent;
+        }
         lay_out<Scene>(rows, levels);
         fill(rows, width);
         fill_phases(phases);
@@ -130,19 +167,38 @@ private:
         const double most = std::min(1e-9 / resolution, 1e14) * (2 / 3.141592653589793);
         for (std::size_t i = 0; i < pieces; ++i)
             for (std::size_t p = 0; p < Scene::phases; ++p)
-                if (phases[i * Scene::phases + p].largest > most)
+                if (!is_exponent<Scene>(p) && phases[i * Scene::phases + p].largest > most)
                     view_.precise = std::min(view_.precise, width * static_cast<double>(i));
-        double fastest = 0;
-        for (const PhaseFit<Wide>& fit : fits) fastest = std::max(fastest, fit.steepest() / root);
-        constexpr const auto& made = harmonics<Scene>;
-        int highest = 1;
-        for (std::size_t h = 0; h < made.count; ++h) {
-            int sum = 0;
-            for (const int k : made.made[h].k) sum += k < 0 ? -k : k;
-            if (needed_[h] != 0) highest = std::max(highest, sum);
-        }
-        view_.shortest_period = 4 / (fastest * highest);
+        std::array<double, Scene::phases> fastest; // radians per time
+        for (std::size_t p = 0; p < Scene::phases; ++p)
+            fastest[p] =
+                fits[p].steepest() / root /
+                static_cast<double>(fits[p].exponent ? 1 / ln_two<double>() : 2 / math::pi<double>());
+        set_periods<Scene>(fastest);
         return Status::ok;
+    }
+
+    // By the largest sum of multiples, as if all phases were the fastest.
+    template <class Scene> void set_periods(const std::array<double, Scene::phases>& rates) {
+        constexpr const auto& made = harmonics<Scene>;
+        std::array<double, 2> fastest{}; // of angles and exponents
+        for (std::size_t p = 0; p < Scene::phases; ++p) {
+            double& most = fastest[is_exponent<Scene>(p) ? 1 : 0];
+            most = std::max(most, rates[p]);
+        }
+        int lasting = 1, turns = 1, decays = 1;
+        for (std::size_t h = 0; h < made.count; ++h) {
+            std::array<int, 2> sum{}; // of angles and exponents
+            for (std::size_t p = 0; p < Scene::phases; ++p)
+                sum[is_exponent<Scene>(p) ? 1 : 0] += std::abs(made.made[h].k[p]);
+            if (lasting_[h] != 0) lasting = std::max(lasting, sum[0]);
+            if (needed_[h] == 0) continue;
+            turns = std::max(turns, sum[0]);
+            decays = std::max(decays, sum[1]);
+        }
+        const double turn = 2 * math::pi<double>();
+        view_.shortest_period = turn / (fastest[0] * lasting);
+        view_.shortest_layer = turn / (fastest[0] * turns + fastest[1] * decays);
     }
 
     void set_pieces(int levels, double width) {
@@ -183,12 +239,11 @@ private:
         }
         // plain: q of degree size - 1. wide: what is above d^wide
         const unsigned degree = wide == 0 ? size - 1 : size > wide + 2 ? size - wide - 2 : 0;
-        return {0, degree, wide, static_cast<unsigned>(p), 0};
+        return {0, degree, wide, static_cast<unsigned>(p), false, 0, 0};
     }
 
     template <class Scene, class Rows> void lay_out(Rows& rows, int levels) {
         rows.pieces(levels);
-        constexpr std::size_t most = Harmonics<Scene::phases>::most;
         constexpr const auto& made = harmonics<Scene>;
         static_assert(Scene::outputs <= most_outputs);
         unsigned offset = 1;
@@ -202,22 +257,25 @@ private:
             offset += group * (groups_.back().degree + 1);
         }
         view_.stride = offset;
-        needed_.assign(most, 0);
+        needed_.assign(made.most, 0);
+        lasting_.assign(made.most, 0);
         for (unsigned o = 0; o < Scene::outputs; ++o) {
-            Output output{static_cast<unsigned>(row_.size()), 0};
-            for (const bool mean : {false, true})
+            Output output{static_cast<unsigned>(row_.size()), 0, 0};
+            for (const Part part : {Part::fading, Part::turning, Part::mean})
                 for (std::size_t place = 0; place < rows.kept.size(); ++place) {
                     const auto& term = Scene::terms[rows.kept[place]];
-                    if (term.output != o || (term.wave == Wave::one) != mean) continue;
+                    if (term.output != o || part_of<Scene>(term) != part) continue;
                     ++output.count;
+                    if (part == Part::fading) ++output.fading;
                     const Group& g = groups_[place / group];
                     Row row{0, rows.degree[place], no_factor, static_cast<unsigned>(place)};
                     row.offset =
                         g.offset + (g.degree - row.degree) * group + static_cast<unsigned>(place % group);
-                    if (!mean) {
+                    if (part != Part::mean) {
                         const unsigned h = made.index(term.k);
                         row.factor = 2 * h + (term.wave == Wave::sine ? 1 : 0);
                         needed_[h] |= 1ULL << o;
+                        if (part == Part::turning) lasting_[h] |= 1ULL << o;
                     }
                     row_.push_back(row);
                 }
@@ -225,16 +283,21 @@ private:
         }
         for (std::size_t h = made.count; h-- > Scene::phases;) {
             const auto& m = made.made[h];
-            needed_[m.from] |= needed_[h];
-            needed_[m.by] |= needed_[h];
+            for (std::vector<unsigned long long>* outputs : {&needed_, &lasting_}) {
+                (*outputs)[m.from] |= (*outputs)[h];
+                (*outputs)[m.by] |= (*outputs)[h];
+            }
         }
         for (std::size_t h = Scene::phases; h < made.count; ++h) {
             const auto& m = made.made[h];
             if (needed_[h] == 0) continue;
-            step_.push_back(
-                {static_cast<unsigned>(h), m.from, m.by, static_cast<double>(m.sign), needed_[h]});
+            step_.push_back({static_cast<unsigned>(h), m.from, m.by, static_cast<double>(m.sign), needed_[h],
+                             lasting_[h]});
         }
-        for (PhaseRow& p : phase_) p.outputs = needed_[p.harmonic];
+        for (PhaseRow& p : phase_) {
+            p.outputs = needed_[p.harmonic];
+            p.lasting = lasting_[p.harmonic];
+        }
         view_.phases = static_cast<unsigned>(phase_.size());
         view_.steps = static_cast<unsigned>(step_.size());
         view_.rows = static_cast<unsigned>(row_.size());
@@ -291,7 +354,7 @@ private:
     std::vector<Row> row_;
     std::vector<Output> output_;
     std::vector<Group> groups_;
-    std::vector<unsigned long long> needed_;
+    std::vector<unsigned long long> needed_, lasting_; // outputs, of each harmonic
 };
 
 } // namespace resonform::kernel

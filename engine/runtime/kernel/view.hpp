@@ -6,7 +6,8 @@
 // Times are cut into pieces of equal width; edges are exact doubles, and so is d = t - left. v = 2^n d - m
 // lies within -m ... m, where m = 2^n width/2 is exact and between 1/2 and 1, and so is v but for its last
 // place. In quarter turns each phase is  w d + q(v)  with |q| of about 1, or, where many turns are curved in
-// one piece, a polynomial in d whose first coefficients are pairs of doubles (`wide` of them).
+// one piece, a polynomial in d whose first coefficients are pairs of doubles (`wide` of them). An exponent is
+// such a polynomial, too, in units of ln 2; of e^chi nothing is left below 2^-1021.
 #ifndef RESONFORM_RUNTIME_KERNEL_VIEW
 #define RESONFORM_RUNTIME_KERNEL_VIEW
 
@@ -36,16 +37,19 @@ struct Step {
     unsigned to, from, by;
     double sign;                // of the angle that is added
     unsigned long long outputs; // which need it
+    unsigned long long lasting; // which need it where no exponential is left
 };
 struct Output {
     unsigned first,
-        count; // rows; one without a factor is the last, so that its size rounds as little as may be
+        count;       // rows; one without a factor is the last, so that its size rounds as little as may be
+    unsigned fading; // of them, the first ones: those that decay
 };
 // Offsets in a piece. wide = 0: q (degree + 1 coefficients), w by halves, whole quarter turns. Else the plain
 // coefficients of d^wide+1 ..., the pairs from d^wide to d, the constant, whole quarter turns.
 struct PhaseRow {
     unsigned offset, degree, wide, harmonic;
-    unsigned long long outputs;
+    bool exponent;
+    unsigned long long outputs, lasting; // as of a step
 };
 struct Group {
     unsigned offset, degree;
@@ -55,6 +59,7 @@ struct View {
     const double* pieces = nullptr; // the left edge is the first number of each
     std::size_t stride = 0;
     int last = 0;                                   // piece
+    int faded = 0;                                  // from this piece on no exponential is left
     double per_width = 0, to_local = 0, middle = 0; // v = to_local d - middle; to_local is a power of two
     double begin = 0, reach = 0, precise = 0;       // times that are answered; the last of them that is ok
     unsigned phases = 0, steps = 0, rows = 0, outputs = 0, groups = 0;
@@ -63,7 +68,8 @@ struct View {
     const Row* row = nullptr;
     const Output* output = nullptr;
     const Group* groups_of_rows = nullptr;
-    double shortest_period = 0; // of any harmonic, in t
+    double shortest_period = 0; // of any harmonic that lasts, in t
+    double shortest_layer = 0;  // 2 pi over the largest |chi' + i theta'| of all that fades
 };
 
 // Who answers for t + low where the tables do not: beyond their reach, or with less than full precision.

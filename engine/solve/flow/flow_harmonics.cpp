@@ -4,50 +4,59 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace resonform {
 
 namespace {
 
-using Turns = std::vector<int>;
+// Powers of e^{i theta}, and of e^chi.
+struct Powers {
+    std::vector<int> turns, decays;
+    bool operator==(const Powers&) const = default;
+};
 
-Turns turns_of(const GradedField& field, const SlowFlow& flow, const Monomial& monomial) {
+Powers powers_of(const GradedField& field, const SlowFlow& flow, const Monomial& monomial) {
     const Ring& ring = *field.ring;
-    Turns turns(flow.phases.size(), 0);
-    for (std::size_t k = 0; k < field.modes.size(); ++k)
+    Powers powers{std::vector<int>(flow.phases.size(), 0), std::vector<int>(flow.decays.size(), 0)};
+    for (std::size_t k = 0; k < field.modes.size(); ++k) {
         if (const auto& phase = flow.modes[k].phase)
-            turns[*phase] +=
+            powers.turns[*phase] +=
                 ring.exponent(monomial, field.modes[k].z) - ring.exponent(monomial, field.modes[k].zbar);
+        if (const auto& decay = flow.modes[k].decay) powers.decays[*decay] += degree_in(field, monomial, k);
+    }
     for (std::size_t k = 0; k < field.angles.size(); ++k)
-        turns[*flow.angles[k].phase] += ring.exponent(monomial, field.angles[k].phase);
-    return turns;
+        powers.turns[*flow.angles[k].phase] += ring.exponent(monomial, field.angles[k].phase);
+    return powers;
 }
 
-int size_of(const Turns& turns) {
+int size_of(const Powers& powers) {
     int sum = 0;
-    for (const int n : turns) sum += std::abs(n);
-    return sum;
+    for (const int n : powers.turns) sum += std::abs(n);
+    return std::accumulate(powers.decays.begin(), powers.decays.end(), sum);
 }
 
-Polynomial rate_of(const SlowFlow& flow, const Turns& turns) {
+Polynomial rate_of(const SlowFlow& flow, const std::vector<int>& turns) {
     Polynomial rate;
     for (std::size_t p = 0; p < turns.size(); ++p)
         if (turns[p] != 0) rate = rate + Rational(turns[p]) * flow.phases[p];
     return rate;
 }
 
-// A harmonic with the rate of its angle, which its conjugate has with the other sign.
+// A harmonic with the rate of its angle (which its conjugate has with the other sign) and its terms.
 struct Found {
-    Turns turns;
+    Powers powers;
     Polynomial rate;
     std::vector<Term> terms;
 };
 
 // The harmonic of the same rate among those found; false: neither it nor its conjugate is there.
-bool join(const Ring& ring, std::vector<Found>& found, const Polynomial& rate,
+bool join(const Ring& ring, std::vector<Found>& found, const Powers& powers, const Polynomial& rate,
           const std::vector<Term>& terms) {
     for (Found& known : found) {
+        if (known.powers.decays != powers.decays) continue;
         if (ring.vanishes(known.rate - rate)) {
             known.terms.insert(known.terms.end(), terms.begin(), terms.end());
             return true;
@@ -57,30 +66,43 @@ bool join(const Ring& ring, std::vector<Found>& found, const Polynomial& rate,
     return false;
 }
 
+bool is_zero(const std::vector<int>& powers) {
+    return std::all_of(powers.begin(), powers.end(), [](int n) { return n == 0; });
+}
+
 } // namespace
+
+bool FlowHarmonic::turns_not() const { return is_zero(turns); }
+
+bool FlowHarmonic::lasts() const { return is_zero(decays); }
 
 std::vector<FlowHarmonic> flow_harmonics(const GradedField& field, const SlowFlow& flow,
                                          const Polynomial& p) {
     const Ring& ring = *field.ring;
-    std::map<Turns, std::vector<Term>> by_turns;
-    for (const Term& t : p.terms()) by_turns[turns_of(field, flow, t.monomial)].push_back(t);
-    std::vector<std::pair<Turns, std::vector<Term>>> sorted(by_turns.begin(), by_turns.end());
-    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-        return std::pair(size_of(a.first), b.first) < std::pair(size_of(b.first), a.first); // k before -k
-    });
+    const auto order = [](const Powers& a, const Powers& b) { // k before -k
+        return std::tuple(size_of(a), b.turns, b.decays) < std::tuple(size_of(b), a.turns, a.decays);
+    };
+    std::map<Powers, std::vector<Term>, decltype(order)> sorted(order);
+    for (const Term& t : p.terms()) sorted[powers_of(field, flow, t.monomial)].push_back(t);
     std::vector<Found> found;
-    for (auto& [turns, terms] : sorted) {
-        Polynomial rate = rate_of(flow, turns);
+    const auto without_turns = [&](const Powers& powers) -> Found& {
+        const Powers none{std::vector<int>(powers.turns.size(), 0), powers.decays};
+        for (Found& known : found)
+            if (known.powers == none) return known;
+        return *found.insert(is_zero(none.decays) ? found.begin() : found.end(), {none, {}, {}});
+    };
+    for (auto& [powers, terms] : sorted) {
+        Polynomial rate = rate_of(flow, powers.turns);
         if (ring.vanishes(rate)) {
-            const Turns none(turns.size(), 0);
-            if (found.empty() || found.front().turns != none) found.insert(found.begin(), {none, {}, {}});
-            found.front().terms.insert(found.front().terms.end(), terms.begin(), terms.end());
-        } else if (!join(ring, found, rate, terms)) {
-            found.push_back({turns, std::move(rate), std::move(terms)});
+            Found& still = without_turns(powers);
+            still.terms.insert(still.terms.end(), terms.begin(), terms.end());
+        } else if (!join(ring, found, powers, rate, terms)) {
+            found.push_back({powers, std::move(rate), std::move(terms)});
         }
     }
     std::vector<FlowHarmonic> result;
-    for (Found& f : found) result.push_back({f.turns, Polynomial::from_terms(std::move(f.terms))});
+    for (Found& f : found)
+        result.push_back({f.powers.turns, f.powers.decays, Polynomial::from_terms(std::move(f.terms))});
     return result;
 }
 

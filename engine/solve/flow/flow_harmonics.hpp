@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A real polynomial of the normal form by the angles that its terms turn with, in the frame of a slow flow:
+// A real polynomial of the normal form by the angles and exponents that its terms turn and decay with, in the
+// frame of a slow flow:
 //
-//   p = p_0 + sum_k (p_k + conjugate),   p_k = A_k e^{i k.theta}
+//   p = sum_d e^{d.chi} (p_{0,d} + sum_k (p_{k,d} + conjugate)),   p_{k,d} = A_{k,d} e^{i k.theta}
 #pragma once
 
 #include "solve/flow/slow_flow.hpp"
@@ -11,12 +12,16 @@
 namespace resonform {
 
 struct FlowHarmonic {
-    std::vector<int> turns; // k, one for each phase of the flow; the first that is not 0 is positive
-    Polynomial part;        // p_k, in the ring of the normal form
+    std::vector<int> turns;  // k, one for each phase of the flow; the first that is not 0 is positive
+    std::vector<int> decays; // d >= 0, one for each exponent of the flow
+    Polynomial part;         // p_{k,d}, in the ring of the normal form
+
+    [[nodiscard]] bool turns_not() const; // k = 0
+    [[nodiscard]] bool lasts() const;     // d = 0
 };
 
-// p_0 first if there is one, then by |k|. Terms whose angles have the same rate are one harmonic: all phases
-// begin at 0. Precondition: p is real, and no term of it decays.
+// p_{0,0} first if there is one, then by |k| + |d|. Terms whose angles have the same rate are one harmonic:
+// all phases begin at 0. Precondition: p is real.
 std::vector<FlowHarmonic> flow_harmonics(const GradedField& field, const SlowFlow& flow, const Polynomial& p);
 
 } // namespace resonform
