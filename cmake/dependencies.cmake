@@ -13,7 +13,7 @@ find_package(Boost REQUIRED)
 find_library(RESONFORM_FLINT flint REQUIRED) # neither has a pkg-config file in Debian 12
 find_library(RESONFORM_ARB flint-arb REQUIRED)
 # SUNDIALS' own package asks for OpenMP and MPI, which none of these parts uses and clang lacks on a bare machine.
-foreach(part cvode nvecserial sunmatrixdense sunlinsoldense)
+foreach(part cvode arkode nvecserial sunmatrixdense sunlinsoldense)
     find_library(RESONFORM_SUNDIALS_${part} sundials_${part} REQUIRED)
     list(APPEND RESONFORM_SUNDIALS ${RESONFORM_SUNDIALS_${part}})
 endforeach()

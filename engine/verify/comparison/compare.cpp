@@ -22,10 +22,20 @@ namespace resonform {
 
 namespace {
 
-constexpr std::array<Method, 3> rivals{Method::cvode_adams, Method::dopri5, Method::taylor};
 constexpr int loosest_timed = 4, tightest_timed = 13; // 1e-4 ... 1e-13, whatever the accuracy
 
 constexpr std::array task_list{Task::final, Task::dense, Task::grid, Task::ensemble};
+
+// Implicit methods where something decays at eps = 0: elsewhere they have nothing to win. Not Fehlberg's,
+// which has no dense output: at many points it steps from one to the next, whatever its tolerance.
+std::vector<Method> rivals_of(const Solution& solution) {
+    std::vector<Method> rivals{Method::cvode_adams, Method::arkode_explicit, Method::dopri5,
+                               Method::bulirsch_stoer, Method::taylor};
+    const std::vector<Mode>& modes = solution.normalization->normal_form.field->modes;
+    if (std::any_of(modes.begin(), modes.end(), [](const Mode& mode) { return mode.is_damped(); }))
+        rivals.insert(rivals.begin() + 1, {Method::cvode_bdf, Method::arkode_implicit});
+    return rivals;
+}
 
 // The equations with the values of [fix] put in, as the emitted code has them.
 Tape fixed_rates(const FirstOrderSystem& system, const Scene& scene) {
@@ -57,8 +67,9 @@ private:
 // One eps.
 class Round {
 public:
-    Round(Contest& contest, const std::vector<EmittedCode>& codes, const CompareOptions& options)
-        : contest_(contest), codes_(codes), options_(options), pulse_(options) {}
+    Round(Contest& contest, const std::vector<EmittedCode>& codes, const std::vector<Method>& rivals,
+          const CompareOptions& options)
+        : contest_(contest), codes_(codes), rivals_(rivals), options_(options), pulse_(options) {}
 
     // The highest order is asked first: where it has no numbers nothing is integrated.
     std::vector<BreakEven> run() {
@@ -68,7 +79,7 @@ public:
         const OnOneProcessor held;
         pinned = held.processor().has_value();
         for (const EmittedCode& code : codes_) emitted(code);
-        for (const Method method : rivals) tolerances(method);
+        for (const Method method : rivals_) tolerances(method);
         std::vector<BreakEven> even;
         for (const EmittedCode& code : codes_) against(code, even);
         return even;
@@ -118,19 +129,19 @@ private:
     // All rivals at the accuracy of one order.
     void against(const EmittedCode& code, std::vector<BreakEven>& even) {
         const std::string refusal = contest_.refusal(code);
-        std::vector<std::optional<Tuned>> tuned(rivals.size());
+        std::vector<std::optional<Tuned>> tuned(rivals_.size());
         if (refusal.empty()) {
             const std::vector<double> accuracy = contest_.accuracy(code);
-            for (std::size_t k = 0; k < rivals.size(); ++k)
+            for (std::size_t k = 0; k < rivals_.size(); ++k)
                 tuned[k] = loosest_tolerance([&](double tolerance) {
-                    pulse_.before(rivals[k], tolerance, Task::dense);
-                    return error_ratio(contest_.accuracy(rivals[k], tolerance), accuracy);
+                    pulse_.before(rivals_[k], tolerance, Task::dense);
+                    return error_ratio(contest_.accuracy(rivals_[k], tolerance), accuracy);
                 });
         }
         for (const Workload& work : contest_.workloads()) {
             std::vector<RivalAtEqualAccuracy> at;
-            for (std::size_t k = 0; k < rivals.size() && refusal.empty(); ++k)
-                at.push_back(rival(rivals[k], tuned[k], work));
+            for (std::size_t k = 0; k < rivals_.size() && refusal.empty(); ++k)
+                at.push_back(rival(rivals_[k], tuned[k], work));
             even.push_back(break_even(rows_of(code, work), std::move(at), code.prepared(), refusal));
         }
     }
@@ -165,6 +176,7 @@ private:
 
     Contest& contest_;
     const std::vector<EmittedCode>& codes_;
+    const std::vector<Method>& rivals_;
     const CompareOptions& options_;
     Pulse pulse_;
 };
@@ -227,10 +239,11 @@ Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& 
     for (const ProgramOutput& output : trial.program()->outputs) result.outputs.push_back(output.name);
     const std::vector<EmittedCode> codes = emitted_codes(scene, solution, options);
     for (const EmittedCode& code : codes) result.prepared.push_back(code.prepared());
+    const std::vector<Method> rivals = rivals_of(solution);
     for (const Rational& eps : options.eps) {
         const double from = judged_from(solution, scene, eps);
         Contest contest(trial, rates, codes.back().program(), eps, from, options);
-        Round round(contest, codes, options);
+        Round round(contest, codes, rivals, options);
         result.by_eps.push_back({eps, round.run()});
         result.pinned = round.pinned;
         result.rows.insert(result.rows.end(), std::make_move_iterator(round.rows.begin()),

@@ -19,6 +19,7 @@ CompiledTape::CompiledTape(const Tape& tape, const std::vector<double>& paramete
     : code_(SharedObject::load(emit_tape(tape), cache, announce)), data_(tape.data()),
       constants_(constants_of(tape, parameters, eps)), row_count_(jet_rows(tape)),
       rates_(reinterpret_cast<decltype(rates_)>(code_.symbol("rf_rates"))),
+      jacobian_(reinterpret_cast<decltype(jacobian_)>(code_.symbol("rf_jacobian"))),
       jet_(reinterpret_cast<decltype(jet_)>(code_.symbol("rf_jet"))) {}
 
 RightHandSide CompiledTape::rates() const {
@@ -26,7 +27,11 @@ RightHandSide CompiledTape::rates() const {
                 const auto& tape = *static_cast<const CompiledTape*>(self);
                 tape.rates_(tape.constants_.data(), state, rates);
             },
-            this};
+            this,
+            [](const void* self, const double* state, double* matrix) {
+                const auto& tape = *static_cast<const CompiledTape*>(self);
+                tape.jacobian_(tape.constants_.data(), state, matrix);
+            }};
 }
 
 std::vector<double> CompiledTape::rows() const { return std::vector<double>(row_count_ * jet_stride); }

@@ -17,7 +17,7 @@ public:
     CompiledTape(const Tape& tape, const std::vector<double>& parameters, double eps,
                  const std::filesystem::path& cache, const std::function<void()>& announce);
 
-    // Valid as long as this object.
+    // With its Jacobian; valid as long as this object.
     [[nodiscard]] RightHandSide rates() const;
     // rf_jet of verify/integrate/tape_code.hpp, and its rows: zeros.
     void expand(int order, double* rows) const { jet_(constants_.data(), order, rows); }
@@ -30,6 +30,7 @@ private:
     std::vector<double> constants_;
     std::size_t row_count_;
     void (*rates_)(const double*, const double*, double*);
+    void (*jacobian_)(const double*, const double*, double*);
     void (*jet_)(const double*, int, double*);
 };
 

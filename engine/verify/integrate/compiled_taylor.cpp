@@ -2,6 +2,7 @@
 // The Taylor-series integrator over a compiled jet, in double: steps, step lengths, dense output.
 #include "verify/integrate/breakpoints.hpp"
 #include "verify/integrate/compiled_tape.hpp"
+#include "verify/integrate/step_budget.hpp"
 #include "verify/integrate/tape_code.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,6 @@ namespace resonform {
 
 namespace {
 
-constexpr std::size_t most_steps = 50'000'000;
 // For the pendulum about the fastest at every tolerance from 1e-4 to 1e-13: 16 and 20 take up to a sixth
 // longer, 10 takes twice as long at 1e-8.
 constexpr int jet_order = 18;
@@ -36,8 +36,8 @@ public:
                 run.failure = fmt::format("the steps end near t = {:.6g}", t);
                 break;
             }
-            if (++run.steps > most_steps) {
-                run.failure = fmt::format("more than {} steps", most_steps);
+            if (rival_budget.is_spent(++run.steps, end, times.back())) {
+                run.failure = fmt::format("more than {} steps", rival_budget.most);
                 break;
             }
             for (; next < times.size() && times[next] <= end; ++next)

@@ -11,15 +11,23 @@ const char* to_string(Method method) {
     case Method::taylor: return "Taylor";
     case Method::cvode_adams: return "CVODE Adams";
     case Method::cvode_bdf: return "CVODE BDF";
+    case Method::arkode_explicit: return "ARKODE explicit";
+    case Method::arkode_implicit: return "ARKODE implicit";
     case Method::dopri5: return "odeint dopri5";
     case Method::fehlberg78: return "odeint fehlberg78";
+    case Method::bulirsch_stoer: return "odeint Bulirsch-Stoer";
     }
     return "unknown";
 }
 
 std::unique_ptr<Integrator> make_integrator(Method method, RightHandSide rates, const Start& start) {
-    return method == Method::dopri5 || method == Method::fehlberg78 ? make_odeint(method, rates, start)
-                                                                    : make_cvode(method, rates, start);
+    switch (method) {
+    case Method::cvode_adams:
+    case Method::cvode_bdf: return make_cvode(method, rates, start);
+    case Method::arkode_explicit:
+    case Method::arkode_implicit: return make_arkode(method, rates, start);
+    default: return make_odeint(method, rates, start);
+    }
 }
 
 IntegrationResult integrate(Method method, const Tape& tape, const std::vector<double>& parameters,

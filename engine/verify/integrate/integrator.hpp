@@ -10,12 +10,23 @@
 
 namespace resonform {
 
-enum class Method { taylor, cvode_adams, cvode_bdf, dopri5, fehlberg78 };
+enum class Method {
+    taylor,
+    cvode_adams,
+    cvode_bdf,
+    arkode_explicit,
+    arkode_implicit,
+    dopri5,
+    fehlberg78,
+    bulirsch_stoer
+};
 
-// The rates of the states, as a function of C.
+// The rates of the states, as functions of C. jacobian: d(rate i)/d(state k) to matrix[k * states + i]; null:
+// methods that want it take differences.
 struct RightHandSide {
     void (*call)(const void* context, const double* state, double* rates);
     const void* context;
+    void (*jacobian)(const void* context, const double* state, double* matrix) = nullptr;
 };
 
 // The start of an integration, and the states whose values are wanted.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/integrate/odeint.hpp"
 
+#include "verify/integrate/step_budget.hpp"
+
 #include <boost/numeric/odeint.hpp>
 #include <fmt/format.h>
 
@@ -15,9 +17,8 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using Values = std::vector<double>;
 using DenseDopri5 = odeint::result_of::make_dense_output<odeint::runge_kutta_dopri5<Values>>::type;
+using BulirschStoer = odeint::bulirsch_stoer_dense_out<Values>;
 using Fehlberg78 = odeint::result_of::make_controlled<odeint::runge_kutta_fehlberg78<Values>>::type;
-
-constexpr std::size_t max_steps = 50'000'000;
 
 struct Rates {
     RightHandSide f;
@@ -40,15 +41,20 @@ double absolute_tolerance(const Values& start, double tolerance) {
     return tolerance * scale;
 }
 
-// Both methods keep their steppers from run to run.
+// Methods keep their steppers from run to run.
 class Odeint : public Integrator {
 public:
     Odeint(Method method, RightHandSide rates, const Start& start)
         : method_(method), rates_(rates), start_(start), u_(start.state.size()) {
         const double absolute = absolute_tolerance(start.state, start.tolerance);
-        dopri5_ = odeint::make_dense_output(absolute, start.tolerance, odeint::runge_kutta_dopri5<Values>());
-        fehlberg78_ =
-            odeint::make_controlled(absolute, start.tolerance, odeint::runge_kutta_fehlberg78<Values>());
+        if (method == Method::dopri5)
+            dopri5_ =
+                odeint::make_dense_output(absolute, start.tolerance, odeint::runge_kutta_dopri5<Values>());
+        else if (method == Method::bulirsch_stoer)
+            bulirsch_stoer_.emplace(absolute, start.tolerance);
+        else
+            fehlberg78_ =
+                odeint::make_controlled(absolute, start.tolerance, odeint::runge_kutta_fehlberg78<Values>());
     }
 
     resonform::Run run(const std::vector<double>& times, std::vector<Values>& values) override {
@@ -56,7 +62,9 @@ public:
         try {
             while (run.next < times.size() && times[run.next] <= 0) run.store(start_.state);
             if (method_ == Method::dopri5)
-                run.dopri5();
+                run.dense(*dopri5_);
+            else if (method_ == Method::bulirsch_stoer)
+                run.dense(*bulirsch_stoer_);
             else
                 run.fehlberg78();
         } catch (const odeint::odeint_error& error) {
@@ -73,8 +81,8 @@ private:
         resonform::Run result;
         std::size_t next;
 
-        void dopri5() {
-            auto& stepper = *own.dopri5_;
+        // Steps as they come, with the method's own interpolation.
+        template <class Stepper> void dense(Stepper& stepper) {
             const Rates rates{own.rates_, &result.evaluations};
             stepper.initialize(own.start_.state, 0.0, first_step());
             while (next < times.size()) {
@@ -121,8 +129,8 @@ private:
                 result.failure = fmt::format("a value is not finite near t = {:.6g}", now);
             else if (!(now > before))
                 result.failure = fmt::format("the step vanishes near t = {:.6g}", now);
-            else if (++result.steps > max_steps)
-                result.failure = fmt::format("more than {} steps", max_steps);
+            else if (rival_budget.is_spent(++result.steps, now, times.back()))
+                result.failure = fmt::format("more than {} steps", rival_budget.most);
             return result.failure.empty();
         }
     };
@@ -131,6 +139,7 @@ private:
     RightHandSide rates_;
     Start start_;
     std::optional<DenseDopri5> dopri5_;
+    std::optional<BulirschStoer> bulirsch_stoer_;
     std::optional<Fehlberg78> fehlberg78_;
     Values u_;
 };

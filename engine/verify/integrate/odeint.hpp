@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boost.odeint: Dormand-Prince 5(4) with its own dense output, Fehlberg 7(8) stepping to every time.
+// Boost.odeint: Dormand-Prince 5(4) and Bulirsch-Stoer with their own dense output, Fehlberg 7(8) stepping to
+// every time.
 #pragma once
 
 #include "verify/integrate/integrator.hpp"

@@ -20,4 +20,7 @@ struct StepBudget {
     }
 };
 
+// Of integrations in double that `compare` times: some seconds.
+constexpr StepBudget rival_budget{10'000'000, 10'000};
+
 } // namespace resonform

@@ -96,7 +96,8 @@ std::string emit_tape(const Tape& tape) {
         inverses += fmt::format("{:a}, ", n == 0 ? 0.0 : 1.0 / n);
     return std::string(tape.data().empty() ? "" : "#include \"runtime/spline.hpp\"\n") +
            "#include <cmath>\n\nnamespace {\nconstexpr double inverse[] = {" + inverses + "};\n" +
-           data_text(tape) + "} // namespace\n\n" + rates_text(tape) + "\n" + jet_text(tape);
+           data_text(tape) + "} // namespace\n\n" + rates_text(tape) + "\n" + jacobian_text(tape) + "\n" +
+           jet_text(tape);
 }
 
 } // namespace resonform

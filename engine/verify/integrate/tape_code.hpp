@@ -3,12 +3,15 @@
 // rivals of the emitted evaluators are compiled code, too.
 //
 //   extern "C" void rf_rates(const double* c, const double* u, double* rates);
+//   extern "C" void rf_jacobian(const double* c, const double* u, double* matrix);
 //   extern "C" void rf_jet(const double* c, int order, double* rows);
 //
-// c are the constants of a BoundTape. `rows` holds Taylor coefficients in time, a row of jet_stride for each
-// value of the tape (states first) and jet_pad zeros before each: rf_jet finds coefficient 0 of the states,
-// and fills in 1 ... order. The recurrences are those of verify/integrate/taylor_jet.hpp. A value that is a
-// polynomial in t, as all that depends on xi' = eps alone, makes its products short sums.
+// c are the constants of a BoundTape. rf_jacobian writes d(rate i)/d(state k) to matrix[k * rates + i], by
+// forward differentiation (verify/integrate/tape_jacobian.hpp). `rows` holds Taylor coefficients in time, a
+// row of jet_stride for each value of the tape (states first) and jet_pad zeros before each: rf_jet finds
+// coefficient 0 of the states, and fills in 1 ... order. The recurrences are those of
+// verify/integrate/taylor_jet.hpp. A value that is a polynomial in t, as all that depends on xi' = eps alone,
+// makes its products short sums.
 #pragma once
 
 #include "verify/integrate/tape.hpp"
@@ -29,7 +32,8 @@ std::size_t jet_rows(const Tape& tape);
 
 std::string emit_tape(const Tape& tape);
 
-// Its parts. The text of rf_jet:
+// Its parts. The texts of rf_jacobian and rf_jet:
+std::string jacobian_text(const Tape& tape);
 std::string jet_text(const Tape& tape);
 // One step of the tape as an assignment, `value(r)` being the name of register r.
 std::string value_line(const Tape::Instruction& step, const std::string& type,
