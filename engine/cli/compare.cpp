@@ -44,6 +44,7 @@ public:
         CompareOptions asked = options();
         const Home home = find_home();
         Scene scene = read_scene_with_values(*scene_, home);
+        for (int& order : asked.orders) order *= scene.system->eps_root;
         set_order(scene, asked.orders);
         std::optional<SceneLine> line;
         asked.derivation_seconds = seconds_of(1, [&] {
@@ -106,8 +107,8 @@ private:
         if (scene.truncation && scene.order > *scene.truncation)
             bad_argument("--orders",
                          fmt::format("orders must not exceed the truncation = {} that the scene gives",
-                                     *scene.truncation),
-                         std::to_string(scene.order), "leave it out");
+                                     to_string(scene.system->weight(*scene.truncation))),
+                         to_string(scene.system->weight(scene.order)), "leave it out");
     }
 
     CLI::App* command_;

@@ -34,17 +34,18 @@ constexpr const char* printing = "what is printed";
 // Through which weight the printed solution uses normal form and map: as asked, else what accuracy
 // through the order on t = 1/eps needs.
 int truncation_of(const GradedField& field, int order, const std::string& asked) {
+    const int one = field.system().eps_root;
     if (!asked.empty()) {
-        const int truncation = read_order("--truncation", asked);
+        const int truncation = read_order("--truncation", asked) * one;
         if (truncation < order)
-            bad_argument("--truncation", fmt::format("must not be below the order, {}", order), asked,
-                         fmt::format("give --truncation {} or more", order));
+            bad_argument("--truncation", fmt::format("must not be below the order, {}", order / one), asked,
+                         fmt::format("give --truncation {} or more", order / one));
         return truncation;
     }
     Scene scene;
     scene.system = field.first_order->system;
     scene.order = order;
-    scene.time_scale = 1;
+    scene.time_scale = one;
     for (const Variable& variable : scene.system->variables)
         if (variable.role == Role::fast || variable.role == Role::drift)
             scene.outputs.push_back(variable.name);
@@ -118,17 +119,16 @@ bool of_solution(Stage stage) { return stage == Stage::solution || stage == Stag
 
 std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
                      Format format, const std::string& coefficients, Watch& watch) {
+    const int weight = order * expanded.first_order->system->eps_root;
     if (of_solution(stage)) {
-        require_whole_weights(*expanded.first_order->system);
         if (stage == Stage::transgression) require_former_constants(*expanded.first_order->system);
-        const int through = truncation_of(*expanded.field, order, truncation);
-        const Solution solution =
-            solve_under(watch, normalize_certified(expanded, through, watch), {order, through});
+        const int through = truncation_of(*expanded.field, weight, truncation);
+        const Solution solution = solve_under(watch, normalize_certified(expanded, through, watch),
+                                              {weight, through, expanded.first_order->system->eps_root});
         watch.go_on_with(printing);
         return stage == Stage::solution ? print_solution(solution, format)
                                         : print_transgression(solution, format);
     }
-    const int weight = order * expanded.first_order->system->eps_root;
     if (stage == Stage::expand) {
         const auto solution = known_drift(expanded, format, watch);
         return print_expansion(*expanded.field, weight, format, solution ? &*solution : nullptr);

@@ -6,6 +6,7 @@
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/watch.hpp"
+#include "emit/display/json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -57,8 +58,8 @@ int run_generate(const GenerateRequest& request) {
             {"schema", "resonform.generation/1"},
             {"system", program.system},
             {"scene", program.scene},
-            {"order", program.order},
-            {"truncation", program.truncation},
+            {"order", json_rational(program.weight(program.order))},
+            {"truncation", json_rational(program.weight(program.truncation))},
             {"operations_before", to_json(program.before)},
             {"operations_after", to_json(program.after)},
             {"form", program.form()},
@@ -74,8 +75,9 @@ int run_generate(const GenerateRequest& request) {
         return done;
     }
     if (request.output.empty()) put("{}", header);
-    say(fmt::format("{}/{}: order {}, truncation {} ({})", program.system, program.scene, program.order,
-                    program.truncation, line.count.reason));
+    say(fmt::format("{}/{}: order {}, truncation {} ({})", program.system, program.scene,
+                    to_string(program.weight(program.order)), to_string(program.weight(program.truncation)),
+                    line.count.reason));
     say(fmt::format("operations per call before pruning: {}", to_text(program.before)));
     say(fmt::format("operations per call after pruning:  {}", to_text(program.after)));
     return done;

@@ -113,7 +113,8 @@ int run_verify(const VerifyRequest& request) {
     const int verdict = verification.as_expected() ? done : check_failed;
     if (!reported) return verdict;
     auto all_orders = with_progress<CompareOptions>(cache);
-    for (int order = 1; order <= line.scene.order; ++order) all_orders.orders.push_back(order);
+    const int one = line.scene.system->eps_root;
+    for (int order = one; order <= line.scene.order; order += one) all_orders.orders.push_back(order);
     return std::max(
         verdict, run_behind_results([&] {
             write_report(request.report,

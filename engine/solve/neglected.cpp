@@ -189,7 +189,8 @@ void Neglected::spread() {
         if (moved && round > quantities_.size())
             refuse(Reason::too_fast,
                    {"neighbouring solutions of the slow flow part by a bounded power of 1/eps",
-                    fmt::format("errors feed on each other within t = O(1/eps^{})", formula_.time_power),
+                    fmt::format("errors feed on each other within t = O(1/eps^{})",
+                                to_string(field_.system().weight(formula_.time_power))),
                     "shorten verify.interval",
                     {}});
     }

@@ -20,7 +20,9 @@ bool solves_by_quadratures(const GradedField& field) {
     bool functions = false;
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
         if (field.ring->generator(id).kind == GeneratorKind::function) functions = true;
-    return field.modes.size() <= 1 && small && !functions && field.angles.empty() && field.slow.size() <= 1 &&
+    // Closed solutions are power series in eps with coefficients in T = eps t: of whole powers.
+    return field.system().eps_root == 1 && field.modes.size() <= 1 && small && !functions &&
+           field.angles.empty() && field.slow.size() <= 1 &&
            std::all_of(field.slow.begin(), field.slow.end(),
                        [&](const SlowVariable& slow) { return has_explicit_law(field, slow); }) &&
            field.system().style != Style::hamiltonian &&

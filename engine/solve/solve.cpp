@@ -3,13 +3,13 @@
 
 #include "algebra/number/error.hpp"
 #include "algebra/number/functions.hpp"
+#include "algebra/number/number.hpp"
 #include "solve/amplitude_phase.hpp"
 #include "solve/drift.hpp"
 #include "solve/flow/frame.hpp"
 #include "solve/quadrature.hpp"
 #include "solve/route.hpp"
 #include "solve/substitution.hpp"
-#include "solve/truncation.hpp"
 
 #include <fmt/format.h>
 
@@ -31,18 +31,18 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
     const NormalForm& normal_form = normalization.normal_form;
     const GradedField& field = *normal_form.field;
     const System& system = field.system();
-    require_whole_weights(system);
+    const auto text = [&](int held) { return to_string(system.weight(held)); };
     if (options.order < 1 || options.truncation < options.order)
         bad_input({"1 <= order <= truncation",
-                   fmt::format("order = {}, truncation = {}", options.order, options.truncation),
+                   fmt::format("order = {}, truncation = {}", text(options.order), text(options.truncation)),
                    "raise the truncation, or leave it out",
                    {system.file.string(), 0, 0, "truncation", ""}});
     if (normal_form.through < options.truncation || normalization.map.through < options.truncation)
-        bad_input(
-            {"normal form and map reach the weight that the solution uses",
-             fmt::format("truncation = {}, normal form through {}", options.truncation, normal_form.through),
-             "normalise through a higher weight",
-             {system.file.string(), 0, 0, "truncation", ""}});
+        bad_input({"normal form and map reach the weight that the solution uses",
+                   fmt::format("truncation = {}, normal form through {}", text(options.truncation),
+                               text(normal_form.through)),
+                   "normalise through a higher weight",
+                   {system.file.string(), 0, 0, "truncation", ""}});
     for (GeneratorId id = 0; id < field.ring->size(); ++id)
         if (const Generator& g = field.ring->generator(id); g.kind == GeneratorKind::function &&
                                                             g.of.function == Function::named &&
@@ -52,16 +52,17 @@ void check_supported(const Normalization& normalization, const SolveOptions& opt
                  g.name,
                  "give " + g.of.symbol + " a value under [functions] of a scene, or derive the normal form",
                  {system.file.string(), 0, 0, "equations", ""}});
+    const int degree = options.truncation / system.eps_root + 1;
     for (const NamedFunction& f : system.functions)
-        if (f.data != nullptr && f.data->degree < options.truncation + 1)
+        if (f.data != nullptr && f.data->degree < degree)
             refuse(Reason::not_smooth,
                    {fmt::format(
                         "data are smooth enough: a spline of degree d has an error of eps^d, and weights "
                         "through {} ask for degree {}",
-                        options.truncation, (options.truncation + 1) | 1),
+                        text(options.truncation), degree | 1),
                     fmt::format("{} is a spline of degree {}", f.name, f.data->degree),
                     fmt::format("write degree = {} in [functions] of the scene, or ask for a lower order",
-                                (options.truncation + 1) | 1),
+                                degree | 1),
                     {system.file.string(), 0, 0, "functions." + f.name, ""}});
     check_moves(field);
 }

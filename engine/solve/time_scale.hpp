@@ -7,8 +7,9 @@
 
 namespace resonform {
 
-// The condition of the truncation count that only the solution can decide: for p >= 2 the slow flow, and each
-// drift among the outputs, has rates of order eps^p or less and so moves a finite distance. Error: refused.
+// The condition of the truncation count that only the solution can decide: for p above the least weight the
+// slow flow, and each drift among the outputs, has rates of order eps^p or less and so moves a finite
+// distance. Error: refused.
 void check_time_scale(const Solution& solution, const Scene& scene);
 
 } // namespace resonform

@@ -2,6 +2,8 @@
 #include "solve/truncation.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
+#include "model/text/eps_powers.hpp"
 #include "solve/flow/passage.hpp"
 #include "solve/route.hpp"
 
@@ -18,7 +20,7 @@ constexpr int largest_truncation = 99;
 
 struct Count {
     int truncation;
-    const char* formula;
+    const char* formula; // "1" and "2" in it are weights in units of the least one
 };
 
 // The lowest weight of an output that shows a lasting phase: 0 with angles, else the lowest weight of an
@@ -55,37 +57,36 @@ Count counted(const GradedField& field, const Scene& scene, int p) {
 
 } // namespace
 
-void require_whole_weights(const System& system) {
-    if (system.eps_root == 1) return;
-    refuse({"a solution is for integer weights and powers of eps",
-            fmt::format("multiples of 1/{}", system.eps_root),
-            "take eps^(1/q) as the small parameter, or print the normal form",
-            {system.file.string(), 0, 0, "equations", ""}});
-}
-
 TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
-    require_whole_weights(field.system());
-    const int order = scene.order;
+    const auto text = [&](int held) { return to_string(field.system().weight(held)); };
+    const int order = scene.order, root = field.system().eps_root;
     if (scene.truncation)
-        return {*scene.truncation, fmt::format("plain truncation: M = {}", *scene.truncation)};
-    const int p = scene.time_scale.value_or(1);
+        return {*scene.truncation, fmt::format("plain truncation: M = {}", text(*scene.truncation))};
+    const int p = scene.time_scale.value_or(root);
+    const std::string least = root == 1 ? "eps" : spell_eps_power(field.system().weight(1));
     for (const SlowVariable& slow : field.slow)
         if (p >= 2 && has_explicit_law(field, slow))
-            refuse(Reason::too_fast,
-                   {"on a time scale beyond 1/eps the slow variables stay in a compact set",
-                    fmt::format("time_scale = {}, {}' = O(eps) of constant sign", p, slow.name),
-                    "use time_scale = 1, or give the truncation yourself", scene.time_scale_place});
+            refuse(
+                Reason::too_fast,
+                {fmt::format("on a time scale beyond 1/{} the slow variables stay in a compact set", least),
+                 fmt::format("time_scale = {}, {}' = O({}) of constant sign", text(p), slow.name, least),
+                 fmt::format("use time_scale = {}, or give the truncation yourself",
+                             quoted_weight(field.system().weight(1))),
+                 scene.time_scale_place});
     const auto [truncation, formula] = counted(field, scene, p);
-    if (truncation > largest_truncation)
+    if (truncation > largest_truncation * root)
         refuse(Reason::size,
                {fmt::format("normal forms are computed through weight {} at most", largest_truncation),
-                fmt::format("order = {}, time_scale = {} ask for weight {}", order, p, truncation),
+                fmt::format("order = {}, time_scale = {} ask for weight {}", text(order), text(p),
+                            text(truncation)),
                 "lower the order or the time scale", scene.order_place});
-    const std::string span = p == 1 ? "1/eps" : fmt::format("1/eps^{}", p);
-    if (p == 0) return {truncation, fmt::format("order {} on t = O(1): M = {}", order, truncation)};
+    if (p == 0)
+        return {truncation, fmt::format("order {} on t = O(1): M = {}", text(order), text(truncation))};
+    const std::string span = p == root ? "1/eps" : "1/" + spell_eps_power(field.system().weight(p));
     return {truncation,
-            fmt::format("order {} on t = O({}): rates neglected at weight {} act over {}, so M = {} = {}",
-                        order, span, truncation + 1, span, formula, truncation)};
+            fmt::format("order {} on t = O({}): rates neglected at weight {} act over {}, so M = {} = {}{}",
+                        text(order), span, text(truncation + 1), span, formula, text(truncation),
+                        root == 1 ? "" : fmt::format(" (1 in it stands for the least weight, 1/{})", root))};
 }
 
 } // namespace resonform

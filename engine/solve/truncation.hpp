@@ -15,10 +15,8 @@ struct TruncationCount {
     std::string reason;
 };
 
-// Errors (refused): weights or powers of eps that are no integers.
-void require_whole_weights(const System& system);
-
-// The scene's own `truncation` ("plain truncation"); otherwise, for time_scale p,
+// The scene's own `truncation` ("plain truncation"); otherwise, for time_scale p, all in units of the least
+// weight 1/q (docs/design/29_rational_weights.md), where eps^p is p q of them,
 //
 //   M = max(N + p, N + 2p - 2)   with an oscillator: rates neglected at weight M + 1 act
 //                                over eps^-p on amplitude, phase and drift, and by the twist eps^2
@@ -30,8 +28,8 @@ void require_whole_weights(const System& system);
 //                                act on phases at once, and these on outputs of weight w;
 //   M = N + p                    without lasting phases: where all modes are damped (or of eigenvalue 0).
 //
-// Errors: refused for p >= 2 with a slow variable xi' = eps c, which leaves every compact set, so that the
-// count does not hold; refused for M > 99; those of require_whole_weights.
+// Errors: refused where a slow variable xi' = eps^n c, n < p, leaves every compact set, so that the count
+// does not hold; refused for M > 99.
 TruncationCount count_truncation(const GradedField& field, const Scene& scene);
 
 } // namespace resonform

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forty random systems are derived, solved and emitted or refused for a reason of the closed list, and five
-// are verified. (Two thousand: fuzz_scenes --coverage 2000. Of these forty none has weights that are no
-// integers, whose refusal is a fault.)
+// are verified. (Two thousand: fuzz_scenes --coverage 2000.)
 #include "fuzz/coverage.hpp"
 
 #include <gtest/gtest.h>

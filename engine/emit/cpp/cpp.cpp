@@ -7,6 +7,7 @@
 #include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/cpp/plan.hpp"
+#include "model/text/eps_powers.hpp"
 
 #include <fmt/format.h>
 
@@ -48,8 +49,9 @@ std::string banner(const Program& program) {
         RESONFORM_VERSION);
     text += fmt::format("//   system      {}\n//   scene       {}: {}\n", program.system,
                         in_comment(program.scene), in_comment(program.title));
-    text += fmt::format("//   order       {}, normal form and map through weight {}\n", program.order,
-                        program.truncation);
+    text +=
+        fmt::format("//   order       {}, normal form and map through weight {}\n",
+                    to_string(program.weight(program.order)), to_string(program.weight(program.truncation)));
     text += fmt::format("//   operations  {}\n//   written out {}\n", counts(program.after),
                         counts(program.before));
     text += fmt::format("//   many points {}\n//\n", many_points(program));
@@ -101,11 +103,11 @@ std::string includes(const Program& program, const CppOptions& options) {
 std::string further_classes(const std::vector<CppFurther>& further) {
     std::string text;
     for (const CppFurther& f : further)
-        text += fmt::format(
-            "// The outputs through eps^{0}, for error estimates.\nnamespace {1} {{\n\n{2}{3}\n}} "
-            "// namespace {1}\n\n",
-            f.program->order, namespace_of_further(*f.program), cpp_data_tables(*f.program),
-            cpp_class(*f.program));
+        text +=
+            fmt::format("// The outputs through {0}, for error estimates.\nnamespace {1} {{\n\n{2}{3}\n}} "
+                        "// namespace {1}\n\n",
+                        spell_eps_power(f.program->weight(f.program->order)),
+                        namespace_of_further(*f.program), cpp_data_tables(*f.program), cpp_class(*f.program));
     return text;
 }
 

@@ -77,14 +77,25 @@ std::vector<CppCallable> callables_of(const std::vector<PlannedFurther>& further
     return list;
 }
 
-std::string namespace_of_further(const Program& program) { return fmt::format("next_{}", program.order); }
+namespace {
+
+// The order as a part of a name: 5, 7_2.
+std::string order_in_names(const Program& program) {
+    const Rational order = program.weight(program.order);
+    const std::string above = to_string(cln::numerator(order)), below = to_string(cln::denominator(order));
+    return below == "1" ? above : above + "_" + below;
+}
+
+} // namespace
+
+std::string namespace_of_further(const Program& program) { return "next_" + order_in_names(program); }
 
 std::string cpp_estimates(const CppPlan& plan, const std::vector<PlannedFurther>& further) {
     if (further.empty()) return "";
     std::string calls;
     std::vector<std::string> errors(plan.outputs.size(), "none");
     for (const PlannedFurther& f : further) {
-        const std::string values = fmt::format("of_{}", f.plan.program->order);
+        const std::string values = "of_" + order_in_names(*f.plan.program);
         calls += fmt::format("        typename {}::Values {};\n        status = resonform::worse(status, "
                              "{}_(t, {}));\n",
                              class_of(f, plan), values, name_of(f), values);

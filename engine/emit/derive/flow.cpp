@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/derive/flow.hpp"
 
+#include "algebra/number/number.hpp"
 #include "emit/display/display.hpp"
 #include "emit/display/free_name.hpp"
+#include "emit/display/json.hpp"
 #include "emit/display/normal_form_parts.hpp"
 #include "solve/flow/real_form.hpp"
 
@@ -62,7 +64,7 @@ public:
         Section section{flow_.at_rest() ? "constants" : "slow flow", {}};
         const auto add = [&](const std::string& name, const Series& rate) {
             Side value = by_weight(rate.total(rate.through()), frame_);
-            if (remainders_ && rate.through() >= 0) value.remainder = rate.through() + 1;
+            if (remainders_ && rate.through() >= 0) value.remainder = weight(rate.through() + 1);
             define(section, name + "'", std::move(value));
         };
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
@@ -77,7 +79,7 @@ public:
     }
 
     [[nodiscard]] Section results(const std::vector<FlowOutput>& outputs) const {
-        Section section{"outputs through order " + std::to_string(solution_.order), {}};
+        Section section{"outputs through order " + to_string(weight(solution_.order)), {}};
         for (const FlowOutput& output : outputs) {
             Side value = written(output.value, output.value.through(), write_, phases(ring_));
             if (output.drift) value.groups.insert(value.groups.begin(), symbol_sum("z_" + output.name));
@@ -87,6 +89,7 @@ public:
     }
 
 private:
+    [[nodiscard]] Rational weight(int held) const { return solution_.system().weight(held); }
     [[nodiscard]] std::string amplitude(std::size_t number) const {
         return free_name(solution_.system(), fmt::format("a{}", number));
     }
@@ -131,9 +134,9 @@ private:
             imaginary.terms.front().imaginary = true;
             unit = unit + imaginary;
         }
-        const int weight = ring_.generator(field_.modes[k].z).weight;
-        if (weight == 0) return unit;
-        DisplaySum value = factor_sum(symbol_factor("eps", weight));
+        const int held = ring_.generator(field_.modes[k].z).weight;
+        if (held == 0) return unit;
+        DisplaySum value = factor_sum(symbol_factor("eps", weight(held)));
         value.terms.front().tail.push_back(sum_factor(std::move(unit)));
         return value;
     }
@@ -144,9 +147,11 @@ private:
         const Series& rate = flow_.drift[k];
         int leading = 0;
         while (leading < rate.through() && rate.part(leading).empty()) ++leading;
-        int least = rate.through();
+        const int one = solution_.system().eps_root;
+        int least = rate.through() + 1 - one;
         const auto see = [&](const Series& other, int weight) {
-            if (other.through() >= 0) least = std::min(least, leading - 1 + other.through() - weight);
+            if (other.through() >= 0)
+                least = std::min(least, leading + 1 + other.through() - weight - 2 * one);
         };
         for (std::size_t m = 0; m < flow_.modes.size(); ++m)
             see(flow_.modes[m].rate, ring_.generator(field_.modes[m].z).weight);
@@ -166,7 +171,7 @@ private:
             value.terms.push_back(std::move(motion));
         }
         return {side(symbol_sum("z_" + name)),
-                side(std::move(value), remainders_ ? remainder_of_uniform(k) : 0)};
+                side(std::move(value), remainders_ ? weight(remainder_of_uniform(k)) : 0)};
     }
 
     [[nodiscard]] Side by_weight(const Polynomial& p, const Substitutes& substitutes) const {
@@ -230,7 +235,9 @@ Json rates_json(const GradedField& field, const SlowFlow& flow, bool remainders)
     Json rates = Json::array();
     const auto add = [&](const std::string& name, const char* role, const Series& rate) {
         Json entry = {{"variable", name}, {"role", role}, {"terms", flow_terms(field, name, rate)}};
-        if (remainders) entry["remainder"] = rate.through() < 0 ? Json(nullptr) : Json(rate.through() + 1);
+        if (remainders)
+            entry["remainder"] =
+                rate.through() < 0 ? Json(nullptr) : json_rational(field.system().weight(rate.through() + 1));
         rates.push_back(std::move(entry));
     };
     for (std::size_t k = 0; k < field.modes.size(); ++k) add(field.modes[k].name, "mode", flow.modes[k].rate);
@@ -267,7 +274,7 @@ Json leading_flow_json(const Solution& solution) {
             {{"mode", field.modes[k].name},
              {"real", name(real.modes()[k].u)},
              {"imaginary", real.modes()[k].is_real() ? Json(nullptr) : Json(name(real.modes()[k].v))},
-             {"eps", field.ring->generator(field.modes[k].z).weight}});
+             {"eps", json_rational(field.system().weight(field.ring->generator(field.modes[k].z).weight))}});
     for (std::size_t k = 0; k < field.drift.size(); ++k) {
         const Polynomial rate = real(flow.drift[k].total(flow.drift[k].through())).re;
         uniform.push_back({{"variable", field.drift[k].name},

@@ -172,7 +172,9 @@ Section slow_laws(const Solution& solution) {
 Page solution_page(const Solution& solution) {
     Page page;
     page.title = fmt::format("solution of {} through order {} (normal form and map through weight {})",
-                             solution.system().name_with_settings(), solution.order, solution.truncation);
+                             solution.system().name_with_settings(),
+                             to_string(solution.system().weight(solution.order)),
+                             to_string(solution.system().weight(solution.truncation)));
     if (solution.flow) {
         page.sections = flow_sections(solution, solution.flow->outputs);
         return page;

@@ -120,9 +120,12 @@ Json former_constants(const Transgression& transgression) {
     Json list = Json::array();
     for (const FormerConstant& constant : transgression.constants) {
         const Variable& variable = transgression.law.system().variables[constant.variable];
-        list.push_back({{"variable", variable.name},
-                        {"role", to_string(variable.role)},
-                        {"oscillation", constant.oscillation ? Json(*constant.oscillation) : Json(nullptr)}});
+        list.push_back(
+            {{"variable", variable.name},
+             {"role", to_string(variable.role)},
+             {"oscillation", constant.oscillation
+                                 ? json_rational(transgression.law.system().weight(*constant.oscillation))
+                                 : Json(nullptr)}});
     }
     return list;
 }
@@ -142,8 +145,8 @@ Json path_json(const Solution& law, const DriftPath& path) {
 Json transgression_json(const Transgression& transgression) {
     const Solution& law = transgression.law;
     Json document = json_head("resonform.transgression/1", law.system());
-    document.update(Json{{"order", law.order},
-                         {"truncation", law.truncation},
+    document.update(Json{{"order", json_rational(law.system().weight(law.order))},
+                         {"truncation", json_rational(law.system().weight(law.truncation))},
                          {"former_constants", former_constants(transgression)}});
     if (law.flow) {
         document.update(leading_flow_json(law));
@@ -161,15 +164,14 @@ Json transgression_json(const Transgression& transgression) {
 
 Json solution_json(const Solution& solution) {
     Json document = json_head("resonform.solution/1", solution.system());
+    document.update(Json{{"order", json_rational(solution.system().weight(solution.order))},
+                         {"truncation", json_rational(solution.system().weight(solution.truncation))}});
     if (solution.flow) {
-        document.update(Json{{"order", solution.order}, {"truncation", solution.truncation}});
         document.update(flow_json(solution));
         return document;
     }
     const SolutionJson parts(solution);
-    document.update(Json{{"order", solution.order},
-                         {"truncation", solution.truncation},
-                         {"slow", parts.slow()},
+    document.update(Json{{"slow", parts.slow()},
                          {"modes", parts.modes()},
                          {"drift", parts.drift()},
                          {"primitives", parts.primitives()},

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Variables constant at eps = 0, on the time 1/eps: x = C_X + r*log(...) + O(eps^2), or averaged rates.
+#include "algebra/number/number.hpp"
 #include "emit/derive/derive.hpp"
 #include "emit/derive/flow.hpp"
 #include "emit/display/display.hpp"
 #include "emit/display/solution_display.hpp"
+#include "model/text/eps_powers.hpp"
 
 #include <fmt/format.h>
 
@@ -82,11 +84,11 @@ std::vector<Section> closed_laws(const Transgression& transgression) {
 
 std::string oscillation_remark(const Solution& law, const FormerConstant& constant) {
     const std::string& name = law.system().variables[constant.variable].name;
-    return constant.oscillation
-               ? fmt::format("{} oscillates about its law: O({})", name,
-                             *constant.oscillation == 1 ? "eps"
-                                                        : fmt::format("eps^{}", *constant.oscillation))
-               : fmt::format("{} does not oscillate through order {}", name, law.order);
+    const Rational power = law.system().weight(constant.oscillation.value_or(0));
+    return constant.oscillation ? fmt::format("{} oscillates about its law: O({})", name,
+                                              power == 1 ? "eps" : spell_eps_power(power))
+                                : fmt::format("{} does not oscillate through order {}", name,
+                                              to_string(law.system().weight(law.order)));
 }
 
 } // namespace
@@ -94,8 +96,9 @@ std::string oscillation_remark(const Solution& law, const FormerConstant& consta
 Page transgression_page(const Transgression& transgression) {
     const Solution& law = transgression.law;
     Page page;
-    page.title = fmt::format("transgression of {} on the time 1/eps (normal form and map through weight {})",
-                             law.system().name_with_settings(), law.truncation);
+    page.title =
+        fmt::format("transgression of {} on the time 1/eps (normal form and map through weight {})",
+                    law.system().name_with_settings(), to_string(law.system().weight(law.truncation)));
     page.sections = law.flow ? leading_flow_sections(law) : closed_laws(transgression);
     for (const FormerConstant& constant : transgression.constants)
         page.remarks.push_back(oscillation_remark(law, constant));

@@ -73,7 +73,7 @@ public:
     [[nodiscard]] Graph::Node margin(const FirstCorrection& correction) const {
         std::vector<Graph::Node> sizes;
         for (const Polynomial& p : correction.polynomials()) sizes.push_back(size(p));
-        return margin_of(algebra_, correction, program_.eps, moduli_, sizes);
+        return margin_of(algebra_, correction, program_.small, moduli_, sizes);
     }
 
 private:
@@ -99,7 +99,7 @@ Graph::Node corrections_of(Program& program, const Solution& solution, const Sur
         for (const FirstCorrection::Term& term : correction.sums.front()) {
             if (term.powers[own] < 1) continue;
             std::vector<Graph::Node> factors{corrections.size(term.coefficient),
-                                             algebra.power(program.eps, term.power_of_eps)};
+                                             algebra.power(program.small, term.power_of_eps)};
             for (std::size_t k = 0; k < correction.modes.size(); ++k)
                 if (k != own)
                     factors.push_back(

@@ -14,6 +14,7 @@
 #include "emit/program/layers.hpp"
 #include "emit/program/prune.hpp"
 #include "emit/program/scene_program.hpp"
+#include "model/text/eps_powers.hpp"
 #include "solve/flow/flow_harmonics.hpp"
 #include "solve/flow/slow_flow.hpp"
 
@@ -72,9 +73,15 @@ private:
     [[nodiscard]] static bool moves(const FlowMode& mode) {
         return !mode.rate.total(mode.rate.through()).empty();
     }
-    // Per unit of slow time, times eps^-power besides.
+    // A rate per unit of slow time, times eps^-power of the ring besides.
     [[nodiscard]] Graph::Node lowered(const Polynomial& p, int power) {
-        return frame_->lowering.polynomial(over_eps(real_, p, power + 1));
+        return per_slow_time(frame_->lowering, p, power);
+    }
+    // Rates have one power of the ring's eps at least; slow time has as many as weights are in one.
+    [[nodiscard]] Graph::Node per_slow_time(Lowering& lowering, const Polynomial& p, int power) {
+        Graph& graph = program_.graph;
+        return graph.multiply({graph.power(program_.small, 1 - program_.eps_root),
+                               lowering.polynomial(over_eps(real_, p, power + 1))});
     }
     [[nodiscard]] const std::string& name(std::size_t variable) const {
         return solution_.system().variables[variable].name;
@@ -129,7 +136,7 @@ void FlowProgram::define_slow(std::size_t k) {
     Graph::Node value = -1;
     if (constant) {
         FlowMoment at_start(program_, real_, surroundings_, start_, false);
-        const Graph::Node speed = at_start.lowering.polynomial(over_eps(real_, real_(rate).re, 1));
+        const Graph::Node speed = per_slow_time(at_start.lowering, real_(rate).re, 0);
         value = graph.add({start_.slow[k], graph.multiply({speed, program_.slow_time})});
     } else {
         value = graph.symbol("flow " + slow.name);
@@ -283,7 +290,8 @@ void FlowProgram::define_results() {
         if (!scene_.transients && scene_.oscillating && its_own && !output.drift &&
             !lowest_weight(output.value))
             bad_input({"without transients an output has something that lasts",
-                       fmt::format("{} = O(eps^{}) on the slow manifold", wanted, solution_.order + 1),
+                       fmt::format("{} = O({}) on the slow manifold", wanted,
+                                   spell_eps_power(program_.weight(solution_.order + 1))),
                        "remove it from outputs, or write transients = true", scene_.transients_place});
         if (options_.rows && no_rows().empty()) append_rows(output);
         program_.outputs.push_back({wanted, result(output, scene_.oscillating)});

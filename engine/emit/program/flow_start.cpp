@@ -169,7 +169,7 @@ FlowUnit FlowStart::old_mode(std::size_t k, const std::vector<Graph::Node>& stat
         re.push_back(graph.multiply({lowering.polynomial(entry.re), states[s]}));
         im.push_back(graph.multiply({lowering.polynomial(entry.im), states[s]}));
     }
-    const Graph::Node scale = graph.power(program_.eps, -weight(k));
+    const Graph::Node scale = graph.power(program_.small, -weight(k));
     return {graph.multiply({scale, graph.add(std::move(re))}),
             graph.multiply({scale, graph.add(std::move(im))})};
 }

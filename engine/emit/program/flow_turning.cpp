@@ -108,7 +108,7 @@ void FlowTurning::add_growth(std::size_t mode, const FlowValues& start) {
                        [&](const Polynomial& p) { return at.lowering.polynomial(real_(p).re); });
     const int weight = field_.ring->generator(field_.modes[mode].z).weight, order = solution_.order;
     const Graph::Node allowed = graph.rational(1000);
-    const Graph::Node linear = graph.multiply({allowed, graph.power(program_.eps, order + 1 - weight)});
+    const Graph::Node linear = graph.multiply({allowed, graph.power(program_.small, order + 1 - weight)});
     Graph::Node bound =
         graph.add({linear, graph.multiply({ratio, order == 1 ? allowed : graph.root(allowed, order)})});
     if (own.either) bound = graph.multiply({bound, graph.power(graph.add({graph.rational(1), bound}), -1)});

@@ -24,7 +24,7 @@ void Amplitudes::append_to(Program& program, std::size_t output) const {
         for (const bool sine : {false, true}) {
             std::vector<Graph::Node> sum;
             for (const auto& [power, node] : waves[sine ? 1 : 0])
-                sum.push_back(graph.multiply({graph.power(program.eps, power), node}));
+                sum.push_back(graph.multiply({graph.power(program.small, power), node}));
             const Graph::Node amplitude = graph.add(std::move(sum));
             if (graph.is_rational(amplitude, 0)) continue;
             const bool mean = std::all_of(turns.begin(), turns.end(), [](int n) { return n == 0; });

@@ -45,7 +45,7 @@ Graph::Node gone(Program& program, int order, int power, Graph::Node square, Gra
         if (product[k] != 0)
             left.push_back(graph.power(program.phases[first_decay + k].exponential, 2 * product[k]));
     return graph.add(
-        {graph.multiply({graph.power(program.eps, 2 * (order + 1)), graph.power(square, power + 1)}),
+        {graph.multiply({graph.power(program.small, 2 * (order + 1)), graph.power(square, power + 1)}),
          graph.multiply(left)});
 }
 

@@ -16,7 +16,7 @@ class Passing {
 public:
     Passing(Program& program, const Solution& solution, const RealForm& real, const Passage& passage,
             FlowMoment& now, FlowMoment& start)
-        : graph_(program.graph), eps_(program.eps), solution_(solution),
+        : graph_(program.graph), small_(program.small), solution_(solution),
           field_(*solution.normalization->normal_form.field), mode_(field_.modes[passage.mode]), real_(real),
           passage_(passage), now_(now), mu_(at(now, mode_.growth)), mu_0_(at(start, mode_.growth)) {}
 
@@ -71,7 +71,7 @@ private:
         const Node width = graph_.multiply({number(251, 100), graph_.power(graph_.root(square, 4), -1)});
         const int weight = field_.ring->generator(mode_.z).weight;
         const Node left = graph_.multiply({number(1000), driving, width, graph_.function(Graph::Op::exp, {b}),
-                                           graph_.power(eps_, -weight)});
+                                           graph_.power(small_, -weight)});
         return graph_.add({number(1), graph_.negate(left)});
     }
 
@@ -95,7 +95,7 @@ private:
     }
 
     Graph& graph_;
-    Node eps_;
+    Node small_;
     const Solution& solution_;
     const GradedField& field_;
     const Mode& mode_;

@@ -106,19 +106,23 @@ struct ProgramData {
 
 struct Program {
     std::string system, scene, title;
-    int order = 0, truncation = 0;
+    int order = 0, truncation = 0; // in units of 1/eps_root, as weights are held
+    int eps_root = 1;
     std::vector<std::string> notes; // equations it computes, source: for the banner
     Graph graph;
     Graph::Node eps = -1, time = -1, slow_time = -1; // symbols; slow_time = eps*time
-    std::vector<ProgramInput> parameters;            // those not fixed and needed
-    std::vector<ProgramInput> start;                 // those needed
-    std::vector<ProgramFlow> flow;                   // solved together, before all tables
-    std::vector<ProgramTable> tables;                // in order of construction
-    std::vector<ProgramPhase> phases;                // one per frequency that the outputs see, then exponents
-    std::vector<ProgramOutput> slow;                 // slow variables as functions of slow_time
-    std::vector<ProgramOutput> outputs;              // as the scene lists them
-    std::vector<ProgramData> data;                   // those that the motion runs along
-    std::vector<ProgramRow> rows;                    // of the outputs, if ProgramOptions::rows
+    Graph::Node small = -1; // eps^(1/eps_root), by whose powers weights count: eps itself where it is 1
+    // A weight as the user counts it.
+    [[nodiscard]] Rational weight(int held) const { return Rational(held) / eps_root; }
+    std::vector<ProgramInput> parameters;   // those not fixed and needed
+    std::vector<ProgramInput> start;        // those needed
+    std::vector<ProgramFlow> flow;          // solved together, before all tables
+    std::vector<ProgramTable> tables;       // in order of construction
+    std::vector<ProgramPhase> phases;       // one per frequency that the outputs see, then exponents
+    std::vector<ProgramOutput> slow;        // slow variables as functions of slow_time
+    std::vector<ProgramOutput> outputs;     // as the scene lists them
+    std::vector<ProgramData> data;          // those that the motion runs along
+    std::vector<ProgramRow> rows;           // of the outputs, if ProgramOptions::rows
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
     std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first
     std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (layers.hpp); no tables

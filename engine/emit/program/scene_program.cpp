@@ -43,9 +43,11 @@ void SceneProgram::open(const std::string& eps) {
     program_.eps = program_.graph.symbol("eps");
     program_.time = program_.graph.symbol("t");
     program_.slow_time = program_.graph.symbol("slow time"); // a space: no parameter has this name
-    names_["eps"] = program_.eps;
-    surroundings_.symbols[eps] = program_.eps;
-    surroundings_.positive.insert(program_.eps);
+    program_.eps_root = solution_.system().eps_root;
+    program_.small = program_.graph.root(program_.eps, program_.eps_root);
+    names_[solution_.system().eps.get_name()] = program_.small;
+    surroundings_.symbols[eps] = program_.small;
+    surroundings_.positive.insert({program_.eps, program_.small});
     program_.slow_time_end = program_.graph.rational(1);
     for (const NamedFunction& f : solution_.system().functions) {
         if (f.data != nullptr) surroundings_.data.emplace(f.name, f.data);
@@ -90,17 +92,21 @@ SceneProgram::by_powers_of_eps(const Ring& ring, GeneratorId eps, const Polynomi
     for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
         const Graph::Node node = value(part->second, part->first);
         program_.names.push_back({fmt::format("{}_{}", identifier(name), part->first), node});
-        sum = graph.add({node, graph.multiply({graph.power(program_.eps, above - part->first), sum})});
+        sum = graph.add({node, graph.multiply({graph.power(program_.small, above - part->first), sum})});
         above = part->first;
     }
-    return graph.multiply({graph.power(program_.eps, above), sum});
+    return graph.multiply({graph.power(program_.small, above), sum});
+}
+
+GiNaC::ex SceneProgram::slow_time() const {
+    const System& system = solution_.system();
+    return scene_.verify.interval * GiNaC::pow(system.eps, system.eps_root);
 }
 
 // The slow time of the interval at the smallest eps of the ladder; infinite or 0 where double cannot hold it.
 double SceneProgram::interval_slow_time() const {
     const Rational eps = scene_.verify.eps.empty() ? Rational(1) / Rational(100) : scene_.verify.eps.back();
-    const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
-    const double end = length_at(scene_, slow_time, eps);
+    const double end = length_at(scene_, slow_time(), eps);
     if (std::isnan(end))
         bad_input({"the interval of a scene is a positive number once [fix] and eps are put in",
                    scene_.verify.interval_text, "give the parameters in it under [fix]",
@@ -122,10 +128,9 @@ void SceneProgram::close() {
     // Conditions of the start map go last: if it fails because a divisor nearly vanishes, name the divisor.
     std::stable_partition(program_.positive.begin(), program_.positive.end(),
                           [](const ProgramCondition& c) { return !c.of_start_map; });
-    const GiNaC::ex slow_time = scene_.verify.interval * solution_.system().eps;
     program_.interval_slow_time = interval_slow_time();
     program_.slow_time_end =
-        from_expression(program_.graph, slow_time, names_,
+        from_expression(program_.graph, slow_time(), names_,
                         scene_.verify.interval_source ? place_of(*scene_.verify.interval_source) : Place());
 }
 

@@ -39,6 +39,7 @@ protected:
 
 private:
     void define_parameters();
+    [[nodiscard]] GiNaC::ex slow_time() const; // of the interval
     [[nodiscard]] double interval_slow_time() const;
 };
 

@@ -16,7 +16,7 @@ public:
     NodeAlgebra(Program& program, int truncation) : program_(program), truncation_(truncation) {}
 
     [[nodiscard]] Real number(int n) const { return graph().rational(n); }
-    [[nodiscard]] Real little() const { return graph().power(program_.eps, 2 * truncation_); }
+    [[nodiscard]] Real little() const { return graph().power(program_.small, 2 * truncation_); }
     [[nodiscard]] Real gained(Real x) const {
         return graph().multiply({graph().rational(cln::expt(Rational(4), 1 - truncation_)), x});
     }

@@ -145,13 +145,14 @@ std::string spelled(double length) {
 
 double length_at(const Scene& scene, const GiNaC::ex& interval, const Rational& eps) {
     constexpr double beyond_double = 1000;
-    const GiNaC::symbol& symbol = scene.system->eps;
+    const System& system = *scene.system;
+    const GiNaC::symbol& symbol = system.eps;
     const auto length = where_regular([&] {
         const GiNaC::ex fixed = scene.fixed(interval);
-        const double log = log_length(fixed, symbol, ln(eps));
+        const double log = log_length(fixed, symbol, ln(eps) / system.eps_root);
         if (std::abs(log) > beyond_double)
             return std::exp(log); // exp(exp(1/eps)) is more than a machine holds
-        const GiNaC::ex value = fixed.subs(GiNaC::ex(symbol) == GiNaC::numeric(cln::cl_N(eps))).evalf();
+        const GiNaC::ex value = fixed.subs(GiNaC::ex(symbol) == system.small_at(eps)).evalf();
         if (!GiNaC::is_a<GiNaC::numeric>(value)) return none;
         const auto& number = GiNaC::ex_to<GiNaC::numeric>(value);
         return number.is_real() && number.is_positive() ? number.to_double() : none;

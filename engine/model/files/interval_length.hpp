@@ -23,8 +23,8 @@ double interval_length(const Scene& scene, const Rational& eps);
 // Errors: the same, and longer than longest_interval.
 double bounded_interval_length(const Scene& scene, const Rational& eps);
 
-// The least whole p for which interval eps^p stays bounded as eps -> 0, or one more where it grows between
-// powers as eps^-1 log(1/eps) does; none: faster than every power, or it cannot be told.
+// The least p for which interval eps^p stays bounded as eps -> 0, held as weights are, or one more where it
+// grows between powers as eps^-1 log(1/eps) does; none: faster than every power, or it cannot be told.
 std::optional<int> growth_power(const Scene& scene, const GiNaC::ex& interval);
 
 } // namespace resonform

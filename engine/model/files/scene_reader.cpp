@@ -11,6 +11,7 @@
 #include "model/system/names.hpp"
 #include "model/text/diagnostic.hpp"
 #include "model/text/enclosure.hpp"
+#include "model/text/eps_powers.hpp"
 #include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 #include "model/text/zero_test.hpp"
@@ -68,8 +69,8 @@ SceneReader::SceneReader(TomlNode root, const std::filesystem::path& file,
 Scene SceneReader::read() {
     scene_.title = heading_of_scene(root_, scene_.file).title;
     read_parts();
-    read_orders();
     read_system_of_scene();
+    read_orders();
     read_outputs();
     read_fix();
     scene_.start = read_start(root_.find("start"), scene_);
@@ -146,16 +147,19 @@ void SceneReader::read_system_of_scene() {
 }
 
 void SceneReader::read_orders() {
-    if (const TomlNode* order = root_.find("order")) scene_.order = integer_of(*order, 1, highest_order);
+    const int root = scene_.system->eps_root;
+    const TomlNode* order = root_.find("order");
+    scene_.order = order == nullptr ? 3 * root : held_weight_of(*order, root, 1, highest_order);
     const TomlNode* time_scale = root_.find("time_scale");
     const TomlNode* truncation = root_.find("truncation");
     if (time_scale != nullptr && truncation != nullptr) {
         bad_value(*truncation, "the scene gives both time_scale and truncation", "remove one of the two");
     }
     if (truncation != nullptr) {
-        scene_.truncation = integer_of(*truncation, scene_.order, highest_order);
+        scene_.truncation = held_weight_of(*truncation, root, scene_.order, highest_order);
     } else {
-        scene_.time_scale = time_scale == nullptr ? 1 : integer_of(*time_scale, 0, highest_time_scale);
+        scene_.time_scale =
+            time_scale == nullptr ? root : held_weight_of(*time_scale, root, 0, highest_time_scale);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "algebra/number/number.hpp"
 #include "model/files/interval_length.hpp"
 #include "model/text/diagnostic.hpp"
+#include "model/text/eps_powers.hpp"
 #include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 
@@ -56,9 +57,10 @@ std::vector<Rational> read_ladder(const TomlNode& node) {
 
 void read_interval(const TomlNode* node, const Scene& scene, VerifyPlan& plan) {
     if (node == nullptr) {
-        const int p = scene.time_scale.value_or(1);
-        plan.interval_text = p == 0 ? "1" : p == 1 ? "1/eps" : "1/eps^" + std::to_string(p);
-        plan.interval = GiNaC::pow(scene.system->eps, -p);
+        const int held = scene.slow_power();
+        const Rational p = scene.system->weight(held);
+        plan.interval_text = held == 0 ? "1" : p == 1 ? "1/eps" : "1/" + spell_eps_power(p);
+        plan.interval = GiNaC::pow(scene.system->eps, -held);
         return;
     }
     plan.interval = expression_of(*node, scene.constants());
@@ -137,7 +139,9 @@ VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
             read(entry);
         }
     };
-    each("claim", [&](const TomlEntry& e) { plan.claim[e.key] = integer_of(e.value, 1, highest_claim); });
+    each("claim", [&](const TomlEntry& e) {
+        plan.claim[e.key] = held_weight_of(e.value, scene.system->eps_root, 1, highest_claim);
+    });
     each("expect", [&](const TomlEntry& e) { plan.expect[e.key] = verdict_of(e.value); });
     read_ulp(verify, plan);
     return plan;

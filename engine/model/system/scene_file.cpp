@@ -11,12 +11,17 @@
 #include "model/text/zero_test.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace resonform {
 
 namespace {
 
-GiNaC::numeric estimated_eps() { return {1, 10}; }
+// What the symbol `eps` is at eps = 0.1, as a number: of a root not more than some digits matter.
+GiNaC::numeric estimated_eps(const System& system) {
+    if (system.eps_root == 1) return {1, 10};
+    return {std::lround(1e6 * std::pow(0.1, 1.0 / system.eps_root)), 1'000'000L};
+}
 
 constexpr int double_exponent = 1000; // of two: beyond this a double may overflow
 
@@ -91,7 +96,7 @@ Estimate Scene::estimate(const GiNaC::ex& value) const {
     for (const Parameter& p : system->parameters) {
         if (e.has(p.symbol)) return Estimate::unknown;
     }
-    const std::optional<RealBall> here = enclose(e, {{system->eps, estimated_eps()}});
+    const std::optional<RealBall> here = enclose(e, {{system->eps, estimated_eps(*system)}});
     if (!here || binary_exponent(*here) > double_exponent || holds_large_number(e))
         return Estimate::unbounded;
     const int sign = here->sign();
@@ -99,7 +104,7 @@ Estimate Scene::estimate(const GiNaC::ex& value) const {
 }
 
 std::string Scene::why_unreal(const GiNaC::ex& value) const {
-    GiNaC::exmap point{{system->eps, estimated_eps()}};
+    GiNaC::exmap point{{system->eps, estimated_eps(*system)}};
     for (const Parameter& p : system->parameters)
         if (const auto found = fix.find(p.name); found != fix.end()) point[p.symbol] = found->second;
     const std::string why = resonform::why_unreal(value, point);

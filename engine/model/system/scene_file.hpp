@@ -39,12 +39,12 @@ constexpr const char* eps_rule = "eps lies in 1e-12 <= eps <= 0.5";
 constexpr double default_ulp = 16, largest_ulp = 1e6;
 
 struct VerifyPlan {
-    GiNaC::ex interval; // in eps and parameters; default 1/eps^time_scale
+    GiNaC::ex interval; // in eps and parameters; default eps^-time_scale
     std::string interval_text = "1/eps";
     std::optional<SourceText> interval_source; // absent: by default
     std::vector<Rational> eps;                 // descending; default 0.2 0.1 0.05 0.02 0.01 ... 1e-4
     bool eps_given = false;                    // false: the judge may extend the ladder downwards
-    std::map<std::string, int> claim;          // those given
+    std::map<std::string, int> claim;          // those given; held as weights are
     std::map<std::string, Verdict> expect;
     double ulp = default_ulp; // emitted code's largest error, in units of the last place of an output's scale
     std::string ulp_reason;   // why it is more than the default
@@ -64,8 +64,9 @@ struct Scene {
     std::string title;
     std::filesystem::path file;
     std::shared_ptr<const System> system;
+    // Held as weights are, in units of 1/eps_root of the system.
     int order = 3;                 // N
-    std::optional<int> time_scale; // p; exactly one of the two; default time_scale = 1
+    std::optional<int> time_scale; // p; exactly one of the two; default: 1/eps
     std::optional<int> truncation; // M
     std::vector<std::string> outputs;
     bool oscillating = true;
@@ -80,6 +81,8 @@ struct Scene {
     Place order_place, time_scale_place, form_place, transients_place;
     VerifyPlan verify;
 
+    // p; of a scene that gives its truncation that of 1/eps.
+    [[nodiscard]] int slow_power() const { return time_scale.value_or(system->eps_root); }
     // Whether it is among the outputs.
     [[nodiscard]] bool wants(const std::string& output) const;
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").

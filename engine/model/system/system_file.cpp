@@ -49,6 +49,10 @@ const Equilibrium* System::equilibrium_of(std::size_t wanted) const {
     return found == equilibrium.end() ? nullptr : &*found;
 }
 
+GiNaC::ex System::small_at(const Rational& value) const {
+    return GiNaC::pow(GiNaC::numeric(cln::cl_N(value)), GiNaC::numeric(1, eps_root));
+}
+
 const Parameter* System::parameter(const std::string& wanted) const { return find_named(parameters, wanted); }
 
 const Parameter* System::declared_parameter(const std::string& wanted) const {

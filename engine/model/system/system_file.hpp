@@ -166,6 +166,8 @@ struct System {
 
     // A weight as the user counts it.
     [[nodiscard]] Rational weight(int held) const { return Rational(held) / eps_root; }
+    // The value of the symbol `eps` where the small parameter of the file has this one.
+    [[nodiscard]] GiNaC::ex small_at(const Rational& value) const;
     // The name as documents show it: "pendulum", "pendulum with g = 1, r = 4/5".
     [[nodiscard]] std::string name_with_settings() const;
     // nullptr if there is none of that name.

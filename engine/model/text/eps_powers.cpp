@@ -73,6 +73,18 @@ Rational weight_of(const TomlNode& node) {
     return weight;
 }
 
+int held_weight_of(const TomlNode& node, int root, int lowest, int highest) {
+    if (root == 1) return integer_of(node, lowest, highest);
+    const std::string range = fmt::format("{} ... {}", to_string(Rational(lowest) / root), highest);
+    const Rational held = number_of(node) * root;
+    if (cln::denominator(held) != 1 || held < lowest || held > highest * root)
+        bad_value(node,
+                  fmt::format("'{}' is a multiple of 1/{}, as weights and powers of eps are, in {}",
+                              node.source.key, root, range),
+                  fmt::format("write a number such as 2 or \"5/{}\"", root));
+    return cln::cl_I_to_int(cln::numerator(held));
+}
+
 void EpsPowers::note(const Rational& weight, const Place& place) {
     const Integer common = cln::lcm(Integer(root_), cln::denominator(weight));
     if (common > largest_denominator)
@@ -100,9 +112,16 @@ std::optional<std::string> spell_eps_power(const GiNaC::symbol& symbol, const Gi
     const std::string prefix = root_prefix;
     if (name.rfind(prefix, 0) != 0) return std::nullopt;
     const GiNaC::numeric power = exponent / std::stoi(name.substr(prefix.size()));
-    if (power == 1) return "eps";
-    const std::string text = to_string(rational_of(power));
-    return "eps^" + (power.is_pos_integer() ? text : "(" + text + ")");
+    return power == 1 ? "eps" : spell_eps_power(rational_of(power));
+}
+
+std::string quoted_weight(const Rational& weight) {
+    return cln::denominator(weight) == 1 ? to_string(weight) : "\"" + to_string(weight) + "\"";
+}
+
+std::string spell_eps_power(const Rational& power) {
+    const std::string text = to_string(power);
+    return "eps^" + (cln::denominator(power) == 1 && !cln::minusp(power) ? text : "(" + text + ")");
 }
 
 } // namespace resonform

@@ -16,6 +16,10 @@ namespace resonform {
 // A weight in a file: 2, 0.5, "1/3". Errors (bad_input): negative, too large, a large denominator.
 Rational weight_of(const TomlNode& node);
 
+// An order, a claim or a time scale, 2 or "5/2", in units of 1/root as weights are held; lowest: in these
+// units. Errors (bad_input): out of lowest ... highest, no multiple of 1/root.
+int held_weight_of(const TomlNode& node, int root, int lowest, int highest);
+
 class EpsPowers {
 public:
     explicit EpsPowers(GiNaC::symbol eps) : eps_(std::move(eps)) {}
@@ -36,6 +40,10 @@ private:
 
 // Its name is that of the root, eps^(1/2).
 GiNaC::symbol symbol_of_eps_root(int root);
+// A weight as files have it: 2, "7/2".
+std::string quoted_weight(const Rational& weight);
+// eps^2, eps^(7/2)
+std::string spell_eps_power(const Rational& power);
 // The power of such a symbol as the user writes it, eps^(3/2); nullopt: the symbol is another one.
 std::optional<std::string> spell_eps_power(const GiNaC::symbol& symbol, const GiNaC::numeric& exponent);
 

@@ -44,7 +44,11 @@ Polynomial without_left_out(const GradedField& field, const std::vector<FlowMode
     return Polynomial::from_terms(std::move(terms));
 }
 
-// The frame in which theta_j' are the frequencies at eps = 0, or those of all weights; chi_j' likewise.
+// Which of the terms i z_j f(|z|^2) of a rate the phases take: the frequencies at eps = 0; also what turns
+// faster than slow time, which weighs less than eps (of rational weights); or all.
+enum class Turning { at_rest, fast, whole };
+
+// The frame of the phases; chi_j' likewise.
 class Framing {
 public:
     Framing(const Normalization& normalization, const SolveOptions& options)
@@ -65,10 +69,14 @@ public:
 
     SlowFlow build() {
         if (field_.slow.empty() && field_.angles.empty() && keeps_moduli()) {
-            SlowFlow flow = framed(true);
+            SlowFlow flow = framed(Turning::whole);
             if (!complaint(flow)) return flow;
         }
-        SlowFlow flow = framed(false);
+        if (ring_.weights_in_one() > 1) {
+            SlowFlow flow = framed(Turning::fast);
+            if (!complaint(flow)) return flow;
+        }
+        SlowFlow flow = framed(Turning::at_rest);
         if (const auto term = complaint(flow))
             refuse(Reason::resonance,
                    {"the frame of a slow flow obeys the resonance relations exactly",
@@ -114,25 +122,52 @@ private:
         return true;
     }
 
-    [[nodiscard]] SlowFlow framed(bool whole) const {
+    // The terms below the weight of slow time that only turn what has this weight: times i f(|z|^2), f real.
+    [[nodiscard]] Polynomial fast_turning(const Polynomial& rate, std::optional<std::size_t> k) const {
+        const int weight = k ? ring_.generator(field_.modes[*k].z).weight : 0;
+        std::vector<Polynomial> turning;
+        for (const auto& [monomial, coefficient] : ring_.collect(rate, field_.outer())) {
+            const Polynomial back = ring_.conjugate(coefficient);
+            if (ring_.weight(monomial) >= weight + ring_.weights_in_one() || !turns_as(field_, monomial, k) ||
+                has_real_mode(monomial) || !(k ? coefficient + back : coefficient - back).empty())
+                continue;
+            turning.push_back(ring_.multiply(Polynomial(monomial, 1), coefficient));
+        }
+        const Polynomial all = sum(turning);
+        return k ? without(all, field_.modes[*k].z) : all;
+    }
+
+    // A real mode is no modulus, and one that decays is no part of a phase.
+    [[nodiscard]] bool has_real_mode(const Monomial& monomial) const {
+        for (std::size_t j = 0; j < field_.modes.size(); ++j)
+            if ((field_.modes[j].is_real() || is_damped(j)) && degree_in(field_, monomial, j) > 0)
+                return true;
+        return false;
+    }
+
+    [[nodiscard]] SlowFlow framed(Turning taken) const {
         SlowFlow flow;
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             const Mode& mode = field_.modes[k];
             FlowMode& framed = flow.modes.emplace_back(modes_[k]);
             if (framed.is_left_out) continue;
             const Polynomial rate = total(normal_form_.mode[k]);
-            const bool all = is_damped(k) ? alone_ : whole && !mode.is_real();
-            const Polynomial own = all ? without(rate, mode.z) : field_.eigenvalue(mode);
+            const bool all = is_damped(k) ? alone_ : taken == Turning::whole && !mode.is_real();
+            Polynomial own = all ? without(rate, mode.z) : field_.eigenvalue(mode);
+            if (taken == Turning::fast && !all && !is_damped(k) && !mode.is_real())
+                own = own + fast_turning(rate - ring_.multiply(own, ring_.gen(mode.z)), k);
             framed.rate = cut(rate - ring_.multiply(own, ring_.gen(mode.z)));
             const Polynomial back = ring_.conjugate(own), half_i = Rational(-1) / 2 * ring_.imaginary();
             if (is_damped(k)) framed.decay = index(flow.decays, Rational(1) / 2 * (own + back));
             if (!mode.is_real()) framed.phase = index(flow.phases, ring_.multiply(half_i, own - back));
         }
         for (std::size_t k = 0; k < field_.angles.size(); ++k) {
-            const Polynomial& turning = field_.angles[k].frequency;
+            const Polynomial rate = total(normal_form_.angle[k]);
+            Polynomial turning = field_.angles[k].frequency;
+            if (taken == Turning::fast) turning = turning + fast_turning(rate - turning, std::nullopt);
             FlowMode& angle = flow.angles.emplace_back();
             angle.phase = index(flow.phases, turning);
-            angle.rate = cut(total(normal_form_.angle[k]) - turning);
+            angle.rate = cut(rate - turning);
         }
         for (std::size_t k = 0; k < field_.slow.size(); ++k)
             flow.slow.push_back(

@@ -9,7 +9,9 @@
 // stay complex: polar coordinates break down where one passes zero.
 //
 // Where no rate changes a modulus, N_j = i (omega_j + Theta_j(|z|^2)) z_j, the phases take all of it,
-// theta_j' = omega_j + Theta_j, and every a_j is a constant: then nothing is left to be solved.
+// theta_j' = omega_j + Theta_j, and every a_j is a constant: then nothing is left to be solved. Of rational
+// weights Theta_j may weigh less than eps, so that a_j would turn fast in slow time: the phases take such
+// terms at least, with moduli that the flow moves, unless the frame would not obey the resonance relations.
 //
 // A mode that is damped at eps = 0 also decays within the frame (and one with Re lambda_s > 0 grows),
 //

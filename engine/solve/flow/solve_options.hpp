@@ -6,6 +6,7 @@
 
 namespace resonform {
 
+// Orders and powers of eps are held as weights are: in units of 1/eps_root of the system.
 struct SolveOptions {
     int order = 3;          // N
     int truncation = 4;     // M
@@ -16,7 +17,7 @@ struct SolveOptions {
 
 // As a scene asks for it, at this order and truncation.
 inline SolveOptions options_of(const Scene& scene, int order, int truncation) {
-    return {order, truncation, scene.time_scale.value_or(1), scene.transients, scene.growing};
+    return {order, truncation, scene.slow_power(), scene.transients, scene.growing};
 }
 
 } // namespace resonform

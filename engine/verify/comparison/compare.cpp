@@ -149,8 +149,8 @@ private:
     std::vector<ComparisonRow> rows_of(const EmittedCode& code, const Workload& work) const {
         std::vector<ComparisonRow> own;
         for (const ComparisonRow& row : rows)
-            if (row.is_emitted() && row.order == code.program().order && row.task == work.task &&
-                row.points == work.points() && row.members == work.members)
+            if (row.is_emitted() && row.order == code.program().weight(code.program().order) &&
+                row.task == work.task && row.points == work.points() && row.members == work.members)
                 own.push_back(row);
         return own;
     }

@@ -40,7 +40,7 @@ struct ComparisonRow {
     std::string setting; // "order 3", "tolerance 1e-8"
     Task task = Task::final;
     std::optional<Form> form; // of emitted code
-    int order = 0;            // of emitted code
+    Rational order = 0;       // of emitted code
     std::size_t points = 0;   // of each member
     std::size_t members = 1;
     std::size_t run_members = 1;   // that ran in fact: of rivals fewer, and `seconds` are scaled to all
@@ -72,7 +72,7 @@ struct BreakEven {
     std::vector<RivalAtEqualAccuracy> rivals;
     std::string winner;       // the fastest of all at equal accuracy
     std::string failure = {}; // why the emitted evaluator has no numbers: then nobody wins
-    int order = 0;
+    Rational order = 0;
     std::size_t measured_points = 1, members = 1;
     std::optional<Form> form = {}; // the fastest
     double construction_seconds = 0;
@@ -91,7 +91,7 @@ struct BreakEvenAtEps {
 
 // What emitted code costs before its first number.
 struct Preparation {
-    int order = 0;
+    Rational order = 0;
     double derivation_seconds = 0; // of the highest order, for all
     double compilation_seconds = 0;
 };

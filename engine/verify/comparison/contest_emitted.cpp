@@ -45,7 +45,7 @@ std::vector<ComparisonRow> Contest::emitted(const EmittedCode& code, const Workl
     std::vector<ComparisonRow> rows;
     for (const Form form : forms_of(work.task)) {
         ComparisonRow made = row("emitted", code.setting(), work);
-        made.order = code.program().order;
+        made.order = code.program().weight(code.program().order);
         made.form = form;
         switch (form) {
         case Form::scalar: rows.push_back(scalar(code, work, std::move(made))); break;
@@ -151,7 +151,7 @@ std::string Contest::refusal_at(const std::vector<double>& times, const EmittedC
 
 ComparisonRow Contest::asked_only(const EmittedCode& code, const Workload& work) const {
     ComparisonRow asked = row("emitted", code.setting(), work);
-    asked.order = code.program().order;
+    asked.order = code.program().weight(code.program().order);
     asked.form = forms_of(work.task).front();
     asked.failure = refusal_at(work.times->all, code);
     asked.max_error.assign(trial_.output_states().size(), NAN);

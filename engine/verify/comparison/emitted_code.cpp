@@ -25,7 +25,7 @@ std::string types_for(const std::vector<Task>& tasks) {
 } // namespace
 
 EmittedCode::EmittedCode(const Scene& scene, const Solution& solution, const CompareOptions& options) {
-    prepared_.order = scene.order;
+    prepared_.order = scene.system->weight(scene.order);
     prepared_.derivation_seconds = seconds_of(1, [&] {
         program_ = build_program(solution, scene, {true, false, true});
     });
@@ -34,7 +34,7 @@ EmittedCode::EmittedCode(const Scene& scene, const Solution& solution, const Com
     prepared_.derivation_seconds += options.derivation_seconds;
 }
 
-std::string EmittedCode::setting() const { return fmt::format("order {}", program_.order); }
+std::string EmittedCode::setting() const { return "order " + to_string(program_.weight(program_.order)); }
 
 std::vector<double> EmittedCode::parameters(const TrialPoint& at) const {
     return default_parameters<double>(program_, to_double_value(at.eps_value));

@@ -18,7 +18,7 @@ namespace resonform {
 
 namespace {
 
-constexpr int most_weights = 2; // of those that may all vanish
+constexpr int most_weights = 2; // of whole ones, those that may all vanish
 
 using Indices = std::vector<std::size_t>;
 
@@ -91,7 +91,8 @@ ErrorEstimator::ErrorEstimator(const Scene& scene, const Solution& solution, con
     Indices open(scene.outputs.size());
     std::iota(open.begin(), open.end(), std::size_t(0));
     for (const std::string& name : scene.outputs) outputs_.push_back({name, 0, ""});
-    for (int order = order_ + 1; order <= order_ + most_weights && !open.empty(); ++order) {
+    const int last = order_ + most_weights * scene.system->eps_root;
+    for (int order = order_ + 1; order <= last && !open.empty(); ++order) {
         try {
             const Solution richer = derive(fixed.system, order, next_truncation(scene, solution, order));
             auto [unmoved, moved] = unmoved_and_moved(scene, solution, richer, open);

@@ -24,7 +24,7 @@ bool starts_from_constants(const Scene& scene) {
 std::optional<int> time_power(const Scene& scene) {
     const std::optional<int> power = growth_power(scene, scene.verify.interval);
     if (!power) return {};
-    return std::max(scene.time_scale.value_or(1), *power);
+    return std::max(scene.slow_power(), *power);
 }
 
 Formula formula_of(const Scene& scene, const Solution& solution, int time_power) {

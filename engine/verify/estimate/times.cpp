@@ -24,7 +24,7 @@ constexpr double powers_of_growth = 3;
 class ValueAtStart {
 public:
     ValueAtStart(const GradedField& field, const Scene& scene, const Rational& eps)
-        : scene_(scene), eps_(GiNaC::ex(scene.system->eps) == GiNaC::numeric(cln::cl_N(eps))) {
+        : scene_(scene), eps_(GiNaC::ex(scene.system->eps) == scene.system->small_at(eps)) {
         for (const SlowVariable& slow : field.slow)
             if (const StartValue* value = scene.start_of(slow.name))
                 start_[scene.system->variables[slow.variable].jet.front()] = value->value;
@@ -136,7 +136,8 @@ double layer_length(const GradedField& field, const Scene& scene, const Rational
 
 double layer_end(const GradedField& field, const Scene& scene, const Rational& eps) {
     if (scene.transients || grows_at_start(field, scene, eps)) return 0;
-    const double powers = -std::log(of_allowed_error) - (scene.order + 1) * std::log(to_double(eps));
+    const double powers = -std::log(of_allowed_error) -
+                          to_double(scene.system->weight(scene.order + 1)) * std::log(to_double(eps));
     return powers * longest_decay(field, scene, eps);
 }
 

@@ -2,6 +2,7 @@
 #include "verify/integrate/tape.hpp"
 
 #include "algebra/number/functions.hpp"
+#include "runtime/math.hpp"
 #include "verify/run/spline.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ std::string line(const Tape::Instruction& s) {
 
 std::string Tape::text() const {
     std::string out = fmt::format("tape {} {} {} {}\n", parameters_, constants_, states_, registers_);
+    if (eps_root_ != 1) out += fmt::format("root {}\n", eps_root_);
     for (const Number& n : numbers_)
         out += fmt::format("number {} {:a} {:a} {:a}\n", n.target, n.value[0], n.value[1], n.value[2]);
     for (const Instruction& s : prologue_) out += line(s);
@@ -79,7 +81,8 @@ template <class Real>
 BoundTape<Real>::BoundTape(const Tape& tape, const std::vector<Real>& parameters, Real eps)
     : tape_(tape), registers_(static_cast<std::size_t>(tape.size()), Real(0)) {
     for (std::size_t i = 0; i < parameters.size(); ++i) registers_[i] = parameters[i];
-    registers_[static_cast<std::size_t>(tape_.parameter_count())] = eps;
+    registers_[static_cast<std::size_t>(tape_.parameter_count())] =
+        tape_.eps_root() == 1 ? eps : math::root(eps, tape_.eps_root());
     for (const Tape::Number& n : tape_.numbers())
         registers_[static_cast<std::size_t>(n.target)] = from_parts<Real>(n.value);
     for (const Tape::Instruction& step : tape_.prologue()) run(step, registers_.data());

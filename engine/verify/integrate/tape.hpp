@@ -65,6 +65,7 @@ public:
     [[nodiscard]] int state_count() const { return states_; }
     [[nodiscard]] int constant_count() const { return constants_; }
     [[nodiscard]] int parameter_count() const { return parameters_; }
+    [[nodiscard]] int eps_root() const { return eps_root_; }
     [[nodiscard]] int size() const { return registers_; }
     [[nodiscard]] const std::vector<Number>& numbers() const { return numbers_; }
     [[nodiscard]] const std::vector<Instruction>& prologue() const { return prologue_; }
@@ -83,7 +84,8 @@ private:
     friend class TapeBuilder;
     Tape() = default;
 
-    int parameters_ = 0; // registers 0 ... parameters_ - 1; eps follows
+    int parameters_ = 0; // registers 0 ... parameters_ - 1; the system's symbol eps follows
+    int eps_root_ = 1;   // which stands for this root of eps
     int constants_ = 0;
     int states_ = 0;
     int registers_ = 0;

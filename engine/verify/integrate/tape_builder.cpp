@@ -45,6 +45,7 @@ public:
         for (const Parameter& p : system.parameters) constants_symbol(p.symbol);
         tape_.parameters_ = constants_;
         constants_symbol(system.eps);
+        tape_.eps_root_ = system.eps_root;
         for (const GiNaC::symbol& s : states) known_[s] = {true, tape_.states_++};
         varying_ = tape_.states_;
     }

@@ -41,6 +41,7 @@ std::vector<OutputVerdict> blank_verdicts(const Scene& scene, const Solution& so
     for (const ProgramOutput& output : program.outputs) {
         OutputVerdict verdict;
         verdict.name = output.name;
+        verdict.eps_root = program.eps_root;
         const auto claim = scene.verify.claim.find(output.name);
         const auto expect = scene.verify.expect.find(output.name);
         verdict.claimed_order =
@@ -202,6 +203,7 @@ void Descent::add_defect(const PlannedRung& plan) {
                                         [&](const OutputVerdict& d) { return d.name == equation.variable; });
         OutputVerdict& defect = known == result_.defects.end() ? result_.defects.emplace_back() : *known;
         defect.name = equation.variable;
+        defect.eps_root = scene_.system->eps_root;
         defect.claimed_order = scene_.order + 1;
         defect.ladder.push_back(equation.rung);
     }

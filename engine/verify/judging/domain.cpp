@@ -72,7 +72,7 @@ DeclaredDomain::DeclaredDomain(const FirstOrderSystem& system, const Scene& scen
 double DeclaredDomain::number(const GiNaC::ex& value, const Rational& eps, double t) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const auto found = where_regular([&] {
-        const GiNaC::lst point{system_.eps == GiNaC::numeric(cln::cl_N(eps)),
+        const GiNaC::lst point{system_.eps == system_.small_at(eps),
                                time_ == GiNaC::numeric(cln::cl_N(cln::rational(cln::cl_DF(t))))};
         const GiNaC::ex e = system_.with_data(value.subs(point)).evalf();
         const bool real = GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_real();

@@ -46,8 +46,8 @@ void weigh_estimate(OutputVerdict& output, ErrorEstimate estimate) {
     else if (compared == 0)
         e.reason = "the ladder has no usable rung";
     else if (std::isinf(*output.estimate_ratio))
-        e.reason =
-            fmt::format("the formula of order {} does not answer over the whole interval", e.next_order);
+        e.reason = fmt::format("the formula of order {} does not answer over the whole interval",
+                               to_string(output.order(e.next_order)));
     else
         e.reason = "no test tells why";
 }

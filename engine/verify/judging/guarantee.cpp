@@ -2,8 +2,10 @@
 #include "verify/judging/guarantee.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 #include "model/files/interval_length.hpp"
 #include "model/files/settings.hpp"
+#include "model/text/eps_powers.hpp"
 #include "solve/neglected.hpp"
 #include "solve/route.hpp"
 #include "solve/solve.hpp"
@@ -18,25 +20,26 @@ namespace resonform {
 
 namespace {
 
-// Normal form and map through a weight and outputs through eps^order guarantee O(eps^q) on t <= T/eps^p, q -
-// 1 the largest order not above that asks for no larger weight. Errors (refused): there is none; those of
+// Normal form and map through a weight and outputs through eps^order guarantee the weight after the largest
+// order not above that asks for no larger weight, on t <= T/eps^p. Errors (refused): there is none; those of
 // count_truncation.
 int guaranteed_by_count(const GradedField& field, Scene scene, int order, int truncation, int p) {
+    const auto text = [&](int held) { return to_string(field.system().weight(held)); };
     scene.truncation.reset();
     scene.time_scale = p;
     for (scene.order = order; scene.order >= 0; --scene.order)
         if (count_truncation(field, scene).truncation <= truncation) return scene.order + 1;
     scene.order = 0;
     refuse({"order 0 asks for no more weights than were derived",
-            fmt::format("truncation = {}, over eps^-{} order 0 asks for {}", truncation, p,
-                        count_truncation(field, scene).truncation),
+            fmt::format("truncation = {}, over eps^-{} order 0 asks for {}", text(truncation), text(p),
+                        text(count_truncation(field, scene).truncation)),
             "shorten verify.interval",
             {}});
 }
 
 // Where an interval is longer than the scene promises, the count may not hold. Error: refused.
 void require_count(const Scene& scene, const Solution& solution, int p) {
-    if (p <= scene.time_scale.value_or(1)) return;
+    if (p <= scene.slow_power()) return;
     Scene longer = scene;
     longer.truncation.reset();
     longer.time_scale = p;
@@ -111,14 +114,15 @@ private:
         }
     }
 
-    static void refute(Guarantee& guarantee, bool sure, int weight, int power) {
+    void refute(Guarantee& guarantee, bool sure, int weight, int power) const {
+        const System& system = *scene_.system;
+        const std::string eps = spell_eps_power(system.weight(power));
         guarantee.refuted = sure;
         guarantee.reason =
-            !sure ? fmt::format("it is not decided whether what the formula leaves out vanishes at eps^{}",
-                                power)
+            !sure ? "it is not decided whether what the formula leaves out vanishes at " + eps
                   : fmt::format("what the formula leaves out (normal form and map derived through weight "
-                                "{}) does not vanish at eps^{}",
-                                weight, power);
+                                "{}) does not vanish at {}",
+                                to_string(system.weight(weight)), eps);
     }
 
     const Scene& scene_;

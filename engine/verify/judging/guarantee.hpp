@@ -14,9 +14,10 @@
 namespace resonform {
 
 struct Guarantee {
-    std::optional<int> order; // the error is O(eps^order); none: the count does not hold on this interval
-    bool refuted = false;     // the next power does not vanish: no higher order holds
-    std::string reason;       // why the order is no higher, where the claim is
+    // The error is O(eps^order), held as weights are; none: the count does not hold on this interval.
+    std::optional<int> order;
+    bool refuted = false; // the next power does not vanish: no higher order holds
+    std::string reason;   // why the order is no higher, where the claim is
 };
 
 using Guarantees = std::map<std::string, Guarantee>; // by output

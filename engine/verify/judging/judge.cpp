@@ -2,6 +2,7 @@
 #include "verify/judging/judge.hpp"
 
 #include "algebra/number/number.hpp"
+#include "model/text/eps_powers.hpp"
 
 #include <fmt/format.h>
 
@@ -24,17 +25,22 @@ constexpr double free_departure = 0.03;   // 1 % of noise moves a slope no farth
 constexpr double well_below = 1e-3;       // share of the allowed error that noise may hide in a pass
 
 struct Point {
-    double eps, error;
+    double small, error; // small: eps^(1/eps_root)
 };
 
 // Errors below this may be the arithmetic's or the reference's own.
 double noise(const LadderRung& rung) { return above_floor * std::max(rung.reference_error, rung.floor); }
 
+double small_of(const OutputVerdict& output, const LadderRung& rung) {
+    const double eps = to_double(rung.eps);
+    return output.eps_root == 1 ? eps : std::pow(eps, 1.0 / output.eps_root);
+}
+
 // Drops unusable rungs. One between usable rungs is a zero of the error, not the end of the ladder.
-std::vector<Point> usable_points(const std::vector<LadderRung>& ladder) {
+std::vector<Point> usable_points(const OutputVerdict& output) {
     std::vector<Point> points;
-    for (const LadderRung& rung : ladder)
-        if (usable(rung)) points.push_back({to_double(rung.eps), rung.max_error});
+    for (const LadderRung& rung : output.ladder)
+        if (usable(rung)) points.push_back({small_of(output, rung), rung.max_error});
     return points;
 }
 
@@ -53,7 +59,7 @@ const LadderRung* refused_rung(const std::vector<LadderRung>& ladder) {
 }
 
 double slope_between(const Point& a, const Point& b) {
-    return std::log(a.error / b.error) / std::log(a.eps / b.eps);
+    return std::log(a.error / b.error) / std::log(a.small / b.small);
 }
 
 std::vector<double> slopes_of(const std::vector<Point>& points) {
@@ -73,7 +79,7 @@ double least_squares_slope(const std::vector<Point>& points, std::size_t first) 
     const double n = static_cast<double>(points.size() - first);
     double x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = first; i < points.size(); ++i) {
-        const double u = std::log(points[i].eps), w = std::log(points[i].error);
+        const double u = std::log(points[i].small), w = std::log(points[i].error);
         x += u;
         y += w;
         xx += u * u;
@@ -86,7 +92,7 @@ double least_squares_slope(const std::vector<Point>& points, std::size_t first) 
 // the last two slopes are continued to m = 0.
 double extrapolated_slope(const std::vector<Point>& points, const std::vector<double>& slopes) {
     const auto mean = [&points](std::size_t i) {
-        return (points[i].eps - points[i + 1].eps) / std::log(points[i].eps / points[i + 1].eps);
+        return (points[i].small - points[i + 1].small) / std::log(points[i].small / points[i + 1].small);
     };
     const std::size_t last = slopes.size() - 1;
     const double m1 = mean(last), m2 = mean(last - 1);
@@ -113,7 +119,7 @@ double limiting_constant(const std::vector<Point>& points, std::size_t first, in
     const double n = static_cast<double>(points.size() - first);
     double x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = first; i < points.size(); ++i) {
-        const double eps = points[i].eps, ratio = points[i].error / std::pow(eps, order);
+        const double eps = points[i].small, ratio = points[i].error / std::pow(eps, order);
         x += eps;
         y += ratio;
         xx += eps * eps;
@@ -131,7 +137,8 @@ void undecided(OutputVerdict& output, std::string reason) {
 // with a constant of 1 or, for a small output, of its size: a large output is not allowed larger errors.
 void judge_unseen(OutputVerdict& output) {
     const auto allowed = [&](const LadderRung& rung) {
-        return well_below * std::min(1.0, rung.scale) * std::pow(to_double(rung.eps), output.claimed_order);
+        return well_below * std::min(1.0, rung.scale) *
+               std::pow(small_of(output, rung), output.claimed_order);
     };
     const auto telling = std::count_if(output.ladder.begin(), output.ladder.end(),
                                        [&](const LadderRung& rung) { return noise(rung) <= allowed(rung); });
@@ -139,10 +146,10 @@ void judge_unseen(OutputVerdict& output) {
     if (static_cast<std::size_t>(telling) < needed)
         return undecided(
             output,
-            fmt::format("no error is seen, but noise hides what eps^{} allows: it is small enough "
+            fmt::format("no error is seen, but noise hides what {} allows: it is small enough "
                         "on {} of {} rungs, {} are needed (at eps = {:g}: noise {:.2g}, at most {:.2g})",
-                        output.claimed_order, telling, output.ladder.size(), needed,
-                        to_double(output.ladder.front().eps), noise(output.ladder.front()),
+                        spell_eps_power(output.order(output.claimed_order)), telling, output.ladder.size(),
+                        needed, to_double(output.ladder.front().eps), noise(output.ladder.front()),
                         allowed(output.ladder.front())));
     output.verdict = Verdict::pass;
     output.found_order = output.claimed_order;
@@ -173,7 +180,7 @@ void judge_ladder(OutputVerdict& output) {
         output.local_slopes.push_back(
             slope_between({to_double(a.eps), a.max_error}, {to_double(b.eps), b.max_error}));
     }
-    const std::vector<Point> points = usable_points(output.ladder);
+    const std::vector<Point> points = usable_points(output);
     if (points.size() < 3) return judge_few(output, points);
     if (const LadderRung* refused = refused_rung(output.ladder))
         return undecided(output, refusal_of(*refused));
@@ -182,28 +189,36 @@ void judge_ladder(OutputVerdict& output) {
     const std::size_t tail = std::max<std::size_t>(straight_tail(slopes), 2);
     const std::size_t first = points.size() - 1 - tail;
     const bool straight = straight_tail(slopes) >= 3;
-    output.slope = straight ? least_squares_slope(points, first) : extrapolated_slope(points, slopes);
-    output.slope_low_eps = points.back().eps;
-    output.slope_high_eps = points[first].eps;
-    const int order = static_cast<int>(std::lround(output.slope));
+    const double limit = straight ? least_squares_slope(points, first) : extrapolated_slope(points, slopes);
+    const auto eps_of = [&](const Point& point) { return std::pow(point.small, output.eps_root); };
+    output.slope = limit / output.eps_root;
+    output.slope_low_eps = eps_of(points.back());
+    output.slope_high_eps = eps_of(points[first]);
+    const int order = static_cast<int>(std::lround(limit));
 
-    if (std::abs(output.slope - slopes.back()) > near_integer || (!straight && bends_away(slopes)) ||
+    if (std::abs(limit - slopes.back()) > near_integer || (!straight && bends_away(slopes)) ||
         departs(slopes, order)) {
-        output.slope = slopes.back(); // the last local slope: no limit is known
+        output.slope = slopes.back() / output.eps_root; // the last local slope: no limit is known
         return undecided(
-            output, fmt::format("the slope still bends ({:.2f}, then {:.2f}) at eps = {:g}: add smaller eps",
-                                slopes[slopes.size() - 2], slopes.back(), points.back().eps));
+            output,
+            fmt::format("the slope still bends ({:.2f}, then {:.2f}) at eps = {:g}: add smaller eps",
+                        slopes[slopes.size() - 2] / output.eps_root, output.slope, output.slope_low_eps));
     }
     // A straight line a little above an integer is at least of that order.
-    if (std::abs(output.slope - order) > near_integer || (straight && output.slope < order - near_straight))
-        return undecided(output, fmt::format("the slope {:.2f} is not near an integer", output.slope));
+    if (std::abs(limit - order) > near_integer || (straight && limit < order - near_straight))
+        return undecided(output, fmt::format("the slope {:.2f} is not near {}", output.slope,
+                                             output.eps_root == 1
+                                                 ? "an integer"
+                                                 : fmt::format("a multiple of 1/{}", output.eps_root)));
     output.found_order = order;
     output.constant = limiting_constant(points, straight ? first : points.size() - 2, order);
     const bool holds = order >= output.claimed_order;
     output.verdict = holds ? Verdict::pass : Verdict::fail;
     if (!holds)
-        output.reason = fmt::format("claimed eps^{}, found eps^{}: max|error| -> {:.3g} eps^{}",
-                                    output.claimed_order, order, output.constant, order);
+        output.reason = fmt::format("claimed {}, found {}: max|error| -> {:.3g} {}",
+                                    spell_eps_power(output.order(output.claimed_order)),
+                                    spell_eps_power(output.order(order)), output.constant,
+                                    spell_eps_power(output.order(order)));
 }
 
 } // namespace
@@ -217,6 +232,7 @@ void judge(OutputVerdict& output) {
     output.layer_slope = std::numeric_limits<double>::quiet_NaN();
     if (output.layer.empty()) return;
     OutputVerdict within;
+    within.eps_root = output.eps_root;
     within.claimed_order = output.claimed_order;
     within.ladder = output.layer;
     judge_ladder(within);
@@ -244,7 +260,7 @@ void leave_open(OutputVerdict& output, std::string reason) {
 }
 
 bool settled(const OutputVerdict& output) {
-    const std::vector<Point> points = usable_points(output.ladder);
+    const std::vector<Point> points = usable_points(output);
     if (output.ladder.empty() || !usable(output.ladder.back())) return true; // the floor is reached
     if (points.size() < 3) return false;
     const std::vector<double> slopes = slopes_of(points);

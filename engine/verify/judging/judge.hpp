@@ -32,14 +32,17 @@ struct DataError { // (verify/judging/data_error.hpp)
 
 struct OutputVerdict {
     std::string name;
+    int eps_root = 1; // orders are held in units of 1/eps_root, as weights are
     int claimed_order = 0;
     std::optional<int> guaranteed_order; // by the count of weights; none: it does not hold here
     std::optional<int> found_order;      // none while undecided
     Verdict verdict = Verdict::undecided, expected = Verdict::pass;
     double slope = 0, slope_low_eps = 0, slope_high_eps = 0; // asymptotic slope and its window
     double constant = 0;                                     // lim max|error| / eps^found_order
-    std::string reason;                                      // when undecided or failed
-    std::vector<LadderRung> ladder;                          // eps descending
+    // An order as the user counts it.
+    [[nodiscard]] Rational order(int held) const { return Rational(held) / eps_root; }
+    std::string reason;                    // when undecided or failed
+    std::vector<LadderRung> ladder;        // eps descending
     std::vector<LadderRung> layer;         // the same within t <= 20/|Re lambda|, where modes decay
     double layer_slope = 0;                // as slope, of the layer
     std::vector<double> local_slopes;      // between rungs; one fewer
@@ -51,7 +54,9 @@ struct OutputVerdict {
 // The error is clear of the reference's and the arithmetic's own.
 bool usable(const LadderRung& rung);
 
-// Pure. Reads name, claimed_order, expected, ladder and layer; fills the rest:
+// Pure. Reads name, eps_root, claimed_order, expected, ladder and layer; fills the rest. Errors are series in
+// e = eps^(1/eps_root): slopes are judged, and extrapolated, over e, where orders are integers, and told over
+// eps. For eps_root = 1:
 //   usable rungs     max_error >= 100 max(reference_error, floor)
 //   local slopes     s_k = ln(e_k/e_{k+1}) / ln(eps_k/eps_{k+1})
 //   slope            its limit as eps -> 0, extrapolated from the smallest usable eps

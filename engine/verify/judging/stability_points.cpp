@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/stability_points.hpp"
 
+#include "algebra/number/number.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/evaluate/scene_values.hpp"
 #include "verify/integrate/tape.hpp"
@@ -154,7 +155,7 @@ private:
     }
     double signed_value(const SweptInput& input, double eps, double size) {
         const bool turned = input.negative && uniform() < 0.5;
-        return (turned ? -1 : 1) * size * std::pow(eps, input.weight);
+        return (turned ? -1 : 1) * size * std::pow(eps, to_double(input.weight));
     }
     static std::size_t corners_of(const SweptInput& input) { return input.zero ? 4 : 3; }
     double corner(const SweptInput& input, double eps, std::size_t which) {
@@ -189,7 +190,7 @@ SweptInput of_start(const ProgramInput& input, const System& system) {
             start_decades,
             !(slow && variable->positive),
             !(slow && (variable->positive || variable->nonzero)),
-            start_weight(system, input.canonical),
+            system.weight(start_weight(system, input.canonical)),
             rests_elsewhere(system, input.canonical)};
 }
 
@@ -225,7 +226,7 @@ void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
             input.zero = true;
             continue;
         }
-        const double size = std::abs(values[i]) / std::pow(point.eps, input.weight);
+        const double size = std::abs(values[i]) / std::pow(point.eps, to_double(input.weight));
         input.low = std::min(input.low, size);
         input.high = std::max(input.high, size);
         if (values[i] < 0) input.negative = true;

@@ -19,7 +19,7 @@ struct SweptInput {
     double low, high;
     bool negative = false; // of both signs
     bool zero = false;     // and 0
-    int weight = 0;        // of a start value
+    Rational weight = 0;   // of a start value
     bool rests = false;    // by [equilibrium]
 };
 

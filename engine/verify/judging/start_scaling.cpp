@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/start_scaling.hpp"
 
+#include "algebra/number/number.hpp"
+#include "model/text/eps_powers.hpp"
+
 #include <fmt/format.h>
 
 namespace resonform {
@@ -50,12 +53,13 @@ std::string start_scaling_complaint(const Scene& scene) {
         const int weight = start_weight(*scene.system, start.name);
         const GiNaC::ex value = measured(scene, start);
         if (scales(value, scene.system->eps, weight)) continue;
+        const Rational power = scene.system->weight(weight);
         return fmt::format(
             "{} starts at {}, which is not {}{}a constant: along a ladder of eps the error has no order",
             start.name, start.text, rests_elsewhere(*scene.system, start.name) ? "its equilibrium plus " : "",
-            weight == 0   ? ""
-            : weight == 1 ? "eps times "
-                          : fmt::format("eps^{} times ", weight));
+            weight == 0  ? ""
+            : power == 1 ? "eps times "
+                         : spell_eps_power(power) + " times ");
     }
     return "";
 }

@@ -28,7 +28,7 @@ std::vector<std::string> fields(const ComparisonRow& r) {
                                  field(r.setting),
                                  to_string(r.task),
                                  r.form ? to_string(*r.form) : "",
-                                 r.is_emitted() ? std::to_string(r.order) : "",
+                                 r.is_emitted() ? to_string(r.order) : "",
                                  std::to_string(r.points),
                                  std::to_string(r.members),
                                  std::to_string(r.run_members),

@@ -30,7 +30,7 @@ Json of(const ComparisonRow& r) {
              {"setting", r.setting},
              {"task", to_string(r.task)},
              {"form", name_of(r.form)},
-             {"order", r.is_emitted() ? Json(r.order) : Json(nullptr)},
+             {"order", r.is_emitted() ? json_rational(r.order) : Json(nullptr)},
              {"points", r.points},
              {"members", r.members},
              {"run_members", r.run_members},
@@ -65,7 +65,7 @@ Json of(const BreakEven& b) {
     const bool compared = b.failure.empty();
     return {{"emitted_seconds", compared ? json_number(b.emitted_seconds) : Json(nullptr)},
             {"form", name_of(b.form)},
-            {"order", b.order},
+            {"order", json_rational(b.order)},
             {"measured_points", b.measured_points},
             {"members", b.members},
             {"rivals", rivals},
@@ -101,7 +101,7 @@ Json to_json(const Comparison& c) {
     for (const ComparisonRow& r : c.rows) rows.push_back(of(r));
     for (const BreakEvenAtEps& at : c.by_eps) by_eps.push_back(of(at));
     for (const Preparation& p : c.prepared)
-        prepared.push_back({{"order", p.order},
+        prepared.push_back({{"order", json_rational(p.order)},
                             {"derivation_seconds", json_number(p.derivation_seconds)},
                             {"compilation_seconds", json_number(p.compilation_seconds)}});
     return {{"schema", "resonform.comparison/1"},

@@ -71,11 +71,11 @@ std::string text_at(const Comparison& c, const BreakEvenAtEps& at) {
     text += " | median (least ... most)\n";
     for (const ComparisonRow& r : c.rows)
         if (r.eps == at.eps) text += row_line(r);
-    int order = -1;
+    Rational order = -1;
     for (const BreakEven& b : at.tasks) {
         if (b.order != order) {
             text += fmt::format("At the accuracy of the emitted code{} along the run:\n",
-                                b.order > 0 ? fmt::format(" of order {}", b.order) : "");
+                                b.order > 0 ? " of order " + to_string(b.order) : "");
             order = b.order;
         }
         text += even_lines(b, c.by_eps.size() > 1);
@@ -91,7 +91,7 @@ std::string machine_text(const Comparison& c) {
     text += fmt::format("; {}; many points in {}; {}; {}\n", m.instructions, m.loops, m.compiler,
                         c.pinned ? "one thread, held on its processor" : "one thread");
     for (const Preparation& p : c.prepared)
-        text += fmt::format("order {}: derivation {:.3g} s, compilation {:.3g} s\n", p.order,
+        text += fmt::format("order {}: derivation {:.3g} s, compilation {:.3g} s\n", to_string(p.order),
                             p.derivation_seconds, p.compilation_seconds);
     return text;
 }

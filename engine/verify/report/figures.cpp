@@ -27,7 +27,7 @@ std::size_t position(const ErrorCurves& curves, const std::string& output) {
 
 // constant * eps^order at the ends of a ladder.
 Curve power_law(std::string text, std::string hue, const std::vector<double>& eps, double constant,
-                int order) {
+                double order) {
     Curve curve{std::move(text), std::move(hue), Curve::Style::dashed, {eps.front(), eps.back()}, {}};
     for (const double e : curve.x) curve.y.push_back(constant * std::pow(e, order));
     return curve;
@@ -163,14 +163,16 @@ Figure Figures::ladder(const OutputVerdict& output) const {
     }
     Plot plot{
         "ladder_" + identifier(output.name), "ε", "max |Δ" + pretty(output.name) + "|", true, true, {errors}};
+    const Rational claimed = output.order(output.claimed_order);
+    const double claim = to_double(claimed);
     if (output.found_order && output.constant > 0) {
-        plot.curves.push_back(power_law(fmt::format("slope {}", *output.found_order), colour::blue, errors.x,
-                                        output.constant, *output.found_order));
-        if (output.claimed_order !=
-            *output.found_order) // through the largest eps, so that the two part downwards
-            plot.curves.push_back(power_law(
-                fmt::format("slope {} (claimed)", output.claimed_order), colour::grey, errors.x,
-                errors.y.front() / std::pow(errors.x.front(), output.claimed_order), output.claimed_order));
+        const Rational found = output.order(*output.found_order);
+        plot.curves.push_back(power_law("slope " + to_string(found), colour::blue, errors.x, output.constant,
+                                        to_double(found)));
+        if (claimed != found) // through the largest eps, so that the two part downwards
+            plot.curves.push_back(power_law(fmt::format("slope {} (claimed)", to_string(claimed)),
+                                            colour::grey, errors.x,
+                                            errors.y.front() / std::pow(errors.x.front(), claim), claim));
     }
     if (output.estimate && output.estimate->next_order > 0) {
         Curve estimated{"estimated", colour::orange, Curve::Style::line_points, {}, {}};
@@ -182,7 +184,7 @@ Figure Figures::ladder(const OutputVerdict& output) const {
     }
     plot.curves.push_back(floor);
     return draw(plot, fmt::format("{}: claimed O(ε^{}), found slope {:.3f}, {}", pretty(output.name),
-                                  output.claimed_order, output.slope, to_string(output.verdict)));
+                                  to_string(claimed), output.slope, to_string(output.verdict)));
 }
 
 Gallery Figures::ladders(const std::vector<OutputVerdict>& outputs) const {

@@ -54,19 +54,20 @@ Json estimate_of(const OutputVerdict& o) {
     Json out{{"map", told ? json_number(told->map) : Json()},
              {"flow", told ? json_number(told->flow) : Json()},
              {"ratio", o.estimate_ratio ? json_number(*o.estimate_ratio) : Json()},
-             {"next_order", e.next_order > 0 ? Json(e.next_order) : Json()}};
+             {"next_order", e.next_order > 0 ? json_rational(o.order(e.next_order)) : Json()}};
     if (!e.reason.empty()) out["reason"] = e.reason;
     out["ladder"] = std::move(ladder);
     return out;
 }
 
 Json of(const OutputVerdict& o) {
+    const auto order = [&](int held) { return json_rational(o.order(held)); };
     Json ladder = Json::array();
     for (const LadderRung& r : o.ladder) ladder.push_back(of(r));
     Json out{{"name", o.name},
-             {"claimed_order", o.claimed_order},
-             {"guaranteed_order", o.guaranteed_order ? Json(*o.guaranteed_order) : Json(nullptr)},
-             {"found_order", o.found_order ? Json(*o.found_order) : Json(nullptr)},
+             {"claimed_order", order(o.claimed_order)},
+             {"guaranteed_order", o.guaranteed_order ? order(*o.guaranteed_order) : Json(nullptr)},
+             {"found_order", o.found_order ? order(*o.found_order) : Json(nullptr)},
              {"verdict", to_string(o.verdict)},
              {"expected", to_string(o.expected)},
              {"slope", json_number(o.slope)},
@@ -80,7 +81,7 @@ Json of(const OutputVerdict& o) {
         out["best_order"] = Json::array();
         for (const BestOrder& b : o.estimate->best)
             out["best_order"].push_back(
-                {{"eps", to_double(b.eps)}, {"order", b.order}, {"accuracy", b.accuracy}});
+                {{"eps", to_double(b.eps)}, {"order", order(b.order)}, {"accuracy", b.accuracy}});
     }
     if (o.data_error)
         out["data_error"] = {{"eps", o.data_error->eps}, {"error", json_number(o.data_error->error)}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/number.hpp"
+#include "model/text/eps_powers.hpp"
 #include "verify/judging/conditions.hpp"
 #include "verify/judging/judge.hpp"
 #include "verify/judging/ladder.hpp"
@@ -15,13 +16,14 @@ namespace resonform {
 namespace {
 
 std::string verdict_line(const OutputVerdict& o, const Conditions& c) {
+    const auto power = [&](int held) { return spell_eps_power(o.order(held)); };
     std::string line =
-        fmt::format("  {:<8} {:<10} claimed eps^{}", o.name, to_string(o.verdict), o.claimed_order);
-    if (o.guaranteed_order) line += fmt::format(", guaranteed eps^{}", *o.guaranteed_order);
+        fmt::format("  {:<8} {:<10} claimed {}", o.name, to_string(o.verdict), power(o.claimed_order));
+    if (o.guaranteed_order) line += ", guaranteed " + power(*o.guaranteed_order);
     if (o.found_order && std::isfinite(o.slope))
-        line += fmt::format(
-            ", found eps^{}: slope {:.3f} over eps = {:g} ... {:g}, max|error| -> {:.3e} eps^{}",
-            *o.found_order, o.slope, o.slope_high_eps, o.slope_low_eps, o.constant, *o.found_order);
+        line += fmt::format(", found {}: slope {:.3f} over eps = {:g} ... {:g}, max|error| -> {:.3e} {}",
+                            power(*o.found_order), o.slope, o.slope_high_eps, o.slope_low_eps, o.constant,
+                            power(*o.found_order));
     else if (std::isfinite(o.slope))
         line += fmt::format(", slope {:.3f} over eps = {:g} ... {:g}", o.slope, o.slope_high_eps,
                             o.slope_low_eps);
@@ -49,7 +51,7 @@ std::string estimate_line(const OutputVerdict& o) {
     std::string line = fmt::format("  estimated error of {}", o.name);
     if (const EstimatedRung* told = told_estimate(o); told != nullptr && std::isfinite(told->error)) {
         line += fmt::format(": {:.2e} at eps = {:g} (map {:.2e}, flow {:.2e}; by order {})", told->error,
-                            to_double(told->eps), told->map, told->flow, e.next_order);
+                            to_double(told->eps), told->map, told->flow, to_string(o.order(e.next_order)));
         if (o.estimate_ratio) line += fmt::format(", {:.3g} times the true one", *o.estimate_ratio);
     }
     return line + (e.reason.empty() ? "\n" : ": " + e.reason + "\n");
@@ -62,11 +64,12 @@ std::string best_line(const OutputVerdict& o) {
     std::vector<std::string> parts;
     for (std::size_t i = 0, j = 0; i < best.size(); i = j) {
         while (j < best.size() && best[j].order == best[i].order) ++j;
-        parts.push_back(fmt::format("{} at eps = {:g}", best[i].order, to_double(best[i].eps)));
+        parts.push_back(
+            fmt::format("{} at eps = {:g}", to_string(o.order(best[i].order)), to_double(best[i].eps)));
         if (j > i + 1) parts.back() += fmt::format(" ... {:g}", to_double(best[j - 1].eps));
     }
-    return fmt::format("  best of the orders 1 ... {} for {}, by extrapolation: {}\n", best.front().looked_at,
-                       o.name, fmt::join(parts, ", "));
+    return fmt::format("  best of the orders {} ... {} for {}, by extrapolation: {}\n", to_string(o.order(1)),
+                       to_string(o.order(best.front().looked_at)), o.name, fmt::join(parts, ", "));
 }
 
 // "  defect of x: max|x'' - f| 2.1e-10 at eps = 0.01, slope 5.001"

@@ -98,6 +98,10 @@ Table ladder_table(const OutputVerdict& output) {
     return table;
 }
 
+std::string order_of(const OutputVerdict& output, int held) {
+    return fmt::format("O(ε^{})", to_string(output.order(held)));
+}
+
 Table verdict_table(const Verification& verification) {
     const std::string shorter = shortness(verification.conditions);
     Table table{"Error over the interval against direct integration, as ε → 0",
@@ -106,9 +110,9 @@ Table verdict_table(const Verification& verification) {
                 {}};
     for (const OutputVerdict& o : verification.outputs)
         table.rows.push_back(
-            {pretty(o.name), fmt::format("O(ε^{})", o.claimed_order),
-             o.guaranteed_order ? fmt::format("O(ε^{})", *o.guaranteed_order) : "",
-             o.found_order ? fmt::format("O(ε^{})", *o.found_order) : "",
+            {pretty(o.name), order_of(o, o.claimed_order),
+             o.guaranteed_order ? order_of(o, *o.guaranteed_order) : "",
+             o.found_order ? order_of(o, *o.found_order) : "",
              std::isfinite(o.slope) ? fmt::format("{:.3f}", o.slope) : "",
              fmt::format("{} … {}", short_number(o.slope_low_eps), short_number(o.slope_high_eps)),
              short_number(o.constant), to_string(o.verdict) + (shorter.empty() ? "" : ", " + shorter),
@@ -137,8 +141,10 @@ Table best_orders(const OutputVerdict& output) {
                 {}};
     if (!output.estimate) return table;
     for (const BestOrder& b : output.estimate->best)
-        table.rows.push_back({short_number(to_double(b.eps)), std::to_string(b.order),
-                              fmt::format("1 … {}", b.looked_at), short_number(b.accuracy)});
+        table.rows.push_back(
+            {short_number(to_double(b.eps)), to_string(output.order(b.order)),
+             fmt::format("{} … {}", to_string(output.order(1)), to_string(output.order(b.looked_at))),
+             short_number(b.accuracy)});
     return table;
 }
 
@@ -207,7 +213,7 @@ Section speed(const Findings& f, const Figures& figures) {
                {"task", "method", "tolerance", "seconds", "rival / emitted", "winner"},
                {}};
     for (const BreakEven& b : f.comparison.by_eps.front().tasks) {
-        if (b.order != f.scene->order) continue;
+        if (b.order != f.scene->system->weight(f.scene->order)) continue;
         if (!b.failure.empty())
             even.rows.push_back({to_string(b.task), "emitted", "–", b.failure, "–", "not compared"});
         for (const RivalAtEqualAccuracy& rival : b.rivals)
@@ -235,7 +241,7 @@ Section rounding(const Findings& f) {
     for (const SweptInput& input : f.stability.swept) {
         const std::string unit = input.weight == 0   ? ""
                                  : input.weight == 1 ? " ε"
-                                                     : fmt::format(" ε^{}", input.weight);
+                                                     : fmt::format(" ε^{}", to_string(input.weight));
         swept.rows.push_back({pretty(input.name),
                               (input.negative ? "± " : "") + short_number(input.low) + unit,
                               short_number(input.high) + unit});
@@ -293,8 +299,8 @@ Page make_report(const Findings& f, const VerifyOptions& options, bool drawn) {
     const System& system = *f.scene->system;
     Page page{fmt::format("{}: {}", system.title, f.scene->title),
               fmt::format("System {}, scene {}; order {}, normal form and map through weight {}. {}",
-                          system.name, f.scene->name, f.solution->order, f.solution->truncation,
-                          system.source),
+                          system.name, f.scene->name, to_string(system.weight(f.solution->order)),
+                          to_string(system.weight(f.solution->truncation)), system.source),
               {}};
     if (drawn)
         page.sections = {{"Motion", {figures.motion(curves)}}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/stability.hpp"
 
+#include "model/text/eps_powers.hpp"
+
 #include <fmt/format.h>
 
 namespace resonform {
@@ -15,7 +17,7 @@ std::string line_of(const SweptInput& input, const SweptInput& whole) {
     if (input.zero) text += input.high > 0 ? " and 0" : "0";
     if (!input.zero && input.high == 0) text += "nothing";
     if (input.weight == 1) text += ", times eps";
-    if (input.weight > 1) text += fmt::format(", times eps^{}", input.weight);
+    if (input.weight != 0 && input.weight != 1) text += ", times " + spell_eps_power(input.weight);
     return text + fmt::format(" ({:.0f} of {:.0f} decades){}\n", decades(input), decades(whole),
                               input.rests ? ", from its equilibrium" : "");
 }

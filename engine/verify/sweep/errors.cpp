@@ -2,6 +2,7 @@
 #include "verify/sweep/errors.hpp"
 
 #include "algebra/number/error.hpp"
+#include "algebra/number/number.hpp"
 #include "model/system/scene_file.hpp"
 #include "model/system/start_names.hpp"
 #include "verify/evaluate/interpreter.hpp"
@@ -85,7 +86,7 @@ public:
             else
                 status = rung.refused;
             const bool limit = output.found_order && std::isfinite(output.slope) && complaint_.empty();
-            if (limit) order[k] = *output.found_order;
+            if (limit) order[k] = to_double(output.order(*output.found_order));
         }
         return status;
     }
@@ -170,7 +171,7 @@ Scene SweepErrors::scene_at(const GivenArguments& given) const {
         }
         const bool rests = rests_elsewhere(*scene.system, name);
         const int weight = rests ? 0 : start_weight(*scene.system, name);
-        const GiNaC::ex down = GiNaC::pow(scene.system->eps / numeric(eps), weight);
+        const GiNaC::ex down = GiNaC::pow(scene.system->eps / scene.system->small_at(eps), weight);
         if (start == scene.start.end())
             scene.start.push_back({name, value * down, "", {}});
         else

@@ -145,7 +145,7 @@ struct SymbolicEvaluator::Impl {
             const SymbolicVariable& v = variables()[k];
             if (v.kind != Of::drift && v.kind != Of::quadrature) continue;
             integral_scales.push_back({k, MovingSum<Wide>(v.rate, frame.constants, frame.moves),
-                                       1 / math::power(frame.eps, v.power)});
+                                       1 / math::power(frame.small, v.power)});
         }
         if (integral_scales.empty()) return;
         piece = reach / pieces;

@@ -29,7 +29,7 @@ public:
             for (const std::size_t k : *stage) {
                 const SymbolicVariable& v = variable(k);
                 rates_[k] = MovingSum<Number>(v.rate, frame.constants, frame.moves);
-                factors_[k] = narrowed<Number>(Wide(1 / math::power(frame.eps, v.power)));
+                factors_[k] = narrowed<Number>(Wide(1 / math::power(frame.small, v.power)));
             }
     }
 
@@ -184,7 +184,7 @@ private:
 } // namespace
 
 SymbolicFrame::SymbolicFrame(std::shared_ptr<const SymbolicSolution> s, const SymbolicInputs& inputs)
-    : solution(std::move(s)), eps(inputs.eps), start(solution->start().at(inputs)),
+    : solution(std::move(s)), small(solution->ring().small(inputs)), start(solution->start().at(inputs)),
       constants(solution->ring().constants(inputs)),
       moves(static_cast<std::size_t>(solution->ring().ring().size()), false),
       variables(solution->variables().size()) {
@@ -229,7 +229,7 @@ SymbolicFrame::SymbolicFrame(std::shared_ptr<const SymbolicSolution> s, const Sy
             (in_flow ? flow : along).push_back(k);
         } else {
             variables[k].motion = SymbolicMotion::uniform;
-            variables[k].speed = (1 / math::power(eps, v.power)) * value_of(v.rate, constants);
+            variables[k].speed = (1 / math::power(small, v.power)) * value_of(v.rate, constants);
         }
     }
 }
@@ -250,7 +250,7 @@ SymbolicMoment<Number>::SymbolicMoment(const SymbolicFrame& frame) : values(fram
 template <class Number>
 void SymbolicMoment<Number>::put_mode(const SymbolicFrame& frame, const SymbolicVariable& variable,
                                       const Complex& a) {
-    const Complex z = narrowed<Number>(math::power(frame.eps, variable.weight)) * a;
+    const Complex z = narrowed<Number>(math::power(frame.small, variable.weight)) * a;
     const Number size = z.size() * narrowed<Number>(frame.start.mode_spreads[variable.start]);
     values.set(variable.id, z, size);
     values.set(variable.conjugate, z.conjugate(), size);

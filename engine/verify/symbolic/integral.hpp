@@ -17,7 +17,7 @@ enum class SymbolicMotion { rests, uniform, computed };
 // Numbers at one start, before anything is integrated.
 struct SymbolicFrame {
     std::shared_ptr<const SymbolicSolution> solution;
-    Wide eps;
+    Wide small; // the ring's eps
     SymbolicStart start;
     SymbolicValues<Wide> constants; // generators at T = 0, phases left out of modes and angles
     std::vector<bool> moves;        // generators

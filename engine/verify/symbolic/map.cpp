@@ -14,8 +14,8 @@ class WideAlgebra {
 public:
     using Real = Wide;
     using Complex = WideComplex;
-    WideAlgebra(const SymbolicInputs& inputs, int truncation)
-        : eps_(inputs.eps), truncation_(truncation), skips_(!inputs.untaken.empty()) {}
+    WideAlgebra(const Wide& eps, int truncation, bool skips)
+        : eps_(eps), truncation_(truncation), skips_(skips) {}
 
     [[nodiscard]] static Wide number(int n) { return n; }
     [[nodiscard]] Wide little() const { return math::power(eps_, 2 * truncation_); }
@@ -114,11 +114,12 @@ StartShifts<WideComplex> SymbolicMap::shifts_at(const Pair& pair, const Symbolic
         at.drift.push_back({{drift.old, 0}, {drift.now, 0}, {}, {}});
         for (const Wide& term : drift.terms) at.drift.back().terms.push_back({term, 0});
     }
+    const Wide eps = ring_.small(inputs);
     SymbolicValues<Wide> values = ring_.constants(inputs);
-    set(values, inputs.eps, pair.now);
+    set(values, eps, pair.now);
     const auto added = [&](const MovedVariable& v) {
         const WideComplex sum = value_of(sum_of(v), values);
-        return v.kind == MovedVariable::Kind::mode ? (1 / scale_of_mode(v.index, inputs.eps)) * sum
+        return v.kind == MovedVariable::Kind::mode ? (1 / scale_of_mode(v.index, eps)) * sum
                                                    : WideComplex{sum.re, 0};
     };
     for (std::size_t k = 0; k < moved_.size(); ++k) {
@@ -126,7 +127,7 @@ StartShifts<WideComplex> SymbolicMap::shifts_at(const Pair& pair, const Symbolic
         if (v.kind == MovedVariable::Kind::drift && at.drift.empty()) continue;
         at.of(v).added = added(v);
         const bool mode = v.kind == MovedVariable::Kind::mode;
-        const Wide unit = mode ? 1 / scale_of_mode(v.index, inputs.eps) : Wide(1);
+        const Wide unit = mode ? 1 / scale_of_mode(v.index, eps) : Wide(1);
         for (const SymbolicSum& harmonic : forced_[k])
             at.of(v).forced.push_back(unit * value_of(harmonic, values));
     }
@@ -134,7 +135,7 @@ StartShifts<WideComplex> SymbolicMap::shifts_at(const Pair& pair, const Symbolic
     SymbolicStartValues old = pair.old;
     old.modes.clear();
     for (const StartShift<WideComplex>& mode : at.modes) old.modes.push_back(mode.now + mode.added);
-    set(values, inputs.eps, old);
+    set(values, eps, old);
     for (const MovedVariable& v : moved_)
         if (v.kind == MovedVariable::Kind::mode) at.of(v).added_to_old = added(v);
     return at;
@@ -145,14 +146,14 @@ bool SymbolicMap::leads_back(const Pair& pair, const SymbolicInputs& inputs) con
     std::erase_if(checked, [&](const MovedVariable& v) {
         return v.kind == MovedVariable::Kind::drift && (pair.drift.empty() || !pair.drift[v.index].checked);
     });
-    WideAlgebra algebra(inputs, truncation_);
+    WideAlgebra algebra(ring_.small(inputs), truncation_, !inputs.untaken.empty());
     StartShifts<WideComplex> at = shifts_at(pair, inputs);
     NearIdentity(algebra).require(checked, at, pair.from_constants);
     return algebra.holds();
 }
 
 bool SymbolicMap::is_close_to_one(const Wide& factor, const SymbolicInputs& inputs) {
-    WideAlgebra algebra(inputs, 0);
+    WideAlgebra algebra(inputs.eps, 0, !inputs.untaken.empty());
     NearIdentity(algebra).require_close_to_one({factor - 1, 0}, "");
     return algebra.holds();
 }

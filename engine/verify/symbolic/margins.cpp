@@ -54,8 +54,8 @@ std::vector<Wide> SymbolicMargins::at(const SymbolicValues<Wide>& values) const 
 }
 
 Wide SymbolicMargins::of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const {
-    return margin_of(added.correction, added.polynomials, values, frame_.eps,
-                     solution().moduli(values, frame_.eps));
+    return margin_of(added.correction, added.polynomials, values, frame_.small,
+                     solution().moduli(values, frame_.small));
 }
 
 Status SymbolicMargins::keep_clear(const SymbolicIntegral& integral, Wide& reach) const {

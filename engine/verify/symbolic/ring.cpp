@@ -75,12 +75,17 @@ SymbolicRing::SymbolicRing(RingPtr ring, const Fix& fix, const System& system)
     }
 }
 
+Wide SymbolicRing::small(const SymbolicInputs& inputs) const {
+    const int index = ring().weights_in_one();
+    return index == 1 ? inputs.eps : math::root(inputs.eps, index);
+}
+
 SymbolicValues<Wide> SymbolicRing::constants(const SymbolicInputs& inputs) const {
     SymbolicValues<Wide> values(ring().size());
     values.set(Ring::imaginary_unit, {0, 1}, 1);
     for (GeneratorId id = 0; id < ring().size(); ++id) {
         const Generator& g = ring().generator(id);
-        if (g.kind == GeneratorKind::small) values.set(id, inputs.eps);
+        if (g.kind == GeneratorKind::small) values.set(id, small(inputs));
         if (g.kind != GeneratorKind::parameter) continue;
         for (const auto* known : {&inputs.parameters, &irrational_})
             if (const auto given = known->find(g.name); given != known->end()) values.set(id, given->second);

@@ -39,6 +39,8 @@ public:
 
     [[nodiscard]] const FixedRing& fixed() const { return fixed_; }
     [[nodiscard]] const Ring& ring() const { return fixed_.ring(); }
+    // The ring's eps, by whose powers weights count.
+    [[nodiscard]] Wide small(const SymbolicInputs& inputs) const;
     // i, eps, parameters and pi are set.
     [[nodiscard]] SymbolicValues<Wide> constants(const SymbolicInputs& inputs) const;
 

@@ -181,16 +181,17 @@ void SymbolicSolution::read_flow() {
     const FixedRing& fixed = ring_->fixed();
     const GradedField& field = *solution_.normalization->normal_form.field;
     const SlowFlow& flow = *solution_.flow;
+    const int power = field.ring->weights_in_one(); // of eps, in T = eps t
     start_ = flow_start_finder(solution_, scene_, *ring_);
     const auto all = [](const Series& series) { return series.total(series.through()); };
     for (std::size_t k = 0; k < field.slow.size(); ++k)
         add_slow(field.system().variables[field.slow[k].variable], field.slow[k].generator, k,
-                 fixed(all(flow.slow[k])), 1);
+                 fixed(all(flow.slow[k])), power);
     const std::size_t phases = variables_.size(), decays = phases + flow.phases.size();
     const auto add_phases = [&](Of kind, const std::vector<Polynomial>& rates) {
         for (const Polynomial& rate : rates) {
             SymbolicVariable phase{kind};
-            phase.power = 1;
+            phase.power = power;
             phase.rate = fixed(rate);
             add(std::move(phase));
         }
@@ -200,7 +201,7 @@ void SymbolicSolution::read_flow() {
     for (std::size_t k = 0; k < field.modes.size(); ++k) {
         SymbolicVariable mode{Of::mode, field.modes[k].z, field.modes[k].zbar};
         mode.weight = field.ring->generator(mode.id).weight;
-        mode.power = mode.weight + 1;
+        mode.power = mode.weight + power;
         if (flow.modes[k].phase) mode.phase = phases + *flow.modes[k].phase;
         if (flow.modes[k].decay) mode.decay = decays + *flow.modes[k].decay;
         mode.start = k;
@@ -209,7 +210,7 @@ void SymbolicSolution::read_flow() {
     }
     for (std::size_t k = 0; k < field.angles.size(); ++k) {
         SymbolicVariable angle{Of::angle, field.angles[k].phase};
-        angle.power = 1;
+        angle.power = power;
         angle.phase = phases + *flow.angles[k].phase;
         angle.start = k;
         angle.rate = fixed(all(flow.angles[k].rate));
@@ -218,7 +219,7 @@ void SymbolicSolution::read_flow() {
     const std::size_t drifts = variables_.size();
     for (std::size_t k = 0; k < field.drift.size(); ++k) {
         SymbolicVariable drift{Of::drift};
-        drift.power = 1;
+        drift.power = power;
         drift.start = k;
         drift.rate = fixed(all(flow.drift[k]));
         add(std::move(drift));
@@ -335,7 +336,9 @@ std::vector<Float128> SymbolicSolution::declared_at(const std::vector<Wide>& slo
 }
 
 std::string SymbolicSolution::text() const {
-    std::string text = "symbolic 5\n";
+    std::string text = fmt::format("symbolic 5{}\n", solution_.system().eps_root == 1
+                                                         ? ""
+                                                         : fmt::format(" 1/{}", solution_.system().eps_root));
     for (const SymbolicRing::Root& root : ring_->roots())
         text += fmt::format("root {} {} {} {}", root.id, root.index,
                             root.data != nullptr ? fmt::format("{} {}", root.derivative, root.data->text())

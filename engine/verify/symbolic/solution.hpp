@@ -16,7 +16,7 @@
 
 namespace resonform {
 
-struct SymbolicVariable { // d/dT = rate/eps^power
+struct SymbolicVariable { // d/dT = rate/eps^power, in powers of the ring's eps, as all here
     enum class Kind {
         slow,       // zeta
         quadrature, // from 0

@@ -65,7 +65,7 @@ private:
         for (const SlowVariable& slow : field_.slow) old.slow.push_back(inputs.start_of(slow.name));
         for (const AngleVariable& angle : field_.angles) old.angles.push_back(inputs.start_of(angle.name));
         const auto put = [&](const SymbolicStartValues& at) {
-            if (!map_.set(values, inputs.eps, at)) start.status = Status::outside_domain;
+            if (!map_.set(values, ring_.small(inputs), at)) start.status = Status::outside_domain;
         };
         if (physical_) {
             old.modes.resize(field_.modes.size());
@@ -80,7 +80,7 @@ private:
             }
         }
         if (inverts_) {
-            now = map_.moved(old, inverse_, values, inputs.eps, 1);
+            now = map_.moved(old, inverse_, values, ring_.small(inputs), 1);
         } else {
             now = old;
             for (int step = 0; step <= truncation_ && (physical_ || moves_others()); ++step) {
@@ -91,7 +91,7 @@ private:
         for (const SymbolicLayer& layer : layers_)
             for (const Wide& margin : layer.margins(values))
                 if (!(margin > 0)) start.status = Status::outside_domain;
-        if (!corrects_little(now.modes, values, inputs.eps)) start.status = Status::outside_domain;
+        if (!corrects_little(now.modes, values, ring_.small(inputs))) start.status = Status::outside_domain;
         start.modes = now.modes;
         for (std::size_t k = 0; k < now.modes.size(); ++k)
             start.mode_spreads.push_back(physical_ ? spread(k, now.modes[k], inputs, values) : Wide(1));
@@ -122,7 +122,7 @@ private:
         if (weights.empty() || !physical_) weights = {0};
         for (auto weight = weights.rbegin(); weight != weights.rend(); ++weight) {
             put(now);
-            SymbolicStartValues next = map_.moved(old, map_.map(), values, inputs.eps, -1);
+            SymbolicStartValues next = map_.moved(old, map_.map(), values, ring_.small(inputs), -1);
             for (std::size_t k = 0; physical_ && k < now.modes.size(); ++k)
                 if (field_.ring->generator(field_.modes[k].z).weight == *weight) now.modes[k] = next.modes[k];
             if (weight != weights.rbegin()) continue;
@@ -143,7 +143,8 @@ private:
             if (rows_[k][s].empty()) continue;
             const std::string& state = field_.first_order->states[field_.basis.states[s]].name;
             const Wide measured = inputs.start_of(state) - value_of(shifts_[s], values).re;
-            terms.push_back((measured / map_.scale_of_mode(k, inputs.eps)) * value_of(rows_[k][s], values));
+            terms.push_back((measured / map_.scale_of_mode(k, ring_.small(inputs))) *
+                            value_of(rows_[k][s], values));
         }
         return terms;
     }
