@@ -82,7 +82,7 @@ struct Scene {
     VerifyPlan verify;
 
     // p; of a scene that gives its truncation that of 1/eps.
-    [[nodiscard]] int slow_power() const { return time_scale.value_or(system->eps_root); }
+    [[nodiscard]] int slow_power() const { return time_scale ? *time_scale : system->eps_root; }
     // Whether it is among the outputs.
     [[nodiscard]] bool wants(const std::string& output) const;
     // Start value by canonical name ("amplitude.psi", "phase.psi", "constant.x", "xi", "psi", "psi'").

@@ -58,8 +58,7 @@ class JacobianText {
 public:
     explicit JacobianText(const Tape& tape)
         : tape_(tape), constants_(names_of_constants(tape)), depends_(static_cast<std::size_t>(tape.size())) {
-        for (int i = 0; i < tape_.state_count(); ++i)
-            depends_[static_cast<std::size_t>(tape_.constant_count() + i)].insert(i);
+        for (int i = 0; i < tape_.state_count(); ++i) depends(tape_.constant_count() + i).insert(i);
     }
 
     std::string print() {
