@@ -47,7 +47,8 @@ std::vector<double> times_of(const kernel::View& w, std::size_t n) {
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// Outputs that decay are judged by what is left of them, down to the smallest exponential.
+// The size that errors at t are compared with. A scene whose outputs decay gives their size at t, which is
+// not taken to be less than 1e-290: there the kernel may answer 0.
 template <class Scene> auto scale_at(const Scene& scene, const Fifty& t) {
     if constexpr (requires { scene.scale_at(t); }) {
         auto scale = scene.scale_at(t);
