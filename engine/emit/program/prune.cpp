@@ -79,8 +79,7 @@ void keep_phases(Program& program, const std::vector<bool>& used) {
         if (is_seen(program.phases[p], used)) continue;
         const auto place = static_cast<std::ptrdiff_t>(p);
         program.phases.erase(program.phases.begin() + place);
-        for (ProgramRow& row : program.rows)
-            row.turns.erase(row.turns.begin() + place);
+        for (ProgramRow& row : program.rows) row.turns.erase(row.turns.begin() + place);
     }
     for (ProgramPhase& phase : program.phases)
         std::erase_if(phase.fades_with, [&](Graph::Node n) { return !used[static_cast<std::size_t>(n)]; });
