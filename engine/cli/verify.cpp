@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <memory>
 
 namespace resonform {
 
@@ -63,6 +64,7 @@ struct VerifyRequest {
     std::filesystem::path report; // empty: none
     DerivationLimits limits;
     std::string format;
+    bool liars;
 };
 
 SceneLine solve_for(const VerifyRequest& request, const Home& home) {
@@ -101,6 +103,7 @@ int run_verify(const VerifyRequest& request) {
     const CacheFolder cache(home);
     const auto& system = line.expanded.first_order;
     auto options = with_progress<VerifyOptions>(cache);
+    options.liars = request.liars;
     options.guarantee = [&](const Scene& s, const Solution& solution, const Claims& claims) {
         return guarantees_apart(s, solution, claims, request.limits);
     };
@@ -135,10 +138,13 @@ void add_verify(CLI::App& app, Action& action) {
     const Text folder =
         add_output(*command, "--report", "DIR",
                    "write report.html and report.md here; adds run times and the stability sweep");
+    const auto liars = std::make_shared<bool>(false);
+    command->add_flag("--liars", *liars,
+                      "change every coefficient in turn, and tell which check catches it; adds minutes");
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
     on_choice(*command, action, [=] {
-        return run_verify({*scene, *folder, limits.value(), format.value()});
+        return run_verify({*scene, *folder, limits.value(), format.value(), *liars});
     });
 }
 

@@ -76,6 +76,7 @@ struct Tabulated {
     template <class Evaluator>
     static Status build(const Evaluator& evaluator, double eps, double end, bool rounded,
                         kernel::Tables& tables) noexcept {
+        if (!(end > 0)) return Status::outside_domain; // t = 0 alone: there is nothing to tabulate
         typename Evaluator::Values values;
         const auto answers = [&](double t) { return evaluator.at(t, 0, values) == Status::ok; };
         double reach = kernel::last_time(eps, end);

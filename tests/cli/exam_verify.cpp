@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <map>
+#include <string>
+
 namespace resonform::test {
 
 namespace {
@@ -67,6 +70,17 @@ TEST_F(VerifyCommand, WhatLimitsEndIsOpen) {
     EXPECT_EQ(
         open["reason"].get<std::string>().substr(0, 93),
         "what comes next cannot be derived: normal form and map have at most 6 terms (weight 5 reached");
+}
+
+TEST_F(SlowVerifyCommand, LiesAreCaught) {
+    const auto [code, x] = claiming("x", 4, "--liars");
+    EXPECT_EQ(code, 0);
+    std::map<std::string, int> caught;
+    for (const nlohmann::json& lie : document_["liars"]) {
+        EXPECT_EQ(lie.size(), 5U);
+        if (!lie["caught_by"].is_null()) ++caught[lie["caught_by"].get<std::string>()];
+    }
+    EXPECT_EQ(caught.size(), 3U) << document_["liars"];
 }
 
 TEST_F(SlowVerifyCommand, ErrorsAreEstimatedWithinLimits) {

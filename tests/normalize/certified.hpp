@@ -3,6 +3,7 @@
 #pragma once
 
 #include "certify/certificate.hpp"
+#include "normalize/recursion/named_series.hpp"
 #include "normalize/recursion/poincare.hpp"
 #include "normalize/styles/normalize.hpp"
 #include "support/exact.hpp"
@@ -48,28 +49,8 @@ inline Polynomial coefficient_of(const GradedField& field, const Series& series,
     return {};
 }
 
-// Every series of a normalisation, with its name in failure messages.
-struct NamedSeries {
-    std::string name;
-    Series* series;
-};
-
-inline std::vector<NamedSeries> all_series(Normalization& n) {
-    std::vector<NamedSeries> result;
-    const auto add = [&](const std::string& name, std::vector<Series>& list) {
-        for (std::size_t k = 0; k < list.size(); ++k)
-            result.push_back({name + " " + std::to_string(k), &list[k]});
-    };
-    add("normal form, mode", n.normal_form.mode);
-    add("normal form, angle", n.normal_form.angle);
-    add("normal form, slow", n.normal_form.slow);
-    add("normal form, drift", n.normal_form.drift);
-    add("map, mode", n.map.mode);
-    add("map, angle", n.map.angle);
-    add("map, slow", n.map.slow);
-    add("map, drift", n.map.drift);
-    return result;
-}
+using resonform::all_series;
+using resonform::NamedSeries;
 
 // Part by part, of two rings with the same generators.
 inline void expect_same(Normalization a, Normalization b) {

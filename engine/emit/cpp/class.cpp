@@ -303,9 +303,10 @@ std::string CppFrame::data_members() const {
 
 } // namespace
 
-std::string cpp_class(const Program& program, const std::vector<CppFurther>& further) {
+std::string cpp_class(const Program& program, const std::vector<CppFurther>& further, CppLies* lies) {
     const std::vector<PlannedFurther> planned_further = planned(further);
     CppPlan plan(program, callables_of(planned_further));
+    plan.lies = lies;
     const std::string parameters =
         plan.callables.empty() ? "class Real = double" : "class Real, " + plan.callable_list("class {type}");
     return "template <" + parameters +

@@ -3,13 +3,15 @@
 #pragma once
 
 #include "emit/cpp/further.hpp"
+#include "emit/cpp/lies.hpp"
 
 #include <string>
 #include <vector>
 
 namespace resonform {
 
-// With formulas that go further, it estimates errors.
-std::string cpp_class(const Program& program, const std::vector<CppFurther>& further = {});
+// With formulas that go further, it estimates errors. lies: where its coefficients are to be planted.
+std::string cpp_class(const Program& program, const std::vector<CppFurther>& further = {},
+                      CppLies* lies = nullptr);
 
 } // namespace resonform

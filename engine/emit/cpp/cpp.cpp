@@ -112,11 +112,12 @@ std::string further_classes(const std::vector<CppFurther>& further) {
 }
 
 // Namespace and class. own: no other file sees its names.
-std::string body(const Program& program, const std::vector<CppFurther>& further, bool own = false) {
+std::string body(const Program& program, const std::vector<CppFurther>& further, bool own = false,
+                 CppLies* lies = nullptr) {
     const std::string name = cpp_namespace(program.system, program.scene);
     std::string text = fmt::format("namespace {} {{\n{}\n", name, own ? "namespace {\n" : "");
     text += "using namespace resonform::math; // elementary functions of every real type\n\n";
-    text += further_classes(further) + cpp_data_tables(program) + cpp_class(program, further);
+    text += further_classes(further) + cpp_data_tables(program) + cpp_class(program, further, lies);
     return text + fmt::format("\n{}}} // namespace {}\n", own ? "} // namespace\n" : "", name);
 }
 
@@ -127,10 +128,10 @@ std::string emit_cpp(const Program& program, const CppOptions& options) {
 }
 
 // Several are loaded at run time, and what has the same name in two orders of a scene would be shared.
-std::string emit_library(const Program& program, std::string_view types) {
+std::string emit_library(const Program& program, std::string_view types, CppLies* lies) {
     const bool tabulated = !program.rows.empty();
     return banner(program) + (tabulated ? std::string(frames::library_loops) : "") + includes(program, {}) +
-           body(program, {}, true) +
+           std::string(lies == nullptr ? "" : frames::lies) + body(program, {}, true, lies) +
            cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator", types);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "emit/cpp/further.hpp"
+#include "emit/cpp/lies.hpp"
 
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ std::string emit_cpp(const Program& program, const CppOptions& options = {});
 //                     unsigned char* status);
 //   void  rf_interval_ends(const double* const* arguments, long n, double* t);    by the scene's default
 // and, if the program has rows, rf_loops, which must be called before batches: with &kernel::loops.
-std::string emit_library(const Program& program, std::string_view types);
+// With lies, the coefficients of the class are planted there, and
+//   void  rf_lie(int place, int kind);              the lie of all that follows; place 0: none
+//   (frames/lies.txt)
+std::string emit_library(const Program& program, std::string_view types, CppLies* lies = nullptr);
 
 } // namespace resonform

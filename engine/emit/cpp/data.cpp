@@ -52,7 +52,7 @@ std::string cpp_data_tables(const Program& program) {
 std::string cpp_data_edges(CppPlan& plan) {
     const Program& program = *plan.program;
     if (program.data.empty()) return "";
-    CppFunction function(plan.code, "Number", "q");
+    CppFunction function(plan.code, "Number", "q", plan.lies);
     for (const auto& [value, name] : plan.members) function.know(value, "c." + name);
     function.know(plan.code.lower(program.slow_time), "T");
     function.compute(plan.data_arguments, false);

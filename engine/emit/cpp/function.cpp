@@ -2,6 +2,7 @@
 #include "emit/cpp/function.hpp"
 
 #include "algebra/number/binary_parts.hpp"
+#include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
 
 #include <fmt/format.h>
@@ -83,6 +84,9 @@ void CppFunction::compute(const std::vector<Value>& roots, bool through_constant
     in_pieces_ = order.size() > longest_function;
     for (const Value v : order)
         if (texts_.count(v) == 0) compute_one(v, uses[v]);
+    for (const Value root : roots)
+        if (is_coefficient(root) && targets_.count(root) == 0)
+            texts_[root] = {planted(texts_[root].text), Level::atom};
 }
 
 void CppFunction::compute_one(Value v, int uses) {
@@ -90,7 +94,7 @@ void CppFunction::compute_one(Value v, int uses) {
     const auto given = given_.find(v);
     const Text text = given == given_.end() ? expression(v) : Text{given->second.second, Level::atom};
     if (const auto target = targets_.find(v); target != targets_.end()) {
-        statements_.push_back({target->second, text.text, false});
+        statements_.push_back({target->second, is_coefficient(v) ? planted(text.text) : text.text, false});
         texts_[v] = {target->second, Level::atom};
         return;
     }
@@ -109,7 +113,24 @@ void CppFunction::compute_one(Value v, int uses) {
 
 std::string CppFunction::operand(Value v, Level least) const {
     const Text& text = texts_.at(v);
+    if (lies_ != nullptr && is_coefficient(v)) return planted(text.text);
     return text.level >= least ? text.text : "(" + text.text + ")";
+}
+
+// 0 has no other sign, and no other size.
+bool CppFunction::is_coefficient(Value v) const {
+    const StraightLine::Instruction& i = code_->at(v);
+    return i.op == StraightLine::Op::number && i.number != 0;
+}
+
+// Such a term is written with its own coefficient.
+bool CppFunction::begins_with_number(Value v) const {
+    const StraightLine::Instruction& i = code_->at(v);
+    return is_coefficient(v) || (i.op == StraightLine::Op::multiply && is_coefficient(i.operands.front()));
+}
+
+std::string CppFunction::planted(const std::string& text) const {
+    return lies_ == nullptr ? text : lies_->planted(text);
 }
 
 CppFunction::Text CppFunction::number(const Rational& value) const {
@@ -136,7 +157,8 @@ CppFunction::Text CppFunction::sum_of(const StraightLine::Instruction& i) const 
             text = minus ? "-" : "";
         else
             text += minus ? " - " : " + ";
-        text += operand(i.operands[k], Level::product);
+        const std::string term = operand(i.operands[k], Level::product);
+        text += begins_with_number(i.operands[k]) ? term : planted(term);
     }
     return {text, Level::sum};
 }
@@ -151,6 +173,7 @@ CppFunction::Text CppFunction::product_of(const StraightLine::Instruction& i) co
             text += (text.empty() || text == "-" ? "" : " * ") +
                     operand(i.operands[k], k == 0 ? Level::product : Level::atom);
     }
+    if (lies_ != nullptr && text.front() == '-') return {planted(text), Level::atom}; // of -1
     return {text, Level::product};
 }
 
@@ -158,8 +181,8 @@ CppFunction::Text CppFunction::function_of(const StraightLine::Instruction& i) c
     std::vector<std::string> arguments;
     for (const Value v : i.operands) {
         const Text& argument = texts_.at(v);
-        arguments.push_back(argument.level == Level::atom ? argument.text
-                                                          : fmt::format("{}({})", type_, argument.text));
+        const bool is_whole = argument.level == Level::atom || (lies_ != nullptr && is_coefficient(v));
+        arguments.push_back(is_whole ? operand(v, Level::atom) : fmt::format("{}({})", type_, argument.text));
     }
     if (i.op == StraightLine::Op::root && i.index != 2)
         return {fmt::format("resonform::math::root({}, {})", arguments.front(), i.index), Level::atom};
@@ -198,6 +221,7 @@ std::string CppFunction::statement_lines(std::size_t begin, std::size_t end) con
 }
 
 std::string CppFunction::print(const Frame& frame) const {
+    if (lies_ != nullptr) lies_->end_function(frame.name);
     const auto lines = [](const std::vector<std::string>& all) {
         std::string text;
         for (const std::string& line : all) text += "        " + line + "\n";

@@ -3,6 +3,7 @@
 // shared or named value gets a statement; long functions are cut into pieces of bounded size.
 #pragma once
 
+#include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/program/straight_line.hpp"
 
@@ -15,9 +16,10 @@ namespace resonform {
 
 class CppFunction {
 public:
-    // type: the number type of its statements; prefix: of names for nameless values.
-    CppFunction(const StraightLine& code, std::string type, std::string prefix)
-        : code_(&code), type_(std::move(type)), prefix_(std::move(prefix)) {}
+    // type: the number type of its statements; prefix: of names for nameless values; lies: where its
+    // coefficients are to be planted, if they are.
+    CppFunction(const StraightLine& code, std::string type, std::string prefix, CppLies* lies = nullptr)
+        : code_(&code), type_(std::move(type)), prefix_(std::move(prefix)), lies_(lies) {}
 
     // A value that need not be computed: `text` stands for it.
     void know(StraightLine::Value v, const std::string& text) { texts_[v] = {text, Level::atom}; }
@@ -68,11 +70,15 @@ private:
     [[nodiscard]] Text function_of(const StraightLine::Instruction& i) const;
     [[nodiscard]] std::string operand(StraightLine::Value v, Level least) const;
     [[nodiscard]] Text number(const Rational& value) const;
+    [[nodiscard]] bool is_coefficient(StraightLine::Value v) const;
+    [[nodiscard]] bool begins_with_number(StraightLine::Value v) const;
+    [[nodiscard]] std::string planted(const std::string& text) const;
     [[nodiscard]] std::string statement_lines(std::size_t begin, std::size_t end) const;
     [[nodiscard]] std::string quantities(const std::string& name, bool is_template) const;
 
     const StraightLine* code_;
     std::string type_, prefix_;
+    CppLies* lies_;
     std::string callables_in_ = "c";
     CppNames names_;
     bool in_pieces_ = false;

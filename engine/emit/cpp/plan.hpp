@@ -4,6 +4,7 @@
 #pragma once
 
 #include "emit/cpp/constant_range.hpp"
+#include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/program/straight_line.hpp"
 
@@ -48,6 +49,7 @@ struct CppPlan {
 
     const Program* program;
     StraightLine code;
+    CppLies* lies = nullptr; // where the coefficients of its functions are to be planted, if they are
     std::vector<std::string> parameters, start; // members of Parameters and Start, as in the program
     std::vector<CppCallable> callables;         // members of Parameters and Constants
     std::vector<CppLevel> levels;

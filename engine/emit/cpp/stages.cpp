@@ -66,7 +66,7 @@ void CppStages::know_arguments(CppFunction& function) {
 
 std::string CppStages::constants() {
     std::string text = "    // What is computed once.\n    template <class Number> struct Constants {\n";
-    CppFunction function(plan_.code, "Number", "k");
+    CppFunction function(plan_.code, "Number", "k", plan_.lies);
     know_arguments(function);
     std::vector<Value> roots;
     for (const CppCallable& callable : plan_.callables)
@@ -127,7 +127,7 @@ std::string CppStages::kept_constants() const {
 // Conditions on the start: products of many arguments, of which only the sign matters.
 std::string CppStages::start_conditions() {
     if (!plan_.conditions_apart) return "";
-    CppFunction function(plan_.code, "Number", "k");
+    CppFunction function(plan_.code, "Number", "k", plan_.lies);
     know_arguments(function);
     function.call_through("parameters");
     std::vector<Value> conditions;
@@ -156,7 +156,7 @@ void CppStages::know_tables(CppFunction& function, const std::string& array) {
 // The slow flow: its rates at T and at values of its own.
 std::string CppStages::flow_rates() {
     if (program_.flow.empty()) return "";
-    CppFunction function(plan_.code, "Number", "q");
+    CppFunction function(plan_.code, "Number", "q", plan_.lies);
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
     know_tables(function, "flow");
@@ -180,7 +180,7 @@ std::string CppStages::flow_rates() {
 
 std::string CppStages::layers() {
     if (plan_.layers.empty()) return "";
-    CppFunction function(plan_.code, "Number", "q");
+    CppFunction function(plan_.code, "Number", "q", plan_.lies);
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
     know_tables(function, "flow");
@@ -212,7 +212,7 @@ std::string CppStages::integrands() {
 }
 
 std::string CppStages::integrands_of(std::size_t level) {
-    CppFunction function(plan_.code, "Number", "q");
+    CppFunction function(plan_.code, "Number", "q", plan_.lies);
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
     know_tables(function, "tables");
@@ -240,7 +240,7 @@ std::string CppStages::integrands_of(std::size_t level) {
 std::string CppStages::phase_rates() {
     std::string text;
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
-        CppFunction function(plan_.code, "Number", "q");
+        CppFunction function(plan_.code, "Number", "q", plan_.lies);
         know_members(function);
         function.know(plan_.code.lower(program_.slow_time), "T");
         know_tables(function, "tables");
@@ -293,7 +293,7 @@ void CppStages::know_call(CppFunction& function) {
 // vanishes (emit/program/layers.hpp).
 std::string CppStages::passes() {
     if (plan_.precisions.empty()) return "";
-    CppFunction function(plan_.code, "Real", "q");
+    CppFunction function(plan_.code, "Real", "q", plan_.lies);
     know_call(function);
     std::vector<Value> roots;
     for (const std::vector<Value>& either : plan_.precisions)
@@ -315,7 +315,7 @@ std::string CppStages::passes() {
 std::string CppStages::evaluation(const std::string& name, const std::string& type,
                                   const std::vector<CppResult>& list) {
     if (list.empty()) return "";
-    CppFunction function(plan_.code, "Real", "q");
+    CppFunction function(plan_.code, "Real", "q", plan_.lies);
     know_call(function);
     std::vector<Value> roots;
     for (const CppCondition& condition : plan_.varying_conditions) roots.push_back(condition.value);
@@ -341,7 +341,7 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
 
 std::string CppStages::amplitudes() {
     if (plan_.rows.empty()) return "";
-    CppFunction function(plan_.code, "Number", "q");
+    CppFunction function(plan_.code, "Number", "q", plan_.lies);
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
     know_tables(function, "tables");

@@ -62,12 +62,13 @@ std::string told(Status status, const std::string& why) {
 
 std::shared_ptr<const EvaluatorLibrary>
 EvaluatorLibrary::build(const Program& program, const std::filesystem::path& cache,
-                        const std::function<void(const std::string&)>& progress, std::string_view types) {
+                        const std::function<void(const std::string&)>& progress, std::string_view types,
+                        CppLies* lies) {
     const auto announce = [&] {
         if (progress)
             progress(fmt::format("compiling the emitted code of {}, order {}", program.scene, program.order));
     };
-    SharedObject object = SharedObject::load(emit_library(program, types), cache, announce);
+    SharedObject object = SharedObject::load(emit_library(program, types, lies), cache, announce);
     using Loops = const kernel::Loops& (*)() noexcept;
     if (const auto take = reinterpret_cast<void (*)(Loops)>(object.symbol("rf_loops"))) take(&kernel::loops);
     return std::make_shared<const EvaluatorLibrary>(std::move(object));

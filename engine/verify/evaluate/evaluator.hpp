@@ -2,6 +2,7 @@
 // A running evaluator: the text of emit_library, compiled and called; or the same program interpreted.
 #pragma once
 
+#include "emit/cpp/lies.hpp"
 #include "runtime/status.hpp"
 #include "verify/evaluate/interpretation.hpp"
 #include "verify/run/real.hpp"
@@ -22,10 +23,11 @@ namespace resonform {
 class EvaluatorLibrary {
 public:
     // types: of those Evaluators that are made of it, as emit_library has them. Errors: those of
-    // SharedObject.
+    // SharedObject. lies: as emit_library has them.
     static std::shared_ptr<const EvaluatorLibrary>
     build(const Program& program, const std::filesystem::path& cache,
-          const std::function<void(const std::string&)>& progress, std::string_view types = "d");
+          const std::function<void(const std::string&)>& progress, std::string_view types = "d",
+          CppLies* lies = nullptr);
     // No compiler runs: the interpreter stands for the code, with the same operations in the same real types.
     static std::shared_ptr<const EvaluatorLibrary> interpreted(std::shared_ptr<const Program> program);
 

@@ -68,6 +68,12 @@ std::vector<Real> multiplied(const Scene& scene, const std::vector<Real>& starts
 
 } // namespace
 
+EmittedCheckOptions in_double(EmittedCheckOptions options) {
+    options.starts *= 2;
+    options.times *= 5;
+    return options;
+}
+
 template <class Real>
 std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t starts, std::size_t times,
                                                 std::uint64_t seed) {

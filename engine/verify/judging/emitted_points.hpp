@@ -4,7 +4,10 @@
 
 #include "model/system/scene_file.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,5 +33,31 @@ template <class Real> struct EmittedPoints {
 template <class Real>
 std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t starts, std::size_t times,
                                                 std::uint64_t seed);
+
+// In double twice as many starts are taken, and five times as many times of each.
+struct EmittedCheckOptions {
+    std::filesystem::path cache;
+    std::function<void(const std::string&)> progress;
+    std::size_t starts = 50, times = 20; // of each start
+    std::uint64_t seed = 1;
+};
+
+// The same options for double: 10^4 points in place of 10^3, for only there values come from tables, too.
+EmittedCheckOptions in_double(EmittedCheckOptions options);
+
+// What is found at them.
+struct EmittedInType {
+    std::string type;         // "double", "long double"
+    std::size_t points = 0;   // all
+    std::size_t compared = 0; // those that both answer with numbers
+    double ulp = 0;           // the largest difference; infinite where statuses disagree, NaN: none is seen
+    double phase_share = 0;   // there: what part of the scale is that of phases moved by a slow flow
+    std::string output;       // there
+    std::string statuses;     // there, if they disagree: "emitted ok, symbolic outside_domain"
+    std::vector<std::pair<std::string, double>> at; // there: eps, start values, t
+
+    // Numbers were compared, or statuses that disagree.
+    [[nodiscard]] bool has_seen() const { return !at.empty(); }
+};
 
 } // namespace resonform

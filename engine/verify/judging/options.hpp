@@ -26,6 +26,7 @@ struct VerifyOptions {
     std::function<ErrorEstimates(const Scene&, const Solution&, const std::vector<Rational>&)> estimate;
     std::size_t emitted_starts = 50; // of emitted = symbolic, with 20 times each
     bool compiled = true;            // false: programs are interpreted, and no compiler is waited for
+    bool liars = false;              // try them, too (verify/judging/lies.hpp)
 };
 
 // The emitted code of a scene, compiled (for these types, as emit_library has them) or interpreted.

@@ -5,8 +5,10 @@
 #include "verify/judging/conditions.hpp"
 #include "verify/judging/emitted_check.hpp"
 #include "verify/judging/judge.hpp"
+#include "verify/judging/lies.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +21,11 @@ struct Verification {
     EmittedCheck emitted;
     std::vector<OutputVerdict> defects = {}; // beside modes that grow: of the equations, by their variables
 
-    // Every verdict equals the expected one, and emitted = symbolic.
+    std::optional<Lies> lies = {}; // none: not asked for
+
+    // Every verdict equals the expected one, emitted = symbolic, and no lie survives.
     [[nodiscard]] bool as_expected() const {
-        return emitted.verdict == Verdict::pass &&
+        return emitted.verdict == Verdict::pass && !(lies && (lies->honest_fails || lies->survivors() > 0)) &&
                std::all_of(outputs.begin(), outputs.end(),
                            [](const OutputVerdict& o) { return o.verdict == o.expected; });
     }

@@ -127,6 +127,18 @@ Json of(const EmittedCheck& check) {
     return out;
 }
 
+Json of(const Lies& lies) {
+    const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+    Json out = Json::array();
+    for (const Lie& lie : lies.all)
+        out.push_back({{"output", or_null(lie.output)},
+                       {"where", lie.where},
+                       {"planted", lie.planted},
+                       {"effect_ulp", json_number(lie.effect_ulp)},
+                       {"caught_by", or_null(lie.caught_by)}});
+    return out;
+}
+
 } // namespace
 
 Json to_json(const Verification& v) {
@@ -138,6 +150,7 @@ Json to_json(const Verification& v) {
     json["outputs"] = std::move(outputs);
     json["emitted_against_symbolic_ulp"] = json_number(v.emitted.worst());
     json["emitted_equals_symbolic"] = of(v.emitted);
+    if (v.lies) json["liars"] = of(*v.lies);
     return json;
 }
 

@@ -168,7 +168,8 @@ std::string to_text(const Verification& v) {
     for (const OutputVerdict& d : v.defects) text += defect_line(d);
     for (const OutputVerdict& o : v.outputs) text += estimate_line(o) + best_line(o);
     for (const OutputVerdict& o : v.outputs) text += data_line(o);
-    return text + to_text(v.emitted);
+    text += to_text(v.emitted);
+    return v.lies ? text + to_text(*v.lies) : text;
 }
 
 } // namespace resonform

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/judging/emitted_judge.hpp"
+
+#include "model/system/start_names.hpp"
+#include "verify/evaluate/interpreter.hpp"
+#include "verify/symbolic/ulp.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+constexpr int little_room = 70;         // powers of e: of squares and amplitudes
+constexpr std::size_t starts_only = 20; // times as many starts, of which the status at t = 0 is compared
+constexpr double shortened = 1e-3;      // of the interval: their tables would take most of the time
+
+template <class Real> constexpr const char* type_name = "double";
+template <> constexpr const char* type_name<long double> = "long double";
+
+double share(const Wide& part, const Wide& whole) {
+    return whole > 0 ? static_cast<double>(Wide(part / whole)) : 0;
+}
+
+bool agree(Status emitted, Status exact) {
+    return emitted == exact || (emitted == Status::low_precision && exact == Status::ok);
+}
+
+bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
+
+} // namespace
+
+template <class Real>
+EmittedJudge<Real>::EmittedJudge(const Program& program, std::shared_ptr<const EvaluatorLibrary> library,
+                                 std::shared_ptr<const SymbolicSolution> symbolic, const Scene& scene,
+                                 bool is_flow, const EmittedCheckOptions& options)
+    : program_(program), library_(std::move(library)), symbolic_(std::move(symbolic)), scene_(scene),
+      is_flow_(is_flow), options_(options),
+      drawn_(emitted_points<Real>(scene, options.starts, options.times, options.seed)) {
+    for (const Points& d : drawn_) asked_.push_back(asked_of(d));
+    if (options_.progress)
+        options_.progress(fmt::format("emitted code in {} against the exact solution: {} starts, {} times "
+                                      "of each",
+                                      type_name<Real>, options_.starts, options_.times));
+    exact_ = symbolic_values(symbolic_, asked_, options_.cache, options_.progress);
+}
+
+template <class Real> bool EmittedJudge<Real>::takes(const std::string& canonical) const {
+    return std::any_of(program_.start.begin(), program_.start.end(),
+                       [&](const ProgramInput& input) { return input.canonical == canonical; });
+}
+
+template <class Real> SymbolicPoints EmittedJudge<Real>::asked_of(const Points& d) const {
+    SymbolicPoints points{{Wide(d.eps), {}, {}, Wide(d.end), {}}, {d.times.begin(), d.times.end()}};
+    for (const auto& [name, value] : d.start) {
+        points.inputs.start.emplace(name, Wide(value));
+        if (!takes(name)) points.inputs.untaken.insert(name);
+    }
+    return points;
+}
+
+template <class Real> Evaluator<Real> EmittedJudge<Real>::emitted_at(const Points& drawn) const {
+    std::vector<Real> start;
+    for (const ProgramInput& input : program_.start) start.push_back(drawn.start_of(input.canonical));
+    return {library_, drawn.eps, default_parameters<Real>(program_, drawn.eps), start, drawn.end};
+}
+
+template <class Real> EmittedAnswers<Real> EmittedJudge<Real>::room_for(std::size_t start) const {
+    const std::size_t count = drawn_[start].times.size();
+    return {start, std::vector<unsigned char>(count),
+            std::vector<std::vector<Real>>(program_.outputs.size(), std::vector<Real>(count))};
+}
+
+template <class Real>
+EmittedAnswers<Real> EmittedJudge<Real>::one_by_one(const Evaluator<Real>& emitted, std::size_t start) const {
+    EmittedAnswers<Real> answers = room_for(start);
+    std::vector<Real> values(program_.outputs.size());
+    for (std::size_t i = 0; i < answers.statuses.size(); ++i) {
+        answers.statuses[i] = static_cast<unsigned char>(emitted.call(drawn_[start].times[i], values.data()));
+        for (std::size_t k = 0; k < values.size(); ++k) answers.values[k][i] = values[k];
+    }
+    return answers;
+}
+
+template <class Real>
+EmittedAnswers<Real> EmittedJudge<Real>::at_once(const Evaluator<Real>& emitted, std::size_t start) const {
+    EmittedAnswers<Real> answers = room_for(start);
+    std::vector<Real*> rows;
+    for (std::vector<Real>& row : answers.values) rows.push_back(row.data());
+    emitted.batch({drawn_[start].times.begin(), drawn_[start].times.end()}, rows, answers.statuses);
+    return answers;
+}
+
+template <class Real> typename EmittedJudge<Real>::Answers EmittedJudge<Real>::answers() const {
+    Answers all;
+    for (std::size_t j = 0; j < drawn_.size(); ++j) {
+        const Evaluator<Real> emitted = emitted_at(drawn_[j]);
+        all.push_back(one_by_one(emitted, j));
+        if (std::is_same_v<Real, double> && !program_.rows.empty()) // from tables
+            all.push_back(at_once(emitted, j));
+    }
+    return all;
+}
+
+template <class Real> EmittedInType EmittedJudge<Real>::judged(const Answers& answers, double enough) {
+    result_ = {};
+    result_.type = type_name<Real>;
+    const auto is_enough = [&] { return result_.has_seen() && !(result_.ulp <= enough); };
+    for (std::size_t j = 0; j < answers.size() && !is_enough(); ++j) {
+        const std::size_t compared = compare(answers[j], enough);
+        if (j > 0 && answers[j].start == answers[j - 1].start) continue; // the same points again
+        result_.points += answers[j].statuses.size();
+        result_.compared += compared;
+    }
+    draw_starts();
+    for (std::size_t j = 0; j < starts_.size() && !is_enough(); ++j) compare_start(starts_[j]);
+    if (!result_.has_seen()) result_.ulp = std::numeric_limits<double>::quiet_NaN();
+    return result_;
+}
+
+template <class Real>
+typename EmittedJudge<Real>::Difference EmittedJudge<Real>::difference(const Answers& a,
+                                                                       const Answers& b) const {
+    Difference most;
+    const auto see = [&](double ulp, std::size_t output) {
+        if (ulp > most.ulp) most = {ulp, output};
+    };
+    for (std::size_t j = 0; j < a.size(); ++j)
+        for (std::size_t i = 0; i < a[j].statuses.size(); ++i) {
+            const SymbolicPoint& exact = exact_[a[j].start][i];
+            if (has_numbers(a[j].status(i)) != has_numbers(b[j].status(i)))
+                see(std::numeric_limits<double>::infinity(), most.output);
+            if (exact.status != Status::ok || a[j].status(i) != Status::ok || b[j].status(i) != Status::ok)
+                continue;
+            for (std::size_t k = 0; k < a[j].values.size(); ++k)
+                see(in_ulp<Real>(a[j].values[k][i], Wide(b[j].values[k][i]), exact.scales[k]), k);
+        }
+    return most;
+}
+
+// The starts are drawn, and their exact statuses found, when they are first asked for.
+template <class Real> void EmittedJudge<Real>::draw_starts() {
+    if (!starts_.empty()) return;
+    for (Points& d : emitted_points<Real>(scene_, starts_only * options_.starts, 0, options_.seed + 1)) {
+        d.end *= Real(shortened);
+        const SymbolicPoints asked = asked_of(d);
+        starts_.push_back({d, asked, symbolic_->start().at(asked.inputs).status});
+    }
+}
+
+// Whether the map leads back to its start is asked at t = 0 only, and few starts fail: of many, the
+// status there. Where the exact start says another one, the whole exact solution is asked.
+template <class Real> void EmittedJudge<Real>::compare_start(const Start& start) {
+    std::vector<Real> values(program_.outputs.size());
+    const Status status = emitted_at(start.drawn).call(Real(0), values.data());
+    if (agree(status, start.exact)) return;
+    std::unique_ptr<SymbolicEvaluator> beside;
+    const SymbolicPoint exact = SymbolicEvaluator(symbolic_, start.asked.inputs, Wide(0))(Wide(0));
+    if (!agree(status, exact.status) && !at_edge(status, exact, start.asked, Real(0), beside))
+        disagree(status, exact.status, start.drawn, Real(0));
+}
+
+// How many values are compared.
+template <class Real>
+std::size_t EmittedJudge<Real>::compare(const EmittedAnswers<Real>& answers, double enough) {
+    const Points& drawn = drawn_[answers.start];
+    const SymbolicPoints& asked = asked_[answers.start];
+    const std::vector<SymbolicPoint>& exact = exact_[answers.start];
+    std::unique_ptr<SymbolicEvaluator> beside; // for times beside those asked for
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < drawn.times.size(); ++i) {
+        if (result_.has_seen() && !(result_.ulp <= enough)) break;
+        const Real t = drawn.times[i];
+        const Status status = answers.status(i);
+        if (!agree(status, exact[i].status)) {
+            if (!at_edge(status, exact[i], asked, t, beside)) disagree(status, exact[i].status, drawn, t);
+            continue;
+        }
+        if (exact[i].status != Status::ok || status == Status::low_precision) continue;
+        ++compared;
+        for (std::size_t k = 0; k < answers.values.size(); ++k)
+            record(in_ulp<Real>(answers.values[k][i], exact[i].values[k], exact[i].scales[k]),
+                   share(exact[i].phase_parts[k], exact[i].scales[k]), program_.outputs[k].name, drawn, t,
+                   "");
+    }
+    return compared;
+}
+
+// The symbolic status changes to the emitted one within 4 ulp of t, a value is beyond the range of Real,
+// or a phase beyond what Real knows of it.
+template <class Real>
+bool EmittedJudge<Real>::at_edge(Status status, const SymbolicPoint& exact, const SymbolicPoints& asked,
+                                 Real t, std::unique_ptr<SymbolicEvaluator>& beside) const {
+    if (status == Status::overflow)
+        for (const Wide& value : exact.values)
+            if (abs(value) > Wide(std::numeric_limits<Real>::max())) return true;
+    if (!beside)
+        beside = std::make_unique<SymbolicEvaluator>(symbolic_, asked.inputs, asked.inputs.slow_time_end);
+    if (status == Status::overflow) // a power of a mode may be, though no value is
+        for (const Wide& chi : beside->exponents(Wide(t)))
+            if (program_.truncation * chi > log(Wide(std::numeric_limits<Real>::max())) - little_room)
+                return true;
+    if (status == Status::outside_interval && exact.status == Status::ok &&
+        beside->loses_phase(Wide(t), asked.inputs.slow_time_end / asked.inputs.eps,
+                            phase_resolution<Real>(is_flow_)))
+        return true;
+    const auto times = times_at_edge(t);
+    return std::any_of(times.begin(), times.end(),
+                       [&](const Wide& time) { return (*beside)(time).status == status; });
+}
+
+template <class Real>
+void EmittedJudge<Real>::disagree(Status emitted, Status exact, const Points& drawn, Real t) {
+    record(std::numeric_limits<double>::infinity(), 0, "", drawn, t,
+           fmt::format("emitted {}, symbolic {}", to_string(emitted), to_string(exact)));
+}
+
+template <class Real>
+void EmittedJudge<Real>::record(double ulp, double phase_share, const std::string& output,
+                                const Points& drawn, Real t, const std::string& statuses) {
+    if (result_.has_seen() && !(ulp > result_.ulp)) return;
+    result_.ulp = ulp;
+    result_.phase_share = phase_share;
+    result_.output = output;
+    result_.statuses = statuses;
+    result_.at = {{"eps", static_cast<double>(drawn.eps)}};
+    for (const auto& [name, value] : drawn.start)
+        result_.at.emplace_back(user_start(name, *scene_.system), static_cast<double>(value));
+    result_.at.emplace_back("t", static_cast<double>(t));
+}
+
+template class EmittedJudge<double>;
+template class EmittedJudge<long double>;
+
+} // namespace resonform

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Emitted code in one real type at the points that it is judged at, and the exact solution there. The exact
+// values are computed once, for however many answers of the code.
+#pragma once
+
+#include "verify/evaluate/evaluator.hpp"
+#include "verify/judging/emitted_points.hpp"
+#include "verify/symbolic/table.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace resonform {
+
+// Statuses and values of an evaluator at the times of one start.
+template <class Real> struct EmittedAnswers {
+    std::size_t start;
+    std::vector<unsigned char> statuses;
+    std::vector<std::vector<Real>> values; // [output][time]
+    [[nodiscard]] Status status(std::size_t i) const { return static_cast<Status>(statuses[i]); }
+};
+
+// Real: double, long double.
+template <class Real> class EmittedJudge {
+public:
+    using Answers = std::vector<EmittedAnswers<Real>>;
+
+    // Computes the exact values; all must outlive it. Precondition: as check_emitted.
+    EmittedJudge(const Program& program, std::shared_ptr<const EvaluatorLibrary> library,
+                 std::shared_ptr<const SymbolicSolution> symbolic, const Scene& scene, bool is_flow,
+                 const EmittedCheckOptions& options);
+
+    // Of the code as it is now: call by call and, in double, all times at once where it has tables for that.
+    [[nodiscard]] Answers answers() const;
+    // These answers against the exact solution, then statuses at the start, where the code is asked again. It
+    // ends with a difference of more than `enough` ulp.
+    [[nodiscard]] EmittedInType judged(const Answers& answers,
+                                       double enough = std::numeric_limits<double>::infinity());
+
+    // The largest difference between answers, in ulp of the output's scale, where both are numbers; infinite
+    // where only one is, unless that is low_precision.
+    struct Difference {
+        double ulp = 0;
+        std::size_t output = 0; // there
+    };
+    [[nodiscard]] Difference difference(const Answers& a, const Answers& b) const;
+
+private:
+    using Points = EmittedPoints<Real>;
+    struct Start { // of which the status at t = 0 is compared
+        Points drawn;
+        SymbolicPoints asked;
+        Status exact; // as far as the start says
+    };
+
+    [[nodiscard]] bool takes(const std::string& canonical) const;
+    [[nodiscard]] SymbolicPoints asked_of(const Points& d) const;
+    [[nodiscard]] Evaluator<Real> emitted_at(const Points& drawn) const;
+    void draw_starts();
+    [[nodiscard]] EmittedAnswers<Real> one_by_one(const Evaluator<Real>& emitted, std::size_t start) const;
+    [[nodiscard]] EmittedAnswers<Real> at_once(const Evaluator<Real>& emitted, std::size_t start) const;
+    [[nodiscard]] EmittedAnswers<Real> room_for(std::size_t start) const;
+
+    [[nodiscard]] std::size_t compare(const EmittedAnswers<Real>& answers, double enough);
+    void compare_start(const Start& start);
+    [[nodiscard]] bool at_edge(Status status, const SymbolicPoint& exact, const SymbolicPoints& asked, Real t,
+                               std::unique_ptr<SymbolicEvaluator>& beside) const;
+    void disagree(Status emitted, Status exact, const Points& drawn, Real t);
+    void record(double ulp, double phase_share, const std::string& output, const Points& drawn, Real t,
+                const std::string& statuses);
+
+    const Program& program_;
+    std::shared_ptr<const EvaluatorLibrary> library_;
+    std::shared_ptr<const SymbolicSolution> symbolic_;
+    const Scene& scene_;
+    bool is_flow_;
+    EmittedCheckOptions options_;
+    std::vector<Points> drawn_;
+    std::vector<SymbolicPoints> asked_;
+    std::vector<std::vector<SymbolicPoint>> exact_; // [start][time]
+    std::vector<Start> starts_;
+    EmittedInType result_;
+};
+
+extern template class EmittedJudge<double>;
+extern template class EmittedJudge<long double>;
+
+} // namespace resonform

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/number/error.hpp"
+#include "emit/program/build_program.hpp"
+#include "verify/judging/descent.hpp"
+#include "verify/judging/emitted_judge.hpp"
+#include "verify/judging/lies.hpp"
+#include "verify/judging/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+namespace {
+
+// A polynomial of a solution, and how another one is put in its place.
+struct PlaceInSolution {
+    std::string name;
+    Polynomial truth;
+    std::function<void(Solution& solution, SlowFlow& flow, Polynomial p)> put;
+};
+
+class PlacesInSolution {
+public:
+    // judged: outputs of which the ladder judges every term. Where there is none, there is no place.
+    PlacesInSolution(const Solution& solution, const std::set<std::string>& judged) : judged_(judged) {
+        if (judged.empty()) return;
+        if (solution.flow)
+            read_flow(*solution.flow);
+        else
+            read_closed(solution);
+    }
+    [[nodiscard]] const std::vector<PlaceInSolution>& all() const { return all_; }
+
+private:
+    template <class Find> void add(const std::string& name, const Polynomial& truth, const Find& find) {
+        all_.push_back(
+            {name, truth, [find](Solution& s, SlowFlow& f, Polynomial p) { find(s, f) = std::move(p); }});
+    }
+    template <class Find> void add(const std::string& name, const Series& truth, const Find& find) {
+        for (int n = 0; n <= truth.through(); ++n)
+            all_.push_back(
+                {fmt::format("{}, weight {}", name, n), truth.part(n),
+                 [find, n](Solution& s, SlowFlow& f, Polynomial p) { find(s, f).set(n, std::move(p)); }});
+    }
+    void read_closed(const Solution& solution);
+    void read_flow(const SlowFlow& flow);
+
+    const std::set<std::string>& judged_;
+    std::vector<PlaceInSolution> all_;
+};
+
+void PlacesInSolution::read_closed(const Solution& solution) {
+    for (std::size_t k = 0; k < solution.modes.size(); ++k)
+        add(fmt::format("solution, phase rate {}", k), solution.modes[k].phase_rate,
+            [k](Solution& s, SlowFlow&) -> Series& { return s.modes[k].phase_rate; });
+    for (std::size_t k = 0; k < solution.primitives.size(); ++k)
+        add("solution, " + solution.primitives[k].name, solution.primitives[k].argument,
+            [k](Solution& s, SlowFlow&) -> Polynomial& { return s.primitives[k].argument; });
+    for (std::size_t k = 0; k < solution.outputs.size(); ++k)
+        if (judged_.count(solution.outputs[k].name) > 0)
+            add("solution, " + solution.outputs[k].name, solution.outputs[k].value,
+                [k](Solution& s, SlowFlow&) -> Series& { return s.outputs[k].value; });
+}
+
+void PlacesInSolution::read_flow(const SlowFlow& flow) {
+    for (std::size_t k = 0; k < flow.phases.size(); ++k)
+        add(fmt::format("solution, phase rate {}", k), flow.phases[k],
+            [k](Solution&, SlowFlow& f) -> Polynomial& { return f.phases[k]; });
+    for (std::size_t k = 0; k < flow.decays.size(); ++k)
+        add(fmt::format("solution, exponent {}", k), flow.decays[k],
+            [k](Solution&, SlowFlow& f) -> Polynomial& { return f.decays[k]; });
+    for (std::size_t k = 0; k < flow.modes.size(); ++k)
+        add(fmt::format("solution, rate of mode {}", k), flow.modes[k].rate,
+            [k](Solution&, SlowFlow& f) -> Series& { return f.modes[k].rate; });
+    for (std::size_t k = 0; k < flow.angles.size(); ++k)
+        add(fmt::format("solution, rate of angle {}", k), flow.angles[k].rate,
+            [k](Solution&, SlowFlow& f) -> Series& { return f.angles[k].rate; });
+    for (std::size_t k = 0; k < flow.slow.size(); ++k)
+        add(fmt::format("solution, slow rate {}", k), flow.slow[k],
+            [k](Solution&, SlowFlow& f) -> Series& { return f.slow[k]; });
+    for (std::size_t k = 0; k < flow.drift.size(); ++k)
+        add(fmt::format("solution, drift rate {}", k), flow.drift[k],
+            [k](Solution&, SlowFlow& f) -> Series& { return f.drift[k]; });
+    for (std::size_t k = 0; k < flow.outputs.size(); ++k)
+        if (judged_.count(flow.outputs[k].name) > 0)
+            add("solution, " + flow.outputs[k].name, flow.outputs[k].value,
+                [k](Solution&, SlowFlow& f) -> Series& { return f.outputs[k].value; });
+}
+
+// The polynomial with the other sign of its k-th term; of one that is real, also of the term's conjugate, so
+// that it stays real: once for both, nullopt for the second.
+std::optional<Polynomial> with_lie(const Ring& ring, const Polynomial& truth, std::size_t k) {
+    const Polynomial term = Polynomial::from_terms({truth.terms()[k]});
+    const Polynomial conjugate = ring.conjugate(term);
+    if (conjugate == term || !(ring.conjugate(truth) == truth)) return truth - Rational(2) * term;
+    for (std::size_t before = 0; before < k; ++before)
+        if (truth.terms()[before].monomial == conjugate.terms().front().monomial) return std::nullopt;
+    return truth - Rational(2) * (term + conjugate);
+}
+
+Solution with(const Solution& truth, const PlaceInSolution& place, Polynomial p) {
+    Solution lie = truth;
+    SlowFlow flow;
+    if (truth.flow) flow = *truth.flow;
+    place.put(lie, flow, std::move(p));
+    if (truth.flow) lie.flow = std::make_shared<const SlowFlow>(std::move(flow));
+    return lie;
+}
+
+// The ladder, rung by rung, as verify goes down it.
+class LadderOfLies {
+public:
+    LadderOfLies(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene, VerifyOptions options)
+        : system_(std::move(system)), scene_(scene), options_(std::move(options)) {
+        options_.compiled = false;
+        options_.progress = nullptr;
+    }
+
+    void learn(const Solution& honest) {
+        Verification result;
+        honest_ = descended(honest, result, [](const Verdicts&) { return false; });
+        for (const OutputVerdict& output : result.outputs)
+            if (output.expected == Verdict::pass && output.claimed_order > scene_.order)
+                judged_.insert(output.name);
+    }
+    // The outputs that are to pass and whose claim leaves no term of theirs out, as that of a mean motion
+    // does.
+    [[nodiscard]] const std::set<std::string>& judged() const { return judged_; }
+    // An output fails after a rung after which it honestly does not, or does not pass in the end though it
+    // honestly does.
+    [[nodiscard]] bool catches(const Solution& lie) const {
+        Verification result;
+        const Verdicts found = descended(lie, result, [&](const Verdicts& so_far) { return fails(so_far); });
+        if (fails(found)) return true;
+        for (std::size_t k = 0; k < found.back().size(); ++k)
+            if (found.back()[k] != Verdict::pass && honest_.back()[k] == Verdict::pass) return true;
+        return false;
+    }
+
+private:
+    using Verdicts = std::vector<std::vector<Verdict>>; // of each output, after each rung
+
+    [[nodiscard]] bool fails(const Verdicts& found) const {
+        const std::size_t n = found.size() - 1;
+        for (std::size_t k = 0; k < found[n].size(); ++k)
+            if (found[n][k] == Verdict::fail && honest_[n][k] != Verdict::fail) return true;
+        return false;
+    }
+
+    template <class Enough>
+    Verdicts descended(const Solution& solution, Verification& result, const Enough& enough) const {
+        const Trial trial(system_, scene_, solution, options_);
+        Descent descent(trial, scene_, solution, result);
+        Verdicts found;
+        for (const Rational& eps : scene_.verify.eps) {
+            descent.along({eps});
+            weigh_defects(result);
+            found.emplace_back();
+            for (const OutputVerdict& output : result.outputs) found.back().push_back(output.verdict);
+            if (enough(found)) break;
+        }
+        return found;
+    }
+
+    std::shared_ptr<const FirstOrderSystem> system_;
+    const Scene& scene_;
+    VerifyOptions options_;
+    Verdicts honest_;
+    std::set<std::string> judged_;
+};
+
+// How far interpreted code with a lie is from that without.
+class EffectOfLies {
+public:
+    EffectOfLies(const Scene& scene, const Solution& solution, const VerifyOptions& options)
+        : scene_(scene), options_(options),
+          symbolic_(std::make_shared<const SymbolicSolution>(solution, scene)), honest_(solution, *this),
+          answers_(honest_.judge.answers()) {}
+
+    void measure(const Solution& solution, Lie& lie) const {
+        const Interpreted lying(solution, *this);
+        const auto effect = honest_.judge.difference(lying.judge.answers(), answers_);
+        lie.effect_ulp = effect.ulp;
+        lie.output = honest_.program->outputs[effect.output].name;
+    }
+
+private:
+    struct Interpreted {
+        Interpreted(const Solution& solution, const EffectOfLies& of)
+            : program(
+                  std::make_shared<const Program>(build_program(solution, of.scene_, {true, false, false}))),
+              judge(*program, EvaluatorLibrary::interpreted(program), of.symbolic_, of.scene_,
+                    solution.flow != nullptr, {of.options_.cache, {}, of.options_.emitted_starts}) {}
+        std::shared_ptr<const Program> program;
+        EmittedJudge<double> judge;
+    };
+
+    const Scene& scene_;
+    const VerifyOptions& options_;
+    std::shared_ptr<const SymbolicSolution> symbolic_;
+    Interpreted honest_;
+    EmittedJudge<double>::Answers answers_;
+};
+
+} // namespace
+
+void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, const Scene& scene,
+                      const Solution& solution, const VerifyOptions& options, Lies& lies) {
+    const EffectOfLies effect(scene, solution, options);
+    LadderOfLies ladder(system, scene, options);
+    ladder.learn(solution);
+    const PlacesInSolution places(solution, ladder.judged());
+    const Ring& ring = solution.flow ? *solution.normalization->normal_form.field->ring : *solution.ring;
+    for (const PlaceInSolution& place : places.all())
+        for (std::size_t term = 0; term < place.truth.size(); ++term) {
+            const std::optional<Polynomial> p = with_lie(ring, place.truth, term);
+            if (!p) continue;
+            const Solution lying = with(solution, place, *p);
+            Lie lie{"", fmt::format("{}, term {}", place.name, term + 1), "sign"};
+            try {
+                effect.measure(lying, lie);
+                if (!lies.is_below(lie) && ladder.catches(lying)) lie.caught_by = "ladder";
+            } catch (const Error&) { // there is no start, or no program: verify would end with it
+                lie.caught_by = "ladder";
+            }
+            lies.all.push_back(std::move(lie));
+        }
+}
+
+} // namespace resonform

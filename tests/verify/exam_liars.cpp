@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Liars: every coefficient of a scene is changed, and what catches it is told.
+#include "verify/judging/lies.hpp"
+#include "verify/judging/verification.hpp"
+#include "verify/scene_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace resonform {
+namespace {
+
+std::size_t caught_by(const std::vector<Lie>& lies, const std::string& check) {
+    return static_cast<std::size_t>(
+        std::count_if(lies.begin(), lies.end(), [&](const Lie& lie) { return lie.caught_by == check; }));
+}
+
+// The map is read through the weight of the normal form, and no further: what stands beyond is seen by none.
+TEST(Liars, WhatTheCertificateDoesNotReadSurvives) {
+    const test::SceneLine line = test::pendulum("mean_motion");
+    Normalization n = *line.solution.normalization;
+    Lies lies;
+    lies.threshold = 16;
+    lies.all = lies_in_formulas(n);
+    const std::size_t read = lies.all.size();
+    EXPECT_GT(read, 20U);
+    EXPECT_EQ(caught_by(lies.all, "certificate"), read);
+    EXPECT_EQ(lies.survivors(), 0U);
+
+    n.map.mode.front().set(n.map.through + 1, n.map.mode.front().part(n.map.through));
+    lies.all = lies_in_formulas(n);
+    EXPECT_GT(lies.survivors(), 0U);
+    EXPECT_EQ(lies.survivors(), lies.all.size() - read);
+    EXPECT_NE(to_text(lies).find("survives: map, mode 0, weight " + std::to_string(n.map.through + 1)),
+              std::string::npos);
+
+    Verification verification;
+    verification.emitted.verdict = Verdict::pass;
+    EXPECT_TRUE(verification.as_expected());
+    verification.lies = lies;
+    EXPECT_FALSE(verification.as_expected());
+}
+
+TEST(Liars, BelowIsWhatNothingCatchesUpToTwiceTheThreshold) {
+    Lies lies;
+    lies.threshold = 16;
+    lies.all = {{"x", "outputs: Real(1)", "sign", 32, ""},
+                {"x", "outputs: Real(2)", "sign", 33, ""},
+                {"x", "outputs: Real(3)", "sign", 1e9, "emitted = exact"}};
+    EXPECT_TRUE(lies.is_below(lies.all[0]));
+    EXPECT_TRUE(lies.survives(lies.all[1]));
+    EXPECT_FALSE(lies.is_below(lies.all[2]));
+    EXPECT_FALSE(lies.survives(lies.all[2]));
+    EXPECT_EQ(lies.survivors(), 1U);
+}
+
+// Every kind of lie, each with a name.
+TEST(SlowLiars, OfASceneAreCaught) {
+    const test::SceneLine line = test::line_of(test::scene_of("nonholonomic_particle", "uniform_rise"));
+    const Lies lies = liars(line.system, line.scene, line.solution, test::options());
+    EXPECT_FALSE(lies.honest_fails);
+    EXPECT_EQ(lies.survivors(), 0U) << to_text(lies);
+    for (const char* check : {"certificate", "ladder", "emitted = exact"})
+        EXPECT_GT(caught_by(lies.all, check), 0U) << check;
+    for (const Lie& lie : lies.all) {
+        EXPECT_TRUE(lie.planted == "sign" || lie.planted == "2^-20");
+        EXPECT_EQ(lie.where.find("lied"), std::string::npos) << lie.where;
+        EXPECT_EQ(std::isnan(lie.effect_ulp), lie.output.empty()) << lie.where;
+        if (lie.caught_by == "emitted = exact") {
+            EXPECT_GT(lie.effect_ulp, 0) << lie.where;
+        }
+    }
+}
+
+} // namespace
+} // namespace resonform
