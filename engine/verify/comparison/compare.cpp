@@ -7,6 +7,7 @@
 #include "verify/comparison/emitted_code.hpp"
 #include "verify/comparison/equal_accuracy.hpp"
 #include "verify/estimate/times.hpp"
+#include "verify/integrate/linear_oscillator.hpp"
 #include "verify/run/machine.hpp"
 
 #include <fmt/format.h>
@@ -29,11 +30,13 @@ constexpr std::array task_list{Task::final, Task::dense, Task::grid, Task::ensem
 // Implicit methods where something decays at eps = 0: elsewhere they have nothing to win. Not Fehlberg's,
 // which has no dense output: at many points it steps from one to the next, whatever its tolerance. Nor
 // ARKODE's explicit ones: a point of their dense output takes thirty times as long as one of the others.
-std::vector<Method> rivals_of(const Solution& solution) {
+// Riccati where there is a single linear oscillator.
+std::vector<Method> rivals_of(const Solution& solution, const Tape& rates) {
     std::vector<Method> rivals{Method::cvode_adams, Method::dopri5, Method::bulirsch_stoer, Method::taylor};
     const std::vector<Mode>& modes = solution.normalization->normal_form.field->modes;
     if (std::any_of(modes.begin(), modes.end(), [](const Mode& mode) { return mode.is_damped(); }))
         rivals.insert(rivals.begin() + 1, {Method::cvode_bdf, Method::arkode_implicit});
+    if (linear_oscillator(rates)) rivals.push_back(Method::riccati);
     return rivals;
 }
 
@@ -239,7 +242,7 @@ Comparison compare(std::shared_ptr<const FirstOrderSystem> system, const Scene& 
     for (const ProgramOutput& output : trial.program()->outputs) result.outputs.push_back(output.name);
     const std::vector<EmittedCode> codes = emitted_codes(scene, solution, options);
     for (const EmittedCode& code : codes) result.prepared.push_back(code.prepared());
-    const std::vector<Method> rivals = rivals_of(solution);
+    const std::vector<Method> rivals = rivals_of(solution, rates);
     for (const Rational& eps : options.eps) {
         const double from = judged_from(solution, scene, eps);
         Contest contest(trial, rates, codes.back().program(), eps, from, options);

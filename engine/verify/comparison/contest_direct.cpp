@@ -4,6 +4,8 @@
 #include "verify/comparison/timing.hpp"
 #include "verify/integrate/compiled_tape.hpp"
 #include "verify/integrate/integrate.hpp"
+#include "verify/integrate/linear_oscillator.hpp"
+#include "verify/integrate/riccati.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +40,9 @@ const CompiledTape& Contest::compiled_rates() {
 std::unique_ptr<Integrator> Contest::integrator(Method method, double tolerance, const TrialPoint& at) {
     const CompiledTape& rates = compiled_rates();
     const Start from{convert_all<double>(at.start), tolerance, trial_.output_states()};
-    return method == Method::taylor ? make_taylor(rates, from) : make_integrator(method, rates.rates(), from);
+    if (method == Method::taylor) return make_taylor(rates, from);
+    if (method == Method::riccati) return make_riccati(rates.rates(), *linear_oscillator(tape_), from);
+    return make_integrator(method, rates.rates(), from);
 }
 
 ComparisonRow Contest::direct(Method method, double tolerance, const Workload& work) {

@@ -16,6 +16,7 @@ const char* to_string(Method method) {
     case Method::dopri5: return "odeint dopri5";
     case Method::fehlberg78: return "odeint fehlberg78";
     case Method::bulirsch_stoer: return "odeint Bulirsch-Stoer";
+    case Method::riccati: return "Riccati";
     }
     return "unknown";
 }

@@ -64,11 +64,12 @@ Integration<Real> integrate_implicit(const Tape& tape, const std::vector<Real>& 
 
 const char* to_string(Method method);
 
-// Any method but taylor in double, dense output through the method's own interpolation where it has one
-// (fehlberg78 has none and steps to every time). Messages of the libraries go to `failure`.
+// Any method but taylor and riccati (verify/integrate/riccati.hpp) in double, dense output through the
+// method's own interpolation where it has one (fehlberg78 has none and steps to every time). Messages of the
+// libraries go to `failure`.
 std::unique_ptr<Integrator> make_integrator(Method method, RightHandSide rates, const Start& start);
 
-// One run over a tape that is interpreted; taylor, too.
+// One run over a tape that is interpreted, by any method but riccati.
 IntegrationResult integrate(Method method, const Tape& tape, const std::vector<double>& parameters,
                             double eps, const std::vector<double>& start, const std::vector<double>& times,
                             double tolerance);

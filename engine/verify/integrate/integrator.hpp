@@ -18,7 +18,8 @@ enum class Method {
     arkode_implicit,
     dopri5,
     fehlberg78,
-    bulirsch_stoer
+    bulirsch_stoer,
+    riccati
 };
 
 // The rates of the states, as functions of C. jacobian: d(rate i)/d(state k) to matrix[k * states + i]; null:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Integrators against closed solutions, conserved quantities, and each other.
-#include "first_order.hpp"
+#include "verify/integrate/first_order.hpp"
 #include "verify/integrate/integrate.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tapes: values against GiNaC's own evaluation, Taylor coefficients against GiNaC's derivatives.
-#include "first_order.hpp"
-#include "function_cases.hpp"
 #include "model/files/read_system.hpp"
 #include "support/exact.hpp"
+#include "verify/function_cases.hpp"
+#include "verify/integrate/first_order.hpp"
 #include "verify/integrate/taylor_jet.hpp"
 
 #include <gtest/gtest.h>

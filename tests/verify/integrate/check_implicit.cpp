@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The implicit integrator against closed solutions, and against the Taylor series where that can.
-#include "first_order.hpp"
-#include "function_cases.hpp"
+#include "verify/function_cases.hpp"
+#include "verify/integrate/first_order.hpp"
 #include "verify/integrate/integrate.hpp"
 #include "verify/integrate/radau.hpp"
 #include "verify/integrate/tape_jacobian.hpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled equations against interpreted ones: rates, Taylor coefficients, and the integrators that use them.
-#include "first_order.hpp"
-#include "function_cases.hpp"
-#include "scene_line.hpp"
+#include "verify/function_cases.hpp"
 #include "verify/integrate/compiled_tape.hpp"
+#include "verify/integrate/first_order.hpp"
 #include "verify/integrate/integrate.hpp"
 #include "verify/integrate/tape_code.hpp"
 #include "verify/integrate/tape_jacobian.hpp"
 #include "verify/integrate/taylor_jet.hpp"
+#include "verify/scene_line.hpp"
 
 #include <gtest/gtest.h>
 
