@@ -17,7 +17,10 @@ namespace resonform {
 namespace {
 
 constexpr int little_room = 70;         // powers of e: of squares and amplitudes
-constexpr std::size_t starts_only = 20; // times as many starts, of which the status at t = 0 is compared
+// Times as many starts, of which the status at t = 0 is compared; the rules are the same in all types, and
+// to construct is dear in the longer ones.
+template <class Real> constexpr std::size_t starts_only = 5;
+template <> constexpr std::size_t starts_only<double> = 40;
 constexpr double shortened = 1e-3;      // of the interval: their tables would take most of the time
 
 template <class Real> constexpr const char* type_name = "double";
@@ -146,7 +149,7 @@ typename EmittedJudge<Real>::Difference EmittedJudge<Real>::difference(const Ans
 // The starts are drawn, and their exact statuses found, when they are first asked for.
 template <class Real> void EmittedJudge<Real>::draw_starts() {
     if (!starts_.empty()) return;
-    for (Points& d : emitted_points<Real>(scene_, starts_only * options_.starts, 0, options_.seed + 1)) {
+    for (Points& d : emitted_points<Real>(scene_, starts_only<Real> * options_.starts, 0, options_.seed + 1)) {
         d.end *= Real(shortened);
         const SymbolicPoints asked = asked_of(d);
         starts_.push_back({d, asked, symbolic_->start().at(asked.inputs).status});
