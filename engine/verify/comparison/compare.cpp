@@ -7,6 +7,7 @@
 #include "verify/comparison/emitted_code.hpp"
 #include "verify/comparison/equal_accuracy.hpp"
 #include "verify/estimate/times.hpp"
+#include "verify/integrate/integrate.hpp"
 #include "verify/integrate/linear_oscillator.hpp"
 #include "verify/run/machine.hpp"
 
@@ -27,15 +28,14 @@ constexpr int loosest_timed = 4, tightest_timed = 13; // 1e-4 ... 1e-13, whateve
 
 constexpr std::array task_list{Task::final, Task::dense, Task::grid, Task::ensemble};
 
-// Implicit methods where something decays at eps = 0: elsewhere they have nothing to win. Not Fehlberg's,
-// which has no dense output: at many points it steps from one to the next, whatever its tolerance. Nor
-// ARKODE's explicit ones: a point of their dense output takes thirty times as long as one of the others.
-// Riccati where there is a single linear oscillator.
+// Implicit methods where something decays at eps = 0: elsewhere they have nothing to win. Riccati where
+// there is a single linear oscillator.
 std::vector<Method> rivals_of(const Solution& solution, const Tape& rates) {
-    std::vector<Method> rivals{Method::cvode_adams, Method::dopri5, Method::bulirsch_stoer, Method::taylor};
+    std::vector<Method> rivals{Method::cvode_adams, Method::arkode_explicit, Method::dopri5,
+                               Method::fehlberg78,  Method::bulirsch_stoer,  Method::taylor};
     const std::vector<Mode>& modes = solution.normalization->normal_form.field->modes;
     if (std::any_of(modes.begin(), modes.end(), [](const Mode& mode) { return mode.is_damped(); }))
-        rivals.insert(rivals.begin() + 1, {Method::cvode_bdf, Method::arkode_implicit});
+        rivals.insert(rivals.begin() + 2, {Method::cvode_bdf, Method::arkode_implicit});
     if (linear_oscillator(rates)) rivals.push_back(Method::riccati);
     return rivals;
 }
@@ -117,11 +117,16 @@ private:
             for (ComparisonRow& row : contest_.emitted(code, work)) rows.push_back(std::move(row));
     }
 
+    // Those that are timed at every decade.
+    static bool is_timed_at_decades(Method method, const Workload& work) {
+        return work.task != Task::ensemble && (work.points() == 1 || has_cheap_output(method));
+    }
+
     // One member, at every decade.
     void tolerances(Method method) {
         tell(fmt::format("timing {}", to_string(method)));
         for (const Workload& work : contest_.workloads())
-            for (int digits = loosest_timed; digits <= tightest_timed && work.task != Task::ensemble;
+            for (int digits = loosest_timed; digits <= tightest_timed && is_timed_at_decades(method, work);
                  ++digits) {
                 const double tolerance = std::pow(10.0, -digits);
                 pulse_.before(method, tolerance, work.task);
@@ -173,7 +178,7 @@ private:
             if (work.points() > 1)
                 result.to_end = contest_.direct(method, tuned->tolerance, contest_.to_end()).total_seconds();
         }
-        if (work.task == Task::ensemble) rows.push_back(std::move(row));
+        if (!is_timed_at_decades(method, work)) rows.push_back(std::move(row));
         return result;
     }
 

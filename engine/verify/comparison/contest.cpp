@@ -10,6 +10,16 @@ namespace {
 
 constexpr std::size_t points_along = 2001; // where no task has more
 constexpr std::size_t most_judged_members = 3;
+constexpr std::size_t few_times = 4; // and 0: each ends a step that would be longer without
+
+JudgedTimes few_of(const JudgedTimes& times) {
+    JudgedTimes few;
+    for (std::size_t i = 0; i <= few_times; ++i) {
+        few.judged.push_back(i);
+        few.all.push_back(times.all[i * (times.all.size() - 1) / few_times]);
+    }
+    return few;
+}
 
 // The task with the most points, if it has enough of them.
 Workload along_of(const std::vector<Workload>& workloads, double interval) {
@@ -42,6 +52,7 @@ Contest::Contest(const Trial& trial, const Tape& rates, const Program& starts, c
         judged_.judged.push_back(judged_.all.size());
         judged_.all.push_back(along_.times->all[i]);
     }
+    few_ = few_of(judged_);
     errors_.expect(*to_end_.times);
     errors_.expect(*along_.times);
     for (const auto& [points, times] : even) errors_.expect(*times);

@@ -59,7 +59,8 @@ public:
     ComparisonRow direct(Method method, double tolerance, const Workload& work);
     // Of an ensemble: a few members run, and the seconds are scaled to all.
     ComparisonRow members(Method method, double tolerance, const Workload& work);
-    // The largest errors along the run; NaN if it did not reach the end.
+    // The largest errors along the run, at 5 times of a method that steps to each; NaN if it did not reach
+    // the end.
     std::vector<double> accuracy(Method method, double tolerance);
 
 private:
@@ -96,6 +97,7 @@ private:
     std::map<std::size_t, Member> judged_members_;
     Workload to_end_, along_; // along_: where the code has to have numbers
     JudgedTimes judged_;      // of along_
+    JudgedTimes few_;         // of judged_
     std::vector<Workload> workloads_;
     std::map<std::tuple<Method, double, std::size_t>, ComparisonRow> timed_; // by points
     std::map<std::pair<Method, double>, std::vector<double>> accuracies_;

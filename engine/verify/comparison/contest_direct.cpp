@@ -67,9 +67,10 @@ ComparisonRow Contest::direct(Method method, double tolerance, const Workload& w
 std::vector<double> Contest::accuracy(Method method, double tolerance) {
     std::vector<double>& known = accuracies_[{method, tolerance}];
     if (!known.empty()) return known;
-    OutputValues values = room_for(judged_.all.size());
-    const Run run = integrator(method, tolerance, at_)->run(judged_.all, values);
-    known = run.failure.empty() ? errors_.largest(judged_, values) : std::vector<double>(values.size(), NAN);
+    const JudgedTimes& times = has_dense_output(method) ? judged_ : few_;
+    OutputValues values = room_for(times.all.size());
+    const Run run = integrator(method, tolerance, at_)->run(times.all, values);
+    known = run.failure.empty() ? errors_.largest(times, values) : std::vector<double>(values.size(), NAN);
     return known;
 }
 

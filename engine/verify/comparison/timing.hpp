@@ -25,12 +25,14 @@ template <class Work> double seconds_of(int times, Work&& work) {
 }
 
 // Reads the clock `repetitions` times; 0: at least three times, and no more after a fifth of a second.
-// The work runs once before.
+// The work runs once before; with 0, where that takes longer than half a second it is the only run.
 template <class Work> Timing measure(int repetitions, Work&& work) {
     constexpr double enough_time = 0.2; // seconds after which nothing is repeated any more
     constexpr int fewest_repetitions = 3, most_repetitions = 15;
     constexpr double shortest_reading = 2e-5; // seconds on the clock: shorter work is repeated
+    constexpr double long_work = 0.5;         // seconds: beside it what a first run costs more is nothing
     const double first = seconds_of(1, work);
+    if (repetitions == 0 && first > long_work) return {first, first, first, 1};
     const int each =
         static_cast<int>(std::clamp(std::ceil(shortest_reading / std::max(first, 1e-9)), 1.0, 1e4));
     std::vector<double> readings;

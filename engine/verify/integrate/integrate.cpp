@@ -21,6 +21,10 @@ const char* to_string(Method method) {
     return "unknown";
 }
 
+bool has_dense_output(Method method) { return method != Method::fehlberg78; }
+
+bool has_cheap_output(Method method) { return has_dense_output(method) && method != Method::arkode_explicit; }
+
 std::unique_ptr<Integrator> make_integrator(Method method, RightHandSide rates, const Start& start) {
     switch (method) {
     case Method::cvode_adams:

@@ -63,10 +63,13 @@ Integration<Real> integrate_implicit(const Tape& tape, const std::vector<Real>& 
                                      double tolerance, std::size_t most_steps = most_implicit_steps);
 
 const char* to_string(Method method);
+// Whether its times cost no steps: fehlberg78 steps to each.
+bool has_dense_output(Method method);
+// Whether a time costs little beside a step. ARKODE's explicit methods take thirty times as long as others.
+bool has_cheap_output(Method method);
 
 // Any method but taylor and riccati (verify/integrate/riccati.hpp) in double, dense output through the
-// method's own interpolation where it has one (fehlberg78 has none and steps to every time). Messages of the
-// libraries go to `failure`.
+// method's own interpolation where it has one. Messages of the libraries go to `failure`.
 std::unique_ptr<Integrator> make_integrator(Method method, RightHandSide rates, const Start& start);
 
 // One run over a tape that is interpreted, by any method but riccati.
