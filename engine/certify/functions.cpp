@@ -9,6 +9,7 @@
 #include "model/text/named_function.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace resonform {
 
@@ -29,6 +30,15 @@ std::optional<int> multiple(const ex& b, const ex& a) {
     const std::optional<Rational> factor = ratio(b, a);
     if (!factor || cln::denominator(*factor) != 1) return std::nullopt;
     return cln::cl_I_to_int(cln::numerator(*factor));
+}
+
+// The first asin or atan among the factors of a term; 0: none.
+ex find_arc(const ex& term) {
+    for (const ex& factor : factors_of(term))
+        if (is_a<GiNaC::function>(factor))
+            if (const auto f = function_of(factor); f == Function::arc_sine || f == Function::arc_tangent)
+                return factor;
+    return 0;
 }
 
 } // namespace
@@ -83,22 +93,24 @@ ex CertificateRoots::function_with_symbols(const ex& e, const Equation& equation
         if (const FunctionAtom* f = find_named(e, equation)) return f->symbol;
         refuse_function(e, equation);
     }
+    const Function name = elementary_of(e, equation);
+    if (name == Function::sine) return circular(e.op(0), false, equation);
+    if (name == Function::cosine) return circular(e.op(0), true, equation);
+    if (name == Function::tangent)
+        return circular(e.op(0), false, equation) / circular(e.op(0), true, equation);
     const ex u = lowered(with_symbols(e.op(0), equation).normal());
     const auto half_sum = [&](int sign) {
         const ex up = exponential(u, equation);
         return ex((up + sign / up) / 2);
     };
-    switch (elementary_of(e, equation)) {
+    switch (name) {
     case Function::exponential: return exponential(u, equation);
-    case Function::sine: return circular(u, false, equation);
-    case Function::cosine: return circular(u, true, equation);
-    case Function::tangent: return circular(u, false, equation) / circular(u, true, equation);
     case Function::hyperbolic_sine: return half_sum(-1);
     case Function::hyperbolic_cosine: return half_sum(1);
     case Function::hyperbolic_tangent: return half_sum(-1) / half_sum(1);
     case Function::logarithm: return logarithm(u, equation);
     case Function::arc_sine: break;
-    default: return plain(elementary_of(e, equation), u, equation);
+    default: return plain(name, u, equation);
     }
     if (u.is_zero()) return 0;
     const ex cosine = radical_with_symbols((1 - u * u).expand(), Rational(1) / 2, equation);
@@ -153,10 +165,33 @@ ex CertificateRoots::exponential(const ex& u, const Equation& equation) {
     return product;
 }
 
+// Cosine and sine of asin(u) or atan(u).
+std::pair<ex, ex> CertificateRoots::of_arc(Function name, const ex& argument, const Equation& equation) {
+    const ex u = lowered(with_symbols(argument, equation).normal());
+    const auto root = [&](int sign) {
+        return radical_with_symbols((1 + sign * u * u).expand(), Rational(1) / 2, equation);
+    };
+    if (name == Function::arc_sine) return {root(-1), u};
+    const ex hypotenuse = root(1);
+    return {1 / hypotenuse, u / hypotenuse};
+}
+
 // The cosine of a sum of angles n_k a_k is (p + 1/p)/2 for p = prod (c_k + i s_k)^n_k.
-ex CertificateRoots::circular(const ex& u, bool cosine, const Equation& equation) {
-    ex turned = 1, back = 1;
-    for (const ex& term : terms_of(u)) {
+ex CertificateRoots::circular(const ex& argument, bool cosine, const Equation& equation) {
+    ex turned = 1, back = 1, others = 0;
+    for (const ex& term : terms_of(argument)) {
+        const ex arc = find_arc(term);
+        const auto n = arc.is_zero() ? std::nullopt : multiple(term, arc);
+        if (!n) {
+            others += term;
+            continue;
+        }
+        const auto [c, s] = of_arc(elementary_of(arc, equation), arc.op(0), equation);
+        const ex direction = GiNaC::I * (*n < 0 ? -1 : 1) * s;
+        turned *= GiNaC::pow(c + direction, std::abs(*n));
+        back *= GiNaC::pow(c - direction, std::abs(*n));
+    }
+    for (const ex& term : terms_of(lowered(with_symbols(others, equation).normal()))) {
         if (term.is_zero()) continue;
         bool found = false;
         if (const auto q = ratio(term, pi_)) { // with roots for values

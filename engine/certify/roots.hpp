@@ -94,7 +94,9 @@ private:
     // functions.cpp
     [[nodiscard]] GiNaC::ex function_with_symbols(const GiNaC::ex& e, const Equation& equation);
     [[nodiscard]] GiNaC::ex exponential(const GiNaC::ex& u, const Equation& equation);
-    [[nodiscard]] GiNaC::ex circular(const GiNaC::ex& u, bool cosine, const Equation& equation);
+    [[nodiscard]] GiNaC::ex circular(const GiNaC::ex& argument, bool cosine, const Equation& equation);
+    [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> of_arc(Function name, const GiNaC::ex& argument,
+                                                         const Equation& equation);
     [[nodiscard]] GiNaC::ex plain(Function name, const GiNaC::ex& u, const Equation& equation) const;
     [[nodiscard]] GiNaC::ex without_whole_powers(const GiNaC::ex& e) const;
     [[nodiscard]] GiNaC::ex logarithm(const GiNaC::ex& u, const Equation& equation) const;

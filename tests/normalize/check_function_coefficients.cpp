@@ -61,7 +61,9 @@ INSTANTIATE_TEST_SUITE_P(
                       "x'' + cos(alpha)^2*x + sin(alpha)*x^2 = 0", "x'' + x/cos(alpha) + tan(alpha)*x^3 = 0",
                       "x'' + r^n*x + x^2 = 0", "x'' + (1 + tau)*x + exp(n*log(1 + tau))*x^2 = 0",
                       "x'' + exp(sin(tau))*x + x^2 = 0", "x'' + x + log(r^2*exp(tau))*x^2 = 0",
-                      "x'' + (3 + sin(tau + alpha))*x + cos(tau - alpha)*x^2 = 0"));
+                      "x'' + (3 + sin(tau + alpha))*x + cos(tau - alpha)*x^2 = 0",
+                      "x'' + x + sin(acos(1/(2 + tau^2)) + alpha)*x^2 = 0",
+                      "x'' + (2 + cos(2*atan(tau) - alpha))*x + tan(asin(tau/(1 + tau^2)))*x^3 = 0"));
 
 INSTANTIATE_TEST_SUITE_P(
     Mixed, EveryCoefficient,

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "algebra/number/number.hpp"
+#include "expand/ring/angle_terms.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/function_call.hpp"
 #include "model/text/named_function.hpp"
@@ -24,51 +25,12 @@ using GiNaC::is_a;
 
 constexpr int largest_multiple = 200; // of an angle: powers of its sine and cosine
 
-bool is_rational_number(const ex& e) {
-    return is_a<GiNaC::numeric>(e) && ex_to<GiNaC::numeric>(e).is_rational();
-}
-
 bool has_function(const ex& e) {
     return std::any_of(e.preorder_begin(), e.preorder_end(),
                        [](const ex& part) { return is_a<GiNaC::function>(part); });
 }
 
 bool has_atom(const ex& e) { return has_function(e) || e.has(GiNaC::Pi); }
-
-// factor * part of a sum.
-struct Multiple {
-    Rational factor;
-    ex part;
-};
-
-std::vector<Multiple> multiples(const ex& argument) {
-    std::vector<Multiple> result;
-    const auto add = [&](const ex& term) {
-        Rational factor = 1;
-        ex part = 1;
-        for (const ex& f : factors_of(term)) {
-            if (is_rational_number(f))
-                factor = factor * to_rational(f);
-            else
-                part *= f;
-        }
-        if (!cln::zerop(factor)) result.push_back({factor, part});
-    };
-    if (is_a<GiNaC::add>(argument)) {
-        for (const ex& term : operands(argument)) add(term);
-    } else {
-        add(argument);
-    }
-    return result;
-}
-
-struct CosineSine {
-    ex cosine, sine;
-};
-
-CosineSine sum_of(const CosineSine& a, const CosineSine& b) {
-    return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
-}
 
 } // namespace
 
@@ -107,8 +69,8 @@ private:
     }
 
     ex function(const ex& e) {
-        const ex u = argument(e.op(0));
         if (is_named(e)) {
+            const ex u = argument(e.op(0));
             const NamedCall call = named_call(e);
             if (learner_ != nullptr)
                 for (int k = 0; k <= call.derivative + learner_->derivatives_; ++k) named(call.name, k, u);
@@ -118,11 +80,14 @@ private:
         if (!f)
             refuse({"unknown function: neither an elementary one nor one under [functions]", spell(e),
                     "write it with these", place_});
+        if (*f == Function::sine || *f == Function::cosine || *f == Function::tangent) {
+            const CosineSine of = angle_with_arcs(e.op(0));
+            const ex sine = domain().expanded(of.sine), cosine = domain().expanded(of.cosine);
+            return *f == Function::sine ? sine : *f == Function::cosine ? cosine : sine / cosine;
+        }
+        const ex u = argument(e.op(0));
         switch (*f) {
         case Function::exponential: return exponential(u);
-        case Function::sine: return domain().expanded(angle(u).sine);
-        case Function::cosine: return domain().expanded(angle(u).cosine);
-        case Function::tangent: return domain().expanded(angle(u).sine) / domain().expanded(angle(u).cosine);
         case Function::hyperbolic_sine: return half_sum(exponential(u), -1);
         case Function::hyperbolic_cosine: return half_sum(exponential(u), 1);
         case Function::hyperbolic_tangent: {
@@ -250,6 +215,42 @@ private:
         return found == known_.atoms_.end() ? nullptr : &*found;
     }
 
+    // Multiples of asin(u) and atan(u) in a sum need no atoms: cos(asin(u)) = sqrt(1 - u^2).
+    CosineSine angle_with_arcs(const ex& e) {
+        ex rest = 0;
+        CosineSine arcs{1, 0};
+        for (const ex& term : is_a<GiNaC::add>(e) ? operands(e) : std::vector<ex>{e}) {
+            const Multiple m = one_multiple(term);
+            const std::optional<Function> f =
+                is_a<GiNaC::function>(m.part) ? function_of(m.part) : std::nullopt;
+            const bool is_arc = f == Function::arc_sine || f == Function::arc_tangent;
+            if (is_arc && cln::denominator(m.factor) == 1 && cln::abs(m.factor) <= largest_multiple)
+                arcs = sum_of(arcs, repeated(arc(*f, argument(m.part.op(0))), cln::numerator(m.factor)));
+            else
+                rest += term;
+        }
+        return sum_of(angle(argument(rest)), arcs);
+    }
+
+    CosineSine arc(Function f, const ex& u) {
+        if (f == Function::arc_sine) {
+            require_slope(f, u);
+            return {argument(GiNaC::sqrt(1 - u * u)), u};
+        }
+        const ex cosine = argument(1 / GiNaC::sqrt(1 + u * u));
+        return {cosine, argument(u * cosine)};
+    }
+
+    CosineSine repeated(const CosineSine& one, const Integer& count) const {
+        CosineSine multiple{1, 0};
+        for (Integer k = 0; k < cln::abs(count); k = k + 1) {
+            multiple = sum_of(multiple, one);
+            multiple = {domain().expanded(multiple.cosine), domain().expanded(multiple.sine)};
+        }
+        if (count < 0) multiple.sine = -multiple.sine;
+        return multiple;
+    }
+
     CosineSine angle(const ex& u) {
         CosineSine total{1, 0};
         for (const Multiple& m : multiples(u)) {
@@ -258,14 +259,7 @@ private:
                 continue;
             }
             const auto [part, count] = whole_multiple("sin ", m);
-            const CosineSine one = circle(part);
-            CosineSine multiple{1, 0};
-            for (int k = 0; k < std::abs(count); ++k) {
-                multiple = sum_of(multiple, one);
-                multiple = {domain().expanded(multiple.cosine), domain().expanded(multiple.sine)};
-            }
-            if (count < 0) multiple.sine = -multiple.sine;
-            total = sum_of(total, multiple);
+            total = sum_of(total, repeated(circle(part), count));
         }
         return total;
     }
