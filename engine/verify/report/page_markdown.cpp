@@ -28,6 +28,20 @@ struct MarkdownWriter {
         text += "```\n\n";
     }
 
+    void operator()(const Formulas& formulas) { (*this)(Preformatted{formulas.text}); }
+
+    void operator()(const Statements& statements) {
+        for (const Statement& s : statements.all)
+            text += fmt::format("- **{}**: {}\n", escaped(s.word), escaped(s.text));
+        text += '\n';
+    }
+
+    void operator()(const Facts& facts) {
+        text += "| | |\n| --- | --- |\n";
+        for (const auto& [name, value] : facts.all) text += row({name, value});
+        text += '\n';
+    }
+
     void operator()(const Table& table) {
         if (!table.caption.empty()) text += "**" + escaped(table.caption) + "**\n\n";
         text += row(table.header) + "|";
