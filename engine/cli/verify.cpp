@@ -6,6 +6,7 @@
 #include "cli/complaint.hpp"
 #include "cli/limits.hpp"
 #include "cli/locations.hpp"
+#include "cli/origin.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/verify_apart.hpp"
@@ -26,15 +27,17 @@ namespace resonform {
 
 namespace {
 
-// report.html; report.md with figures/*.svg, if there are any.
+// report.html; report.md with figures/*.svg and their numbers in figures/*.csv, if there are any.
 void write_report(const std::filesystem::path& folder, const report::Page& page) {
     std::vector<TextFile> files{{folder / "report.html", report::to_html(page)},
                                 {folder / "report.md", report::to_markdown(page)}};
     for (const report::Section& section : page.sections)
         for (const report::Block& block : section.blocks)
             if (const auto* gallery = std::get_if<report::Gallery>(&block))
-                for (const report::Figure& figure : gallery->figures)
+                for (const report::Figure& figure : gallery->figures) {
                     files.push_back({folder / "figures" / (figure.name + ".svg"), figure.svg});
+                    files.push_back({folder / "figures" / (figure.name + ".csv"), figure.csv});
+                }
     write_files(files);
     show_progress(fmt::format("report: {}", (folder / "report.html").string()));
 }
@@ -66,6 +69,12 @@ struct VerifyRequest {
     std::string format;
     bool liars;
 };
+
+// The command that makes it again.
+std::string spelled(const VerifyRequest& request) {
+    return fmt::format("resonform verify {} --report {}{}", request.scene, request.report.string(),
+                       request.liars ? " --liars" : "");
+}
 
 SceneLine solve_for(const VerifyRequest& request, const Home& home) {
     return watched(request.limits, [&](Watch& watch) {
@@ -118,15 +127,16 @@ int run_verify(const VerifyRequest& request) {
     auto all_orders = with_progress<CompareOptions>(cache);
     const int one = line.scene.system->eps_root;
     for (int order = one; order <= line.scene.order; order += one) all_orders.orders.push_back(order);
-    return std::max(
-        verdict, run_behind_results([&] {
-            write_report(request.report,
-                         report::make_report(
-                             {system, &line.scene, &line.solution, verification,
-                              compare(system, line.scene, line.solution, all_orders),
-                              stability(line.scene, line.solution, with_progress<StabilityOptions>(cache))},
-                             options, drawn));
-        }));
+    return std::max(verdict, run_behind_results([&] {
+                        write_report(
+                            request.report,
+                            report::make_report(
+                                {system, &line.scene, &line.solution, verification,
+                                 compare(system, line.scene, line.solution, all_orders),
+                                 stability(line.scene, line.solution, with_progress<StabilityOptions>(cache)),
+                                 origin_of(spelled(request))},
+                                options, drawn));
+                    }));
 }
 
 } // namespace

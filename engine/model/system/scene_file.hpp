@@ -49,8 +49,8 @@ struct VerifyPlan {
     std::map<std::string, Verdict> expect;
     double ulp = default_ulp; // emitted code's largest error, in units of the last place of an output's scale
     std::string ulp_reason;   // why it is more than the default
-    // Numbers that the source gives to figures of a report, at its values of eps: of an output ("psi") that of
-    // its difference from direct integration, of a path ("y(x)") its own.
+    // Numbers that the source gives to figures of a report, at its values of eps: of an output ("psi") that
+    // of its difference from direct integration, of a path ("y(x)") its own.
     std::map<std::string, std::vector<int>> figures;
 };
 

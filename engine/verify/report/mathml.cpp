@@ -14,13 +14,9 @@ namespace resonform::report {
 
 namespace {
 
-bool is_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 std::string element(const char* name, const std::string& content) {
     return fmt::format("<{0}>{1}</{0}>", name, content);
@@ -29,14 +25,22 @@ std::string element(const char* name, const std::string& content) {
 // Commands that stand for one sign, with the element that shows it.
 const std::map<std::string, std::string>& signs_of_commands() {
     static const std::map<std::string, std::string> signs{
-        {"cdot", "<mo>·</mo>"},      {"int", "<mo largeop=\"true\">∫</mo>"},
-        {"partial", "<mo>∂</mo>"},   {"infty", "<mi>∞</mi>"},
-        {"le", "<mo>≤</mo>"},        {"ge", "<mo>≥</mo>"},
-        {"to", "<mo>→</mo>"},        {"quad", "<mspace width=\"1em\"/>"},
-        {"limits", ""},              {"_", "<mo>_</mo>"},
-        {",", "<mspace width=\"0.17em\"/>"}, {"varepsilon", "<mi>ε</mi>"},
-        {"displaystyle", ""},        {"langle", "<mo>⟨</mo>"},
-        {"rangle", "<mo>⟩</mo>"},    {"dots", "<mo>…</mo>"},
+        {"cdot", "<mo>·</mo>"},
+        {"int", "<mo largeop=\"true\">∫</mo>"},
+        {"partial", "<mo>∂</mo>"},
+        {"infty", "<mi>∞</mi>"},
+        {"le", "<mo>≤</mo>"},
+        {"ge", "<mo>≥</mo>"},
+        {"to", "<mo>→</mo>"},
+        {"quad", "<mspace width=\"1em\"/>"},
+        {"limits", ""},
+        {"_", "<mo>_</mo>"},
+        {",", "<mspace width=\"0.17em\"/>"},
+        {"varepsilon", "<mi>ε</mi>"},
+        {"displaystyle", ""},
+        {"langle", "<mo>⟨</mo>"},
+        {"rangle", "<mo>⟩</mo>"},
+        {"dots", "<mo>…</mo>"},
     };
     return signs;
 }
@@ -151,8 +155,9 @@ private:
 
     std::string accented(const char* accent) {
         const std::string base = group();
-        return fmt::format("<mover accent=\"true\">{}<mo stretchy=\"{}\">{}</mo></mover>", base,
-                           std::string(accent) == "¯" ? "true" : "false", accent);
+        if (std::string(accent) == "¯")
+            return "<mover accent=\"true\">" + base + "<mo stretchy=\"true\">¯</mo></mover>";
+        return fmt::format("<mover>{}<mo stretchy=\"false\" class=\"dots\">{}</mo></mover>", base, accent);
     }
 
     std::string between_delimiters() {

@@ -79,19 +79,23 @@ std::string to_markdown(const Page& page);
 // The style sheet of to_html(): light and dark, from 390 px on, and for paper.
 extern const char* const page_style;
 
-// 0.00253 -> "2.53·10⁻³", 12.5 -> "12.5"; three significant digits.
-std::string short_number(double value);
+// 0.00253 -> "2.53·10⁻³", 12.5 -> "12.5".
+std::string short_number(double value, int significant_digits = 3);
+
+// 0.001 -> "0.001", 2e-05 -> "2·10⁻⁵": of values that were given.
+std::string plain_number(double value);
 
 // A text that HTML takes as text, inside of Markdown too.
 std::string escaped(const std::string& text);
 
-// A name as it is read: "psi'" -> "ψ'", "xi_0" -> "ξ_0", "x" -> "x".
+// A name as it is read: "psi'" -> "ψ'", "C_delta" -> "C_δ", "x" -> "x".
 std::string pretty(const std::string& name);
 
 // "ε", "ε⁴", "ε^(7/2)": a power of eps in a page.
 std::string power_of_eps(const Rational& exponent);
 
-// A text of the terminal as it is printed: "slope 3 on t <= 1/eps^2, psi -> 0" -> "slope 3 on t ≤ 1/ε², ψ → 0".
+// A text of the terminal as it is printed: "slope 3 on t <= 1/eps^2, psi -> 0" -> "slope 3 on t ≤ 1/ε², ψ →
+// 0".
 std::string typeset(const std::string& text);
 
 } // namespace resonform::report

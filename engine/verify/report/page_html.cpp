@@ -49,8 +49,8 @@ struct HtmlWriter {
     void operator()(const Statements& statements) {
         html += "<ul class=\"statements\">\n";
         for (const Statement& s : statements.all)
-            html += fmt::format("<li><span class=\"word {}\">{}</span> <span>{}</span></li>\n", verdict_word(s.word),
-                                escaped(s.word), escaped(s.text));
+            html += fmt::format("<li><span class=\"word {}\">{}</span> <span>{}</span></li>\n",
+                                verdict_word(s.word), escaped(s.word), escaped(s.text));
         html += "</ul>\n";
     }
 
@@ -82,7 +82,8 @@ struct HtmlWriter {
     void cell(const std::string& header, const std::string& text) {
         const std::string word = verdict_word(text);
         html += fmt::format("<td{}{}>{}</td>", word.empty() ? "" : fmt::format(" class=\"{}\"", word),
-                            header.empty() ? "" : fmt::format(" data-header=\"{}\"", escaped(header)), escaped(text));
+                            header.empty() ? "" : fmt::format(" data-header=\"{}\"", escaped(header)),
+                            escaped(text));
     }
 
     void operator()(const Gallery& gallery) {

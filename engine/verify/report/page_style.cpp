@@ -3,8 +3,9 @@
 
 namespace resonform::report {
 
-// A table's rows become lists below 44rem, so that nothing is wider than a telephone. Figures are drawn on white:
-// in the dark they are inverted, with their hues turned back. On paper everything that is folded is open.
+// A table's rows become lists below 44rem, so that nothing is wider than a telephone. Figures are drawn on
+// white: in the dark they are inverted, with their hues turned back. On paper everything that is folded is
+// open.
 const char* const page_style = R"(
 :root { color-scheme: light dark; --paper: #fff; --ink: #22262b; --soft: #5a6068; --line: #e1e4e8; --box: #f6f7f9;
         --blue: #1f5fa8; --good: #2e7d4f; --bad: #c0392b; --open: #946000; }
@@ -32,7 +33,8 @@ pre { background: var(--box); border: 1px solid var(--line); border-radius: 6px;
             overflow-x: auto; margin: 1rem 0; }
 .formulas p { max-width: none; margin: .6rem 0; }
 .equation { padding-left: 2.5rem; text-indent: -2.5rem; }
-math { text-indent: 0; }
+math { text-indent: 0; font-size: 1.08em; }
+.dots { font-size: 1em; math-depth: 0; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.5rem; }
 figure { margin: 0; min-width: 0; }
 figure svg { display: block; width: 100%; height: auto; }

@@ -5,6 +5,7 @@
 #include "verify/comparison/comparison.hpp"
 #include "verify/judging/ladder.hpp"
 #include "verify/judging/stability.hpp"
+#include "verify/report/origin.hpp"
 #include "verify/report/page.hpp"
 
 #include <filesystem>
@@ -20,12 +21,13 @@ struct Findings {
     Verification verification;
     Comparison comparison;
     Stability stability;
+    Origin origin;
 };
 
 // "pendulum/third_order", the scene of a page that was written; "" of any other text.
 std::string subject_of(const std::string& page);
 
-// Curves for the figures are computed here, at eps = 0.1 and 0.01, by emitted code and direct
+// Curves for the figures are computed here, at drawn_eps, by emitted code and direct
 // integration; with `drawn` = false there are none, and the page says so. Errors (bad_input): gnuplot fails.
 Page make_report(const Findings& findings, const VerifyOptions& options, bool drawn = true);
 
