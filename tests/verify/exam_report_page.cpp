@@ -19,7 +19,9 @@ Page page() {
             {{"First",
               {Paragraph{"text"}, Preformatted{"z' = \"w\"\n"},
                Table{"caption", {"output", "verdict"}, {{"x|y", "pass"}, {"z", "fail"}}},
-               Gallery{{{"name", "<svg></svg>", "what it shows"}}}}}}};
+               Gallery{{{"name", "<svg></svg>", "what it shows", "x,y\n"}}},
+               Statements{{{"fail", "x is third order"}, {"note", "a < b"}}}, Facts{{{"g", "9.81 m/s²"}}},
+               Formulas{"\\begin{align*}\n  x &= a + b\n\\end{align*}\n", "x = a + b\n"}}}}};
 }
 
 std::size_t count(const std::string& text, const std::regex& what) {
@@ -33,16 +35,24 @@ TEST(ReportPage, HtmlStandsAlone) {
     const std::string html = to_html(page());
     EXPECT_NE(html.find("<h1>A &lt; B</h1>"), std::string::npos);
     EXPECT_NE(html.find("z' = &quot;w&quot;"), std::string::npos);
-    EXPECT_NE(html.find("<td class=\"fail\">fail</td>"), std::string::npos);
-    EXPECT_NE(html.find("<figure><svg></svg><figcaption>what it shows</figcaption></figure>"),
+    EXPECT_NE(html.find("<td class=\"fail\" data-header=\"verdict\">fail</td>"), std::string::npos);
+    EXPECT_NE(html.find("<figure><svg></svg><figcaption>what it shows <a class=\"numbers\" "
+                        "href=\"figures/name.csv\">CSV</a></figcaption></figure>"),
               std::string::npos);
+    EXPECT_NE(html.find("<span class=\"word fail\">fail</span> <span>x is third order</span>"),
+              std::string::npos);
+    EXPECT_NE(html.find("<span class=\"word \">note</span> <span>a &lt; b</span>"), std::string::npos);
+    EXPECT_NE(html.find("<dt>g</dt><dd>9.81 m/s²</dd>"), std::string::npos);
+    EXPECT_EQ(count(html, std::regex("<math")), 3U) << "x =, a, + b";
     EXPECT_EQ(count(html, std::regex("<script|src=|<link|@import|url\\(")), 0U) << "loads something";
 }
 
 TEST(ReportPage, MarkdownRefersToItsFigures) {
     EXPECT_EQ(to_markdown(page()), "# A &lt; B\n\na &amp; b\n\n## First\n\ntext\n\n```\nz' = \"w\"\n```\n\n"
                                    "**caption**\n\n| output | verdict |\n| --- | ---: |\n| x\\|y | pass |\n"
-                                   "| z | fail |\n\n![what it shows](figures/name.svg)\n\n");
+                                   "| z | fail |\n\n![what it shows](figures/name.svg)\n\n"
+                                   "- **fail**: x is third order\n- **note**: a &lt; b\n\n"
+                                   "| | |\n| --- | --- |\n| g | 9.81 m/s² |\n\n```\nx = a + b\n```\n\n");
 }
 
 TEST(ReportPage, NumbersAreShort) {
@@ -61,6 +71,47 @@ TEST(ReportPage, NamesAreReadAsLetters) {
     EXPECT_EQ(pretty("theta_0"), "θ_0");
     EXPECT_EQ(pretty("psix"), "psix");
     EXPECT_EQ(pretty("p"), "p");
+    EXPECT_EQ(pretty("C_delta"), "C_δ");
+}
+
+TEST(ReportPage, WhatTheTerminalPrintsIsTypeset) {
+    EXPECT_EQ(typeset("max|psi| -> 2.5e-03 eps^3 on t <= 1/eps"), "max|ψ| → 2.5·10⁻³ ε³ on t ≤ 1/ε");
+    EXPECT_EQ(typeset("tolerance 1e-08, x1e5 at eps^(7/2) ... eps^-12"),
+              "tolerance 10⁻⁸, x1e5 at ε^(7/2) … ε⁻¹²");
+    EXPECT_EQ(power_of_eps(Rational(4)), "ε⁴");
+    EXPECT_EQ(power_of_eps(Rational(7) / 2), "ε^(7/2)");
+    EXPECT_EQ(plain_number(0.0005), "0.0005");
+    EXPECT_EQ(plain_number(1e6), "10⁶");
+}
+
+// A row becomes a list on a telephone, and what is folded opens on paper.
+TEST(ReportPage, IsForDarknessTelephonesAndPaper) {
+    const std::string style = page_style;
+    for (const char* part :
+         {"prefers-color-scheme: dark", "max-width: 44rem", "@media print", "details-content"})
+        EXPECT_NE(style.find(part), std::string::npos) << part;
+}
+
+TEST(Plot, HasItsNumbersAsCsv) {
+    Plot plot{"name", "t, s", "x", false, false, {}};
+    plot.curves.push_back({"a", colour::red, Curve::Style::line, {0, 1}, {2, -3e-20}});
+    EXPECT_EQ(to_csv(plot), "quantity,curve,\"t, s\",value\n\"x\",\"a\",0,2\n\"x\",\"a\",1,-3e-20\n");
+    plot.below_label = "Δx";
+    plot.below.push_back({"\"b\"", colour::red, Curve::Style::line, {5}, {6}, {"N = 1"}, {4}, {7}});
+    EXPECT_EQ(to_csv(plot), "quantity,curve,\"t, s\",value,mark,low,high\n\"x\",\"a\",0,2,,,\n"
+                            "\"x\",\"a\",1,-3e-20,,,\n\"Δx\",\"\"\"b\"\"\",5,6,\"N = 1\",4,7\n");
+}
+
+TEST(Plot, HasASecondPanelInItsOwnPowerOfTen) {
+    const auto scratch = std::filesystem::temp_directory_path() / "resonform-plots";
+    Plot plot{"panels", "t", "x", false, false, {}};
+    plot.curves.push_back({"above", colour::red, Curve::Style::wide, {0, 1, 2}, {1, 2, 3}});
+    plot.below_label = "Δx, m";
+    plot.below.push_back({"", colour::blue, Curve::Style::line, {0, 1, 2}, {1e-9, 4e-9, 2e-9}});
+    const std::string svg = to_svg(plot, scratch);
+    EXPECT_NE(svg.find("Δx, 10"), std::string::npos);
+    EXPECT_EQ(svg.find("10<tspan dy=\"5.00px\">"), std::string::npos);
+    EXPECT_EQ(count(svg, std::regex("×")), 0U) << "a power at a tic";
 }
 
 TEST(Plot, IsAnElementWithItsOwnIds) {

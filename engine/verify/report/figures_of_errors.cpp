@@ -80,10 +80,12 @@ Figure Figures::ladder(const OutputVerdict& output) const {
               true,
               {errors}};
     if (output.found_order && output.constant > 0 && !errors.x.empty()) {
+        // From the window of the slope down: further up it would only stretch the axis.
+        const double from = output.slope_high_eps > 0 ? output.slope_high_eps : errors.x.front();
         const Rational found = output.order(*output.found_order);
         plot.curves.push_back(
-            over.law(fmt::format("{} {}", short_number(output.constant), power_of_eps(found)),
-                     errors.x.front(), errors.x.back(), output.constant, to_double(found)));
+            over.law(fmt::format("{} {}", short_number(output.constant), power_of_eps(found)), from,
+                     errors.x.back(), output.constant, to_double(found)));
     }
     if (output.estimate && output.estimate->next_order > 0) {
         Curve estimated{"estimated", colour::orange, Curve::Style::line_points, {}, {}};

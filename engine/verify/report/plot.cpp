@@ -119,7 +119,8 @@ std::string head_of_script(const std::string& name, int right_margin, int height
         "font \"Helvetica,Arial,sans-serif,15\" background \"#ffffff\"\n"
         "set border 3 lc rgb \"#5a6068\"\nset tics nomirror out scale 0.6 textcolor rgb \"#33383e\"\n"
         "set grid lc rgb \"#e4e7eb\" lt 1 lw 0.8\n"
-        "set key above horizontal left Left reverse samplen 2 textcolor rgb \"#33383e\"\n"
+        "set key above horizontal left Left reverse samplen 1.6 width -2 font \",13\" textcolor rgb "
+        "\"#33383e\"\n"
         "set lmargin 12\nset rmargin {}\n",
         height, name, right_margin);
 }
