@@ -44,6 +44,7 @@ struct Table {
     std::vector<std::vector<std::string>>
         rows;            // a cell "pass", "fail", "undecided", with or without ", ...", is coloured
     bool folded = false; // long: HTML shows it on demand
+    std::vector<std::string> links = {}; // where the first cell of each row leads to, or none at all
 };
 
 struct Figure {

@@ -69,9 +69,11 @@ struct HtmlWriter {
         html += "<thead><tr>";
         for (const std::string& cell : table.header) html += fmt::format("<th>{}</th>", escaped(cell));
         html += "</tr></thead>\n<tbody>\n";
-        for (const auto& cells : table.rows) {
+        for (std::size_t k = 0; k < table.rows.size(); ++k) {
+            const std::vector<std::string>& cells = table.rows[k];
             html += "<tr>";
-            for (std::size_t i = 0; i < cells.size(); ++i) cell(table.header[i], cells[i]);
+            for (std::size_t i = 0; i < cells.size(); ++i)
+                cell(table.header[i], cells[i], i == 0 && !table.links.empty() ? table.links[k] : "");
             html += "</tr>\n";
         }
         html += "</tbody></table>\n";
@@ -79,11 +81,12 @@ struct HtmlWriter {
     }
 
     // Where the window is narrow a row is a list, and each cell has its header beside it.
-    void cell(const std::string& header, const std::string& text) {
+    void cell(const std::string& header, const std::string& text, const std::string& link) {
         const std::string word = verdict_word(text);
+        const std::string shown =
+            link.empty() ? escaped(text) : fmt::format("<a href=\"{}\">{}</a>", escaped(link), escaped(text));
         html += fmt::format("<td{}{}>{}</td>", word.empty() ? "" : fmt::format(" class=\"{}\"", word),
-                            header.empty() ? "" : fmt::format(" data-header=\"{}\"", escaped(header)),
-                            escaped(text));
+                            header.empty() ? "" : fmt::format(" data-header=\"{}\"", escaped(header)), shown);
     }
 
     void operator()(const Gallery& gallery) {

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace resonform::report {
 
 namespace {
@@ -47,7 +51,14 @@ struct MarkdownWriter {
         text += row(table.header) + "|";
         for (std::size_t i = 0; i < table.header.size(); ++i) text += i == 0 ? " --- |" : " ---: |";
         text += '\n';
-        for (const auto& cells : table.rows) text += row(cells);
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            std::string line = row(table.rows[i]);
+            if (!table.links.empty()) {
+                const std::string first = escaped(table.rows[i].front());
+                line.replace(2, first.size(), fmt::format("[{}]({})", first, table.links[i]));
+            }
+            text += line;
+        }
         text += '\n';
     }
 

@@ -141,21 +141,27 @@ std::string subject_of(const std::string& page) {
     return std::regex_search(page, found, subtitle) ? found[1].str() + "/" + found[2].str() : "";
 }
 
-Page make_report(const Findings& f, const VerifyOptions& options, bool drawn) {
+Page make_report(const Findings& f, const VerifyOptions& options, bool drawn, Extent extent) {
     const System& system = *f.scene->system;
     const Figures figures(system, options.cache / "plots", drawn, f.scene->verify.figures);
-    const std::vector<MotionCurves> curves = drawn ? motions(f, options) : std::vector<MotionCurves>{};
+    const bool whole = extent == Extent::everything;
+    const std::vector<MotionCurves> curves =
+        drawn && whole ? motions(f, options) : std::vector<MotionCurves>{};
     Page page{fmt::format("{}: {}", system.title, f.scene->title),
               fmt::format("System {}, scene {}; order {}, normal form and map through weight {}. {}",
                           system.name, f.scene->name, to_string(system.weight(f.solution->order)),
                           to_string(system.weight(f.solution->truncation)), system.source),
               {verdict_section(f), scene_section(f, figures)}};
-    if (drawn) page.sections.push_back({"Motion", {figures.motion(curves)}});
-    if (has_former_constants(system)) page.sections.push_back(transgressed(f, figures, curves));
-    for (Section section :
-         {accuracy_section(f, figures), speed_section(f, figures), stability_section(f),
-          emitted(f.verification.emitted), left_out_section(f, drawn), operations(f), derived(f)})
-        page.sections.push_back(std::move(section));
+    const auto add = [&](Section section) { page.sections.push_back(std::move(section)); };
+    if (!curves.empty()) add({"Motion", {figures.motion(curves)}});
+    if (has_former_constants(system)) add(transgressed(f, figures, curves));
+    add(accuracy_section(f, figures));
+    add(speed_section(f, figures, whole));
+    add(stability_section(f));
+    add(emitted(f.verification.emitted));
+    add(left_out_section(f, drawn));
+    if (whole) add(operations(f));
+    if (whole) add(derived(f));
     return page;
 }
 

@@ -6,11 +6,12 @@
 #include <fmt/ranges.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform::report {
 
-Section speed_section(const Findings& f, const Figures& figures) {
+Section speed_section(const Findings& f, const Figures& figures, bool every_run) {
     Table rows{"Every run",
                {"method", "setting", "task", "form", "points", "max error", "seconds", "construction, s"},
                {},
@@ -36,7 +37,9 @@ Section speed_section(const Findings& f, const Figures& figures) {
                                  rival.seconds ? short_number(*rival.seconds) : "not reached",
                                  rival.ratio ? short_number(*rival.ratio) : "–", b.winner});
     }
-    return {"Error against run time", {figures.work(f.comparison), even, rows}};
+    Section section{"Error against run time", {figures.work(f.comparison), even}};
+    if (every_run) section.blocks.push_back(std::move(rows));
+    return section;
 }
 
 } // namespace resonform::report
