@@ -84,6 +84,11 @@ std::optional<Json> kept_results(const fs::path& folder) {
     return json;
 }
 
+// A line a value, as document_text(), but half as long: for files that are kept.
+std::string without_indents(const Json& json) {
+    return json.dump(0, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 class Results {
 public:
     Results(const ResultsRequest& request, const Home& home)
@@ -110,7 +115,7 @@ public:
         }
         std::vector<TextFile> files =
             markdown_files(folder, report::make_report(found, options, drawn_, report::Extent::kept));
-        files.push_back({folder / "results.json", document_text(report::results_of(found))});
+        files.push_back({folder / "results.json", without_indents(report::results_of(found))});
         write_files(files);
         return {scene.name, "written"};
     }

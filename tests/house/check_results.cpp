@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = RESONFORM_SOURCE_DIR, kept = root / "docs/results";
+const fs::path source_folder = RESONFORM_SOURCE_DIR, kept = source_folder / "docs/results";
 constexpr std::uintmax_t largest = 3'000'000; // bytes of all together
 const std::string quick_scene = "van_der_pol/to_the_cycle";
 
-std::vector<fs::path> documents() {
+std::vector<fs::path> results_documents() {
     std::vector<fs::path> found;
     for (const auto& entry : fs::recursive_directory_iterator(kept))
         if (entry.path().filename() == "results.json") found.push_back(entry.path());
@@ -36,12 +36,12 @@ std::vector<fs::path> documents() {
 
 TEST(KeptResults, AreOfScenesThatThereAre) {
     const std::string summary = read(kept / "README.md");
-    ASSERT_GE(documents().size(), 3U);
-    for (const fs::path& file : documents()) {
+    ASSERT_GE(results_documents().size(), 3U);
+    for (const fs::path& file : results_documents()) {
         const auto json = nlohmann::json::parse(read(file));
         const std::string system = json.at("system"), scene = json.at("scene");
         EXPECT_EQ(fs::relative(file, kept), fs::path(system) / scene / "results.json");
-        EXPECT_TRUE(fs::exists(root / "systems" / system / "scenes" / (scene + ".toml"))) << file;
+        EXPECT_TRUE(fs::exists(source_folder / "systems" / system / "scenes" / (scene + ".toml"))) << file;
         EXPECT_NE(summary.find("](" + system + "/" + scene + "/report.md)"), std::string::npos) << file;
         EXPECT_EQ(undocumented(json, file_formats()), std::set<std::string>()) << file;
         const std::string page = read(file.parent_path() / "report.md");
@@ -60,7 +60,7 @@ TEST(KeptResults, AreSmall) {
 }
 
 TEST(SlowKeptResults, AreFoundAnew) {
-    const Outcome outcome = run("resonform results docs/results " + quick_scene + " --check", root);
+    const Outcome outcome = run("resonform results docs/results " + quick_scene + " --check", source_folder);
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     EXPECT_NE(outcome.out.find("same"), std::string::npos) << outcome.out;
 }

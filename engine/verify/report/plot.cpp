@@ -2,6 +2,7 @@
 #include "verify/report/plot.hpp"
 
 #include "algebra/number/error.hpp"
+#include "verify/report/compact_svg.hpp"
 #include "verify/run/cache.hpp"
 #include "verify/run/child.hpp"
 
@@ -22,7 +23,7 @@ bool drawable(const Plot& plot, double x, double y) {
 }
 
 // A gnuplot string. Names have the whole of "_rest" as an index.
-std::string quoted(const std::string& text) {
+std::string in_gnuplot(const std::string& text) {
     std::string result = "\"";
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -39,17 +40,18 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-// x, y, the ends of the bar, the mark.
+// x, y, the ends of the bar; the marks follow in a block of their own, for those that there are.
 std::string data_block(const Plot& plot, const Curve& curve, const std::string& name) {
-    std::string block = fmt::format("${} << EOD\n", name);
+    std::string block = fmt::format("${} << EOD\n", name), marks = fmt::format("${}marks << EOD\n", name);
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
         if (!drawable(plot, curve.x[i], curve.y[i])) continue;
         block += fmt::format("{:.9g} {:.9g}", curve.x[i], curve.y[i]);
         if (!curve.x_low.empty()) block += fmt::format(" {:.9g} {:.9g}", curve.x_low[i], curve.x_high[i]);
-        if (!curve.marks.empty()) block += " " + quoted(curve.marks[i]);
         block += '\n';
+        if (!curve.marks.empty() && !curve.marks[i].empty())
+            marks += fmt::format("{:.9g} {:.9g} {}\n", curve.x[i], curve.y[i], in_gnuplot(curve.marks[i]));
     }
-    return block + "EOD\n";
+    return block + "EOD\n" + (curve.marks.empty() ? "" : marks + "EOD\n");
 }
 
 std::string style_of(const Curve& curve) {
@@ -90,21 +92,21 @@ std::string plot_command(const std::vector<Curve>& curves, const std::string& pr
         const Curve& curve = curves[i];
         const std::string data = fmt::format("${}{}", prefix, i);
         add(fmt::format("{} using 1:{} {} lc rgb \"{}\" {}", data, y, style_of(curve), curve.colour,
-                        curve.label.empty() ? "notitle" : "title " + quoted(curve.label)));
+                        curve.label.empty() ? "notitle" : "title " + in_gnuplot(curve.label)));
         if (!curve.x_low.empty())
             add(fmt::format("{} using 1:2:3:4 with xerrorbars lw 1 ps 0 lc rgb \"{}\" notitle", data,
                             curve.colour));
         if (!curve.marks.empty())
             add(fmt::format(
-                "{} using 1:2:{} with labels left offset 0.5,0.4 font \",11\" tc rgb \"{}\" notitle", data,
-                curve.x_low.empty() ? 3 : 5, curve.colour));
+                "{}marks using 1:2:3 with labels left offset 0.5,0.4 font \",11\" tc rgb \"{}\" notitle",
+                data, curve.colour));
     }
     return command + "\n";
 }
 
 std::string axis(const std::string& letter, const std::string& label, bool logarithmic) {
     std::string text =
-        fmt::format("set {}label {}{}\n", letter, quoted(label), letter == "y" ? " offset 1.2" : "");
+        fmt::format("set {}label {}{}\n", letter, in_gnuplot(label), letter == "y" ? " offset 1.2" : "");
     if (logarithmic)
         text += fmt::format("set logscale {0} 10\nset format {0} \"10^{{%T}}\"\n", letter);
     else
@@ -121,18 +123,31 @@ std::string head_of_script(const std::string& name, int right_margin, int height
         "set grid lc rgb \"#e4e7eb\" lt 1 lw 0.8\n"
         "set key above horizontal left Left reverse samplen 1.6 width -2 font \",13\" textcolor rgb "
         "\"#33383e\"\n"
-        "set lmargin 12\nset rmargin {}\n",
+        "set lmargin 12\nset rmargin {}\nset errorbars small\n",
         height, name, right_margin);
 }
 
+// gnuplot warns of a curve without a point.
+void drop_empty(const Plot& plot, std::vector<Curve>& curves) {
+    curves.erase(std::remove_if(curves.begin(), curves.end(),
+                                [&](const Curve& curve) {
+                                    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
+                                        if (drawable(plot, curve.x[i], curve.y[i])) return false;
+                                    return true;
+                                }),
+                 curves.end());
+}
+
 // The curves over each other, or in two panels.
-std::string script(const Plot& plot) {
+std::string script(Plot plot) {
+    drop_empty(plot, plot.curves);
+    drop_empty(plot, plot.below);
     const bool two = !plot.below.empty();
     std::string text = head_of_script(plot.name, 3, two ? 540 : 420);
     text += axis("x", plot.x_label, plot.log_x) + axis("y", plot.y_label, plot.log_y);
     if (!plot.note.empty())
         text += fmt::format("set label 1 {} at graph 0.02,0.05 left font \",13\" tc rgb \"#5a6068\"\n",
-                            quoted(plot.note));
+                            in_gnuplot(plot.note));
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
         text += data_block(plot, plot.curves[i], fmt::format("data{}", i));
     for (std::size_t i = 0; i < plot.below.size(); ++i)
@@ -170,7 +185,7 @@ std::string script(const HeatMap& map) {
     const std::vector<double> x = edges(map.x, map.log_x), y = edges(map.y, map.log_y);
     text += fmt::format("set title {}\nset palette defined (0 \"#1f3f7a\", 1 \"#3f8fb5\", 2 \"#f2f0d8\", 3 "
                         "\"#d98a3d\", 4 \"#8a2a1f\")\nset style fill solid 1 noborder\nunset grid\n",
-                        quoted(map.title));
+                        in_gnuplot(map.title));
     text += fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n$cells << EOD\n",
                         std::min(x.front(), x.back()), std::max(x.front(), x.back()),
                         std::min(y.front(), y.back()), std::max(y.front(), y.back()));
@@ -201,11 +216,6 @@ std::string run_gnuplot(const fs::path& script_file) {
     return gnuplot.output;
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-}
-
 } // namespace
 
 std::string why_no_plots() {
@@ -215,37 +225,6 @@ std::string why_no_plots() {
 }
 
 namespace {
-
-void erase_all(std::string& text, const std::string& begin, const std::string& end) {
-    for (std::size_t from = 0; (from = text.find(begin, from)) != std::string::npos;) {
-        const std::size_t to = text.find(end, from);
-        if (to == std::string::npos) return;
-        text.erase(from, to + end.size() - from);
-    }
-}
-
-// gnuplot defines marks and filters whether or not a plot has them: three quarters of a small one.
-std::string without_unused(std::string svg) {
-    erase_all(svg, "\t<filter", "</filter>\n");
-    for (bool found = true; found;) { // a mark may be made of another
-        found = false;
-        for (std::size_t at = 0; (at = svg.find(" id='", at)) != std::string::npos; ++at) {
-            const std::size_t begin = at + 5, end = svg.find('\'', begin);
-            if (svg.find("'#" + svg.substr(begin, end - begin) + "'") != std::string::npos) continue;
-            const std::size_t line = svg.rfind('\n', at) + 1;
-            svg.erase(line, svg.find('\n', at) + 1 - line);
-            found = true;
-            at = line;
-        }
-    }
-    for (std::size_t at = 0; (at = svg.find(">\n</g>\n", at)) != std::string::npos;) {
-        const std::size_t begin = svg.rfind('<', at);
-        const bool group = svg.compare(begin, 3, "<g ") == 0;
-        if (group) svg.erase(begin, at + 7 - begin);
-        at = group ? begin : at + 1;
-    }
-    return svg;
-}
 
 std::string drawn(const std::string& name, const std::string& script, const fs::path& scratch) {
     const fs::path file = scratch / fmt::format("{}.{}.gnuplot", name, getpid());
@@ -257,7 +236,7 @@ std::string drawn(const std::string& name, const std::string& script, const fs::
     replace_all(svg, " id='", " id='" + name + "-");
     replace_all(svg, "'#gp", "'#" + name + "-gp");
     replace_all(svg, "url(#", "url(#" + name + "-");
-    return without_unused(std::move(svg));
+    return compact_svg(std::move(svg));
 }
 
 } // namespace
