@@ -52,7 +52,7 @@ std::string without_unused(std::string svg) {
 void erase_empty_groups(std::string& svg) {
     for (std::size_t at = 0; (at = svg.find(">\n</g>\n", at)) != std::string::npos;) {
         const std::size_t begin = svg.rfind('<', at);
-        const bool group = svg.compare(begin, 3, "<g ") == 0;
+        const bool group = svg.compare(begin, 2, "<g") == 0;
         if (group) svg.erase(begin, at + 7 - begin);
         at = group ? begin : at + 1;
     }
@@ -70,21 +70,20 @@ void shorten_colours(std::string& svg) {
     }
 }
 
-// What gnuplot repeats in every group, and the root says once.
-constexpr std::array<std::array<const char*, 2>, 13> shorter{{
+// What gnuplot repeats in every group, and the root says once; and blanks.
+constexpr std::array<std::array<const char*, 2>, 12> shorter{{
     {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""},
-    {" font-family=\"Helvetica,Arial,sans-serif\" ", ""},
     {" font-family=\"Helvetica,Arial,sans-serif\"", ""},
-    {" font-family=\"Helvetica\" ", ""},
+    {" font-family=\"Helvetica\"", ""},
     {"<g fill=\"none\" color=\"black\" stroke=\"currentColor\"", "<g stroke=\"currentColor\""},
     {"<g fill=\"none\" color=\"black\"", "<g"},
     {" stroke-width=\"1.00\"", ""},
-    {" class=\"gridline\" ", ""},
+    {" class=\"gridline\"", ""},
     {".00,", ","},
     {".00 ", " "},
     {"\t", ""},
-    {"\n\n", "\n"},
     {"<text></text>\n", ""},
+    {" >", ">"},
 }};
 
 } // namespace
@@ -96,11 +95,13 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 std::string compact_svg(std::string svg) {
     svg = without_unused(std::move(svg));
-    erase_empty_groups(svg);
+    erase_all(svg, "<title>", "</title>"); // the names of curves, shown at the pointer: "ladder_x_plot_1"
     shorten_colours(svg);
     for (const auto& [from, to] : shorter) replace_all(svg, from, to);
-    replace_all(svg, "<svg \n",
-                "<svg fill=\"none\" color=\"black\" font-family=\"Helvetica,Arial,sans-serif\"\n");
+    while (svg.find("\n\n") != std::string::npos) replace_all(svg, "\n\n", "\n");
+    while (svg.find("  ") != std::string::npos) replace_all(svg, "  ", " ");
+    erase_empty_groups(svg);
+    replace_all(svg, "<svg", "<svg fill=\"none\" color=\"black\" font-family=\"Helvetica,Arial,sans-serif\"");
     return svg;
 }
 

@@ -108,7 +108,7 @@ std::string axis(const std::string& letter, const std::string& label, bool logar
     std::string text =
         fmt::format("set {}label {}{}\n", letter, in_gnuplot(label), letter == "y" ? " offset 1.2" : "");
     if (logarithmic)
-        text += fmt::format("set logscale {0} 10\nset format {0} \"10^{{%T}}\"\n", letter);
+        text += fmt::format("set logscale {0} 10\nset format {0} \"10^{{%T}}\"\nset m{0}tics 1\n", letter);
     else
         text += fmt::format("set format {} \"%h\"\n", letter);
     return text;
