@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/origin.hpp"
 
+#include "verify/run/machine.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

@@ -11,6 +11,9 @@
 #include "cli/pipeline.hpp"
 #include "cli/scene_report.hpp"
 #include "model/text/diagnostic.hpp"
+#include "verify/judging/ladder.hpp"
+#include "verify/report/page.hpp"
+#include "verify/report/report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

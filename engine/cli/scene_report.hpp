@@ -6,8 +6,9 @@
 #include "cli/locations.hpp"
 #include "cli/pipeline.hpp"
 #include "verify/judging/ladder.hpp"
+#include "verify/report/findings.hpp"
 #include "verify/report/origin.hpp"
-#include "verify/report/report.hpp"
+#include "verify/report/page.hpp"
 
 #include <filesystem>
 #include <string>

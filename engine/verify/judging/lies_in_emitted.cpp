@@ -3,6 +3,7 @@
 #include "emit/program/build_program.hpp"
 #include "verify/judging/emitted_check.hpp"
 #include "verify/judging/emitted_judge.hpp"
+#include "verify/judging/emitted_points.hpp"
 #include "verify/judging/lies.hpp"
 
 #include <fmt/format.h>

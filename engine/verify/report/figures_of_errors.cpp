@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors over eps, and against run time.
 #include "algebra/number/number.hpp"
+#include "verify/judging/judge.hpp"
 #include "verify/report/figures.hpp"
+#include "verify/report/page.hpp"
 
 #include <fmt/format.h>
 
@@ -80,8 +82,9 @@ Figure Figures::ladder(const OutputVerdict& output) const {
               true,
               {errors}};
     if (output.found_order && output.constant > 0 && !errors.x.empty()) {
-        // From the window of the slope down: further up it would only stretch the axis.
-        const double from = output.slope_high_eps > 0 ? output.slope_high_eps : errors.x.front();
+        // From a decade above the window of the slope down: further up it would only stretch the axis.
+        const double from = output.slope_high_eps > 0 ? std::min(10 * output.slope_high_eps, errors.x.front())
+                                                      : errors.x.front();
         const Rational found = output.order(*output.found_order);
         plot.curves.push_back(
             over.law(fmt::format("{} {}", short_number(output.constant), power_of_eps(found)), from,
@@ -110,8 +113,8 @@ Gallery Figures::ladders(const std::vector<OutputVerdict>& outputs) const {
 }
 
 Figure Figures::work_of(const Comparison& comparison, Task task) const {
-    const std::vector<std::string> hues = {colour::red, colour::blue, colour::green, colour::orange,
-                                           colour::violet};
+    const std::vector<std::string> hues = {colour::red,    colour::blue, colour::green, colour::orange,
+                                           colour::violet, colour::teal, colour::brown};
     std::vector<Curve> curves;
     std::size_t points = 0;
     for (const ComparisonRow& row : comparison.rows) {

@@ -11,7 +11,8 @@ namespace resonform {
 // The few colours of all figures.
 namespace colour {
 inline const std::string red = "#c0392b", blue = "#1f5fa8", grey = "#8a8f98", green = "#2e7d4f",
-                         orange = "#c77d0a", violet = "#7a4a9e", pale = "#c9d6e6";
+                         orange = "#c77d0a", violet = "#7a4a9e", teal = "#0b7f8a", brown = "#7b4b2a",
+                         pale = "#c9d6e6";
 } // namespace colour
 
 struct Curve {

@@ -6,6 +6,7 @@
 #include "emit/program/build_program.hpp"
 #include "solve/transgression.hpp"
 #include "verify/judging/conditions.hpp"
+#include "verify/judging/ladder.hpp"
 #include "verify/report/figures.hpp"
 #include "verify/report/sections.hpp"
 

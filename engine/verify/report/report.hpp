@@ -2,27 +2,13 @@
 // The report of a scene: its derivation, accuracy, speed and stability.
 #pragma once
 
-#include "verify/comparison/comparison.hpp"
-#include "verify/judging/ladder.hpp"
-#include "verify/judging/stability.hpp"
-#include "verify/report/origin.hpp"
+#include "verify/judging/options.hpp"
+#include "verify/report/findings.hpp"
 #include "verify/report/page.hpp"
 
-#include <filesystem>
-#include <memory>
+#include <string>
 
 namespace resonform::report {
-
-// All results for one scene.
-struct Findings {
-    std::shared_ptr<const FirstOrderSystem> system;
-    const Scene* scene = nullptr;
-    const Solution* solution = nullptr;
-    Verification verification;
-    Comparison comparison;
-    Stability stability;
-    Origin origin;
-};
 
 // "pendulum/third_order", the scene of a page that was written; "" of any other text.
 std::string subject_of(const std::string& page);

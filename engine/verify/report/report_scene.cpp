@@ -2,6 +2,7 @@
 #include "algebra/number/number.hpp"
 #include "emit/derive/document.hpp"
 #include "model/text/canonical.hpp"
+#include "verify/report/page.hpp"
 #include "verify/report/sections.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/number.hpp"
+#include "verify/report/page.hpp"
 #include "verify/report/sections.hpp"
 
 #include <fmt/format.h>

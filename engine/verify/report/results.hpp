@@ -2,8 +2,8 @@
 // The results of a scene as they are kept: resonform.results/1 (docs/file_formats.md).
 #pragma once
 
+#include "verify/report/findings.hpp"
 #include "verify/report/page.hpp"
-#include "verify/report/report.hpp"
 
 #include <nlohmann/json.hpp>
 

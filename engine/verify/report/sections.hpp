@@ -3,8 +3,8 @@
 #pragma once
 
 #include "verify/report/figures.hpp"
+#include "verify/report/findings.hpp"
 #include "verify/report/page.hpp"
-#include "verify/report/report.hpp"
 
 #include <string>
 

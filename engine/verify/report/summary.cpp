@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/report/results.hpp"
 
+#include "verify/report/page.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
