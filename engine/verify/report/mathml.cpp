@@ -69,7 +69,7 @@ private:
 
     std::string scripted() {
         const bool limits = stands("\\int\\limits");
-        const std::string base = atom();
+        std::string base = atom();
         if (limits) at_ += std::string("\\limits").size();
         std::string below, above;
         for (skip_spaces(); at_ < text_.size() && (text_[at_] == '_' || text_[at_] == '^'); skip_spaces()) {
