@@ -70,6 +70,7 @@ void add_compare(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_regenerate(CLI::App& app, Action& action);
+void add_results(CLI::App& app, Action& action);
 void add_list(CLI::App& app, Action& action);
 void add_evaluate(CLI::App& app, Action& action);
 

@@ -34,7 +34,7 @@ void add_commands(CLI::App& app, Action& action) {
     app.set_version_flag("--version", "resonform " RESONFORM_VERSION);
     app.set_help_flag("-h,--help", "print this help and exit");
     for (const auto& add : {add_derive, add_generate, add_verify, add_certify, add_compare, add_stability,
-                            add_sweep, add_regenerate, add_list, add_evaluate})
+                            add_sweep, add_regenerate, add_results, add_list, add_evaluate})
         add(app, action);
     app.footer("SYSTEM is a folder with system.toml, the path of that file, or a name in systems/.\n"
                "SCENE is the path of a scene file: systems/NAME/scenes/SCENE.toml.\n"

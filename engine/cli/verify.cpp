@@ -6,13 +6,12 @@
 #include "cli/complaint.hpp"
 #include "cli/limits.hpp"
 #include "cli/locations.hpp"
+#include "cli/origin.hpp"
 #include "cli/output.hpp"
 #include "cli/pipeline.hpp"
-#include "cli/verify_apart.hpp"
+#include "cli/scene_report.hpp"
 #include "cli/watch.hpp"
-#include "verify/judging/stability.hpp"
 #include "verify/report/json.hpp"
-#include "verify/report/plot.hpp"
 #include "verify/report/report.hpp"
 
 #include <fmt/format.h>
@@ -26,16 +25,9 @@ namespace resonform {
 
 namespace {
 
-// report.html; report.md with figures/*.svg, if there are any.
+// report.html; report.md with figures/*.svg and their numbers in figures/*.csv, if there are any.
 void write_report(const std::filesystem::path& folder, const report::Page& page) {
-    std::vector<TextFile> files{{folder / "report.html", report::to_html(page)},
-                                {folder / "report.md", report::to_markdown(page)}};
-    for (const report::Section& section : page.sections)
-        for (const report::Block& block : section.blocks)
-            if (const auto* gallery = std::get_if<report::Gallery>(&block))
-                for (const report::Figure& figure : gallery->figures)
-                    files.push_back({folder / "figures" / (figure.name + ".svg"), figure.svg});
-    write_files(files);
+    write_files(report_files(folder, page));
     show_progress(fmt::format("report: {}", (folder / "report.html").string()));
 }
 
@@ -67,19 +59,18 @@ struct VerifyRequest {
     bool liars;
 };
 
+// The command that makes it again.
+std::string spelled(const VerifyRequest& request) {
+    return fmt::format("resonform verify {} --report {}{}", request.scene, request.report.string(),
+                       request.liars ? " --liars" : "");
+}
+
 SceneLine solve_for(const VerifyRequest& request, const Home& home) {
     return watched(request.limits, [&](Watch& watch) {
         Scene scene = read_scene_with_values(request.scene, home);
         if (!request.report.empty()) require_same_subject(request.report, scene);
         return solve_scene(std::move(scene), watch);
     });
-}
-
-bool figures_can_be_drawn() {
-    const std::string why_not = why_no_plots();
-    if (why_not.empty()) return true;
-    say(fmt::format("resonform: {}, so the report will have no figures (Debian: gnuplot-nox)", why_not));
-    return false;
 }
 
 // Runs work after the verdicts. Its errors go to standard error only: the JSON document is already out.
@@ -102,31 +93,18 @@ int run_verify(const VerifyRequest& request) {
     const SceneLine line = solve_for(request, home);
     const CacheFolder cache(home);
     const auto& system = line.expanded.first_order;
-    auto options = with_progress<VerifyOptions>(cache);
+    VerifyOptions options = verify_options(cache, request.limits);
     options.liars = request.liars;
-    options.guarantee = [&](const Scene& s, const Solution& solution, const Claims& claims) {
-        return guarantees_apart(s, solution, claims, request.limits);
-    };
-    options.estimate = [&](const Scene& s, const Solution& solution, const std::vector<Rational>& eps) {
-        return error_estimates_apart(s, solution, eps, request.limits);
-    };
     const Verification verification = verify(system, line.scene, line.solution, options);
     put("{}", request.format == "json" ? document_text(to_json(verification)) : to_text(verification));
     finish_results(); // the verdicts are there while the report is still being made
     const int verdict = verification.as_expected() ? done : check_failed;
     if (!reported) return verdict;
-    auto all_orders = with_progress<CompareOptions>(cache);
-    const int one = line.scene.system->eps_root;
-    for (int order = one; order <= line.scene.order; order += one) all_orders.orders.push_back(order);
-    return std::max(
-        verdict, run_behind_results([&] {
-            write_report(request.report,
-                         report::make_report(
-                             {system, &line.scene, &line.solution, verification,
-                              compare(system, line.scene, line.solution, all_orders),
-                              stability(line.scene, line.solution, with_progress<StabilityOptions>(cache))},
-                             options, drawn));
-        }));
+    return std::max(verdict, run_behind_results([&] {
+                        const report::Findings findings =
+                            findings_of(line, verification, cache, origin_of(spelled(request)));
+                        write_report(request.report, report::make_report(findings, options, drawn));
+                    }));
 }
 
 } // namespace

@@ -364,6 +364,20 @@ TEST(SceneUlp, HasADefaultAndIsWidenedWithAReason) {
     EXPECT_EQ(plan_with("ulp = \"5/2\"").ulp, 2.5);
 }
 
+TEST(SceneFigures, HaveNumbersOfTheSource) {
+    const auto plan_with = [](const std::string& figures) {
+        const std::string own = "{ \"y(x)\" = [2, 3], psi = [4, 5], x = [6, 7], y = [8, 9] }";
+        return read_scene_text(edited(pendulum_scene(), own, figures), pendulum_scene_file(),
+                               source_dir() / "systems")
+            .verify.figures;
+    };
+    const std::map<std::string, std::vector<int>> expected{{"psi", {4, 5}}, {"y(x)", {2}}};
+    EXPECT_EQ(plan_with("{ \"y(x)\" = [2], psi = [4, 5] }"), expected);
+    for (const char* wrong : {"{ z = [1] }", "{ \"y(z)\" = [1] }", "{ psi = [] }", "{ psi = [1, 2, 3] }",
+                              "{ psi = [0] }", "{ psi = [\"1/2\"] }", "{ psi = [1001] }", "{ psi = 4 }"})
+        EXPECT_THROW((void)plan_with(wrong), Error) << wrong;
+}
+
 TEST(SceneWithoutOutputs, HasSlowVariablesWhereNothingElseMoves) {
     const auto file = source_dir() / "systems/rotating_pendulum/scenes/s.toml";
     const Scene scene = read_scene_text("[start]\nJ = 1\nphi = 0\n", file, source_dir() / "systems");

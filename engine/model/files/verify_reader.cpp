@@ -115,12 +115,38 @@ Verdict verdict_of(const TomlNode& node) {
               suggest(verdict, {"pass", "fail", "undecided"}));
 }
 
+// "psi" or "y(x)", each an output.
+void check_drawn(const TomlEntry& entry, const Scene& scene) {
+    const std::size_t open = entry.key.find('(');
+    const bool path = open != std::string::npos && entry.key.back() == ')';
+    const std::string over = path ? entry.key.substr(open + 1, entry.key.size() - open - 2) : "";
+    const std::string drawn = path ? entry.key.substr(0, open) : entry.key;
+    if (scene.wants(drawn) && (!path || scene.wants(over))) return;
+    bad_input(Reason::name, {"'verify.figures' is about an output, as psi, or one over another, as \"y(x)\"",
+                             in_quotes(entry.key), suggest(drawn, scene.outputs), entry.place});
+}
+
+std::vector<int> figure_numbers(const TomlNode& node) {
+    constexpr int highest = 1000;
+    std::vector<int> numbers;
+    for (const TomlNode& item : node.items) {
+        const Rational number = number_of(item);
+        if (cln::denominator(number) != 1 || number < 1 || number > highest) break;
+        numbers.push_back(static_cast<int>(to_double(number)));
+    }
+    if (numbers.empty() || numbers.size() != node.items.size() || numbers.size() > drawn_eps.size())
+        bad_value(node,
+                  "figures have whole numbers in 1 ... 1000, the first at eps = 0.1, a second at eps = 0.01",
+                  "write psi = [4, 5]");
+    return numbers;
+}
+
 } // namespace
 
 VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
     const TomlNode empty;
     const TomlNode& verify = table == nullptr ? empty : *table;
-    check_keys(verify, {"interval", "eps", "claim", "expect", "ulp", "ulp_reason"});
+    check_keys(verify, {"interval", "eps", "claim", "expect", "ulp", "ulp_reason", "figures"});
     VerifyPlan plan;
     read_interval(verify.find("interval"), scene, plan);
     const TomlNode* ladder = verify.find("eps");
@@ -130,19 +156,20 @@ VerifyPlan read_verify(const TomlNode* table, const Scene& scene) {
     for (const std::string& output : scene.outputs) {
         plan.expect[output] = Verdict::pass;
     }
-    const auto each = [&](const char* key, auto&& read) {
+    const auto each = [&](const char* key, auto&& check, auto&& read) {
         const TomlNode* node = verify.find(key);
         if (node == nullptr) return;
         check_table(*node);
         for (const TomlEntry& entry : node->entries) {
-            check_output(entry, scene);
+            check(entry, scene);
             read(entry);
         }
     };
-    each("claim", [&](const TomlEntry& e) {
+    each("claim", check_output, [&](const TomlEntry& e) {
         plan.claim[e.key] = held_weight_of(e.value, scene.system->eps_root, 1, highest_claim);
     });
-    each("expect", [&](const TomlEntry& e) { plan.expect[e.key] = verdict_of(e.value); });
+    each("expect", check_output, [&](const TomlEntry& e) { plan.expect[e.key] = verdict_of(e.value); });
+    each("figures", check_drawn, [&](const TomlEntry& e) { plan.figures[e.key] = figure_numbers(e.value); });
     read_ulp(verify, plan);
     return plan;
 }

@@ -6,6 +6,7 @@
 #include "algebra/number/number.hpp"
 #include "model/system/system_file.hpp"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -48,7 +49,13 @@ struct VerifyPlan {
     std::map<std::string, Verdict> expect;
     double ulp = default_ulp; // emitted code's largest error, in units of the last place of an output's scale
     std::string ulp_reason;   // why it is more than the default
+    // Numbers that the source gives to figures of a report, at its values of eps: of an output ("psi") that
+    // of its difference from direct integration, of a path ("y(x)") its own.
+    std::map<std::string, std::vector<int>> figures;
 };
+
+// The values of eps that a report draws motions at.
+constexpr std::array<const char*, 2> drawn_eps{"0.1", "0.01"};
 
 // The sign of a value as far as it is known, with [fix] put in and eps = 0.1.
 enum class Estimate {

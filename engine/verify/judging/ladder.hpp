@@ -30,9 +30,6 @@ ErrorCurves error_curves(std::shared_ptr<const FirstOrderSystem> system, const S
                          const Solution& solution, const Rational& eps, std::size_t points,
                          const VerifyOptions& options);
 
-// The conditions of the verdicts: interval, eps, times, start, and where the ladder ends.
-std::string conditions_text(const Verification& verification);
-
 // The screen of `resonform verify`: one ladder per output with its verdict.
 std::string to_text(const Verification& verification);
 

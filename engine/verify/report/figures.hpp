@@ -8,7 +8,9 @@
 #include "verify/report/plot.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace resonform::report {
@@ -20,35 +22,49 @@ struct MotionCurves {
     std::optional<ErrorCurves> mean, former;
 };
 
+// What is left of a text in the name of a file: "psi'" -> "psip", "0.01" -> "0_01".
+std::string identifier_in_file(const std::string& text);
+
+// Numbers that the source gives to figures, at drawn_eps: VerifyPlan::figures.
+using PublishedFigures = std::map<std::string, std::vector<int>>;
+
 // Draws every figure with its scripts in one scratch folder; if not `drawn` there are none: those
 // of finished data are empty galleries.
 class Figures {
 public:
-    Figures(const System& system, std::filesystem::path scratch, bool drawn = true);
+    Figures(const System& system, std::filesystem::path scratch, bool drawn = true,
+            PublishedFigures published = {});
 
-    // Every output over time.
+    // Every output over time beside direct integration, and below it the difference.
     [[nodiscard]] Gallery motion(const std::vector<MotionCurves>& motions) const;
     // Former constants over eps*t, beside direct integration; two drifts: the second over the first, too.
     [[nodiscard]] Gallery transgression(const std::vector<MotionCurves>& motions) const;
-    // Direct integration minus emitted formula, one figure for each output and eps.
-    [[nodiscard]] Gallery errors(const std::vector<MotionCurves>& motions) const;
-    // max error over eps, its limit line, and the claimed order where that differs.
+    // max error over eps^claimed, where the claimed order is level; its limit line and the estimate beside
+    // it.
     [[nodiscard]] Gallery ladders(const std::vector<OutputVerdict>& outputs) const;
     // Error against run time, one figure for each task.
     [[nodiscard]] Gallery work(const Comparison& comparison) const;
 
+    [[nodiscard]] std::string label(const std::string& name) const; // "x, m"
+    // "s" where the file has units: primes count per second. Else "".
+    [[nodiscard]] std::string unit_of_time() const;
+
 private:
     [[nodiscard]] Figure draw(const Plot& plot, std::string caption) const;
-    [[nodiscard]] std::string label(const std::string& name) const; // "x, m"
+    [[nodiscard]] std::string time_label(const std::string& time) const; // "εt, s"
+    [[nodiscard]] std::string published(const std::string& what,
+                                        double eps) const; // "; compare figure 4 of the source"
     [[nodiscard]] std::vector<std::string> drift_outputs(const ErrorCurves& curves) const;
     [[nodiscard]] Figure path(const MotionCurves& motion, const std::string& x, const std::string& y) const;
     [[nodiscard]] Figure former_constant(const ErrorCurves& curves, std::size_t output) const;
+    [[nodiscard]] Figure motion_of(const ErrorCurves& curves, std::size_t output) const;
     [[nodiscard]] Figure ladder(const OutputVerdict& output) const;
     [[nodiscard]] Figure work_of(const Comparison& comparison, Task task) const;
 
     const System* system_;
     std::filesystem::path scratch_;
     bool drawn_;
+    PublishedFigures published_;
 };
 
 } // namespace resonform::report

@@ -122,8 +122,7 @@ std::string unanswered(const Verification& v) {
                        fmt::join(eps, ", "));
 }
 
-} // namespace
-
+// The conditions of the verdicts: interval, eps, times, start, and where the ladder ends.
 std::string conditions_text(const Verification& v) {
     const Conditions& c = v.conditions;
     const std::string from =
@@ -158,6 +157,8 @@ std::string conditions_text(const Verification& v) {
                             c.ladder_end->reason);
     return text + "\n";
 }
+
+} // namespace
 
 std::string to_text(const Verification& v) {
     std::string text = fmt::format("{} / {}: emitted code against direct integration\n", v.system, v.scene);

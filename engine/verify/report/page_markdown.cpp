@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace resonform::report {
 
 namespace {
@@ -28,12 +32,33 @@ struct MarkdownWriter {
         text += "```\n\n";
     }
 
+    void operator()(const Formulas& formulas) { (*this)(Preformatted{formulas.text}); }
+
+    void operator()(const Statements& statements) {
+        for (const Statement& s : statements.all)
+            text += fmt::format("- **{}**: {}\n", escaped(s.word), escaped(s.text));
+        text += '\n';
+    }
+
+    void operator()(const Facts& facts) {
+        text += "| | |\n| --- | --- |\n";
+        for (const auto& [name, value] : facts.all) text += row({name, value});
+        text += '\n';
+    }
+
     void operator()(const Table& table) {
         if (!table.caption.empty()) text += "**" + escaped(table.caption) + "**\n\n";
         text += row(table.header) + "|";
         for (std::size_t i = 0; i < table.header.size(); ++i) text += i == 0 ? " --- |" : " ---: |";
         text += '\n';
-        for (const auto& cells : table.rows) text += row(cells);
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            std::string line = row(table.rows[i]);
+            if (!table.links.empty()) {
+                const std::string first = escaped(table.rows[i].front());
+                line.replace(2, first.size(), fmt::format("[{}]({})", first, table.links[i]));
+            }
+            text += line;
+        }
         text += '\n';
     }
 

@@ -2,31 +2,24 @@
 // The report of a scene: its derivation, accuracy, speed and stability.
 #pragma once
 
-#include "verify/comparison/comparison.hpp"
-#include "verify/judging/ladder.hpp"
-#include "verify/judging/stability.hpp"
+#include "verify/judging/options.hpp"
+#include "verify/report/findings.hpp"
 #include "verify/report/page.hpp"
 
-#include <filesystem>
-#include <memory>
+#include <string>
 
 namespace resonform::report {
-
-// All results for one scene.
-struct Findings {
-    std::shared_ptr<const FirstOrderSystem> system;
-    const Scene* scene = nullptr;
-    const Solution* solution = nullptr;
-    Verification verification;
-    Comparison comparison;
-    Stability stability;
-};
 
 // "pendulum/third_order", the scene of a page that was written; "" of any other text.
 std::string subject_of(const std::string& page);
 
-// Curves for the figures are computed here, at eps = 0.1 and 0.01, by emitted code and direct
+// How much of it: everything, or what is worth being kept: no motions, no rows of the comparison, no
+// derivation.
+enum class Extent { everything, kept };
+
+// Curves for the figures are computed here, at drawn_eps, by emitted code and direct
 // integration; with `drawn` = false there are none, and the page says so. Errors (bad_input): gnuplot fails.
-Page make_report(const Findings& findings, const VerifyOptions& options, bool drawn = true);
+Page make_report(const Findings& findings, const VerifyOptions& options, bool drawn = true,
+                 Extent extent = Extent::everything);
 
 } // namespace resonform::report

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/number/number.hpp"
+#include "verify/report/page.hpp"
+#include "verify/report/sections.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
+
+namespace resonform::report {
+
+Section stability_section(const Findings& f) {
+    Table worst{"Worst points", {"output", "ulp", "unavoidable", "at"}, {}};
+    for (const WorstPoint& point : f.stability.worst) {
+        std::vector<std::string> at;
+        for (const auto& [name, value] : point.at)
+            at.push_back(fmt::format("{} = {}", pretty(name), short_number(value)));
+        worst.rows.push_back({pretty(point.output), short_number(point.ulp), short_number(point.unavoidable),
+                              fmt::format("{}", fmt::join(at, ", "))});
+    }
+    Table median{"Median", {"output", "ulp"}, {}};
+    for (const auto& [name, ulp] : f.stability.median)
+        median.rows.push_back({pretty(name), short_number(ulp)});
+    Table swept{"Swept", {"input", "from", "to"}, {}};
+    for (const SweptInput& input : f.stability.swept) {
+        const std::string unit = input.weight == 0 ? "" : " " + power_of_eps(input.weight);
+        swept.rows.push_back({pretty(input.name),
+                              (input.negative ? "± " : "") + short_number(input.low) + unit,
+                              short_number(input.high) + unit});
+    }
+    return {
+        "Stability of the emitted code",
+        {Paragraph{fmt::format(
+             "Verdict: {}{}. Double against 50 digits at {} points over many decades of every input; {} were "
+             "answered with a status, of them {} that nothing explains (at most {:.0f} % may be); {} more "
+             "are "
+             "beyond the reference. Errors in ulp of the output's scale, the sum of its terms' magnitudes; "
+             "the threshold is {:g}, and as many times more as one last bit of all inputs makes "
+             "unavoidable.",
+             to_string(f.stability.verdict), f.stability.rule.empty() ? "" : ": " + typeset(f.stability.rule),
+             f.stability.cases, f.stability.refused, f.stability.unexplained, 100 * unexplained_share,
+             f.stability.beyond_reference, f.stability.threshold)},
+         swept, median, worst}};
+}
+
+} // namespace resonform::report
