@@ -10,10 +10,10 @@
 #include "cli/pipeline.hpp"
 #include "cli/verify_apart.hpp"
 #include "cli/watch.hpp"
-#include "verify/judging/stability.hpp"
 #include "verify/report/json.hpp"
 #include "verify/report/plot.hpp"
 #include "verify/report/report.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "verify/comparison/comparison.hpp"
 #include "verify/judging/ladder.hpp"
-#include "verify/judging/stability.hpp"
 #include "verify/report/page.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <filesystem>
 #include <memory>

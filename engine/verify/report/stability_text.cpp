@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/stability.hpp"
+#include "verify/stability/stability.hpp"
 
 #include "model/text/eps_powers.hpp"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "verify/judging/ladder.hpp"
-#include "verify/judging/stability_points.hpp"
+#include "verify/stability/points.hpp"
 
 #include <cstdint>
 #include <map>

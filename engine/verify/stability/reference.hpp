@@ -3,7 +3,7 @@
 // program takes them.
 #pragma once
 
-#include "verify/judging/stability_points.hpp"
+#include "verify/stability/points.hpp"
 #include "verify/symbolic/evaluator.hpp"
 
 #include <map>

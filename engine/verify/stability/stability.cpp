@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/stability.hpp"
+#include "verify/stability/stability.hpp"
 
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
 #include "verify/evaluate/evaluator.hpp"
-#include "verify/judging/stability_reference.hpp"
+#include "verify/stability/reference.hpp"
 #include "verify/symbolic/ulp.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stability sweep: which points it draws, and what makes its verdict.
-#include "verify/judging/stability.hpp"
+#include "verify/stability/stability.hpp"
 
 #include "emit/program/build_program.hpp"
 #include "scene_line.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/stability_points.hpp"
+#include "verify/stability/points.hpp"
 
 #include "algebra/number/number.hpp"
 #include "verify/evaluate/interpreter.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/stability_reference.hpp"
+#include "verify/stability/reference.hpp"
 
 #include "model/system/start_names.hpp"
 #include "verify/evaluate/scene_values.hpp"
