@@ -2,6 +2,7 @@
 #include "verify/judging/emitted_judge.hpp"
 
 #include "model/system/start_names.hpp"
+#include "verify/evaluate/interpretation.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/symbolic/ulp.hpp"
 
@@ -30,8 +31,6 @@ double share(const Wide& part, const Wide& whole) {
 bool agree(Status emitted, Status exact) {
     return emitted == exact || (emitted == Status::low_precision && exact == Status::ok);
 }
-
-bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
 
 } // namespace
 

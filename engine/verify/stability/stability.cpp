@@ -4,16 +4,18 @@
 #include "emit/program/build_program.hpp"
 #include "model/files/interval_length.hpp"
 #include "verify/evaluate/evaluator.hpp"
+#include "verify/run/parallel.hpp"
+#include "verify/stability/answers.hpp"
 #include "verify/stability/reference.hpp"
 #include "verify/symbolic/ulp.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace resonform {
@@ -23,40 +25,58 @@ namespace {
 constexpr std::size_t listed_points = 5; // the worst of each output
 constexpr double covered_share = 0.5;    // of the decades of an input: with fewer there is none either
 
-bool is_beyond_double(const SymbolicPoint& exact) {
-    return std::any_of(exact.scales.begin(), exact.scales.end(),
-                       [](const Wide& scale) { return !(scale < Wide(std::numeric_limits<double>::max())); });
+constexpr double noticed = 4; // ulp: whose loss is looked for in the graph
+
+std::vector<UlpBin> histogram_of(const std::vector<double>& ulps) {
+    std::vector<UlpBin> bins;
+    if (ulps.empty()) return bins;
+    double largest = 0;
+    for (const double ulp : ulps)
+        if (std::isfinite(ulp)) largest = std::max(largest, ulp);
+    for (double up_to = 0.5; bins.empty() || bins.back().up_to < largest; up_to *= 2)
+        bins.push_back({up_to, 0});
+    for (const double ulp : ulps) {
+        if (!std::isfinite(ulp) && std::isfinite(bins.back().up_to))
+            bins.push_back({std::numeric_limits<double>::infinity(), 0});
+        ++std::find_if(bins.begin(), bins.end(), [&](const UlpBin& bin) {
+              return !(ulp > bin.up_to);
+          })->count;
+    }
+    return bins;
 }
 
 class Sweep {
 public:
-    Sweep(const Program& program, std::shared_ptr<const EvaluatorLibrary> library,
-          const StabilityReference& reference, Stability& result)
-        : program_(program), library_(std::move(library)), reference_(reference), result_(result),
-          ulps_(program.outputs.size()), worst_(program.outputs.size()) {}
+    Sweep(const Program& program, Stability& result)
+        : program_(program), result_(result), ulps_(program.outputs.size()), worst_(program.outputs.size()) {}
 
-    // One construction, several times.
-    void try_point(const SweepPoint& at, std::size_t times) {
-        // A little longer than the interval: t = end/eps is rounded.
-        const double end = program_.interval_slow_time * (1 + 0x1p-40);
-        const Evaluator<double> emitted(library_, at.eps, at.parameters, at.start, end);
-        StabilityReference::From exact(reference_, at, end);
-        std::vector<double> values(program_.outputs.size());
-        for (std::size_t i = 0; i < times; ++i) {
-            const double t = shares_of_interval[i] * program_.interval_slow_time / at.eps;
-            const Status status = emitted.call(t, values.data());
-            compare(status, values, exact, at, t);
+    void add_answers(const SweepPoint& at, const std::vector<StabilityAnswer>& answers) {
+        for (const StabilityAnswer& answer : answers) add_answer(at, answer);
+    }
+
+    // Which part of an output loses digits, at its worst point.
+    void trace(const DigitTracer& tracer, double end) {
+        for (std::size_t k = 0; k < worst_.size(); ++k) {
+            if (worst_[k].empty()) continue;
+            const Worst& first = worst_[k].front();
+            if (first.point.ulp > noticed && std::isfinite(first.point.ulp))
+                worst_[k].front().point.lost = tracer(first.at, end, first.t, k, first.unit);
         }
     }
 
     void finish() {
         for (std::size_t k = 0; k < ulps_.size(); ++k) {
-            result_.worst.insert(result_.worst.end(), worst_[k].begin(), worst_[k].end());
+            for (const Worst& w : worst_[k]) result_.worst.push_back(w.point);
+            const std::string& output = program_.outputs[k].name;
+            result_.histogram.emplace_back(output, histogram_of(ulps_[k]));
+            std::erase_if(ulps_[k], [](double ulp) { return !std::isfinite(ulp); });
             if (ulps_[k].empty()) continue;
             const auto middle = ulps_[k].begin() + static_cast<long>(ulps_[k].size() / 2);
             std::nth_element(ulps_[k].begin(), middle, ulps_[k].end());
-            result_.median.emplace_back(program_.outputs[k].name, *middle);
+            result_.median.emplace_back(output, *middle);
         }
+        std::stable_sort(result_.refusals.begin(), result_.refusals.end(),
+                         [](const auto& a, const auto& b) { return a.count > b.count; });
         const Ruling found = ruling();
         result_.verdict = found.verdict;
         result_.rule = found.rule;
@@ -107,67 +127,81 @@ private:
         return {Verdict::pass, ""};
     }
 
-    void compare(Status status, const std::vector<double>& values, StabilityReference::From& from,
-                 const SweepPoint& at, double t) {
+    void add_answer(const SweepPoint& at, const StabilityAnswer& answer) {
         ++result_.cases;
-        const SymbolicPoint& exact = from.at(t);
-        const bool known = exact.status != Status::outside_interval;
-        if (!known) {
+        if (!answer.known) {
             ++result_.beyond_reference;
             return;
         }
         add(at, result_.swept);
-        if (status != Status::ok) {
+        if (answer.status != Status::ok) {
             ++result_.refused;
-            ++result_.refused_by[to_string(status)];
-            if (!explains(status, exact, from, t)) ++result_.unexplained;
+            ++result_.refused_by[to_string(answer.status)];
+            if (!answer.explained) ++result_.unexplained;
+            add_refusal(at, answer);
             return;
         }
         ++result_.compared;
-        const std::vector<double> ulp = from.ulp(t, values);
-        std::vector<double> unavoidable(values.size(), 0.0);
-        if (std::any_of(ulp.begin(), ulp.end(), [&](double u) { return !(u <= result_.threshold); }))
-            unavoidable = from.unavoidable(t);
-        for (std::size_t k = 0; k < values.size(); ++k) record(k, ulp[k], unavoidable[k], at, t);
+        for (std::size_t k = 0; k < ulps_.size(); ++k) record(k, answer, at);
     }
 
-    // Every input lies within its declared range: none of them can be a bad argument.
-    bool explains(Status status, const SymbolicPoint& exact, StabilityReference::From& from, double t) const {
-        if (status == Status::bad_argument) return false;
-        if (exact.status != Status::ok || is_beyond_double(exact)) return true;
-        if (status == Status::outside_interval && from.loses_phase(t)) return true;
-        if (status == Status::low_precision && (from.has_large_phase(t) || from.has_grown(t))) return true;
-        return std::isinf(from.unavoidable(t).front());
+    void add_refusal(const SweepPoint& at, const StabilityAnswer& answer) {
+        const std::string status = to_string(answer.status);
+        auto found =
+            std::find_if(result_.refusals.begin(), result_.refusals.end(), [&](const StabilityRefusals& r) {
+                return r.status == status && r.why == answer.why;
+            });
+        if (found == result_.refusals.end())
+            found = result_.refusals.insert(
+                found, {status, answer.why, 0, 0, nothing_swept(result_.inputs), answer.t, answer.t});
+        ++found->count;
+        if (!answer.explained) ++found->unexplained;
+        add(at, found->where);
+        found->first_t = std::min(found->first_t, answer.t);
+        found->last_t = std::max(found->last_t, answer.t);
     }
 
-    void record(std::size_t output, double ulp, double unavoidable, const SweepPoint& at, double t) {
-        if (std::isfinite(ulp)) ulps_[output].push_back(ulp);
-        WorstPoint point{program_.outputs[output].name, ulp, unavoidable, {{"eps", at.eps}}};
-        const auto before = [&](const WorstPoint& a, const WorstPoint& b) {
-            return std::pair(a.is_wrong(result_.threshold), a.ulp) >
-                   std::pair(b.is_wrong(result_.threshold), b.ulp);
+    struct Worst {
+        WorstPoint point;
+        SweepPoint at;
+        double t = 0, unit = 0;
+    };
+
+    void record(std::size_t output, const StabilityAnswer& answer, const SweepPoint& at) {
+        const double ulp = answer.ulp[output];
+        ulps_[output].push_back(ulp);
+        Worst worst{{program_.outputs[output].name,
+                     ulp,
+                     answer.conditioning.sum[output],
+                     answer.conditioning.input[output],
+                     {{"eps", at.eps}}},
+                    at,
+                    answer.t,
+                    answer.units[output]};
+        const auto before = [&](const Worst& a, const Worst& b) {
+            return std::pair(a.point.is_wrong(result_.threshold), a.point.ulp) >
+                   std::pair(b.point.is_wrong(result_.threshold), b.point.ulp);
         };
-        std::vector<WorstPoint>& list = worst_[output];
-        const auto place = std::upper_bound(list.begin(), list.end(), point, before);
+        std::vector<Worst>& list = worst_[output];
+        const auto place = std::upper_bound(list.begin(), list.end(), worst, before);
         if (place == list.end() && list.size() == listed_points) return;
+        WorstPoint& point = worst.point;
         for (std::size_t i = 0; i < at.parameters.size(); ++i)
             point.at.emplace_back(program_.parameters[i].name, at.parameters[i]);
         for (std::size_t i = 0; i < at.start.size(); ++i)
             point.at.emplace_back(program_.start[i].name, at.start[i]);
-        point.at.emplace_back("t", t);
+        point.at.emplace_back("t", answer.t);
         // without free inputs every start is the same
-        if (std::any_of(list.begin(), list.end(), [&](const WorstPoint& w) { return w.at == point.at; }))
+        if (std::any_of(list.begin(), list.end(), [&](const Worst& w) { return w.point.at == point.at; }))
             return;
-        list.insert(place, std::move(point));
+        list.insert(place, std::move(worst));
         if (list.size() > listed_points) list.pop_back();
     }
 
     const Program& program_;
-    std::shared_ptr<const EvaluatorLibrary> library_;
-    const StabilityReference& reference_;
     Stability& result_;
     std::vector<std::vector<double>> ulps_;
-    std::vector<std::vector<WorstPoint>> worst_;
+    std::vector<std::vector<Worst>> worst_;
 };
 
 } // namespace
@@ -179,7 +213,8 @@ bool WorstPoint::is_wrong(double threshold) const {
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     if (!scene.verify.eps.empty()) (void)bounded_interval_length(scene, scene.verify.eps.back());
-    const Program program = build_program(solution, scene, {false, false});
+    const auto shared = std::make_shared<const Program>(build_program(solution, scene, {false, false}));
+    const Program& program = *shared;
     Stability result;
     result.system = program.system;
     result.scene = program.scene;
@@ -189,14 +224,20 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
     result.inputs = swept_inputs(program, *scene.system);
     result.swept = nothing_swept(result.inputs);
     const StabilityReference reference(program, solution, scene);
-    Sweep sweep(program, EvaluatorLibrary::build(program, options.cache, options.progress), reference,
-                result);
+    const StabilityTrial trial(program, EvaluatorLibrary::build(program, options.cache, options.progress),
+                               reference, result.threshold);
     if (options.progress) options.progress("sweeping the inputs over their decades");
     constexpr std::size_t times = shares_of_interval.size();
     const auto inside = [&](const SweepPoint& at) { return reference.inside(at); };
-    for (const SweepPoint& point :
-         sweep_points(program, scene, (options.points + times - 1) / times, options.seed, inside))
-        sweep.try_point(point, std::min(times, options.points - result.cases));
+    const std::vector<SweepPoint> points =
+        sweep_points(program, scene, (options.points + times - 1) / times, options.seed, inside);
+    std::vector<std::vector<StabilityAnswer>> answers(points.size());
+    in_parallel(points.size(), [&](std::size_t i) {
+        answers[i] = trial(points[i], std::min(times, options.points - i * times));
+    });
+    Sweep sweep(program, result);
+    for (std::size_t i = 0; i < points.size(); ++i) sweep.add_answers(points[i], answers[i]);
+    sweep.trace(DigitTracer(shared), trial.end());
     sweep.finish();
     if (options.progress)
         options.progress(

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "verify/judging/ladder.hpp"
+#include "verify/stability/lost_digits.hpp"
 #include "verify/stability/points.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,12 +18,31 @@ namespace resonform {
 
 struct WorstPoint {
     std::string output;
-    double ulp = 0;         // infinite: a number where the exact solution has none
-    double unavoidable = 0; // of it, if above the threshold: the effect of a last bit of the inputs
+    double ulp = 0; // infinite: a number where the exact solution has none
+    // Of it, if above the threshold: the effect of a last bit of the inputs. That is the condition number,
+    // too.
+    double unavoidable = 0;
+    std::string sensitive_to; // the input of which a last bit does most; "" where unavoidable is 0
     std::vector<std::pair<std::string, double>> at; // eps, parameters, start values, t
+    std::optional<LostDigits> lost = {};            // of the worst of an output: which part of it loses them
 
     // Above threshold (1 + unavoidable); no code could be required to do better.
     [[nodiscard]] bool is_wrong(double threshold) const;
+};
+
+// Points that were answered by one status for one cause.
+struct StabilityRefusals {
+    std::string status, why; // why: the quantity that the evaluator names, "" if none
+    std::size_t count = 0, unexplained = 0;
+    std::vector<SweptInput> where = {}; // the ranges of the inputs there
+    double first_t = 0, last_t = 0;
+};
+
+// How many errors lie up to a power of two, and above the one before; the last one infinite where an
+// evaluator has a number and the exact solution none.
+struct UlpBin {
+    double up_to = 0;
+    std::size_t count = 0;
 };
 
 struct Stability {
@@ -40,7 +61,9 @@ struct Stability {
     std::map<std::string, std::size_t> refused_by; // status -> how many
     std::size_t unexplained = 0;                   // of `refused`: the exact solution has moderate numbers
     std::vector<WorstPoint> worst;                 // five of each output: wrong ones first, then by size
-    std::vector<std::pair<std::string, double>> median; // per output, in ulp
+    std::vector<StabilityRefusals> refusals;       // the most frequent first
+    std::vector<std::pair<std::string, double>> median;                 // per output, in ulp
+    std::vector<std::pair<std::string, std::vector<UlpBin>>> histogram; // per output, from 0.5 ulp on
 };
 
 struct StabilityOptions : VerifyOptions {
