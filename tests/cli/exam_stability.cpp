@@ -19,6 +19,15 @@ protected:
         write(scratch_.path() / "systems/edge/scenes/s.toml",
               "order = 1\n[fix]\na = 2\n[start]\ntau = 0\namplitude.x = 1\nphase.x = 0\n");
     }
+    // An oscillator of this stiffness, a > 0, that starts with a velocity.
+    void plant(const std::string& stiffness) const {
+        write(scratch_.path() / "systems/edge/system.toml",
+              "[system]\nname = \"edge\"\n[parameters]\na = { positive = true }\n[variables]\n"
+              "x = { role = \"fast\" }\n[domain]\npositive = [\"" +
+                  stiffness + "\"]\n[equations]\nx = \"x'' + (" + stiffness + ")*x = 0\"\n");
+        write(scratch_.path() / "systems/edge/scenes/s.toml",
+              "order = 1\n[fix]\na = 1\n[start]\nx = \"eps\"\n\"x'\" = \"eps\"\n");
+    }
     [[nodiscard]] Outcome swept(const std::string& options = "") const {
         return said("stability systems/edge/scenes/s.toml --points 60 " + options);
     }
@@ -129,6 +138,32 @@ TEST_F(StabilityCommand, WithoutNumbersThereIsNoVerdict) {
     EXPECT_EQ(found["verdict"], "undecided") << found;
     EXPECT_EQ(found["unexplained"], 0);
     EXPECT_EQ(found["refused_by"].size(), 1U);
+}
+
+// exp(a) - 1 at a = 1e-7 has 9 of its 16 digits.
+TEST_F(SlowStabilityCommand, ThePartThatLosesDigitsIsNamed) {
+    plant("exp(a) - 1");
+    const nlohmann::json found = json(1);
+    EXPECT_EQ(found["verdict"], "fail");
+    const nlohmann::json& worst = found["worst"][0];
+    ASSERT_TRUE(worst.contains("lost")) << worst;
+    EXPECT_GT(worst["ulp"], 1e4);
+    EXPECT_EQ(worst["lost"]["expression"], "exp(a) - 1");
+    EXPECT_EQ(worst["lost"]["operands"][0]["expression"], "exp(a)");
+    EXPECT_GT(worst["lost"]["cancellation"], 1e4);
+    EXPECT_NEAR(worst["lost"]["share"].get<double>(), 1, 0.1);
+    for (const auto& point : found["worst"]) EXPECT_LE(point["ulp"], found["histogram_ulp"]["x"].back()[0]);
+    const std::string text = swept().out;
+    EXPECT_NE(text.find("           lost in exp(a) - 1 = "), std::string::npos) << text;
+    EXPECT_NE(text.find(", of exp(a) = 1, -1 = -1\n"), std::string::npos) << text;
+}
+
+// Off by 7e8 and by 1e5 ulp when they were emitted as they are written.
+TEST_F(SlowStabilityCommand, WhatIsRewrittenLosesNone) {
+    plant("1 - cos(a)");
+    EXPECT_LT(json(0)["worst"][0]["ulp"], 4);
+    plant("sqrt(1 + a^2) - a");
+    EXPECT_LT(json(0)["worst"][0]["ulp"], 4);
 }
 
 TEST_F(StabilityCommand, PointsAndSeedAreWholeNumbers) {
