@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace resonform {
 
 namespace {
@@ -18,8 +20,8 @@ std::string line_of(const SweptInput& input, const SweptInput& whole) {
     if (!input.zero && input.high == 0) text += "nothing";
     if (input.weight == 1) text += ", times eps";
     if (input.weight != 0 && input.weight != 1) text += ", times " + spell_eps_power(input.weight);
-    return text + fmt::format(" ({:.0f} of {:.0f} decades){}\n", decades(input), decades(whole),
-                              input.rests ? ", from its equilibrium" : "");
+    return text + fmt::format(" ({:.0f} of {:.0f} decades){}\n", std::min(decades(input), decades(whole)),
+                              decades(whole), input.rests ? ", from its equilibrium" : "");
 }
 
 // "outside_domain (1 - tau): 12, 3 without an explanation; a 1e-12 ... 3, t 0 ... 1e5"

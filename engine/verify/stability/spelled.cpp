@@ -173,7 +173,7 @@ std::string spelled(const Program& program, Graph::Node n) {
     for (const bool parts : {false, true}) {
         const Speller speller(program, parts);
         for (int below = 1; below <= deepest; ++below) {
-            const std::string text = speller.phrase(n, below, true).text;
+            std::string text = speller.phrase(n, below, true).text;
             const bool fits = text.size() <= longest, whole = text.find("...") == std::string::npos;
             if (fits && whole) return text;
             if (fits || below == 1) shortened = text;

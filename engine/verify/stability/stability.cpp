@@ -116,13 +116,12 @@ private:
 
     [[nodiscard]] Ruling coverage() const {
         for (std::size_t i = 0; i < result_.inputs.size(); ++i) {
-            const double all = decades(result_.inputs[i]), here = decades(result_.swept[i]);
+            const double all = decades(result_.reachable[i]), here = decades(result_.swept[i]);
             if (here < covered_share * all)
-                return {
-                    Verdict::undecided,
-                    fmt::format("every input is driven over half of its decades or more: {} over {:.1f} of "
-                                "{:.1f} (more --points)",
-                                result_.inputs[i].name, here, all)};
+                return {Verdict::undecided, fmt::format("every input is driven over half of the decades open "
+                                                        "to it or more: {} over {:.1f} of "
+                                                        "{:.1f} (more --points)",
+                                                        result_.inputs[i].name, here, all)};
         }
         return {Verdict::pass, ""};
     }
@@ -229,6 +228,7 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
     if (options.progress) options.progress("sweeping the inputs over their decades");
     constexpr std::size_t times = shares_of_interval.size();
     const auto inside = [&](const SweepPoint& at) { return reference.inside(at); };
+    result.reachable = reachable_inputs(program, scene, inside);
     const std::vector<SweepPoint> points =
         sweep_points(program, scene, (options.points + times - 1) / times, options.seed, inside);
     std::vector<std::vector<StabilityAnswer>> answers(points.size());

@@ -48,10 +48,11 @@ struct UlpBin {
 struct Stability {
     std::string system, scene;
     std::uint64_t seed = 0;
-    double threshold = default_ulp; // of the scene
-    std::string reason;             // why it is more than the default
-    std::vector<SweptInput> inputs; // how far each is to be driven
-    std::vector<SweptInput> swept;  // how far it was, at points where the exact solution is computed
+    double threshold = default_ulp;    // of the scene
+    std::string reason;                // why it is more than the default
+    std::vector<SweptInput> inputs;    // how far each is to be driven
+    std::vector<SweptInput> reachable; // how far it may go by itself in the declared domain
+    std::vector<SweptInput> swept;     // how far it was, at points where the exact solution is computed
     Verdict verdict = Verdict::undecided;
     std::string rule;                 // that failed or is left open, with its numbers; empty at a pass
     std::size_t cases = 0;            // each is one of the next three
@@ -78,7 +79,7 @@ constexpr double unexplained_share = 0.1; // with more of the points there is so
 // due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the map
 // does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth
 // of them are compared, or fewer than lie beyond the reference, or an input was driven over less than half
-// of its decades. Errors: those of bounded_interval_length at the smallest eps of the ladder.
+// of the decades open to it. Errors: those of bounded_interval_length at the smallest eps of the ladder.
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options);
 
 std::string to_text(const Stability& stability);

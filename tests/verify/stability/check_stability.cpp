@@ -79,7 +79,8 @@ TEST(Stability, StartsFollowTheGrading) {
         if (is_parameter) {
             EXPECT_EQ(input.high, 1e12) << input.name;
         } else if (names.size() > 4) {
-            EXPECT_EQ(input.high, 1e3) << input.name;
+            EXPECT_EQ(input.low, 1e-3) << input.name;
+            EXPECT_EQ(input.high, input.name == "theta_0" ? 1e12 : 1e3) << input.name;
         }
         EXPECT_EQ(input.negative, names.size() > 3) << input.name << ": g, r are positive";
         EXPECT_EQ(input.zero, names.size() > 4) << input.name;
