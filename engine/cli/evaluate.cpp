@@ -12,6 +12,7 @@
 #include "model/files/interval_length.hpp"
 #include "model/system/scene_file.hpp"
 #include "verify/estimate/error_estimator.hpp"
+#include "verify/evaluate/interpretation.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -84,8 +85,6 @@ std::vector<std::vector<double>> estimated_errors(const ErrorEstimator& estimato
     }
     return errors;
 }
-
-bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
 
 void print_json(const Program& program, const Values& values) {
     Json outputs = Json::object(), status = Json::array(), why = Json::array();

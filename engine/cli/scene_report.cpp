@@ -4,8 +4,8 @@
 #include "cli/output.hpp"
 #include "cli/verify_apart.hpp"
 #include "verify/comparison/comparison.hpp"
-#include "verify/judging/stability.hpp"
 #include "verify/report/plot.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // resonform stability SCENE: the emitted evaluator against 50 digits over many decades of its inputs.
-#include "verify/judging/stability.hpp"
+#include "verify/stability/stability.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/limits.hpp"

@@ -13,6 +13,7 @@
 #include "cli/watch.hpp"
 #include "verify/report/json.hpp"
 #include "verify/report/report.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <fmt/format.h>
 

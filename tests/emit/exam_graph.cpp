@@ -46,6 +46,22 @@ TEST_F(GraphOfTwoSymbols, ExactRootsAreFoldedAndOthersKept) {
     EXPECT_EQ(graph.power(root_2, 2), number(2));
 }
 
+// Of 1 - cos(x) in double, 8 of 16 digits are left at x = 1e-4.
+TEST_F(GraphOfTwoSymbols, ADifferenceOfCosinesIsASquare) {
+    const Graph::Node cosine = graph.function(Graph::Op::cos, {x});
+    const Graph::Node square =
+        graph.power(graph.function(Graph::Op::sin, {graph.multiply({number(1, 2), x})}), 2);
+    EXPECT_EQ(graph.add({number(1), graph.negate(cosine)}), graph.multiply({number(2), square}));
+    EXPECT_EQ(graph.add({graph.multiply({number(3), y, cosine}), graph.multiply({number(-3), y}), number(7)}),
+              graph.add({graph.multiply({number(-6), y, square}), number(7)}));
+    for (const Graph::Node other : {graph.add({number(1), cosine}),               //
+                                    graph.add({number(2), graph.negate(cosine)}), //
+                                    graph.add({y, graph.negate(cosine)}),         //
+                                    graph.add({number(1), graph.negate(graph.power(cosine, 2))})})
+        EXPECT_EQ(graph.at(other).operands.size(), 2U) << "nothing of it is joined";
+    EXPECT_EQ(graph.at(graph.add({number(1), cosine})).op, Graph::Op::add);
+}
+
 // x^(-13/8) = x^-2 x^(1/4) x^(1/8), from the square roots of x one inside the other.
 TEST_F(GraphOfTwoSymbols, PowersOfFineRootsAreProductsOfNestedRoots) {
     const Graph::Node eighth = graph.root(x, 8), fourth = graph.root(x, 4);

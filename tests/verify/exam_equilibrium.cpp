@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes about an equilibrium that is not the origin, against the equations as the user wrote them.
 #include "own_system.hpp"
-#include "verify/judging/stability.hpp"
 #include "verify/judging/start_scaling.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "emit/cpp/cpp.hpp"
 #include "emit/program/build_program.hpp"
 #include "own_system.hpp"
-#include "verify/judging/stability.hpp"
 #include "verify/report/json.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <gtest/gtest.h>
 

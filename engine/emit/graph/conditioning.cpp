@@ -145,7 +145,7 @@ Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
 
 } // namespace
 
-Graph::Node Lowering::divisor(const Polynomial& p) {
+Graph::Node Lowering::conditioned(const Polynomial& p) {
     const auto known = [&](const Polynomial& part) {
         return !signs_of(*graph_, radicand(part), positive_).negative;
     };

@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace resonform {
 
@@ -21,6 +22,42 @@ std::string spelling(const Graph::Entry& e) {
     if (e.op == Graph::Op::spline) key += e.data->name + ' ';
     for (const Graph::Node n : e.operands) append(n);
     return key;
+}
+
+// n = rest * cos(angle)
+struct WithCosine {
+    Graph::Node rest, angle;
+};
+
+std::optional<WithCosine> cosine_in(Graph& graph, Graph::Node n) {
+    const auto is_cosine = [&](Graph::Node factor) { return graph.at(factor).op == Graph::Op::cos; };
+    if (is_cosine(n)) return WithCosine{graph.rational(1), graph.at(n).operands.front()};
+    if (graph.at(n).op != Graph::Op::multiply) return std::nullopt;
+    std::vector<Graph::Node> factors = graph.at(n).operands;
+    const auto found = std::find_if(factors.begin(), factors.end(), is_cosine);
+    if (found == factors.end()) return std::nullopt;
+    const Graph::Node angle = graph.at(*found).operands.front();
+    factors.erase(found);
+    return WithCosine{graph.multiply(factors), angle};
+}
+
+// c A - c A cos(u)   ->   2 c A sin(u/2)^2, of which no digit is lost where u is small.
+void join_cosines(Graph& graph, std::map<Graph::Node, Rational>& terms) {
+    std::vector<Graph::Node> nodes;
+    for (const auto& [node, coefficient] : terms) nodes.push_back(node);
+    for (const Graph::Node node : nodes) {
+        const auto cosine = cosine_in(graph, node);
+        if (!cosine) continue;
+        const auto beside = terms.find(cosine->rest);
+        const Rational coefficient = terms[node];
+        if (beside == terms.end() || coefficient == 0 || beside->second != -coefficient) continue;
+        beside->second = terms[node] = 0;
+        const Graph::Node half = graph.multiply({graph.rational(Rational(1) / 2), cosine->angle});
+        const Graph::Node sine = graph.function(Graph::Op::sin, {half});
+        Rational& joined =
+            terms.try_emplace(graph.multiply({cosine->rest, graph.power(sine, 2)}), 0).first->second;
+        joined = joined - 2 * coefficient;
+    }
 }
 
 int floor_divide(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
@@ -77,6 +114,7 @@ Graph::Node Graph::add(std::vector<Node> operands) {
         Rational& sum = terms.try_emplace(rest, 0).first->second;
         sum = sum + coefficient;
     }
+    join_cosines(*this, terms);
     Entry e;
     e.op = Op::add;
     for (const auto& [rest, coefficient] : terms)

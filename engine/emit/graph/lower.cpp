@@ -90,7 +90,7 @@ Graph::Node Lowering::fractions(const std::vector<Fraction>& list) {
         for (const Term& t : f.numerator.terms()) fold(f.factor + t.monomial, t.coefficient, target);
         if (f.divisors.empty()) continue;
         std::vector<Graph::Node> factors{lowered(own)};
-        for (const Polynomial& divisor : f.divisors) factors.push_back(power(this->divisor(divisor), -1));
+        for (const Polynomial& divisor : f.divisors) factors.push_back(power(conditioned(divisor), -1));
         sum.push_back(graph_->multiply(factors));
     }
     const Graph::Node rest = lowered(terms);

@@ -47,12 +47,13 @@ public:
     Graph::Node fractions(const std::vector<Fraction>& list);
     // The same without looking for common root powers: for radicands, while roots are not yet defined.
     Graph::Node radicand(const Polynomial& p);
-    // A divisor. Where it is A + R, R a square root times something, A and R of proved opposite sign, it
-    // becomes (A^2 - R^2)/(A - R), whose numerator cancels exactly and whose denominator does not cancel:
+    // A divisor, or the radicand of a root. Where it is A + R, R a square root times something, A and R of
+    // proved opposite sign, it becomes (A^2 - R^2)/(A - R), whose numerator cancels exactly and whose
+    // denominator does not cancel:
     //   sqrt(1 + s^2) - (1 + s^2)   ->   -s^2 (1 + s^2)/(sqrt(1 + s^2) + 1 + s^2)
     // A sum of numbers with different signs is formed exactly:   1 - pi/3 -> -0.0471975...
     // (conditioning.cpp)
-    Graph::Node divisor(const Polynomial& p);
+    Graph::Node conditioned(const Polynomial& p);
     // 1/x is this node, which is finite where x = 0.
     void set_inverse(Graph::Node x, Graph::Node inverse) { inverses_[x] = inverse; }
     // Nodes known to be positive.

@@ -87,7 +87,7 @@ void ProgramBuilder::define_constant_roots(Lowering& lowering) {
     for (GeneratorId id = 0; id < solution_.ring->size(); ++id) {
         const Generator& g = solution_.ring->generator(id);
         if (g.kind == GeneratorKind::root && is_constant(*solution_.ring, g.radicand))
-            lowering.define(id, program_.graph.root(lowering.radicand(g.radicand), g.index), false);
+            lowering.define(id, program_.graph.root(lowering.conditioned(g.radicand), g.index), false);
     }
 }
 

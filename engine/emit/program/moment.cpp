@@ -93,7 +93,7 @@ void define_roots_and_functions(Lowering& lowering, Program& program, const Surr
         if (g.kind == GeneratorKind::function) define_function(lowering, program, surroundings, id);
         if (g.kind != GeneratorKind::root) continue;
         const bool divisor = g.index == 1 && !g.positive;
-        const Graph::Node radicand = divisor ? lowering.divisor(g.radicand) : lowering.radicand(g.radicand);
+        const Graph::Node radicand = lowering.conditioned(g.radicand);
         if (!divisor && !signs_of(program.graph, radicand, surroundings.positive).is_positive())
             program.positive.push_back({radicand, quantity(ring, g.radicand)});
         const Graph::Node root = g.index == 1 ? radicand : program.graph.root(radicand, g.index);

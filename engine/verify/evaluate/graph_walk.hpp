@@ -54,6 +54,8 @@ public:
         return values_[static_cast<std::size_t>(n)];
     }
 
+    [[nodiscard]] const std::vector<Number>& values() const { return values_; }
+
     // Computes the nodes listed, operands before their users; symbols keep their values from set().
     void compute(const std::vector<Graph::Node>& nodes) {
         for (const Graph::Node n : nodes)

@@ -4,6 +4,7 @@
 
 #include "algebra/number/binary_parts.hpp"
 #include "emit/cpp/plan.hpp"
+#include "runtime/status.hpp"
 
 #include <memory>
 #include <string>
@@ -28,6 +29,9 @@ struct NodesBehind {
     NodesBehind(const Interpretation& shared, const std::vector<Graph::Node>& roots);
     std::vector<Graph::Node> constant, varying;
 };
+
+// With low_precision, an evaluator answers in numbers, too.
+inline bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
 
 std::vector<Graph::Node> values_of(const std::vector<ProgramOutput>& results);
 

@@ -10,6 +10,7 @@
 #include "runtime/pieces.hpp"
 #include "runtime/table.hpp"
 #include "verify/evaluate/constant_walk.hpp"
+#include "verify/evaluate/term_scale.hpp"
 #include "verify/run/spline.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -299,7 +300,7 @@ template <class Real> struct Interpreter<Real>::Impl {
         values.assign(wanted.size(), math::not_a_number<Real>());
         GraphWalk<Real> walk = constants;
         const Status walked = walk_to(t, nodes, walk);
-        if (walked != Status::ok && walked != Status::low_precision) return walked;
+        if (!has_numbers(walked)) return walked;
         std::vector<Real> computed = numbers_of(walk, values_of(wanted));
         if (!all_finite(computed)) return Status::overflow;
         values = std::move(computed);
@@ -309,28 +310,16 @@ template <class Real> struct Interpreter<Real>::Impl {
     Status scale(const Real& t, std::vector<Real>& scales) const {
         scales.assign(program->outputs.size(), math::not_a_number<Real>());
         GraphWalk<Real> walk = constants;
-        const Nodes roots = values_of(program->outputs);
         const Status walked = walk_to(t, shared->outputs_at_call, walk);
-        if (walked != Status::ok && walked != Status::low_precision) return walked;
-        const NodesBehind behind(*shared, roots);
-        GraphWalk<Real> bounds(program->graph);
-        set_symbol_bounds(walk, bounds);
-        walk.compute_scale(behind.constant, bounds);
-        walk.compute_scale(behind.varying, bounds);
-        for (std::size_t k = 0; k < roots.size(); ++k) scales[k] = bounds[roots[k]];
+        if (has_numbers(walked)) scales = term_scales(*shared, walk);
         return walked;
     }
 
-    void set_symbol_bounds(const GraphWalk<Real>& walk, GraphWalk<Real>& bounds) const {
-        const auto size = [&](Graph::Node n) { bounds.set(n, math::magnitude(walk[n])); };
-        for (const Graph::Node n : {program->eps, program->time, program->slow_time}) size(n);
-        for (const std::vector<ProgramInput>* inputs : {&program->parameters, &program->start})
-            for (const ProgramInput& input : *inputs) size(input.symbol);
-        for (const ProgramFlow& variable : program->flow) size(variable.value);
-        for (const ProgramTable& table : program->tables) size(table.value);
-        for (const ProgramPhase& phase : program->phases)
-            for (const Graph::Node n : phase.symbols())
-                bounds.set(n, phase.decays() ? Real(walk[n]) : Real(1));
+    Status trace(const Real& t, std::vector<Real>& nodes) const {
+        GraphWalk<Real> walk = constants;
+        const Status walked = walk_to(t, shared->outputs_at_call, walk);
+        nodes = has_numbers(walked) ? walk.values() : std::vector<Real>();
+        return walked;
     }
 
     // As in emitted code.
@@ -385,6 +374,9 @@ template <class Real> Status Interpreter<Real>::state(Real t, std::vector<Real>&
 }
 template <class Real> Status Interpreter<Real>::scale(Real t, std::vector<Real>& scale) const {
     return impl_->scale(t, scale);
+}
+template <class Real> Status Interpreter<Real>::trace(Real t, std::vector<Real>& nodes) const {
+    return impl_->trace(t, nodes);
 }
 template <class Real> Status Interpreter<Real>::construction_status() const { return impl_->cause.status; }
 template <class Real> const char* Interpreter<Real>::why(Status status) const { return impl_->why(status); }

@@ -30,6 +30,9 @@ public:
     // sum of |terms| of each output at t, written out, with 1 for |cos| and |sin|: the scale against which
     // accuracy is judged. Functions and negative powers count as one term.
     Status scale(Real t, std::vector<Real>& scale) const;
+    // The values at t of the graph's nodes that outputs are computed from, constants among them; others are
+    // 0. Empty without numbers.
+    Status trace(Real t, std::vector<Real>& nodes) const;
     [[nodiscard]] Status construction_status() const;
     // The cause of a status of the construction or of calls, "" if there is none; it lives as long as this.
     [[nodiscard]] const char* why(Status status) const;

@@ -2,6 +2,7 @@
 #include "verify/judging/emitted_judge.hpp"
 
 #include "model/system/start_names.hpp"
+#include "verify/evaluate/interpretation.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/symbolic/ulp.hpp"
 
@@ -16,12 +17,12 @@ namespace resonform {
 
 namespace {
 
-constexpr int little_room = 70;         // powers of e: of squares and amplitudes
+constexpr int little_room = 70; // powers of e: of squares and amplitudes
 // Times as many starts, of which the status at t = 0 is compared; the rules are the same in all types, and
 // to construct is dear in the longer ones.
 template <class Real> constexpr std::size_t starts_only = 5;
 template <> constexpr std::size_t starts_only<double> = 40;
-constexpr double shortened = 1e-3;      // of the interval: their tables would take most of the time
+constexpr double shortened = 1e-3; // of the interval: their tables would take most of the time
 
 template <class Real> constexpr const char* type_name = "double";
 template <> constexpr const char* type_name<long double> = "long double";
@@ -33,8 +34,6 @@ double share(const Wide& part, const Wide& whole) {
 bool agree(Status emitted, Status exact) {
     return emitted == exact || (emitted == Status::low_precision && exact == Status::ok);
 }
-
-bool has_numbers(Status status) { return status == Status::ok || status == Status::low_precision; }
 
 } // namespace
 
@@ -149,7 +148,8 @@ typename EmittedJudge<Real>::Difference EmittedJudge<Real>::difference(const Ans
 // The starts are drawn, and their exact statuses found, when they are first asked for.
 template <class Real> void EmittedJudge<Real>::draw_starts() {
     if (!starts_.empty()) return;
-    for (Points& d : emitted_points<Real>(scene_, starts_only<Real> * options_.starts, 0, options_.seed + 1)) {
+    for (Points& d :
+         emitted_points<Real>(scene_, starts_only<Real> * options_.starts, 0, options_.seed + 1)) {
         d.end *= Real(shortened);
         const SymbolicPoints asked = asked_of(d);
         starts_.push_back({d, asked, symbolic_->start().at(asked.inputs).status});

@@ -5,8 +5,8 @@
 #include "solve/solution.hpp"
 #include "verify/comparison/comparison.hpp"
 #include "verify/judging/ladder.hpp"
-#include "verify/judging/stability.hpp"
 #include "verify/report/origin.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <memory>
 

@@ -98,15 +98,6 @@ void add_defects(Json& outputs, const std::vector<OutputVerdict>& defects) {
         }
 }
 
-Json of(const WorstPoint& w) {
-    Json at = Json::object();
-    for (const auto& [name, value] : w.at) at[name] = json_number(value);
-    return {{"output", w.output},
-            {"ulp", json_number(w.ulp)},
-            {"unavoidable_ulp", json_number(w.unavoidable)},
-            {"at", at}};
-}
-
 Json of(const EmittedCheck& check) {
     Json types = Json::array();
     for (const EmittedInType& type : check.types) {
@@ -151,37 +142,6 @@ Json to_json(const Verification& v) {
     json["emitted_against_symbolic_ulp"] = json_number(v.emitted.worst());
     json["emitted_equals_symbolic"] = of(v.emitted);
     if (v.lies) json["liars"] = of(*v.lies);
-    return json;
-}
-
-Json to_json(const Stability& s) {
-    Json worst = Json::array(), median = Json::object(), refused = Json::object(), ranges = Json::object(),
-         swept = Json::object();
-    for (const SweptInput& input : s.inputs)
-        ranges[input.name] = {json_number(input.low), json_number(input.high)};
-    for (const SweptInput& input : s.swept)
-        swept[input.name] = input.high > 0 ? Json{json_number(input.low), json_number(input.high)} : Json();
-    for (const WorstPoint& w : s.worst) worst.push_back(of(w));
-    for (const auto& [name, ulp] : s.median) median[name] = json_number(ulp);
-    for (const auto& [status, count] : s.refused_by) refused[status] = count;
-    Json json{{"schema", "resonform.stability/1"},
-              {"system", s.system},
-              {"scene", s.scene},
-              {"seed", s.seed},
-              {"verdict", to_string(s.verdict)},
-              {"rule", s.rule.empty() ? Json() : Json(s.rule)},
-              {"threshold_ulp", s.threshold},
-              {"ranges", ranges},
-              {"swept", swept},
-              {"cases", s.cases},
-              {"compared", s.compared},
-              {"refused", s.refused},
-              {"unexplained", s.unexplained},
-              {"worst", worst},
-              {"refused_by", refused},
-              {"beyond_reference", s.beyond_reference},
-              {"median_ulp", median}};
-    if (!s.reason.empty()) json["reason"] = s.reason;
     return json;
 }
 

@@ -5,7 +5,7 @@
 
 #include "verify/comparison/comparison.hpp"
 #include "verify/judging/ladder.hpp"
-#include "verify/judging/stability.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/stability.hpp"
+#include "verify/stability/stability.hpp"
 
 #include "model/text/eps_powers.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace resonform {
 
@@ -18,8 +20,53 @@ std::string line_of(const SweptInput& input, const SweptInput& whole) {
     if (!input.zero && input.high == 0) text += "nothing";
     if (input.weight == 1) text += ", times eps";
     if (input.weight != 0 && input.weight != 1) text += ", times " + spell_eps_power(input.weight);
-    return text + fmt::format(" ({:.0f} of {:.0f} decades){}\n", decades(input), decades(whole),
-                              input.rests ? ", from its equilibrium" : "");
+    return text + fmt::format(" ({:.0f} of {:.0f} decades){}\n", std::min(decades(input), decades(whole)),
+                              decades(whole), input.rests ? ", from its equilibrium" : "");
+}
+
+// "outside_domain (1 - tau): 12, 3 without an explanation; a 1e-12 ... 3, t 0 ... 1e5"
+std::string line_of(const StabilityRefusals& refusals) {
+    std::string text = fmt::format("  {}{}: {}", refusals.status,
+                                   refusals.why.empty() ? "" : " (" + refusals.why + ")", refusals.count);
+    if (refusals.unexplained > 0) text += fmt::format(", {} without an explanation", refusals.unexplained);
+    text += ", at";
+    for (const SweptInput& input : refusals.where)
+        if (input.high > 0) text += fmt::format(" {} {:.3g} ... {:.3g},", input.name, input.low, input.high);
+    return text + fmt::format(" t {:.3g} ... {:.3g}\n", refusals.first_t, refusals.last_t);
+}
+
+// "psi: median 0.21 ulp; 180 to 0.5, 12 to 1, 3 to 2 ulp"
+std::string line_of(const std::string& output, double median, const std::vector<UlpBin>& bins) {
+    std::string text = fmt::format("  {:<8} median {:.2g} ulp;", output, median);
+    for (const UlpBin& bin : bins)
+        if (bin.count > 0) text += fmt::format(" {} to {:g},", bin.count, bin.up_to);
+    text.pop_back();
+    return text + " ulp\n";
+}
+
+std::string text_of(const LostDigits& lost) {
+    std::string text = fmt::format("           lost in {} = {:.6g}", lost.expression, lost.value);
+    const char* before = ", of ";
+    for (const LostDigits::Operand& operand : lost.operands) {
+        text += fmt::format("{}{} = {:.6g}", before, operand.expression, operand.value);
+        before = ", ";
+    }
+    text += fmt::format("\n           {:.0f} % of the error passes through it", 100 * lost.share);
+    if (lost.cancellation > 1) text += fmt::format("; it cancels by {:.2g}", lost.cancellation);
+    return text + fmt::format(", and its relative error grows by {:.2g}\n", lost.growth);
+}
+
+std::string text_of(const WorstPoint& w, double threshold) {
+    std::string text = fmt::format("  {:<8} {:>9.3g} ulp", w.output, w.ulp);
+    if (w.unavoidable > 0) text += fmt::format(" (a last bit of the inputs: {:.3g})", w.unavoidable);
+    text += " at";
+    for (const auto& [name, value] : w.at) text += fmt::format(" {} = {:.6g}", name, value);
+    text += "\n";
+    if (w.lost) text += text_of(*w.lost);
+    if (w.unavoidable > 0 && !w.is_wrong(threshold))
+        text += fmt::format("           ill-conditioned, condition number {:.3g}, most of {}\n",
+                            w.unavoidable, w.sensitive_to);
+    return text;
 }
 
 } // namespace
@@ -36,14 +83,11 @@ std::string to_text(const Stability& s) {
     if (!s.rule.empty()) text += fmt::format("  {}: {}\n", to_string(s.verdict), s.rule);
     text += "  swept, as far as the reference goes:\n";
     for (std::size_t i = 0; i < s.inputs.size(); ++i) text += line_of(s.swept[i], s.inputs[i]);
-    for (const auto& [name, ulp] : s.median) text += fmt::format("  {:<8} median {:.2g} ulp\n", name, ulp);
-    for (const WorstPoint& w : s.worst) {
-        text += fmt::format("  {:<8} {:>9.3g} ulp", w.output, w.ulp);
-        if (w.unavoidable > 0) text += fmt::format(" (a last bit of the inputs: {:.3g})", w.unavoidable);
-        text += " at";
-        for (const auto& [name, value] : w.at) text += fmt::format(" {} = {:.6g}", name, value);
-        text += "\n";
-    }
+    for (const StabilityRefusals& r : s.refusals) text += line_of(r);
+    for (const auto& [name, ulp] : s.median)
+        for (const auto& [output, bins] : s.histogram)
+            if (output == name) text += line_of(name, ulp, bins);
+    for (const WorstPoint& w : s.worst) text += text_of(w, s.threshold);
     return text;
 }
 

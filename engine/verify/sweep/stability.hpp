@@ -3,12 +3,12 @@
 //
 //   max over t of |emitted in double - exact| / ulp(scale of the output at t),    t = 0, 1e-9 T ... T,
 //
-// at the times, with the exact solution in 50 digits and the scales of verify/judging/stability.hpp, T the
+// at the times, with the exact solution in 50 digits and the scales of verify/stability/stability.hpp, T the
 // end of the scene's interval.
 #pragma once
 
 #include "verify/evaluate/evaluator.hpp"
-#include "verify/judging/stability_reference.hpp"
+#include "verify/stability/reference.hpp"
 #include "verify/sweep/grid.hpp"
 
 #include <cstdint>

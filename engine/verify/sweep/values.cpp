@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/sweep/values.hpp"
 
+#include "verify/evaluate/interpretation.hpp"
 #include "verify/sweep/arguments.hpp"
 
 #include <algorithm>
@@ -8,14 +9,6 @@
 #include <utility>
 
 namespace resonform {
-
-namespace {
-
-bool has_numbers(unsigned char status) {
-    return static_cast<Status>(status) == Status::ok || static_cast<Status>(status) == Status::low_precision;
-}
-
-} // namespace
 
 SweepValues::SweepValues(std::shared_ptr<const Program> program, const Scene& scene, const SweepGrid& grid,
                          std::vector<double> times, const std::filesystem::path& cache,
@@ -48,8 +41,9 @@ void SweepValues::operator()(std::uint64_t first, std::uint64_t count, double* n
     for (std::size_t i = 0; i < members; ++i) {
         numbers[i * columns] = t[i];
         for (std::size_t k = 0; k < outputs; ++k)
-            numbers[i * columns + 1 + k] =
-                has_numbers(status[i]) ? values[k][i] : std::numeric_limits<double>::quiet_NaN();
+            numbers[i * columns + 1 + k] = has_numbers(static_cast<Status>(status[i]))
+                                               ? values[k][i]
+                                               : std::numeric_limits<double>::quiet_NaN();
     }
 }
 

@@ -3,17 +3,15 @@
 
 #include "algebra/number/error.hpp"
 #include "verify/run/cache.hpp"
+#include "verify/run/parallel.hpp"
 #include "verify/run/real.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
-#include <future>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace resonform {
 
@@ -149,18 +147,11 @@ symbolic_values(const std::shared_ptr<const SymbolicSolution>& solution,
     const std::filesystem::path file = cache / (key_of(*solution, points) + ".symbolic");
     if (const auto bytes = load_checked(file)) return unpack(*bytes, points);
     Table table(points.size());
-    std::atomic<std::size_t> next = 0;
     Quarters quarters(points.size(), progress);
-    std::vector<std::future<void>> work;
-    const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
-    for (std::size_t k = 0; k < threads; ++k)
-        work.push_back(std::async(std::launch::async, [&] {
-            for (std::size_t j = next++; j < points.size(); j = next++) {
-                table[j] = row_of(solution, points[j]);
-                quarters.one_more();
-            }
-        }));
-    for (auto& w : work) w.get();
+    in_parallel(points.size(), [&](std::size_t j) {
+        table[j] = row_of(solution, points[j]);
+        quarters.one_more();
+    });
     try {
         store_checked(file, pack(table));
     } catch (const Error& error) { // a full disk is no reason to throw it away

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "verify/judging/ladder.hpp"
-#include "verify/judging/stability_points.hpp"
+#include "verify/stability/lost_digits.hpp"
+#include "verify/stability/points.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,21 +18,41 @@ namespace resonform {
 
 struct WorstPoint {
     std::string output;
-    double ulp = 0;         // infinite: a number where the exact solution has none
-    double unavoidable = 0; // of it, if above the threshold: the effect of a last bit of the inputs
+    double ulp = 0; // infinite: a number where the exact solution has none
+    // Of it, if above the threshold: the effect of a last bit of the inputs. That is the condition number,
+    // too.
+    double unavoidable = 0;
+    std::string sensitive_to; // the input of which a last bit does most; "" where unavoidable is 0
     std::vector<std::pair<std::string, double>> at; // eps, parameters, start values, t
+    std::optional<LostDigits> lost = {};            // of the worst of an output: which part of it loses them
 
     // Above threshold (1 + unavoidable); no code could be required to do better.
     [[nodiscard]] bool is_wrong(double threshold) const;
 };
 
+// Points that were answered by one status for one cause.
+struct StabilityRefusals {
+    std::string status, why; // why: the quantity that the evaluator names, "" if none
+    std::size_t count = 0, unexplained = 0;
+    std::vector<SweptInput> where = {}; // the ranges of the inputs there
+    double first_t = 0, last_t = 0;
+};
+
+// How many errors lie up to a power of two, and above the one before; the last one infinite where an
+// evaluator has a number and the exact solution none.
+struct UlpBin {
+    double up_to = 0;
+    std::size_t count = 0;
+};
+
 struct Stability {
     std::string system, scene;
     std::uint64_t seed = 0;
-    double threshold = default_ulp; // of the scene
-    std::string reason;             // why it is more than the default
-    std::vector<SweptInput> inputs; // how far each is to be driven
-    std::vector<SweptInput> swept;  // how far it was, at points where the exact solution is computed
+    double threshold = default_ulp;    // of the scene
+    std::string reason;                // why it is more than the default
+    std::vector<SweptInput> inputs;    // how far each is to be driven
+    std::vector<SweptInput> reachable; // how far it may go by itself in the declared domain
+    std::vector<SweptInput> swept;     // how far it was, at points where the exact solution is computed
     Verdict verdict = Verdict::undecided;
     std::string rule;                 // that failed or is left open, with its numbers; empty at a pass
     std::size_t cases = 0;            // each is one of the next three
@@ -40,7 +62,9 @@ struct Stability {
     std::map<std::string, std::size_t> refused_by; // status -> how many
     std::size_t unexplained = 0;                   // of `refused`: the exact solution has moderate numbers
     std::vector<WorstPoint> worst;                 // five of each output: wrong ones first, then by size
-    std::vector<std::pair<std::string, double>> median; // per output, in ulp
+    std::vector<StabilityRefusals> refusals;       // the most frequent first
+    std::vector<std::pair<std::string, double>> median;                 // per output, in ulp
+    std::vector<std::pair<std::string, std::vector<UlpBin>>> histogram; // per output, from 0.5 ulp on
 };
 
 struct StabilityOptions : VerifyOptions {
@@ -55,7 +79,7 @@ constexpr double unexplained_share = 0.1; // with more of the points there is so
 // due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the map
 // does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth
 // of them are compared, or fewer than lie beyond the reference, or an input was driven over less than half
-// of its decades. Errors: those of bounded_interval_length at the smallest eps of the ladder.
+// of the decades open to it. Errors: those of bounded_interval_length at the smallest eps of the ladder.
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options);
 
 std::string to_text(const Stability& stability);

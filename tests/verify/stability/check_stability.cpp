@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stability sweep: which points it draws, and what makes its verdict.
-#include "verify/judging/stability.hpp"
+#include "verify/stability/stability.hpp"
 
 #include "emit/program/build_program.hpp"
-#include "scene_line.hpp"
 #include "support/documented.hpp"
 #include "verify/report/json.hpp"
+#include "verify/scene_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +45,20 @@ TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
     for (const char* key : {"seed", "verdict", "threshold_ulp", "ranges", "cases", "refused", "worst"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["ranges"]["g"], nlohmann::ordered_json({1e-12, 1e12}));
+    const std::vector<UlpBin>& bins = s.histogram.front().second;
+    EXPECT_EQ(bins.front().up_to, 0.5);
+    std::size_t counted = 0;
+    for (const UlpBin& bin : bins) counted += bin.count;
+    EXPECT_EQ(counted, s.compared);
+    std::size_t refused = 0;
+    for (const StabilityRefusals& r : s.refusals) {
+        refused += r.count;
+        EXPECT_LE(r.count, s.refused_by.at(r.status));
+        EXPECT_NE(r.why, "") << r.status;
+        EXPECT_EQ(r.where.front().name, "eps");
+        EXPECT_LE(r.first_t, r.last_t);
+    }
+    EXPECT_EQ(refused, s.refused);
     for (const char* key : {"output", "ulp", "unavoidable_ulp", "at"})
         EXPECT_TRUE(json["worst"][0].contains(key)) << key;
 
@@ -65,7 +79,8 @@ TEST(Stability, StartsFollowTheGrading) {
         if (is_parameter) {
             EXPECT_EQ(input.high, 1e12) << input.name;
         } else if (names.size() > 4) {
-            EXPECT_EQ(input.high, 1e3) << input.name;
+            EXPECT_EQ(input.low, 1e-3) << input.name;
+            EXPECT_EQ(input.high, input.name == "theta_0" ? 1e12 : 1e3) << input.name;
         }
         EXPECT_EQ(input.negative, names.size() > 3) << input.name << ": g, r are positive";
         EXPECT_EQ(input.zero, names.size() > 4) << input.name;

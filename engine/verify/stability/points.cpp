@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/stability_points.hpp"
+#include "verify/stability/points.hpp"
 
 #include "algebra/number/number.hpp"
 #include "verify/evaluate/interpreter.hpp"
@@ -21,7 +21,7 @@ constexpr double default_eps = 0.01;
 constexpr double corner_probability = 0.4;
 constexpr int most_draws = 20, most_ways_out = 6;
 constexpr double edge_decades = 6;
-constexpr double parameter_decades = 1e12, start_decades = 1e3;
+constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-3, largest_phase = 1e12;
 
 // All inputs as one vector: eps, parameters, start.
 using Inputs = std::vector<double>;
@@ -185,9 +185,10 @@ SweptInput of_parameter(const ProgramInput& input, const System& system) {
 SweptInput of_start(const ProgramInput& input, const System& system) {
     const Variable* variable = system.variable(input.canonical);
     const bool slow = variable != nullptr && variable->role == Role::slow;
+    const bool phase = input.canonical.compare(0, 6, "phase.") == 0;
     return {input.name,
-            1 / start_decades,
-            start_decades,
+            smallest_start,
+            phase ? largest_phase : largest_start,
             !(slow && variable->positive),
             !(slow && (variable->positive || variable->nonzero)),
             system.weight(start_weight(system, input.canonical)),
@@ -205,6 +206,26 @@ std::vector<SweptInput> swept_inputs(const Program& program, const System& syste
 
 double decades(const SweptInput& input) {
     return input.high > input.low ? std::log10(input.high / input.low) : 0;
+}
+
+std::vector<SweptInput> reachable_inputs(const Program& program, const Scene& scene, const Inside& inside) {
+    const Rests rests(program, scene);
+    const Inputs of_scene = defaults(program, rests, default_eps);
+    const double step = std::sqrt(10.0);
+    std::vector<SweptInput> inputs = swept_inputs(program, *scene.system);
+    for (std::size_t i = 1; i < inputs.size(); ++i) {
+        SweptInput& input = inputs[i];
+        const auto reaches = [&](double size) {
+            Inputs at = of_scene;
+            at[i] = size * std::pow(default_eps, to_double(input.weight));
+            if (inside(unpack(program, rests, at))) return true;
+            at[i] = -at[i];
+            return input.negative && inside(unpack(program, rests, at));
+        };
+        while (input.low < input.high && !reaches(input.low)) input.low *= step;
+        while (input.low < input.high && !reaches(input.high)) input.high /= step;
+    }
+    return inputs;
 }
 
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs) {

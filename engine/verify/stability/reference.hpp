@@ -3,14 +3,23 @@
 // program takes them.
 #pragma once
 
-#include "verify/judging/stability_points.hpp"
+#include "verify/stability/points.hpp"
 #include "verify/symbolic/evaluator.hpp"
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace resonform {
+
+// The condition number of each output: its change, over its scale, per relative change of an input other than
+// t, added up over the inputs. In ulp, that is what a last bit of the inputs does: no code with inputs in
+// double could be required to do better.
+struct Conditioning {
+    std::vector<double> sum;
+    std::vector<std::string> input; // that does most, as [start] and [fix] name it; "": none does anything
+};
 
 class StabilityReference {
 public:
@@ -33,16 +42,17 @@ public:
         // of a slow flow, of the largest scale so far, for its tables are accurate relative to that. Infinite
         // where the exact solution has no number.
         [[nodiscard]] std::vector<double> ulp(double t, const std::vector<double>& values);
+        // One ulp of each output's scale at the last time asked for.
+        [[nodiscard]] std::vector<double> units() const;
         // 16 ulp of a phase at t are more than the 10^-9 radians that evaluators answer for.
         [[nodiscard]] bool has_large_phase(double t) const;
         // An exponent is above 0 at t: a growing mode has multiplied the truncation error.
         [[nodiscard]] bool has_grown(double t) const;
         // Emitted code in double has no phase at t, or ends within this eighth of the interval.
         [[nodiscard]] bool loses_phase(double t) const;
-        // The change of each output at t, in ulp as above, when every input but t changes by its last bit
-        // with the phases unchanged, summed over the inputs: no code with inputs in double can be better.
-        // Infinite where the status is another one for a start that close, or within 4 ulp of t.
-        [[nodiscard]] std::vector<double> unavoidable(double t);
+        // At t, with the phases unchanged. Infinite, and no input named, where the status is another one for
+        // a start that close, or within 4 ulp of t.
+        [[nodiscard]] Conditioning conditioning(double t);
 
     private:
         const StabilityReference& reference_;

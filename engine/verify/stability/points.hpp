@@ -23,16 +23,6 @@ struct SweptInput {
     bool rests = false;    // by [equilibrium]
 };
 
-// log10(high/low), 0 where nothing but 0 was tried.
-double decades(const SweptInput& input);
-
-// In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
-// they are declared positive), start values eps^weight * (1e-3 ... 1e3), measured from [equilibrium].
-std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
-
-// The times that are looked at from each start.
-inline constexpr std::array<double, 6> shares_of_interval{0, 1e-9, 0.1, 1.0 / 3, 0.7, 1};
-
 struct SweepPoint {
     double eps = 0;
     std::vector<double> parameters, start; // in the order of the program
@@ -40,6 +30,22 @@ struct SweepPoint {
 
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
+
+// log10(high/low), 0 where nothing but 0 was tried.
+double decades(const SweptInput& input);
+
+// In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
+// they are declared positive), start values eps^weight * (1e-3 ... 1e3), measured from [equilibrium], phases
+// to 1e12.
+std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
+
+// The same, each no farther than it may go alone, the other inputs as in the scene, in steps of half a
+// decade.
+std::vector<SweptInput> reachable_inputs(const Program& program, const Scene& scene,
+                                         const std::function<bool(const SweepPoint&)>& inside);
+
+// The times that are looked at from each start.
+inline constexpr std::array<double, 6> shares_of_interval{0, 1e-9, 0.1, 1.0 / 3, 0.7, 1};
 
 // The parameters of a system, in its order: those of a point, and of the scene where the program has none.
 template <class Real>

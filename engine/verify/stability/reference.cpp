@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judging/stability_reference.hpp"
+#include "verify/stability/reference.hpp"
 
 #include "model/system/start_names.hpp"
 #include "verify/evaluate/scene_values.hpp"
@@ -78,6 +78,12 @@ std::vector<double> StabilityReference::From::ulp(double t, const std::vector<do
     return ulp;
 }
 
+std::vector<double> StabilityReference::From::units() const {
+    std::vector<double> units;
+    for (const Wide& scale : scales_) units.push_back(static_cast<double>(Wide(scale * last_bit)));
+    return units;
+}
+
 bool StabilityReference::From::has_large_phase(double t) const {
     const std::vector<Wide> theta = exact_.phases(Wide(t));
     return std::any_of(theta.begin(), theta.end(),
@@ -94,34 +100,39 @@ bool StabilityReference::From::loses_phase(double t) const {
     return exact_.loses_phase(Wide(t), end, phase_resolution<double>(reference_.is_flow_));
 }
 
-std::vector<double> StabilityReference::From::unavoidable(double t) {
+Conditioning StabilityReference::From::conditioning(double t) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
-    std::vector<double> none(outputs, std::numeric_limits<double>::infinity());
+    const Conditioning none{std::vector<double>(outputs, std::numeric_limits<double>::infinity()),
+                            std::vector<std::string>(outputs)};
     for (const Wide& beside : times_at_edge<double>(t))
         if (exact_(beside).status != here.status) return none;
-    std::vector<double> sum(outputs, 0.0);
+    Conditioning all{std::vector<double>(outputs, 0.0), std::vector<std::string>(outputs)};
+    std::vector<double> most(outputs, 0.0);
     const bool numbers = here.status == Status::ok;
     const std::vector<Wide> theta = numbers ? exact_.phases(Wide(t)) : std::vector<Wide>{};
     SymbolicInputs changed = inputs_;
     changed.slow_time_end *= 1 + 4 * last_bit;
-    const auto add = [&](Wide& input) {
+    const auto add = [&](const std::string& name, Wide& input) {
         const Wide before = input;
         input *= 1 + last_bit;
         const SymbolicEvaluator beside(reference_.solution_, changed, changed.slow_time_end, most_panels);
         const SymbolicPoint moved = numbers ? beside.with_phases(Wide(t), theta) : beside(Wide(t));
         input = before;
         if (moved.status != here.status) return false;
-        for (std::size_t k = 0; numbers && k < outputs; ++k)
-            sum[k] += in_ulp<double>(moved.values[k], here.values[k], scales_[k]);
+        for (std::size_t k = 0; numbers && k < outputs; ++k) {
+            const double change = in_ulp<double>(moved.values[k], here.values[k], scales_[k]);
+            all.sum[k] += change;
+            if (change > most[k]) all.input[k] = name;
+            most[k] = std::max(most[k], change);
+        }
         return true;
     };
-    if (!add(changed.eps)) return none;
+    if (!add("eps", changed.eps)) return none;
     for (auto* list : {&changed.parameters, &changed.start})
-        for (auto& named : *list)
-            if (named.second != 0 && changed.untaken.count(named.first) == 0 && !add(named.second))
-                return none;
-    return sum;
+        for (auto& [name, input] : *list)
+            if (input != 0 && changed.untaken.count(name) == 0 && !add(name, input)) return none;
+    return all;
 }
 
 } // namespace resonform

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/display/json.hpp"
+#include "verify/report/json.hpp"
+
+namespace resonform {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json lost_json(const LostDigits& lost) {
+    Json operands = Json::array();
+    for (const LostDigits::Operand& operand : lost.operands)
+        operands.push_back({{"expression", operand.expression}, {"value", json_number(operand.value)}});
+    return {{"expression", lost.expression},
+            {"value", json_number(lost.value)},
+            {"operands", operands},
+            {"cancellation", json_number(lost.cancellation)},
+            {"growth", json_number(lost.growth)},
+            {"share", json_number(lost.share)}};
+}
+
+Json worst_json(const WorstPoint& w) {
+    Json at = Json::object();
+    for (const auto& [name, value] : w.at) at[name] = json_number(value);
+    Json json{{"output", w.output},
+              {"ulp", json_number(w.ulp)},
+              {"unavoidable_ulp", json_number(w.unavoidable)},
+              {"at", at}};
+    if (!w.sensitive_to.empty()) json["sensitive_to"] = w.sensitive_to;
+    if (w.lost) json["lost"] = lost_json(*w.lost);
+    return json;
+}
+
+Json ranges_json(const std::vector<SweptInput>& inputs) {
+    Json ranges = Json::object();
+    for (const SweptInput& input : inputs)
+        ranges[input.name] = input.high > 0 ? Json{json_number(input.low), json_number(input.high)} : Json();
+    return ranges;
+}
+
+Json refusals_json(const std::vector<StabilityRefusals>& refusals) {
+    Json all = Json::array();
+    for (const StabilityRefusals& r : refusals)
+        all.push_back({{"status", r.status},
+                       {"why", r.why},
+                       {"count", r.count},
+                       {"unexplained", r.unexplained},
+                       {"where", ranges_json(r.where)},
+                       {"t", {json_number(r.first_t), json_number(r.last_t)}}});
+    return all;
+}
+
+Json histogram_json(const std::vector<UlpBin>& bins) {
+    Json all = Json::array();
+    for (const UlpBin& bin : bins) all.push_back({json_number(bin.up_to), bin.count});
+    return all;
+}
+
+} // namespace
+
+Json to_json(const Stability& s) {
+    Json worst = Json::array(), median = Json::object(), refused = Json::object(), histogram = Json::object();
+    for (const WorstPoint& w : s.worst) worst.push_back(worst_json(w));
+    for (const auto& [name, ulp] : s.median) median[name] = json_number(ulp);
+    for (const auto& [name, bins] : s.histogram) histogram[name] = histogram_json(bins);
+    for (const auto& [status, count] : s.refused_by) refused[status] = count;
+    Json json{{"schema", "resonform.stability/1"},
+              {"system", s.system},
+              {"scene", s.scene},
+              {"seed", s.seed},
+              {"verdict", to_string(s.verdict)},
+              {"rule", s.rule.empty() ? Json() : Json(s.rule)},
+              {"threshold_ulp", s.threshold},
+              {"ranges", ranges_json(s.inputs)},
+              {"swept", ranges_json(s.swept)},
+              {"cases", s.cases},
+              {"compared", s.compared},
+              {"refused", s.refused},
+              {"unexplained", s.unexplained},
+              {"worst", worst},
+              {"refused_by", refused},
+              {"refusals", refusals_json(s.refusals)},
+              {"beyond_reference", s.beyond_reference},
+              {"median_ulp", median},
+              {"histogram_ulp", histogram}};
+    if (!s.reason.empty()) json["reason"] = s.reason;
+    return json;
+}
+
+} // namespace resonform

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of an output that loses digits is found and named: in graphs of which that is known.
+#include "verify/own_system.hpp"
+#include "verify/stability/lost_digits.hpp"
+#include "verify/stability/slopes.hpp"
+#include "verify/stability/spelled.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace resonform {
+namespace {
+
+// One output of the parameters a and b at any time, made by `output`.
+template <class Output> std::shared_ptr<const Program> made(const Output& output) {
+    auto program = std::make_shared<Program>();
+    Graph& graph = program->graph;
+    program->eps = program->small = graph.symbol("eps");
+    program->time = graph.symbol("t");
+    program->slow_time = graph.symbol("slow time");
+    program->slow_time_end = graph.rational(1);
+    const Graph::Node a = graph.symbol("a"), b = graph.symbol("b");
+    program->parameters = {{"a", "parameter a", a, graph.rational(1)},
+                           {"b", "parameter b", b, graph.rational(1)}};
+    program->outputs = {{"x", output(graph, a, b)}};
+    return program;
+}
+
+// At t = 0, with an output of the scale 1.
+std::optional<LostDigits> lost(const std::shared_ptr<const Program>& program, double a, double b) {
+    return DigitTracer(program)({0.1, {a, b}, {}, {}}, 1, 0, 0, 0x1p-52);
+}
+
+Graph::Node per(Graph& graph, Graph::Node n) { return graph.power(n, -1); }
+
+} // namespace
+
+TEST(LostDigits, AreFoundInADifferenceOfNearFrequencies) {
+    // b/(sqrt(1 + a) - 1), and more that is done with it
+    const auto program = made([](Graph& graph, Graph::Node a, Graph::Node b) {
+        const Graph::Node one = graph.rational(1);
+        const Graph::Node divisor = graph.add({graph.root(graph.add({one, a}), 2), graph.rational(-1)});
+        return graph.add({graph.multiply({b, per(graph, divisor)}), graph.function(Graph::Op::sin, {a})});
+    });
+    const auto found = lost(program, 1e-9, 1e-9);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->expression, "sqrt(1 + a) - 1");
+    ASSERT_EQ(found->operands.size(), 2U);
+    EXPECT_EQ(found->operands[0].expression, "sqrt(1 + a)");
+    EXPECT_EQ(found->operands[1].expression, "-1");
+    EXPECT_NEAR(found->value, 5e-10, 1e-15);
+    EXPECT_NEAR(found->cancellation, 2e9, 1e3);
+    EXPECT_GT(found->growth, 1e7);
+    EXPECT_NEAR(found->share, 1, 0.01);
+    EXPECT_GT(found->ulp, 1e6);
+    EXPECT_FALSE(lost(program, 3, 1)) << "2 - 1 is exact";
+}
+
+// With b = 1; of 1 itself the graph writes 2*sin(a/2)^2.
+TEST(LostDigits, AreFoundBesideACosineOfASmallAngle) {
+    const auto program = made([](Graph& graph, Graph::Node a, Graph::Node b) {
+        const Graph::Node versed = graph.add({b, graph.negate(graph.function(Graph::Op::cos, {a}))});
+        return graph.multiply({graph.root(versed, 2), per(graph, a)});
+    });
+    const auto found = lost(program, 1.3e-6, 1);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->expression, "b - cos(a)");
+    EXPECT_GT(found->cancellation, 1e12);
+    const auto joined = made([](Graph& graph, Graph::Node a, Graph::Node) {
+        const Graph::Node versed =
+            graph.add({graph.rational(1), graph.negate(graph.function(Graph::Op::cos, {a}))});
+        return graph.multiply({graph.root(versed, 2), per(graph, a)});
+    });
+    EXPECT_FALSE(lost(joined, 1.3e-6, 1));
+}
+
+TEST(LostDigits, AreFoundBelowWhereTheErrorIsOnlyPassedOn) {
+    const auto slim = made([](Graph& graph, Graph::Node a, Graph::Node b) {
+        const Graph::Node square = graph.add({graph.rational(1), graph.power(a, 2)});
+        const Graph::Node difference = graph.add({graph.root(square, 2), graph.negate(a)});
+        return graph.multiply({b, graph.function(Graph::Op::log, {difference})});
+    });
+    ASSERT_TRUE(lost(slim, 1e5, 1));
+    EXPECT_EQ(lost(slim, 1e5, 1)->expression, "sqrt(1 + a^2) - a");
+    EXPECT_FALSE(lost(slim, 1e-5, 1));
+
+    // That the result itself vanishes where two large terms meet is not what is told.
+    const auto near_zero = made([](Graph& graph, Graph::Node a, Graph::Node b) {
+        const Graph::Node exponential = graph.function(Graph::Op::log, {graph.add({graph.rational(1), a})});
+        return graph.add({graph.multiply({exponential, graph.rational(1000000000)}), graph.negate(b)});
+    });
+    const auto found = lost(near_zero, 1.23456789e-9, 1.2345678);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->expression, "log(1 + a)") << "1 + a is rounded, and the logarithm makes that grow";
+    EXPECT_GT(found->growth, 1e6);
+}
+
+TEST(LostDigits, NothingIsToldOfARounding) {
+    const auto program = made([](Graph& graph, Graph::Node a, Graph::Node b) {
+        return graph.multiply({graph.function(Graph::Op::exp, {a}), per(graph, graph.add({a, b}))});
+    });
+    for (const double a : {1e-8, 0.3, 2.0}) EXPECT_FALSE(lost(program, a, 1)) << a;
+}
+
+TEST(LostDigits, SlopesAreThoseOfTheFunctions) {
+    using Op = Graph::Op;
+    for (const Op op : {Op::sin, Op::cos, Op::log, Op::exp, Op::asinh, Op::sinh, Op::erf, Op::atan2,
+                        Op::sqrt_sum_squares, Op::root, Op::power, Op::multiply}) {
+        const auto value_of = [&](const Wide& a, const Wide& b, std::vector<Wide>& nodes, Graph::Node& root) {
+            const auto program = made([&](Graph& graph, Graph::Node x, Graph::Node y) {
+                if (op == Op::root) return graph.root(x, 4);
+                if (op == Op::power) return graph.multiply({graph.power(x, -3), graph.power(y, 5)});
+                if (op == Op::multiply) return graph.multiply({graph.rational(3), x, graph.power(x, 2), y});
+                if (op == Op::atan2 || op == Op::sqrt_sum_squares) return graph.function(op, {x, y});
+                return graph.function(op, {x});
+            });
+            Interpreter<Wide>(program, Wide(1) / 10, {a, b}, {}, Wide(1)).trace(Wide(0), nodes);
+            root = program->outputs.front().value;
+            return std::pair(program, nodes.at(static_cast<std::size_t>(root)));
+        };
+        const Wide a = Wide(7) / 10, b = Wide(13) / 10, step = ldexp(Wide(1), -60);
+        std::vector<Wide> nodes, beside;
+        Graph::Node root = -1;
+        const auto [program, value] = value_of(a, b, nodes, root);
+        const std::vector<Wide> slopes = slopes_of_output(program->graph, root, nodes);
+        const auto slope = [&](std::size_t k) {
+            return slopes[static_cast<std::size_t>(program->parameters[k].symbol)];
+        };
+        const Wide along_a = (value_of(a + step, b, beside, root).second - value) / step;
+        const Wide along_b = (value_of(a, b + step, beside, root).second - value) / step;
+        EXPECT_LT(abs(Wide(slope(0) - along_a)), Wide(1e-15)) << static_cast<int>(op);
+        EXPECT_LT(abs(Wide(slope(1) - along_b)), Wide(1e-15)) << static_cast<int>(op);
+    }
+}
+
+TEST(LostDigits, PartsAreSpelledAsAReaderWould) {
+    const auto spells = [&](const auto& output) {
+        const auto program = made(output);
+        return spelled(*program, program->outputs.front().value);
+    };
+    EXPECT_EQ(spells([](Graph& g, Graph::Node a, Graph::Node b) {
+                  return g.add({g.multiply({g.rational(Rational(-3) / 2), a, per(g, b)}), g.power(b, 2)});
+              }),
+              "b^2 - 3/2*a/b");
+    EXPECT_EQ(spells([](Graph& g, Graph::Node a, Graph::Node b) {
+                  return per(g, g.multiply({g.root(a, 3), g.add({a, b})}));
+              }),
+              "a^(2/3)/(a*(a + b))");
+    EXPECT_EQ(
+        spells([](Graph& g, Graph::Node a, Graph::Node) {
+            return g.function(Graph::Op::cos, {g.add({g.symbol("flow tau"), g.symbol("cos theta"), a})});
+        }),
+        "cos(a + tau + cos(theta))");
+    const std::string deep = spells([](Graph& g, Graph::Node a, Graph::Node b) {
+        for (int k = 0; k < 60; ++k) a = g.add({g.function(Graph::Op::sin, {a}), g.multiply({a, b})});
+        return a;
+    });
+    EXPECT_NE(deep.find("..."), std::string::npos);
+    EXPECT_LE(deep.size(), 84U);
+}
+
+} // namespace resonform
