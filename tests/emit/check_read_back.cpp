@@ -20,8 +20,9 @@ protected:
     // `what`: a system and options of derive. The documents are left in the folder of the test.
     void derive(const std::string& what,
                 const std::vector<std::string>& formats = {"latex", "json", "maxima"}) const {
+        const std::string command = "derive " + what + " --format ";
         for (const std::string& format : formats)
-            write(scratch_.path() / ("out." + format), printed("derive " + what + " --format " + format));
+            write(scratch_.path() / ("out." + format), printed(command + format));
     }
     [[nodiscard]] std::string judged(const std::string& option = "") const {
         const auto script = source_dir() / "tests" / "emit" / "read_back.py";

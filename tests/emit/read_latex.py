@@ -106,14 +106,18 @@ class Reader:
             return FUNCTIONS[token[1:]] + self.argument()
         return self.named()
 
-    # \overline{z}, \ln \left(x + 1\right), \cos 3 \theta: without parentheses a number and one symbol.
+    # \overline{z}, \ln \left(x + 1\right), \cos 3 \theta. What follows an argument without parentheses is no part of
+    # it, to a human reader neither: not \sin \theta \varepsilon.
     def argument(self):
         if self.next == "{":
             return f"({self.braced()})"
         if self.next == "\\left(":
             return self.parenthesised()
         number = self.take() + "*" if self.next.isdigit() else ""
-        return f"({number}{self.symbol()})"
+        argument = f"({number}{self.symbol()})"
+        clear = self.next in ("", "+", "-", "}", ")", "\\right)", "\\,") or self.next.lstrip("\\") in FUNCTIONS
+        assert clear, f"{self.next} may belong to the argument {argument}"
+        return argument
 
     # x, \dot{x}, \omega''\left(\tau\right); i is the imaginary unit
     def named(self):
