@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LaTeX and Maxima scripts are read back (read_latex.py, read_back.py): every equation has the values that
-// the JSON gives it, at a random point.
+// LaTeX and Maxima scripts are read back (read_latex.py, read_back.py, read_solution.py): every equation has
+// the values that the JSON gives it, at a random point.
 #include "support/command.hpp"
 #include "support/exact.hpp"
 #include "support/system_text.hpp"
@@ -24,8 +24,9 @@ protected:
         for (const std::string& format : formats)
             write(scratch_.path() / ("out." + format), printed(command + format));
     }
-    [[nodiscard]] std::string judged(const std::string& option = "") const {
-        const auto script = source_dir() / "tests" / "emit" / "read_back.py";
+    [[nodiscard]] std::string judged(const std::string& option = "",
+                                     const std::string& by = "read_back.py") const {
+        const auto script = source_dir() / "tests" / "emit" / by;
         const Outcome outcome = run("python3 -B '" + script.string() + "' " + option, scratch_.path());
         return outcome.out + outcome.err;
     }
@@ -40,6 +41,14 @@ class ReadBackOf : public ReadBack, public testing::WithParamInterface<std::stri
 TEST_P(ReadBackOf, HasTheValuesOfTheJson) {
     derive(path_of(GetParam()));
     EXPECT_EQ(judged(), "equal\n");
+}
+
+TEST_P(ReadBackOf, ASolutionToo) {
+    const std::string stage = path_of(GetParam()) + " --stage solution --order 2";
+    const Outcome outcome = said("derive " + stage);
+    if (outcome.code == 3) return; // functions without values, a linear part that is not semisimple
+    derive(stage, {"latex", "json"});
+    EXPECT_EQ(judged("", "read_solution.py"), "equal\n");
 }
 
 std::vector<std::string> systems() {
@@ -109,6 +118,17 @@ TEST_F(ReadBack, NamesTheEquationThatIsWrong) {
     ASSERT_NE(latex.find(rate), std::string::npos) << latex;
     write(file, latex.replace(latex.find(rate), rate.size(), "\\dot{s} &= \\varepsilon"));
     EXPECT_EQ(judged(), "LaTeX, rates: \\dot{s} = \\varepsilon\n");
+}
+
+TEST_F(ReadBack, NamesTheOutputThatIsWrong) {
+    derive(path_of("airy") + " --stage solution --order 1", {"latex", "json"});
+    const auto file = scratch_.path() / "out.latex";
+    std::string latex = read(file);
+    const std::size_t sine = latex.rfind("\\cos \\theta");
+    ASSERT_NE(sine, std::string::npos) << latex;
+    write(file, latex.replace(sine, 4, "\\sin"));
+    const std::string found = judged("", "read_solution.py");
+    EXPECT_EQ(found.rfind("LaTeX, outputs through order 1: x = ", 0), 0U) << found;
 }
 
 } // namespace

@@ -65,7 +65,7 @@ class Point(dict):
         return mpmath.mpf(random.Random(f"{name} {self.seed}").randint(3, 25))/8
 
     def value(self, expression):
-        return eval(re.sub(r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?", r"mpf('\g<0>')", expression), {}, self)
+        return eval(re.sub(r"(?<![\w.'])\d+(?:\.\d+)?(?:e[-+]?\d+)?", r"mpf('\g<0>')", expression), {}, self)
 
     def moved(self, changes):
         other = Point(self.seed, self.definitions, ())
@@ -87,14 +87,17 @@ class Answer:
         self.functions = set(re.findall(r"\b([A-Za-z]\w*)\(", json.dumps(document["normal_form"]))) - {
             *ELEMENTARY, "Derivative", "Subs"}
 
+    def is_angle(self, name):  # in exponents
+        return name not in self.fast and name != "eps"
+
     def sum(self, terms, point):
         total = mpmath.mpf(0)
         for term in terms:
             product = point.value(notation(term["coefficient"]))
             for name, exponent in term["exponents"].items():
                 base = point[key(name)]
-                angle = key(name) not in self.fast and name != "eps"
-                product *= mpmath.exp(mpmath.mpc(0, base*exponent)) if angle else base**point.value(str(exponent))
+                product *= (mpmath.exp(mpmath.mpc(0, base*exponent)) if self.is_angle(key(name))
+                            else base**point.value(str(exponent)))
             total += product
         return total
 

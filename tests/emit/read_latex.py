@@ -58,9 +58,9 @@ class Reader:
             if self.next == "/":
                 text += self.take() + self.factor()
                 continue
-            if self.next in ("\\cdot", "\\,"):
+            if self.next == "\\cdot":
                 self.take()
-            elif self.next in ("", "+", "-", "}", ")", "\\right)", ","):
+            elif self.next in ("", "+", "-", "}", ")", "\\right)", ",", "\\,"):
                 return text
             text += "*" + self.factor()
 
@@ -101,6 +101,8 @@ class Reader:
         if token == "\\sqrt":
             self.take()
             return f"({self.braced()})**(1/2)"
+        if token == "\\int":
+            return self.integral()
         if token[1:] in FUNCTIONS and token[0] == "\\":
             self.take()
             return FUNCTIONS[token[1:]] + self.argument()
@@ -118,6 +120,18 @@ class Reader:
         clear = self.next in ("", "+", "-", "}", ")", "\\right)", "\\,") or self.next.lstrip("\\") in FUNCTIONS
         assert clear, f"{self.next} may belong to the argument {argument}"
         return argument
+
+    # \int\limits_{\xi_{0}}^{\xi} 2 \xi \, d\xi, which is written integral("2*xi", "xi", xi0, xi)
+    def integral(self):
+        for expected in ("\\int", "\\limits", "_"):
+            self.take(expected)
+        start = self.braced()
+        self.take("^")
+        end = self.braced()
+        integrand = self.term()
+        self.take("\\,")
+        self.take("d")
+        return f'integral("{integrand}", "{self.symbol()}", {start}, {end})'
 
     # x, \dot{x}, \omega''\left(\tau\right); i is the imaginary unit
     def named(self):
