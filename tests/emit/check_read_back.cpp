@@ -15,6 +15,10 @@
 namespace resonform::test {
 namespace {
 
+std::string path_of(const std::string& system) {
+    return "'" + (source_dir() / "systems" / system / "system.toml").string() + "'";
+}
+
 class ReadBack : public Command {
 protected:
     // `what`: a system and options of derive. The documents are left in the folder of the test.
@@ -24,6 +28,11 @@ protected:
         for (const std::string& format : formats)
             write(scratch_.path() / ("out." + format), printed(command + format));
     }
+    void derive_solution(const std::string& system, int order) const {
+        derive(path_of(system) + " --stage solution --order " + std::to_string(order), {"latex", "json"});
+        write(scratch_.path() / "out.normal_form",
+              printed("derive " + path_of(system) + " --order 3 --format json"));
+    }
     [[nodiscard]] std::string judged(const std::string& option = "",
                                      const std::string& by = "read_back.py") const {
         const auto script = source_dir() / "tests" / "emit" / by;
@@ -31,10 +40,6 @@ protected:
         return outcome.out + outcome.err;
     }
 };
-
-std::string path_of(const std::string& system) {
-    return "'" + (source_dir() / "systems" / system / "system.toml").string() + "'";
-}
 
 class ReadBackOf : public ReadBack, public testing::WithParamInterface<std::string> {};
 
@@ -44,10 +49,9 @@ TEST_P(ReadBackOf, HasTheValuesOfTheJson) {
 }
 
 TEST_P(ReadBackOf, ASolutionToo) {
-    const std::string stage = path_of(GetParam()) + " --stage solution --order 2";
-    const Outcome outcome = said("derive " + stage);
+    const Outcome outcome = said("derive " + path_of(GetParam()) + " --stage solution --order 2");
     if (outcome.code == 3) return; // functions without values, a linear part that is not semisimple
-    derive(stage, {"latex", "json"});
+    derive_solution(GetParam(), 2);
     EXPECT_EQ(judged("", "read_solution.py"), "equal\n");
 }
 
@@ -121,7 +125,7 @@ TEST_F(ReadBack, NamesTheEquationThatIsWrong) {
 }
 
 TEST_F(ReadBack, NamesTheOutputThatIsWrong) {
-    derive(path_of("airy") + " --stage solution --order 1", {"latex", "json"});
+    derive_solution("airy", 1);
     const auto file = scratch_.path() / "out.latex";
     std::string latex = read(file);
     const std::size_t sine = latex.rfind("\\cos \\theta");

@@ -208,17 +208,26 @@ def maxima_faults(script, answer, point):
         yield from (f"Maxima: no {part} of {v}" for v in sorted(missing))
 
 
-def faults(latex, maxima, document):
-    """The equations and statements that differ, at the first point where all roots and logarithms are real."""
-    answer = Answer(json.loads(document))
-    page = Page(latex, answer)
+def at_a_point(faults_at):
+    """What is found with the first seed whose point makes all roots and logarithms real."""
     for seed in range(100):
         try:
-            point = page.point(seed)
-            return [*page.faults(point), *maxima_faults(maxima, answer, point)]
+            return [*faults_at(seed)]
         except (mpmath.libmp.ComplexResult, ZeroDivisionError):
             pass
     return ["no point where everything is real was found"]
+
+
+def faults(latex, maxima, document):
+    """The equations and statements that differ."""
+    answer = Answer(json.loads(document))
+    page = Page(latex, answer)
+
+    def faults_at(seed):
+        point = page.point(seed)
+        return [*page.faults(point), *maxima_faults(maxima, answer, point)]
+
+    return at_a_point(faults_at)
 
 
 def unseen_plants(latex, maxima, document):

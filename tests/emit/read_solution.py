@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # As read_back.py, of a solution as LaTeX: frame, slow flow and outputs have the values that the JSON gives them.
-# Usage: python3 read_solution.py, beside out.latex and out.json.
+# Usage: python3 read_solution.py, beside out.latex, out.json and out.normal_form, the JSON of the normal form.
 import json
 import re
 
 import mpmath
-from read_back import Answer, Point, differ, key, notation
+from read_back import Answer, Point, at_a_point, differ, key, notation
 from read_latex import sections, sides
 
 
@@ -28,6 +28,16 @@ class Solution(Answer):
 
     def phase(self, mode, point):  # as if its rate were constant
         return point[key(mode["phase"])] + point["t"]*self.series(mode["phase_rate"], point)
+
+    def rate_of_mode(self, normal_form, point):
+        """Of z1 = Delta*exp(I*theta) at theta = 0: Delta' + I*Delta*theta'."""
+        assert normal_form.document["order"] >= self.document["truncation"]
+        rates = {key(s["variable"]) + "_dot": point["eps"]*point.value(notation(s["rate"]))
+                 for s in self.document["slow"]}
+        point.update(rates, z1=point["Delta"], z2=point["Delta"])
+        return mpmath.mpc(normal_form.sum([t for t in normal_form.document["normal_form"]
+                                           if t["variable"] == "z1" and t["weight"] <= self.document["truncation"]],
+                                          point))
 
     def slow(self, name, point):
         law = next(s for s in self.document["slow"] if key(s["variable"]) == name)
@@ -59,13 +69,13 @@ def primitives(solution, point):
         point[key(primitive["name"])] = value
 
 
-def faults(latex, document):
+def faults(latex, document, normal_form, seed):
     solution = Solution(json.loads(document))
     equations = [(heading, text, *sides(text, set())) for heading, lines in sections(latex) for text in lines]
     outputs = [e for e in equations if e[0].startswith("outputs")]
     parts = {left: right for _, _, left, right, _ in outputs if left not in solution.outputs}
     phase = next((m[1] for e in equations for m in re.finditer(r"exp\(I\*(\w+)\)", e[3])), None)
-    point = Point(0, parts, ())
+    point = Point(seed, parts, ())
     primitives(solution, point)
     point["integral"] = integral(point)
     amplitudes, conjugates = {}, {}  # z1 = a1*exp(...), phi = theta + delta_phi; z2 = conj(z1), a2 = conj(a1)
@@ -93,6 +103,9 @@ def faults(latex, document):
         elif heading == "amplitude and phase" and left in ("Delta", phase):
             mode = solution.document["modes"][0]
             expected = solution.amplitude(mode, point) if left == "Delta" else solution.phase(mode, point)
+        elif heading == "amplitude and phase" and left != name:
+            rate = solution.rate_of_mode(Answer(json.loads(normal_form)), point)
+            expected = rate.real if name == "Delta" else rate.imag/point["Delta"]
         elif heading == "":
             expected = solution.slow(left, point)
         elif left in solution.outputs and heading.startswith("outputs"):
@@ -106,4 +119,5 @@ def faults(latex, document):
 
 
 if __name__ == "__main__":
-    print("\n".join(faults(open("out.latex").read(), open("out.json").read())) or "equal")
+    texts = [open(name).read() for name in ("out.latex", "out.json", "out.normal_form")]
+    print("\n".join(at_a_point(lambda seed: faults(*texts, seed))) or "equal")
