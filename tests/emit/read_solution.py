@@ -75,9 +75,13 @@ def faults(latex, document, normal_form, seed):
     outputs = [e for e in equations if e[0].startswith("outputs")]
     parts = {left: right for _, _, left, right, _ in outputs if left not in solution.outputs}
     phase = next((m[1] for e in equations for m in re.finditer(r"exp\(I\*(\w+)\)", e[3])), None)
-    point = Point(seed, parts, ())
+    drifts = [(left, right) for heading, _, left, right, _ in equations if heading == "drift"]
+    frames = {left: right for left, right in drifts if "z" + left in dict(drifts)}  # X = x - ...
+    point = Point(seed, {**parts, **frames}, ())
     primitives(solution, point)
     point["integral"] = integral(point)
+    for drift in solution.document.get("drift", []):
+        point[key(drift["variable"])] = solution.series(drift["value"], point)
     amplitudes, conjugates = {}, {}  # z1 = a1*exp(...), phi = theta + delta_phi; z2 = conj(z1), a2 = conj(a1)
     for heading, _, left, right, _ in equations:
         names = re.findall(r"\b[A-Za-z]\w*", right)
@@ -106,6 +110,8 @@ def faults(latex, document, normal_form, seed):
         elif heading == "amplitude and phase" and left != name:
             rate = solution.rate_of_mode(Answer(json.loads(normal_form)), point)
             expected = rate.real if name == "Delta" else rate.imag/point["Delta"]
+        elif heading == "drift" and left not in frames:
+            expected = point[left.removeprefix("z")]
         elif heading == "":
             expected = solution.slow(left, point)
         elif left in solution.outputs and heading.startswith("outputs"):
