@@ -90,6 +90,8 @@ std::string function(const DisplayFactor& factor) {
     return function_macro(factor.name) + " " + (is_simple_argument(argument) ? text : parenthesised(text));
 }
 
+bool has_macro(const DisplayFactor& function) { return is_elementary(function) && function.name != "conj"; }
+
 std::string integral(const DisplayFactor& factor) {
     const DisplaySum& integrand = factor.arguments[0];
     return fmt::format("\\int\\limits_{{{}}}^{{{}}} {} \\, d{}", latex(factor.arguments[2]),
@@ -131,25 +133,30 @@ void append(std::string& text, const std::string& factor) {
     text += factor;
 }
 
-// Above or below a fraction bar; a lone sum needs no parentheses there.
-struct BarSide {
+// Factors side by side, as above a fraction bar or below; a lone sum needs no parentheses there.
+struct Product {
     std::string text;
-    std::string lone_sum; // of the only factor so far, if that is a sum
+    std::string lone_sum = {}; // of the only factor so far, if that is a sum
+    // Where the argument without parentheses begins that ends the text; 0: none does.
+    std::size_t argument = 0;
 
-    void multiply(const DisplayFactor& factor) {
-        const Rational exponent = cln::abs(factor.exponent);
-        const bool lone = text.empty() && factor.kind == FactorKind::sum && exponent == 1;
-        lone_sum = lone ? inner(factor) : std::string();
+    // \sin \theta \varepsilon would read as the sine of a product; \sin \theta \cos \theta does not.
+    void multiply(const DisplayFactor& factor, const Rational& exponent) {
+        const bool one = exponent == 1;
+        lone_sum = text.empty() && factor.kind == FactorKind::sum && one ? inner(factor) : std::string();
+        const bool function = factor.kind == FactorKind::function && has_macro(factor) && one;
+        if (!function && argument > 0) text = text.substr(0, argument) + parenthesised(text.substr(argument));
         append(text, power(factor, exponent));
+        const bool bare = function && is_simple_argument(factor.arguments.front());
+        argument = bare ? text.size() - latex(factor.arguments.front()).size() : 0;
     }
     [[nodiscard]] const std::string& on_bar() const { return lone_sum.empty() ? text : lone_sum; }
 };
 
 // |coefficient| * [i] * factors; integrals and functions stand after the fraction bar.
-std::string head(const DisplayTerm& term) {
+Product head(const DisplayTerm& term) {
     const Rational size = cln::abs(term.coefficient);
-    BarSide above, below;
-    std::string behind;
+    Product above, below, behind;
     if (term.digits > 0) {
         if (size != 1) above.text = decimal_latex(size, term.digits);
     } else if (cln::numerator(size) != 1) {
@@ -160,23 +167,23 @@ std::string head(const DisplayTerm& term) {
     if (term.imaginary) append(above.text, "i");
     for (const DisplayFactor& factor : term.factors) {
         const bool wide = factor.kind == FactorKind::function || factor.kind == FactorKind::integral;
-        if (factor.exponent > 0 && wide)
-            append(behind, power(factor, factor.exponent));
-        else
-            (factor.exponent < 0 ? below : above).multiply(factor);
+        Product& place = factor.exponent < 0 ? below : wide ? behind : above;
+        place.multiply(factor, cln::abs(factor.exponent));
     }
-    std::string text = above.text;
+    Product all{above.text};
     if (!below.text.empty())
-        text = fmt::format("\\frac{{{}}}{{{}}}", above.text.empty() ? "1" : above.on_bar(), below.on_bar());
-    if (!behind.empty()) append(text, behind);
-    return text;
+        all.text =
+            fmt::format("\\frac{{{}}}{{{}}}", above.text.empty() ? "1" : above.on_bar(), below.on_bar());
+    if (!behind.text.empty()) append(all.text, behind.text);
+    if (behind.argument > 0) all.argument = all.text.size() - behind.text.size() + behind.argument;
+    return all;
 }
 
 std::string unsigned_term(const DisplayTerm& term) {
     if (is_bare_sum(term)) return latex(term.factors.front().arguments.front());
-    std::string text = head(term);
-    for (const DisplayFactor& factor : term.tail) append(text, power(factor, factor.exponent));
-    return text.empty() ? "1" : text;
+    Product product = head(term);
+    for (const DisplayFactor& factor : term.tail) product.multiply(factor, factor.exponent);
+    return product.text.empty() ? "1" : product.text;
 }
 
 } // namespace
