@@ -40,8 +40,8 @@ TEST(Commands, ListNamesSystemsAndScenes) {
     const Json list = json_of("resonform list");
     EXPECT_EQ(list["schema"], "resonform.list/1");
     EXPECT_EQ(list["systems"][0]["name"], "adiabatic_oscillator");
-    EXPECT_EQ(list["systems"][1]["name"], "almost_holonomic_pendulum");
-    EXPECT_EQ(list["systems"][1]["scenes"][0]["name"], "as_published");
+    EXPECT_EQ(list["systems"][1]["name"], "airy");
+    EXPECT_EQ(list["systems"][1]["scenes"][0]["name"], "waves");
 }
 
 TEST(Commands, DeriveInEveryStageAndFormat) {
