@@ -63,7 +63,8 @@ void add_data_errors(const Trial& trial, std::vector<OutputVerdict>& outputs) {
 Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene& scene,
                     const Solution& solution, const VerifyOptions& options) {
     const auto begin = Clock::now();
-    const Trial trial(system, scene, solution, options);
+    const auto equations = std::move(system); // of the trial, and of the liars
+    const Trial trial(equations, scene, solution, options);
     Verification result;
     Descent descent(trial, scene, solution, result);
     const Guarantees guaranteed = guarantees_of(scene, solution, result.outputs, options);
@@ -74,7 +75,7 @@ Verification verify(std::shared_ptr<const FirstOrderSystem> system, const Scene&
     add_estimates(scene, solution, options, result.outputs);
     add_data_errors(trial, result.outputs);
     result.emitted = emitted_check(scene, solution, options);
-    if (options.liars) result.lies = liars(system, scene, solution, options);
+    if (options.liars) result.lies = liars(equations, scene, solution, options);
     if (const std::string complaint = start_scaling_complaint(scene); !complaint.empty())
         for (OutputVerdict& output : result.outputs) leave_open(output, complaint);
     if (options.progress) options.progress(fmt::format("verified in {:.1f} s", since(begin)));

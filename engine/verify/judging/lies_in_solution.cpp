@@ -25,7 +25,7 @@ namespace {
 struct PlaceInSolution {
     std::string name;
     Polynomial truth;
-    std::function<void(Solution& solution, SlowFlow& flow, Polynomial p)> put;
+    std::function<void(Solution& solution, SlowFlow& flow, const Polynomial& p)> put;
 };
 
 class PlacesInSolution {
@@ -43,13 +43,13 @@ public:
 private:
     template <class Find> void add(const std::string& name, const Polynomial& truth, const Find& find) {
         all_.push_back(
-            {name, truth, [find](Solution& s, SlowFlow& f, Polynomial p) { find(s, f) = std::move(p); }});
+            {name, truth, [find](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f) = p; }});
     }
     template <class Find> void add(const std::string& name, const Series& truth, const Find& find) {
         for (int n = 0; n <= truth.through(); ++n)
             all_.push_back(
                 {fmt::format("{}, weight {}", name, n), truth.part(n),
-                 [find, n](Solution& s, SlowFlow& f, Polynomial p) { find(s, f).set(n, std::move(p)); }});
+                 [find, n](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f).set(n, p); }});
     }
     void read_closed(const Solution& solution);
     void read_flow(const SlowFlow& flow);
@@ -107,11 +107,11 @@ std::optional<Polynomial> with_lie(const Ring& ring, const Polynomial& truth, st
     return truth - Rational(2) * (term + conjugate);
 }
 
-Solution with(const Solution& truth, const PlaceInSolution& place, Polynomial p) {
+Solution with(const Solution& truth, const PlaceInSolution& place, const Polynomial& p) {
     Solution lie = truth;
     SlowFlow flow;
     if (truth.flow) flow = *truth.flow;
-    place.put(lie, flow, std::move(p));
+    place.put(lie, flow, p);
     if (truth.flow) lie.flow = std::make_shared<const SlowFlow>(std::move(flow));
     return lie;
 }

@@ -32,7 +32,7 @@ std::string verdicts_of(const Json& results) {
         const std::string verdict = text_of(o.at("verdict")), found = text_of(o.at("found_order")),
                           claimed = text_of(o.at("claimed_order"));
         std::string text = fmt::format("{} {} ({})", pretty(text_of(o.at("name"))), verdict,
-                                       found == claimed ? found : found + " of " + claimed);
+                                       found == claimed ? found : fmt::format("{} of {}", found, claimed));
         if (o.at("verdict") != o.at("expected"))
             text += ", expected " + text_of(o.at("expected"));
         else if (verdict != "pass")

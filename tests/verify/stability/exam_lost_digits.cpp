@@ -125,9 +125,8 @@ TEST(LostDigits, SlopesAreThoseOfTheFunctions) {
         Graph::Node root = -1;
         const auto [program, value] = value_of(a, b, nodes, root);
         const std::vector<Wide> slopes = slopes_of_output(program->graph, root, nodes);
-        const auto slope = [&](std::size_t k) {
-            return slopes[static_cast<std::size_t>(program->parameters[k].symbol)];
-        };
+        const std::vector<ProgramInput>& inputs = program->parameters;
+        const auto slope = [&](std::size_t k) { return slopes[static_cast<std::size_t>(inputs[k].symbol)]; };
         const Wide along_a = (value_of(a + step, b, beside, root).second - value) / step;
         const Wide along_b = (value_of(a, b + step, beside, root).second - value) / step;
         EXPECT_LT(abs(Wide(slope(0) - along_a)), Wide(1e-15)) << static_cast<int>(op);
