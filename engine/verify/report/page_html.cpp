@@ -10,7 +10,7 @@ namespace {
 
 // The first word of a verdict, "" of other texts.
 std::string verdict_word(const std::string& text) {
-    const std::string word = text.substr(0, text.find_first_of(", "));
+    std::string word = text.substr(0, text.find_first_of(", "));
     for (const char* known : {"pass", "fail", "undecided", "wins", "loses"})
         if (word == known) return word;
     return "";

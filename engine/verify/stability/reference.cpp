@@ -103,7 +103,7 @@ bool StabilityReference::From::loses_phase(double t) const {
 Conditioning StabilityReference::From::conditioning(double t) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
-    const Conditioning none{std::vector<double>(outputs, std::numeric_limits<double>::infinity()),
+    Conditioning none{std::vector<double>(outputs, std::numeric_limits<double>::infinity()),
                             std::vector<std::string>(outputs)};
     for (const Wide& beside : times_at_edge<double>(t))
         if (exact_(beside).status != here.status) return none;
