@@ -64,7 +64,7 @@ TEST(CertificateLies, TheSignOfARoot) {
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         if (ring.generator(id).kind != GeneratorKind::root) continue;
         Normalization lie = n;
-        for (const test::NamedSeries& item : test::all_series(lie))
+        for (const test::SeriesOfForm& item : test::all_series(lie))
             for (int weight = 0; weight <= item.series->through(); ++weight) {
                 std::vector<Term> terms = item.series->part(weight).terms();
                 for (Term& t : terms)

@@ -181,7 +181,7 @@ std::optional<Planted<Normalization>> plant_in_normal_form(const Normalization& 
         std::size_t term;
     };
     std::vector<Place> places;
-    for (const NamedSeries& item : all_series(result.lie))
+    for (const SeriesOfForm& item : all_series(result.lie))
         for (int weight = 0; weight <= item.series->through(); ++weight)
             for (std::size_t k = 0; k < item.series->part(weight).size(); ++k)
                 places.push_back({item.series, item.name, weight, k});

@@ -50,7 +50,7 @@ inline Polynomial coefficient_of(const GradedField& field, const Series& series,
 }
 
 using resonform::all_series;
-using resonform::NamedSeries;
+using resonform::SeriesOfForm;
 
 // Part by part, of two rings with the same generators.
 inline void expect_same(Normalization a, Normalization b) {

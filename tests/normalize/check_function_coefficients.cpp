@@ -34,7 +34,7 @@ TEST_P(EveryCoefficient, IsCertified) {
 TEST_P(EveryCoefficient, IsCheckedForLies) {
     Normalization n = normalize_poincare(test::field_from(file(GetParam())), 2);
     int lies = 0;
-    for (const test::NamedSeries& item : test::all_series(n))
+    for (const test::SeriesOfForm& item : test::all_series(n))
         for (int weight = 1; weight <= item.series->through(); ++weight) {
             const Polynomial truth = item.series->part(weight);
             for (std::size_t k = 0; k < truth.size(); ++k, ++lies) {

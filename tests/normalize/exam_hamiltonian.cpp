@@ -90,7 +90,7 @@ TEST(HamiltonianLies, EveryCoefficient) {
     Normalization n = normalized(test::two_degrees("px^2/2 + py^2/2 + x^2/2 + 2*y^2 + x^2*y"), 3);
     HamiltonianForm& form = *n.normal_form.hamiltonian;
     int lies = 0;
-    for (const test::NamedSeries& item : test::all_series(n))
+    for (const test::SeriesOfForm& item : test::all_series(n))
         for (int weight = 0; weight <= item.series->through(); ++weight) {
             const Polynomial truth = item.series->part(weight);
             for (std::size_t k = 0; k < truth.size(); ++k)

@@ -17,7 +17,7 @@ inline Polynomial with_coefficient(const Polynomial& p, std::size_t k, const Rat
 // Changes every coefficient: + 1, the other sign, dropped. certify(n) is its certificate.
 template <class Certify> int expect_all_lies_found(Normalization n, const Certify& certify) {
     int lies = 0;
-    for (const NamedSeries& item : all_series(n)) {
+    for (const SeriesOfForm& item : all_series(n)) {
         for (int weight = 0; weight <= item.series->through(); ++weight) {
             const Polynomial truth = item.series->part(weight);
             for (std::size_t k = 0; k < truth.size(); ++k) {

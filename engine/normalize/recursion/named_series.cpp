@@ -3,8 +3,8 @@
 
 namespace resonform {
 
-std::vector<NamedSeries> all_series(Normalization& n) {
-    std::vector<NamedSeries> result;
+std::vector<SeriesOfForm> all_series(Normalization& n) {
+    std::vector<SeriesOfForm> result;
     const auto add = [&](const std::string& name, std::vector<Series>& list) {
         for (std::size_t k = 0; k < list.size(); ++k)
             result.push_back({name + " " + std::to_string(k), &list[k]});

@@ -9,12 +9,12 @@
 
 namespace resonform {
 
-struct NamedSeries {
+struct SeriesOfForm {
     std::string name; // "normal form, mode 0"; "map, drift 1"
     Series* series;
 };
 
 // Of the normal form, then of the map; in the style hamiltonian also the energy and the generator.
-std::vector<NamedSeries> all_series(Normalization& n);
+std::vector<SeriesOfForm> all_series(Normalization& n);
 
 } // namespace resonform

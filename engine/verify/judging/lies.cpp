@@ -31,7 +31,7 @@ std::vector<Lie> lies_in_formulas(const Normalization& normalization) {
     Normalization n = normalization;
     const Certifier certifier(n.normal_form.field);
     std::vector<Lie> lies;
-    for (const NamedSeries& item : all_series(n))
+    for (const SeriesOfForm& item : all_series(n))
         for (int weight = 0; weight <= item.series->through(); ++weight) {
             const Polynomial truth = item.series->part(weight);
             for (std::size_t k = 0; k < truth.size(); ++k) {
