@@ -104,7 +104,7 @@ Conditioning StabilityReference::From::conditioning(double t) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
     Conditioning none{std::vector<double>(outputs, std::numeric_limits<double>::infinity()),
-                            std::vector<std::string>(outputs)};
+                      std::vector<std::string>(outputs)};
     for (const Wide& beside : times_at_edge<double>(t))
         if (exact_(beside).status != here.status) return none;
     Conditioning all{std::vector<double>(outputs, 0.0), std::vector<std::string>(outputs)};
