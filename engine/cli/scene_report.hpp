@@ -16,7 +16,7 @@
 
 namespace resonform {
 
-// The limits are those of what is derived for claims and estimates.
+// limits: of the derivations to higher orders that claims and error estimates need.
 VerifyOptions verify_options(const CacheFolder& cache, const DerivationLimits& limits);
 
 // `timed` = false: without the comparison.

@@ -49,7 +49,7 @@ template <class Choice> Polynomial part_of(const Polynomial& p, const Choice& ch
 
 } // namespace
 
-Neglected::Neglected(const Solution& richer, const Formula& formula)
+Neglected::Neglected(const Solution& richer, const TruncatedFormula& formula)
     : richer_(richer), formula_(formula), field_(*richer.normalization->normal_form.field),
       ring_(*field_.ring),
       flow_(richer.flow ? *richer.flow : slow_flow(*richer.normalization, {richer.order, richer.truncation})),

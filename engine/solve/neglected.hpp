@@ -30,7 +30,7 @@ struct ErrorPower {
     bool sure;
 };
 
-struct Formula {
+struct TruncatedFormula {
     int order = 0, truncation = 0; // N, M
     int time_power = 1;            // p
     bool oscillating = true;       // false: outputs are mean motions
@@ -41,7 +41,7 @@ class Neglected {
 public:
     // richer: of the same system, its order >= N and its truncation > M. Errors (refused): those of
     // slow_flow; errors that feed on each other faster than eps^p, so that no power bounds them.
-    Neglected(const Solution& richer, const Formula& formula);
+    Neglected(const Solution& richer, const TruncatedFormula& formula);
 
     // nullopt: the formula leaves out nothing that `richer` contains.
     [[nodiscard]] std::optional<ErrorPower> power(const std::string& output) const;
@@ -71,7 +71,7 @@ private:
     [[nodiscard]] Zero missing(const FlowOutput& output, int weight) const;
 
     const Solution& richer_;
-    Formula formula_;
+    TruncatedFormula formula_;
     const GradedField& field_;
     const Ring& ring_;
     SlowFlow flow_;

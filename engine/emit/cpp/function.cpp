@@ -4,6 +4,7 @@
 #include "algebra/number/binary_parts.hpp"
 #include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
+#include "emit/graph/graph.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,20 +28,6 @@ bool is_short(const Integer& n) { return cln::abs(n) <= (Integer(1) << 48); }
 // A short integer that is not negative.
 std::string integer_text(const std::string& type, const Integer& n) {
     return fmt::format("{}({}{})", type, to_string(Rational(n)), n < (Integer(1) << 31) ? "" : "LL");
-}
-
-std::string function_name(Graph::Op op) {
-    switch (op) {
-    case Graph::Op::sin: return "sin";
-    case Graph::Op::cos: return "cos";
-    case Graph::Op::log: return "log";
-    case Graph::Op::exp: return "exp";
-    case Graph::Op::asinh: return "asinh";
-    case Graph::Op::sinh: return "sinh";
-    case Graph::Op::erf: return "erf";
-    case Graph::Op::atan2: return "atan2";
-    default: return "hypot";
-    }
 }
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;

@@ -249,4 +249,18 @@ Graph::Node Graph::callable(const std::string& name, int derivative, Node x) {
     return intern(std::move(e));
 }
 
+const char* function_name(Graph::Op op) {
+    switch (op) {
+    case Graph::Op::sin: return "sin";
+    case Graph::Op::cos: return "cos";
+    case Graph::Op::log: return "log";
+    case Graph::Op::exp: return "exp";
+    case Graph::Op::asinh: return "asinh";
+    case Graph::Op::sinh: return "sinh";
+    case Graph::Op::erf: return "erf";
+    case Graph::Op::atan2: return "atan2";
+    default: return "hypot";
+    }
+}
+
 } // namespace resonform

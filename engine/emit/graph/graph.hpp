@@ -83,4 +83,7 @@ private:
     std::unordered_map<std::string, Node> index_; // keyed by a canonical spelling of the entry
 };
 
+// "sin", "hypot": of a function of one variable or two, in formulas as in C++.
+const char* function_name(Graph::Op op);
+
 } // namespace resonform

@@ -47,12 +47,9 @@ BreakEven break_even(const std::vector<ComparisonRow>& own, std::vector<RivalAtE
     result.construction_seconds = fastest.construction_seconds;
     result.winner = own_name;
     result.rivals = std::move(rivals);
-    const RivalAtEqualAccuracy* best = nullptr;
-    for (RivalAtEqualAccuracy& rival : result.rivals) {
-        if (!rival.seconds) continue;
-        rival.ratio = *rival.seconds / result.emitted_seconds;
-        if (best == nullptr || *rival.seconds < *best->seconds) best = &rival;
-    }
+    for (RivalAtEqualAccuracy& rival : result.rivals)
+        if (rival.seconds) rival.ratio = *rival.seconds / result.emitted_seconds;
+    const RivalAtEqualAccuracy* best = best_rival(result);
     if (best == nullptr) return result;
     if (*best->ratio < 1) {
         result.winner = best->method;
@@ -65,6 +62,13 @@ BreakEven break_even(const std::vector<ComparisonRow>& own, std::vector<RivalAtE
     if (saved > 0)
         result.runs = std::ceil((prepared.derivation_seconds + prepared.compilation_seconds) / saved);
     return result;
+}
+
+const RivalAtEqualAccuracy* best_rival(const BreakEven& even) {
+    const RivalAtEqualAccuracy* best = nullptr;
+    for (const RivalAtEqualAccuracy& rival : even.rivals)
+        if (rival.seconds && (best == nullptr || *rival.seconds < *best->seconds)) best = &rival;
+    return best;
 }
 
 void find_break_even_eps(std::vector<BreakEvenAtEps>& by_eps) {

@@ -11,6 +11,9 @@ namespace resonform {
 BreakEven break_even(const std::vector<ComparisonRow>& own, std::vector<RivalAtEqualAccuracy> rivals,
                      const Preparation& prepared, const std::string& failure = {});
 
+// The fastest that reaches the accuracy of the emitted code; null: none does.
+const RivalAtEqualAccuracy* best_rival(const BreakEven& even);
+
 // Sets `eps` of every task: the largest eps at which, as at all smaller ones, the emitted code wins.
 void find_break_even_eps(std::vector<BreakEvenAtEps>& by_eps);
 

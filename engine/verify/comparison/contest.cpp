@@ -34,7 +34,8 @@ Workload along_of(const std::vector<Workload>& workloads, double interval) {
 
 Contest::Contest(const Trial& trial, const Tape& rates, const Program& starts, const Rational& eps,
                  double from, const CompareOptions& options)
-    : trial_(trial), options_(options), tape_(rates), at_(trial.point(eps)), from_(from),
+    : trial_(trial), options_(options), tape_(rates), oscillator_(linear_oscillator(rates)),
+      at_(trial.point(eps)), from_(from),
       errors_(trial, at_, from), to_end_{Task::final, evenly_judged(at_.interval, 1)} {
     std::map<std::size_t, std::shared_ptr<const JudgedTimes>> even;
     for (const Task task : options.tasks) {

@@ -9,6 +9,7 @@
 #include "verify/comparison/timing.hpp"
 #include "verify/integrate/compiled_tape.hpp"
 #include "verify/integrate/integrate.hpp"
+#include "verify/integrate/linear_oscillator.hpp"
 
 #include <map>
 #include <memory>
@@ -89,6 +90,7 @@ private:
     const Trial& trial_;
     const CompareOptions& options_;
     const Tape& tape_;
+    std::optional<LinearOscillator> oscillator_; // what the tape is, for Riccati
     TrialPoint at_;
     double from_;
     ErrorsAgainstReference errors_;

@@ -4,7 +4,6 @@
 #include "verify/comparison/timing.hpp"
 #include "verify/integrate/compiled_tape.hpp"
 #include "verify/integrate/integrate.hpp"
-#include "verify/integrate/linear_oscillator.hpp"
 #include "verify/integrate/riccati.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +40,7 @@ std::unique_ptr<Integrator> Contest::integrator(Method method, double tolerance,
     const CompiledTape& rates = compiled_rates();
     const Start from{convert_all<double>(at.start), tolerance, trial_.output_states()};
     if (method == Method::taylor) return make_taylor(rates, from);
-    if (method == Method::riccati) return make_riccati(rates.rates(), *linear_oscillator(tape_), from);
+    if (method == Method::riccati) return make_riccati(rates.rates(), *oscillator_, from);
     return make_integrator(method, rates.rates(), from);
 }
 

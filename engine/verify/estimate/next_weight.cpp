@@ -27,7 +27,7 @@ std::optional<int> time_power(const Scene& scene) {
     return std::max(scene.slow_power(), *power);
 }
 
-Formula formula_of(const Scene& scene, const Solution& solution, int time_power) {
+TruncatedFormula formula_of(const Scene& scene, const Solution& solution, int time_power) {
     return {solution.order, solution.truncation, time_power, scene.oscillating, starts_from_constants(scene)};
 }
 

@@ -22,7 +22,7 @@ using Derive = std::function<Solution(std::shared_ptr<const System>, int order, 
 std::optional<int> time_power(const Scene& scene);
 
 // How the formula of a scene is cut, over times of eps^-time_power.
-Formula formula_of(const Scene& scene, const Solution& solution, int time_power);
+TruncatedFormula formula_of(const Scene& scene, const Solution& solution, int time_power);
 
 // What the count asks for at another order of the scene, without a `truncation` of its own.
 int counted_truncation(const Scene& scene, const Solution& solution, int order);

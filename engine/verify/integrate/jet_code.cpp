@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text of rf_jet.
+#include "verify/integrate/tape.hpp"
 #include "verify/integrate/tape_code.hpp"
 
 #include <fmt/format.h>
@@ -17,10 +18,6 @@ using Instruction = Tape::Instruction;
 
 constexpr int unbounded = jet_pad + 1; // stands for: no polynomial, or one of high degree
 constexpr std::size_t sums_of_one_loop = 8;
-
-bool has_two_results(Op op) {
-    return op == Op::sin_cos || op == Op::sinh_cosh || op == Op::tan_secant || op == Op::tanh_sech;
-}
 
 int degree_of(const Instruction& step, const std::vector<int>& degrees) {
     const int left = degrees[static_cast<std::size_t>(step.left)];

@@ -40,10 +40,7 @@ std::vector<Dependence> dependences(const Tape& rates, LinearOscillator o) {
     for (const Tape::Instruction& step : rates.body()) {
         const Dependence found = dependence_of(step, at(step.left), at(step.right));
         at(step.result) = found;
-        using Op = Tape::Op;
-        if (step.op == Op::sin_cos || step.op == Op::sinh_cosh || step.op == Op::tan_secant ||
-            step.op == Op::tanh_sech)
-            at(step.result + 1) = found;
+        if (has_two_results(step.op)) at(step.result + 1) = found;
     }
     return all;
 }

@@ -40,7 +40,7 @@ public:
 private:
     RightHandSide f_;
     LinearOscillator oscillator_;
-    std::vector<double> start_, rates_, state_, matrix_; // u = v = 0 in them: what is linear has one Jacobian
+    std::vector<double> start_, rates_, state_, matrix_; // with u = v = 0, on which no slope depends
 };
 
 } // namespace resonform

@@ -178,11 +178,12 @@ bool Step::by_iterations(OscillatorCoefficients& coefficients, const Start& star
 bool Step::by_collocation(OscillatorCoefficients& coefficients, const Start& start, double length) {
     if (!sample(coefficients, start, length)) return false;
     const double half = length / 2;
+    const std::vector<double>&once = integration(), &twice = double_integration();
     std::vector<double> matrix(count * count), w(count);
     for (std::size_t j = 0; j < count; ++j) {
         for (std::size_t k = 0; k < count; ++k)
-            matrix[j * count + k] = (j == k ? 1 : 0) + 2 * damping_[j] * half * integration()[j * count + k] +
-                                    square_[j] * half * half * double_integration()[j * count + k];
+            matrix[j * count + k] = (j == k ? 1 : 0) + 2 * damping_[j] * half * once[j * count + k] +
+                                    square_[j] * half * half * twice[j * count + k];
         const double passed = half * (1 + kernel::node<double>(j));
         w[j] = -2 * damping_[j] * start.v - square_[j] * (start.u + start.v * passed);
     }

@@ -26,26 +26,26 @@ bool is_whole(const GiNaC::ex& e) {
 
 } // namespace
 
-const Spelling::Form& Spelling::of(const GiNaC::ex& e) {
+const SignedSpelling::Form& SignedSpelling::of(const GiNaC::ex& e) {
     const auto found = forms_.find(e);
     if (found != forms_.end()) return found->second;
     Form own = form(e);
     return forms_.emplace(e, std::move(own)).first->second;
 }
 
-std::string Spelling::with_sign(const GiNaC::ex& e) {
+std::string SignedSpelling::with_sign(const GiNaC::ex& e) {
     const Form& form = of(e);
     return (form.negative ? "-" : "") + form.text;
 }
 
-std::vector<GiNaC::ex> Spelling::sorted_operands(const GiNaC::ex& e) {
+std::vector<GiNaC::ex> SignedSpelling::sorted_operands(const GiNaC::ex& e) {
     std::vector<GiNaC::ex> operands(e.begin(), e.end());
     std::sort(operands.begin(), operands.end(),
               [this](const GiNaC::ex& a, const GiNaC::ex& b) { return of(a).text < of(b).text; });
     return operands;
 }
 
-Spelling::Form Spelling::form(const GiNaC::ex& e) {
+SignedSpelling::Form SignedSpelling::form(const GiNaC::ex& e) {
     if (GiNaC::is_a<GiNaC::numeric>(e)) {
         const bool negative = GiNaC::ex_to<GiNaC::numeric>(e).is_negative();
         return {negative, text_of(negative ? GiNaC::ex(-e) : e)};
@@ -61,7 +61,7 @@ Spelling::Form Spelling::form(const GiNaC::ex& e) {
     return {false, text + ")"};
 }
 
-Spelling::Form Spelling::of_sum(const GiNaC::ex& e) {
+SignedSpelling::Form SignedSpelling::of_sum(const GiNaC::ex& e) {
     const std::vector<GiNaC::ex> terms = sorted_operands(e);
     Form result{of(terms.front()).negative, "(+"};
     for (const GiNaC::ex& term : terms)
@@ -71,7 +71,7 @@ Spelling::Form Spelling::of_sum(const GiNaC::ex& e) {
 }
 
 // -1 is but a sign, and -x is spelled as x is.
-Spelling::Form Spelling::of_product(const GiNaC::ex& e) {
+SignedSpelling::Form SignedSpelling::of_product(const GiNaC::ex& e) {
     Form result;
     std::vector<std::string> factors;
     for (const GiNaC::ex& factor : sorted_operands(e)) {
@@ -85,7 +85,7 @@ Spelling::Form Spelling::of_product(const GiNaC::ex& e) {
     return result;
 }
 
-Spelling::Form Spelling::of_power(const GiNaC::ex& e) {
+SignedSpelling::Form SignedSpelling::of_power(const GiNaC::ex& e) {
     const std::string exponent = " " + with_sign(e.op(1)) + ")";
     if (!is_whole(e.op(1))) return {false, "(^ " + with_sign(e.op(0)) + exponent};
     return {is_odd_integer(e.op(1)) && of(e.op(0)).negative, "(^ " + of(e.op(0)).text + exponent};

@@ -13,11 +13,11 @@
 
 namespace resonform {
 
-class Spelling {
+class SignedSpelling {
 public:
     // name: what a symbol is spelled by; names alone need not differ.
     using Name = std::function<std::string(const GiNaC::symbol&)>;
-    explicit Spelling(Name name) : name_(std::move(name)) {}
+    explicit SignedSpelling(Name name) : name_(std::move(name)) {}
 
     struct Form {
         bool negative = false;

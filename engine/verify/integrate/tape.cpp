@@ -40,6 +40,11 @@ std::string Tape::text() const {
     return out;
 }
 
+bool has_two_results(Tape::Op op) {
+    using Op = Tape::Op;
+    return op == Op::sin_cos || op == Op::sinh_cosh || op == Op::tan_secant || op == Op::tanh_sech;
+}
+
 template <class Real> void run(const Tape::Instruction& step, Real* registers) {
     using Op = Tape::Op;
     using M = Math<Real>;

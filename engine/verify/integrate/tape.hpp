@@ -95,6 +95,9 @@ private:
     std::vector<Data> data_;
 };
 
+// result and result + 1
+bool has_two_results(Tape::Op op);
+
 // Runs one step on values; defined for the four real types.
 template <class Real> void run(const Tape::Instruction& step, Real* registers);
 

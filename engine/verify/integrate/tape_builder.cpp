@@ -112,7 +112,7 @@ private:
     [[nodiscard]] std::string name_of(const GiNaC::symbol& s) const;
 
     Value lower(const GiNaC::ex& e);
-    // With its sign (Spelling::Form) taken out.
+    // With its sign (SignedSpelling::Form) taken out.
     Value lower_unsigned(const GiNaC::ex& e);
     Value lower_fresh(const GiNaC::ex& e, bool flipped);
     Value lower_sum(const GiNaC::ex& e, bool flipped);
@@ -129,7 +129,7 @@ private:
     int constants_ = 0, varying_ = 0;
     std::map<GiNaC::ex, Value, GiNaC::ex_is_less> known_;    // symbols, then everything lowered
     std::map<GiNaC::ex, Value, GiNaC::ex_is_less> unsigned_; // -e, of the e that are spelled as negative
-    Spelling spelling_{[this](const GiNaC::symbol& s) { return name_of(s); }};
+    SignedSpelling spelling_{[this](const GiNaC::symbol& s) { return name_of(s); }};
     std::map<std::string, Value> numbers_;
     std::map<std::tuple<Op, Value, Value, Function>, Value> steps_;
     std::map<std::pair<std::string, int>, Value> data_;

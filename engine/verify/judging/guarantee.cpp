@@ -128,7 +128,7 @@ private:
     const Scene& scene_;
     const Solution& solution_;
     const Derive& derive_;
-    Formula formula_;
+    TruncatedFormula formula_;
     std::shared_ptr<const System> fixed_;
 };
 

@@ -27,7 +27,7 @@ struct Lie {
 struct Lies {
     double threshold = 0; // ulp, of emitted = exact
     std::vector<Lie> all;
-    // The code in which lies are planted does not pass without a lie: nothing follows from what is caught.
+    // The code fails its check even before a lie is planted, so that being caught proves nothing.
     bool honest_fails = false;
 
     // What is caught by nothing is below the threshold, or a survivor: its effect is more than twice that.
@@ -45,8 +45,9 @@ std::vector<Lie> lies_in_formulas(const Normalization& normalization);
 // effect is that at the points of the check.
 void lies_in_emitted(const Scene& scene, const Solution& solution, const VerifyOptions& options, Lies& lies);
 
-// In every coefficient of the solution that an output or what it is made of has, with the other sign; for the
-// ladder, interpreted, which ends with the first rung that makes an output fail.
+// Changes the sign of each coefficient in the solution: in its outputs and in the rates and quadratures
+// behind them. The ladder is asked, with interpreted code, and stops at the first rung at which an output
+// fails.
 void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, const Scene& scene,
                       const Solution& solution, const VerifyOptions& options, Lies& lies);
 

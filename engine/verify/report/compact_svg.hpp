@@ -10,7 +10,7 @@ namespace resonform {
 // anyway are taken out; what all texts and lines share moves to the root. It looks the same.
 std::string compact_svg(std::string svg);
 
-// Every occurrence, from left to right; what is put in is not looked at.
+// Replaces each occurrence of `from`. Text that was put in is not searched again.
 void replace_all(std::string& text, const std::string& from, const std::string& to);
 
 } // namespace resonform

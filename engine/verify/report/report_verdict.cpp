@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/number.hpp"
+#include "verify/comparison/break_even.hpp"
 #include "verify/report/page.hpp"
 #include "verify/report/sections.hpp"
 
@@ -67,14 +68,6 @@ Statement of_emitted(const EmittedCheck& check) {
                         "scale; {} are "
                         "allowed",
                         short_number(check.worst()), short_number(check.threshold))};
-}
-
-// The fastest that reaches the accuracy of the emitted code.
-const RivalAtEqualAccuracy* best_rival(const BreakEven& even) {
-    const RivalAtEqualAccuracy* best = nullptr;
-    for (const RivalAtEqualAccuracy& rival : even.rivals)
-        if (rival.seconds && (best == nullptr || *rival.seconds < *best->seconds)) best = &rival;
-    return best;
 }
 
 Statement of_task(const BreakEven& even, const Rational& eps) {

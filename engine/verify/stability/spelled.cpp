@@ -3,6 +3,7 @@
 
 #include "algebra/number/number.hpp"
 #include "emit/display/quantity.hpp"
+#include "emit/graph/graph.hpp"
 
 #include <fmt/format.h>
 
@@ -35,20 +36,6 @@ Phrase named_symbol(const std::string& name) {
     if (name == "slow time") return {"T", Binding::atom};
     if (kind == "start" || kind == "flow" || kind == "table") return {rest, Binding::atom};
     return {kind + "(" + rest + ")", Binding::atom};
-}
-
-std::string function_word(Graph::Op op) {
-    switch (op) {
-    case Graph::Op::sin: return "sin";
-    case Graph::Op::cos: return "cos";
-    case Graph::Op::log: return "log";
-    case Graph::Op::exp: return "exp";
-    case Graph::Op::asinh: return "asinh";
-    case Graph::Op::sinh: return "sinh";
-    case Graph::Op::erf: return "erf";
-    case Graph::Op::atan2: return "atan2";
-    default: return "hypot";
-    }
 }
 
 class Speller {
@@ -84,7 +71,7 @@ public:
                     Binding::power};
         case Graph::Op::spline: return call(e.data->name + std::string(primes(e), '\''), e, below - 1);
         case Graph::Op::callable: return call(e.name + std::string(primes(e), '\''), e, below - 1);
-        default: return call(function_word(e.op), e, below - 1);
+        default: return call(function_name(e.op), e, below - 1);
         }
     }
 
