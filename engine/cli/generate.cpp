@@ -63,10 +63,13 @@ int run_generate(const GenerateRequest& request) {
             {"operations_before", to_json(program.before)},
             {"operations_after", to_json(program.after)},
             {"form", program.form()},
-            {"operations_by_form", {{"tables", nullptr}, {"direct", program.operations_by_form.direct}}},
+            {"operations_by_form",
+             {{"tables", nullptr}, {"atoms", nullptr}, {"direct", program.operations_by_form.direct}}},
             {"bytes", header.size()}};
         if (const auto tables = program.operations_by_form.tables)
             document["operations_by_form"]["tables"] = *tables;
+        if (const auto atoms = program.operations_by_form.atoms)
+            document["operations_by_form"]["atoms"] = *atoms;
         if (request.output.empty())
             document["header"] = header;
         else

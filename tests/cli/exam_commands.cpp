@@ -162,6 +162,11 @@ TEST(Commands, ASceneChoosesTheFormOfManyPoints) {
     EXPECT_EQ(direct["header"].get<std::string>().find("struct Rows"), std::string::npos);
     EXPECT_NE(direct["header"].get<std::string>().find("one by one): as the scene wants it"),
               std::string::npos);
+    const Scratch other;
+    const Json atoms = json_of("resonform generate " + scene_with(other, "form = \"atoms\""));
+    EXPECT_EQ(atoms["form"], "atoms");
+    EXPECT_EQ(atoms["operations_by_form"], tables["operations_by_form"]);
+    EXPECT_NE(atoms["header"].get<std::string>().find("Kind::multiply_add"), std::string::npos);
 }
 
 TEST(Commands, AnUnknownFormIsNamed) {

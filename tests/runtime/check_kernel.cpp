@@ -138,10 +138,30 @@ TEST_P(Kernel, IsGoodToFourUnitsAndTheSameInAnyOrder) {
 
 TEST_P(Kernel, WhatDecaysKeepsItsDigitsUntilItIsGone) {
     for (const double eps : {0.5, 0.1, 1e-2, 1e-3, 1e-6}) agrees<Layers>(eps);
+    for (const double eps : {0.5, 0.1, 1e-2, 1e-3, 1e-6}) agrees<Atoms>(eps);
     grid_agrees<Layers>(1e-2, 0, 1e-4, 1000001);
     grid_agrees<Layers>(1e-2, 99, -1e-3, 98000);
     grid_agrees<Layers>(1e-3, 0, 0.37, 2000);
     grid_agrees<Layers>(0.5, 0, 1e-5, 100000);
+}
+
+TEST_P(Kernel, OutputsOfAtomsAreTheSameAloneAndOnGrids) {
+    kernel::Tables tables;
+    ASSERT_EQ(tables.build(Atoms<double>(1e-2)), Status::ok);
+    EXPECT_EQ(tables.view().rows, 2U); // the third is 0
+    const auto t = times_of(tables.view(), 300);
+    Outputs all(4, t.size());
+    kernel::loops().batch(tables.view(), t.data(), t.size(), all.to.data(), nullptr, nullptr);
+    for (std::size_t o = 0; o < 4; ++o) {
+        Outputs alone(4, t.size());
+        std::array<double*, 4> to{};
+        to[o] = alone.to[o];
+        kernel::loops().batch(tables.view(), t.data(), t.size(), to.data(), nullptr, nullptr);
+        for (std::size_t i = 0; i < t.size(); ++i)
+            ASSERT_TRUE(same_bits(alone.values[o][i], all.values[o][i])) << o << ' ' << t[i];
+    }
+    grid_agrees<Atoms>(1e-2, 0, 1e-4, 1000001);
+    grid_agrees<Atoms>(1e-3, 0, 0.37, 2000);
 }
 
 TEST_P(Kernel, PhasesOfTenToTheTwelfthCostNoDigits) {

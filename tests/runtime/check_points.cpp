@@ -4,6 +4,7 @@
 #include "generated/henon_heiles/third_order.hpp"
 #include "generated/nonholonomic_particle/uniform_rise.hpp"
 #include "generated/spring_pendulum/exchange.hpp"
+#include "generated/three_oscillators_chain/third_order.hpp"
 #include "runtime/batch.hpp"
 
 #include <gtest/gtest.h>
@@ -50,6 +51,9 @@ struct HenonHeiles { // one phase, a slow flow
 };
 struct Spring { // two phases, a slow flow
     template <class Real> using Evaluator = generated::spring_pendulum::exchange::Evaluator<Real>;
+};
+struct Chain { // three phases, from atoms
+    template <class Real> using Evaluator = generated::three_oscillators_chain::third_order::Evaluator<Real>;
 };
 struct Rise { // z begins with 0
     template <class Real> using Evaluator = generated::nonholonomic_particle::uniform_rise::Evaluator<Real>;
@@ -110,7 +114,7 @@ protected:
     }
 };
 
-using Scenes = ::testing::Types<Pendulum, HenonHeiles, Spring, Rise>;
+using Scenes = ::testing::Types<Pendulum, HenonHeiles, Spring, Chain, Rise>;
 TYPED_TEST_SUITE(ManyPoints, Scenes);
 
 std::vector<double> random_times(double end, std::size_t n) {

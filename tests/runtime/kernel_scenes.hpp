@@ -185,6 +185,54 @@ template <class Real> struct Layers {
     }
 };
 
+// Outputs made of atoms and turned modes by every kind of operation: an angle and an exponent, slots 0, 1 and
+// 2; atoms 4 ... 6, one of which is 0 and one of which passes 0.
+template <class Real> struct Atoms {
+    static constexpr std::size_t phases = 2, decays = 1, outputs = 4;
+    static constexpr std::array<Term<2>, 3> terms{{{0}, {1}, {2}}};
+    using Kind = kernel::Kind;
+    static constexpr std::array<kernel::Operation, 14> operations{
+        {{Kind::product, 7, 0, 1},                   // cos sin
+         {Kind::scaled_add, 8, 0, 7, 4},             // s + k0 cos sin
+         {Kind::multiply_add, 8, 5, 0, 8},           // ... + m cos
+         {Kind::difference, 9, 0, 1},                // cos - sin
+         {Kind::multiply_subtract, 9, 4, 7, 9},      // ... - s cos sin
+         {Kind::shifted, 9, 1, 9},                   // ... + k1
+         {Kind::sum, 10, 2, 6},                      // e^chi + 0
+         {Kind::scaled, 11, 0, 2},                   // k0 e^chi
+         {Kind::scaled_subtract, 11, 1, 0, 11},      // ... - k1 cos
+         {Kind::sum, 12, 11, 6},                     //
+         {Kind::constant, 7, 1},                     // k1, in a place that is used again
+         {Kind::sum, 12, 12, 7},                     // ... + k1
+         {Kind::product, 13, 5, 5},                  // m^2
+         {Kind::multiply_subtract, 12, 13, 1, 12}}}; // ... - m^2 sin
+    static constexpr std::array<unsigned short, 4> results{8, 9, 10, 12};
+    static constexpr int turns = 2, fades = 1;
+    Real eps, end;
+    double reach;
+
+    explicit Atoms(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
+    std::array<Real, 3> amplitudes(const Real& T) const {
+        return {Real(2) + T * T, T - Real(1) / Real(3), Real(0)};
+    }
+    std::array<Real, 2> constants() const { return {Real(3) / Real(2), Real(7)}; }
+    std::array<Fifty, 4> outputs_of(const std::array<Fifty, 3>& a, const std::array<Fifty, 2>& theta) const {
+        const Fifty c = cos(theta[0]), s = sin(theta[0]), e = exp(theta[1]), k = Fifty(3) / 2;
+        return {a[0] + k * c * s + a[1] * c, c - s - a[0] * c * s + 7, e,
+                k * e - 7 * c + 7 - a[1] * a[1] * s};
+    }
+    std::array<double, 4> scale_at(const Fifty& t) const {
+        return {4, 12, static_cast<double>(exp(-3 * t)), 16};
+    }
+    template <class Wide> PhasesOf<Wide, Atoms> rates() const {
+        return {*this, {Wide(1) / Wide(4), Wide(0)}};
+    }
+    template <class Wide> std::array<Wide, 2> rate(const Wide& T) const {
+        const Wide per = Wide(1) / Wide(eps);
+        return {per * (Wide(1) + T / (Wide(5) + T)), -Wide(3) * per};
+    }
+};
+
 // No phase at all.
 template <class Real> struct Mean {
     static constexpr std::size_t phases = 0, outputs = 1;
@@ -215,6 +263,7 @@ public:
             for (std::size_t p = 0; p < theta.size(); ++p)
                 theta[p] += scene_.template rates<Fifty>().start[p];
         }
+        if constexpr (requires { scene_.outputs_of(a, theta); }) return scene_.outputs_of(a, theta);
         std::array<Fifty, Scene<Fifty>::outputs> result{};
         for (std::size_t r = 0; r < a.size(); ++r) {
             const auto& term = Scene<Fifty>::terms[r];

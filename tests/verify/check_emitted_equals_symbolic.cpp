@@ -94,6 +94,20 @@ void expect_caught(const EmittedCheck& check) {
     EXPECT_GT(check.worst(), 2 * check.threshold);
 }
 
+// A quadrature, a slow flow, exponentials, an output that begins with 0.
+TEST(EmittedEqualsSymbolic, WhereManyPointsAreMadeOfAtoms) {
+    for (const auto& [system, name] :
+         {std::pair("almost_holonomic_pendulum", "third_order"), std::pair("henon_heiles", "third_order"),
+          std::pair("stiff_spring", "stiff"), std::pair("nonholonomic_particle", "uniform_rise")}) {
+        Scene scene = test::scene_of(system, name);
+        scene.form = EmitForm::atoms;
+        const Made m = made(std::move(scene));
+        ASSERT_STREQ(m.program.form(), "atoms");
+        const EmittedCheck check = checked(m);
+        EXPECT_EQ(check.verdict, Verdict::pass) << system << '\n' << to_text(check);
+    }
+}
+
 TEST(SlowEmittedEqualsSymbolic, HonestCodePassesClosedAndAsAFlow) {
     for (const Made& m : {stiffening(), made(test::scene_of("van_der_pol", "to_the_cycle")),
                           made(test::scene_of("driven_duffing", "forced_oscillation"))}) {

@@ -41,6 +41,7 @@ private:
     std::string points() const;
     std::string rows() const;
     std::string terms() const;
+    std::string recipe() const;
     std::string rates() const;
     std::string flow(std::size_t level) const;
     std::string layers() const;
@@ -134,7 +135,7 @@ std::string CppFrame::unless_faded(std::size_t phase) const {
 // What Points and Tabulated call.
 std::string CppFrame::points() const {
     std::string text = "    friend struct resonform::Points;\n    friend struct resonform::Ensemble;\n";
-    if (!plan_.rows.empty()) text += "    friend struct resonform::Tabulated;\n";
+    if (program_.has_tables()) text += "    friend struct resonform::Tabulated;\n";
     text += "\n" + cpp_call("at", "Values", "outputs", plan_.outputs);
     text += "    static void list(const Values& values, Real* numbers) noexcept {\n";
     for (std::size_t k = 0; k < plan_.outputs.size(); ++k)
@@ -142,14 +143,38 @@ std::string CppFrame::points() const {
     return text + "    }\n\n";
 }
 
-// "{0, resonform::kernel::Wave::cosine, {1}}," for each row
+// "{0, resonform::kernel::Wave::cosine, {1}}," for each row; an atom is an output of its own
 std::string CppFrame::terms() const {
     static constexpr std::array waves{"one", "cosine", "sine"};
     std::string text;
+    for (std::size_t k = 0; plan_.recipe && k < plan_.recipe->atoms.size(); ++k)
+        text += fmt::format("{}{{{}}},{}", k % 16 == 0 ? "            " : " ", k,
+                            k % 16 == 15 || k + 1 == plan_.recipe->atoms.size() ? "\n" : "");
     for (const ProgramRow& row : program_.rows)
         text += fmt::format("            {{{}, resonform::kernel::Wave::{}, {{{}}}}},\n", row.output,
                             waves[static_cast<std::size_t>(row.wave)], fmt::join(row.turns, ", "));
     return text;
+}
+
+// How the outputs are made of atoms.
+std::string CppFrame::recipe() const {
+    static constexpr std::array kinds{"product",           "scaled",     "sum",
+                                      "difference",        "shifted",    "multiply_add",
+                                      "multiply_subtract", "scaled_add", "scaled_subtract",
+                                      "constant"};
+    if (!plan_.recipe) return "";
+    const Recipe& recipe = *plan_.recipe;
+    std::string list;
+    for (const Recipe::Operation& o : recipe.operations)
+        list += fmt::format("            {{Kind::{}, {}, {}, {}, {}}},\n",
+                            kinds[static_cast<std::size_t>(o.kind)], o.to, o.a, o.b, o.c);
+    return filled(frames::recipe, {{"operations", std::to_string(recipe.operations.size())},
+                                   {"list", list},
+                                   {"outputs", std::to_string(recipe.results.size())},
+                                   {"results", fmt::format("{}", fmt::join(recipe.results, ", "))},
+                                   {"turns", std::to_string(recipe.turns)},
+                                   {"fades", std::to_string(recipe.fades)},
+                                   {"constants", std::to_string(recipe.constants.size())}});
 }
 
 std::string CppFrame::rates() const {
@@ -169,7 +194,7 @@ std::string CppFrame::rates() const {
 }
 
 std::string CppFrame::rows() const {
-    if (plan_.rows.empty()) return "";
+    if (!program_.has_tables()) return "";
     const auto decays = std::count_if(program_.phases.begin(), program_.phases.end(),
                                       [](const ProgramPhase& phase) { return phase.decays(); });
     return filled(
@@ -177,8 +202,11 @@ std::string CppFrame::rows() const {
         {{"phases", std::to_string(program_.phases.size())},
          {"decays", decays == 0 ? "" : fmt::format("decays = {}, ", decays)},
          {"outputs", std::to_string(plan_.outputs.size())},
-         {"rows", std::to_string(plan_.rows.size())},
+         {"rows", std::to_string(plan_.tabulated().size())},
          {"terms", terms()},
+         {"recipe", recipe()},
+         {"what", plan_.recipe ? "The outputs by operations on atoms and turned modes"
+                               : "The outputs as sums of rows: amplitudes times 1, cosines and sines"},
          {"tables", plan_.levels.empty() ? "" : fmt::format(", of.look_up_{}(T)", plan_.levels.size())},
          {"rates", rates()},
          {"rounded", plan_.rounded_phases() ? "true" : "false"}});
@@ -223,7 +251,7 @@ std::string CppFrame::layers() const {
 
 // For tables that are built later.
 std::string CppFrame::kept_arguments() const {
-    if (plan_.rows.empty()) return "";
+    if (!program_.has_tables()) return "";
     std::string text = "        eps_ = eps;\n";
     if (!program_.phases.empty()) text += "        parameters_ = parameters;\n        start_ = start;\n";
     return text;
@@ -292,7 +320,7 @@ std::string CppFrame::data_members() const {
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
         text += fmt::format("    resonform::{}<Real> {}_;\n", program_.phases[k].decays() ? "Decay" : "Phase",
                             plan_.phase_names[k]);
-    if (!plan_.rows.empty()) {
+    if (program_.has_tables()) {
         text += "    Real eps_{};\n";
         if (!program_.phases.empty()) text += "    Parameters parameters_;\n    Start start_;\n";
         text += "    resonform::SharedTables shared_;\n";

@@ -35,10 +35,15 @@ std::string in_comment(const std::string& text) {
 
 // How batch and grid compute them.
 std::string many_points(const Program& program) {
-    const auto& [tables, direct] = program.operations_by_form;
-    std::string text =
-        program.rows.empty() ? "one by one" : fmt::format("from tables of {} rows", program.rows.size());
-    if (tables) text += fmt::format(" ({} operations, {} one by one)", *tables, direct);
+    const auto& [tables, atoms, direct] = program.operations_by_form;
+    std::string text = program.from_atoms     ? "from tabulated atoms"
+                       : program.rows.empty() ? "one by one"
+                                              : fmt::format("from tables of {} rows", program.rows.size());
+    std::vector<std::string> counts;
+    if (tables)
+        counts.push_back(fmt::format("{} operations{}", *tables, program.from_atoms ? " from rows" : ""));
+    if (atoms) counts.push_back(fmt::format("{} from atoms", *atoms));
+    if (!counts.empty()) text += fmt::format(" ({}, {} one by one)", fmt::join(counts, ", "), direct);
     return text + (program.form_reason.empty() ? "" : ": " + program.form_reason);
 }
 
@@ -73,11 +78,11 @@ void add_headers(const Program& program, std::set<std::string>& names) {
     add(!program.flow.empty(), "flow");
     add(!program.layers.empty(), "layer");
     add(!std::all_of(phases.begin(), phases.end(), decay), "phase");
-    add(program.rows.empty(), "points");
+    add(!program.has_tables(), "points");
     add(plan.uses_scaled(), "scaled");
     add(!cpp_data_tables(program).empty(), "spline");
     add(!program.tables.empty(), "table");
-    add(!program.rows.empty(), "tabulated");
+    add(program.has_tables(), "tabulated");
 }
 
 // The includes of the runtime, or the whole runtime as text.
@@ -129,7 +134,7 @@ std::string emit_cpp(const Program& program, const CppOptions& options) {
 
 // Several are loaded at run time, and what has the same name in two orders of a scene would be shared.
 std::string emit_library(const Program& program, std::string_view types, CppLies* lies) {
-    const bool tabulated = !program.rows.empty();
+    const bool tabulated = program.has_tables();
     return banner(program) + (tabulated ? std::string(frames::library_loops) : "") + includes(program, {}) +
            std::string(lies == nullptr ? "" : frames::lies) + body(program, {}, true, lies) +
            cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator", types);

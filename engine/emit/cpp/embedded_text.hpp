@@ -17,7 +17,7 @@ const std::vector<std::string_view>& runtime_texts();
 namespace frames {
 extern const std::string_view at_end, batch, by_tables, call, called, called_members, constructors, course,
     ensemble, errors, estimates, fields, further, lies, library, library_end, library_ensemble, library_loops,
-    library_many, library_names, library_state, look_up, rates, rows, shorten, why, widened;
+    library_many, library_names, library_state, look_up, rates, recipe, rows, shorten, why, widened;
 } // namespace frames
 
 std::string filled(std::string_view frame,

@@ -164,7 +164,7 @@ std::string CppInterface::default_slow_time_end() {
 
 std::string CppInterface::batch() const {
     const std::vector<std::string> names = plan_.output_arrays();
-    const char* prepare = plan_.rows.empty()
+    const char* prepare = !program_.has_tables()
                               ? "        return cause_.status;\n"
                               : "        if (cause_.status != Status::ok) return cause_.status;\n"
                                 "        if constexpr (std::is_same_v<Real, double>)\n"
@@ -173,7 +173,7 @@ std::string CppInterface::batch() const {
                                 "        return Status::ok;\n";
     return filled(frames::batch, {{"arrays", fmt::format("Real* {}", fmt::join(names, ", Real* "))},
                                   {"names", fmt::format("{}", fmt::join(names, ", "))},
-                                  {"Points", plan_.rows.empty() ? "Points" : "Tabulated"},
+                                  {"Points", program_.has_tables() ? "Tabulated" : "Points"},
                                   {"prepare", prepare}});
 }
 

@@ -185,6 +185,11 @@ void CppPlan::lower_results() {
     state = results(program->state);
     for (const ProgramData& data : program->data) data_arguments.push_back(code.lower(data.argument));
     for (const ProgramRow& row : program->rows) rows.push_back({&row, code.lower(row.amplitude)});
+    if (program->from_atoms) {
+        std::vector<Value> values;
+        for (const CppResult& output : outputs) values.push_back(output.value);
+        recipe = recipe_of(*program, code, values);
+    }
     for (const ProgramCondition& condition : program->positive) {
         const Value v = code.lower(condition.value);
         (code.at(v).varying ? varying_conditions : constant_conditions).push_back({v, condition.quantity});
@@ -212,8 +217,16 @@ std::vector<Value> CppPlan::roots() const {
         for (const CppCondition& condition : *conditions) all.push_back(condition.value);
     for (const std::vector<CppResult>* results : {&outputs, &state})
         for (const CppResult& result : *results) all.push_back(result.value);
-    for (const CppRow& row : rows) all.push_back(row.amplitude);
+    for (const Value v : tabulated()) all.push_back(v);
+    if (recipe) all.insert(all.end(), recipe->constants.begin(), recipe->constants.end());
     return all;
+}
+
+std::vector<Value> CppPlan::tabulated() const {
+    if (recipe) return recipe->atoms;
+    std::vector<Value> values;
+    for (const CppRow& row : rows) values.push_back(row.amplitude);
+    return values;
 }
 
 // Constants that varying values use, and results that are constant; small integers are written in place.

@@ -6,7 +6,7 @@
 #include "emit/cpp/constant_range.hpp"
 #include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
-#include "emit/program/straight_line.hpp"
+#include "emit/program/recipe.hpp"
 
 #include <map>
 #include <string>
@@ -67,7 +67,8 @@ struct CppPlan {
     std::optional<std::size_t> loses_digits;                  // the first phase with a growth or precision
     std::vector<CppResult> outputs, state;
     std::vector<StraightLine::Value> data_arguments; // of program.data
-    std::vector<CppRow> rows;                        // empty: many points are computed one by one
+    std::vector<CppRow> rows;                        // empty: outputs are not summed from them
+    std::optional<Recipe> recipe;                    // of many points from atoms
     std::vector<CppCondition> constant_conditions, varying_conditions;
     std::vector<CppCondition> layers; // of program.layers
     bool layers_use_flow = false, layers_are_broad = true;
@@ -87,6 +88,9 @@ struct CppPlan {
         Graph::Node value;
     };
     [[nodiscard]] std::vector<Column> columns() const;
+    // What is tabulated for many points: amplitudes of the rows, or atoms. Empty: they are computed one by
+    // one.
+    [[nodiscard]] std::vector<StraightLine::Value> tabulated() const;
     // Names of the arguments that outputs of many points are stored in.
     [[nodiscard]] std::vector<std::string> output_arrays() const;
     // The conditions at every time, as text; the output that may overflow, "" if there are several.

@@ -24,7 +24,7 @@ public:
         return constants() + kept_constants() + start_conditions() + cpp_data_edges(plan_) + flow_rates() +
                layers() + integrands() + phase_rates() + arguments() +
                evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state) +
-               passes() + amplitudes();
+               passes() + amplitudes() + recipe_constants();
     }
 
 private:
@@ -42,6 +42,7 @@ private:
     std::string passes();
     void know_call(CppFunction& function);
     std::string amplitudes();
+    std::string recipe_constants();
     void know_arguments(CppFunction& function);
     void know_members(CppFunction& function) const;
     void know_tables(CppFunction& function, const std::string& array);
@@ -340,20 +341,21 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
 }
 
 std::string CppStages::amplitudes() {
-    if (plan_.rows.empty()) return "";
+    const std::vector<Value> tabulated = plan_.tabulated();
+    if (!program_.has_tables()) return "";
     CppFunction function(plan_.code, "Number", "q", plan_.lies);
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
     know_tables(function, "tables");
     std::vector<Value> roots;
     for (const CppCondition& condition : plan_.varying_conditions) roots.push_back(condition.value);
-    for (const CppRow& row : plan_.rows) roots.push_back(row.amplitude);
+    roots.insert(roots.end(), tabulated.begin(), tabulated.end());
     function.compute(roots, false);
-    const std::string type = fmt::format("std::array<Number, {}>", plan_.rows.size());
+    const std::string type = fmt::format("std::array<Number, {}>", tabulated.size());
     std::vector<std::string> conditions, texts;
     for (const CppCondition& condition : plan_.varying_conditions)
         conditions.push_back(fmt::format("{} > Number(0)", function.text(condition.value)));
-    for (const CppRow& row : plan_.rows) texts.push_back("Number(" + function.text(row.amplitude) + ")");
+    for (const Value v : tabulated) texts.push_back("Number(" + function.text(v) + ")");
     CppFunction::Frame frame{"template <class Number> static",
                              type,
                              "amplitudes",
@@ -371,6 +373,24 @@ std::string CppStages::amplitudes() {
     }
     frame.last.push_back(fmt::format("return {{{}}};", fmt::join(texts, ", ")));
     return "    // Of the rows; NaN outside of the domain.\n" + function.print(frame) + "\n";
+}
+
+// Those that the operations of many points need.
+std::string CppStages::recipe_constants() {
+    if (!plan_.recipe) return "";
+    CppFunction function(plan_.code, "Real", "q", plan_.lies);
+    know_members(function);
+    function.compute(plan_.recipe->constants, false);
+    std::vector<std::string> texts;
+    for (const Value v : plan_.recipe->constants) texts.push_back("Real(" + function.text(v) + ")");
+    const std::string type = fmt::format("std::array<Real, {}>", texts.size());
+    return function.print({"static",
+                           type,
+                           "recipe_constants",
+                           {{"const Constants<Real>&", "c"}},
+                           {},
+                           {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}) +
+           "\n";
 }
 
 } // namespace

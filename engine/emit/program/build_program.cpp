@@ -6,7 +6,6 @@
 #include "emit/display/identifier.hpp"
 #include "emit/graph/lower.hpp"
 #include "emit/program/corrections.hpp"
-#include "emit/program/data.hpp"
 #include "emit/program/fixed_divisors.hpp"
 #include "emit/program/flow_program.hpp"
 #include "emit/program/harmonics.hpp"

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "emit/program/prune.hpp"
+#include "emit/program/recipe.hpp"
 
 #include <fmt/format.h>
 
@@ -62,10 +63,10 @@ std::set<std::vector<int>> harmonics_of(const Program& program) {
     return harmonics;
 }
 
-// Why there can be no tables, "" if there can. What compilers evaluate in headers (runtime/kernel/scene.hpp)
-// grows as the third power of the harmonics.
+// Why there can be no tables, "" if there can: those of the kernel (runtime/kernel/view.hpp) hold 256
+// harmonics, some of which lead to others.
 std::string too_large(const Program& program) {
-    constexpr std::size_t most_rows = 256, most_harmonics = 32, most_outputs = 16;
+    constexpr std::size_t most_rows = 1024, most_harmonics = 192, most_outputs = 16;
     const std::size_t rows = program.rows.size(), harmonics = harmonics_of(program).size();
     if (rows > most_rows || harmonics > most_harmonics)
         return fmt::format("{} rows of {} harmonics, more than {} or {}", rows, harmonics, most_rows,
@@ -92,6 +93,19 @@ int tabulated_operations(const Program& program) {
     const std::size_t harmonics = harmonics_of(program).size(), phases = program.phases.size();
     return static_cast<int>(row * program.rows.size() + phase * phases +
                             harmonic * (harmonics - std::min(harmonics, phases)));
+}
+
+// Each operation is read, and its numbers come from memory and go there.
+std::optional<int> operations_on_atoms(const Program& program) {
+    constexpr std::size_t atom = 9, phase = 60, operation = 3, most_outputs = 16;
+    if (program.rows.empty() || program.outputs.size() > most_outputs) return std::nullopt;
+    StraightLine code(program);
+    std::vector<StraightLine::Value> outputs;
+    for (const ProgramOutput& output : program.outputs) outputs.push_back(code.lower(output.value));
+    const std::optional<Recipe> recipe = recipe_of(program, code, outputs);
+    if (!recipe) return std::nullopt;
+    return static_cast<int>(atom * recipe->atoms.size() + operation * recipe->operations.size() +
+                            phase * program.phases.size());
 }
 
 } // namespace
@@ -125,16 +139,28 @@ void choose_form(Program& program, EmitForm wish, const Place& place) {
     const bool possible = !program.rows.empty();
     const std::string large = too_large(program);
     if (possible && large.empty()) counts.tables = tabulated_operations(program);
+    counts.atoms = operations_on_atoms(program);
     if (wish == EmitForm::tables && !counts.tables)
         refuse(Reason::size,
                {"a scene whose many points come from tables has rows for them, and not too many",
                 possible ? large : "none", "leave out emit.form, or some outputs", place});
-    constexpr int narrowest = 2; // numbers in a vector, of which tables make use
-    const bool cheaper = counts.tables && *counts.tables < narrowest * counts.direct;
-    const bool tables = wish == EmitForm::tables || (wish == EmitForm::automatic && cheaper);
+    if (wish == EmitForm::atoms && !counts.atoms)
+        refuse(Reason::size, {"a scene whose many points are made of atoms has outputs that are polynomials "
+                              "in what turns, and "
+                              "not too large ones",
+                              program.form_reason.empty() ? "others" : program.form_reason,
+                              "leave out emit.form, or some outputs", place});
+    // Operations that take as long as one of a call, with two numbers in a vector: there is no status or
+    // look-up for each point, and rows that do not matter at an eps are left out.
+    constexpr int of_tables = 5, of_atoms = 2;
+    const auto takes = [&](EmitForm form, const std::optional<int>& count, int as_long) {
+        return wish == form || (wish == EmitForm::automatic && count && *count < as_long * counts.direct);
+    };
+    const bool tables = takes(EmitForm::tables, counts.tables, of_tables);
+    program.from_atoms = !tables && takes(EmitForm::atoms, counts.atoms, of_atoms);
     if (wish != EmitForm::automatic)
         program.form_reason = "as the scene wants it";
-    else if (!large.empty())
+    else if (!large.empty() && !program.from_atoms)
         program.form_reason = large;
     if (!tables) program.rows.clear();
 }

@@ -11,8 +11,8 @@ namespace resonform {
 // or a sine counts as one look-up or one sincos each time.
 OperationCount count_written_out(const Program& program);
 
-// Sets operations_by_form and form_reason; where there are to be no tables, drops the rows. Precondition:
-// `after` is known. Errors (refused, at `place`): tables are asked for, and would be too large.
+// Sets operations_by_form, form_reason and from_atoms; where there are to be no sums of rows, drops the rows.
+// Precondition: `after` is known. Errors (refused, at `place`): a form is asked for that there cannot be.
 void choose_form(Program& program, EmitForm wish, const Place& place);
 
 } // namespace resonform

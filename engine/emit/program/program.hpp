@@ -92,9 +92,9 @@ struct OperationCount {
     int add = 0, multiply = 0, divide = 0, root = 0, sincos = 0, other = 0, tables = 0;
 };
 
-// Of a point among many; tables: nullopt, there can be none.
+// Of a point among many; nullopt: there can be no such form.
 struct OperationsByForm {
-    std::optional<int> tables;
+    std::optional<int> tables, atoms;
     int direct = 0;
 };
 
@@ -138,8 +138,12 @@ struct Program {
     // cheaper.
     std::string form_reason;
     OperationsByForm operations_by_form;
-    // How many points are computed: "tables" or "direct".
-    [[nodiscard]] const char* form() const { return rows.empty() ? "direct" : "tables"; }
+    bool from_atoms = false; // many points are made of atoms and turned modes (recipe.hpp): no rows then
+    // How many points are computed.
+    [[nodiscard]] const char* form() const {
+        return from_atoms ? "atoms" : rows.empty() ? "direct" : "tables";
+    }
+    [[nodiscard]] bool has_tables() const { return from_atoms || !rows.empty(); }
 };
 
 struct ProgramOptions {

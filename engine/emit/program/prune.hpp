@@ -24,4 +24,8 @@ bool varies(const Program& program, Graph::Node n);
 // declared start values do not need; inputs of these names stay.
 void prune(Program& program, const std::set<std::string>& kept_inputs);
 
+// Fills Program::data. Errors (refused): data stand at a slow variable whose motion is not even: nothing
+// knows beforehand when it passes their breakpoints.
+void find_data(Program& program);
+
 } // namespace resonform

@@ -47,10 +47,7 @@ StraightLine::Value StraightLine::lower(Graph::Node n) {
     Instruction i;
     Value value = -1;
     switch (e.op) {
-    case Graph::Op::rational:
-        i.number = e.value;
-        value = append(std::move(i));
-        break;
+    case Graph::Op::rational: value = number(e.value); break;
     case Graph::Op::symbol:
         i.op = Op::symbol;
         i.symbol = n;
@@ -92,7 +89,18 @@ StraightLine::Value StraightLine::add(const Graph::Entry& e) {
         else
             plus.push_back(lower(operand));
     }
+    return sum(std::move(plus), std::move(minus));
+}
+
+StraightLine::Value StraightLine::number(const Rational& value) {
+    Instruction i;
+    i.number = value;
+    return append(std::move(i));
+}
+
+StraightLine::Value StraightLine::sum(std::vector<Value> plus, std::vector<Value> minus) {
     gather_constants(plus, minus);
+    if (plus.size() == 1 && minus.empty()) return plus.front();
     Instruction i;
     i.op = Op::add;
     i.operands = plus;

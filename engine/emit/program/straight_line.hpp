@@ -38,6 +38,10 @@ public:
 
     // The value of a node; appends the missing instructions.
     Value lower(Graph::Node n);
+    // New values of those that are there.
+    Value number(const Rational& value);
+    Value product(std::vector<Value> factors);
+    Value sum(std::vector<Value> plus, std::vector<Value> minus);
 
     [[nodiscard]] const Instruction& at(Value v) const { return instructions_[static_cast<std::size_t>(v)]; }
     [[nodiscard]] std::size_t size() const { return instructions_.size(); }
@@ -54,7 +58,6 @@ private:
     Value add(const Graph::Entry& e);
     Value multiply(const Graph::Entry& e);
     Value chain(Value base, int exponent);
-    Value product(std::vector<Value> factors);
     std::vector<Value> root_powers(std::vector<Graph::Node>& factors);
     [[nodiscard]] RootPower root_power(Graph::Node n) const;
     void gather_constants(std::vector<Value>& plus, std::vector<Value>& minus);

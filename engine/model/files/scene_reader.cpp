@@ -102,10 +102,12 @@ void SceneReader::read_emit() {
     check_keys(*emit, {"form"});
     const TomlNode* form = emit->find("form");
     if (form == nullptr) return;
-    const std::map<std::string, EmitForm> words{
-        {"auto", EmitForm::automatic}, {"direct", EmitForm::direct}, {"tables", EmitForm::tables}};
-    scene_.form =
-        word_of(*form, "many points are computed from tables, direct, or as is cheaper: auto", words);
+    const std::map<std::string, EmitForm> words{{"auto", EmitForm::automatic},
+                                                {"atoms", EmitForm::atoms},
+                                                {"direct", EmitForm::direct},
+                                                {"tables", EmitForm::tables}};
+    scene_.form = word_of(
+        *form, "many points are computed from tables, from atoms, direct, or as is cheapest: auto", words);
     scene_.form_place = place_of(form->source);
 }
 

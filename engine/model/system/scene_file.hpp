@@ -19,7 +19,7 @@ enum class Verdict { pass, fail, undecided };
 const char* to_string(Verdict verdict);
 
 // How emitted code computes many points.
-enum class EmitForm { automatic, tables, direct };
+enum class EmitForm { automatic, tables, atoms, direct };
 
 // What becomes of modes that grow at eps = 0: they are followed, as long as they leave digits; or the start
 // is moved along the fibres onto the manifold on which there are none.

@@ -8,6 +8,9 @@
 // that decay no faster.) Panels are halved until the scale changes by less than a factor of 4. Where halving
 // does not help (a drift or a forced oscillation that begins with 0) the panel is weak: a table would lose
 // digits there and does not answer.
+//
+// An atom, of which outputs are made by sums and products, has its own size in the panel as its scale; what
+// must not change by more than a factor of 4 are the sums of the sizes of the terms of the outputs, then.
 #ifndef RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 #define RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 
@@ -16,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace resonform::kernel {
@@ -39,10 +43,12 @@ public:
     bool resolved = true;
     int deepest = 0;
 
-    // amplitudes(t), with the part that each row belongs to, part < Rows; lasts(a, b): part a as long as b
-    template <class Amplitudes, class Lasts>
+    // amplitudes(t), with the part that each row belongs to, part < Rows; lasts(a, b): part a as long as b;
+    // sizes(amplitudes): of the outputs that are made of atoms, or None
+    struct None {};
+    template <class Amplitudes, class Lasts, class Sizes>
     void fit(const Amplitudes& amplitudes, double root, const std::array<unsigned, Rows>& part,
-             const Lasts& lasts, int most) {
+             const Lasts& lasts, const Sizes& sizes, int most) {
         most_ = most;
         part_ = part;
         for (unsigned a = 0; a < Rows; ++a)
@@ -52,7 +58,7 @@ public:
             for (const unsigned a : parts_)
                 if (lasts(a, b)) slower_.back().push_back(a);
         }
-        divide(amplitudes, root, 0, 0, -1);
+        divide(amplitudes, sizes, root, 0, 0, -1);
         if (status == Status::ok) choose();
     }
 
@@ -125,8 +131,9 @@ private:
         double at(std::size_t j, std::size_t row) const { return c[j][row / group].at[row % group]; }
     };
 
-    template <class Amplitudes>
-    void divide(const Amplitudes& amplitudes, double root, int level, std::size_t index, double parent) {
+    template <class Amplitudes, class Sizes>
+    void divide(const Amplitudes& amplitudes, const Sizes& sizes, double root, int level, std::size_t index,
+                double parent) {
         const double width = std::ldexp(root, -level), left = width * static_cast<double>(index);
         Values& values = values_;
         for (std::size_t j = 0; j < nodes; ++j) {
@@ -141,7 +148,7 @@ private:
         }
         panels_.push_back({level, index, {}, {}, {}, false});
         Panel& p = panels_.back();
-        const bool even = set_scale(values, p);
+        const bool even = set_scale(values, sizes, p);
         if (status != Status::ok) return;
         if (!even && level >= weak_level) {
             p.weak = true;
@@ -172,12 +179,14 @@ private:
             return;
         }
         panels_.pop_back();
-        divide(amplitudes, root, level + 1, 2 * index, worst);
-        if (status == Status::ok && resolved) divide(amplitudes, root, level + 1, 2 * index + 1, worst);
+        divide(amplitudes, sizes, root, level + 1, 2 * index, worst);
+        if (status == Status::ok && resolved)
+            divide(amplitudes, sizes, root, level + 1, 2 * index + 1, worst);
     }
 
     // False: the scale of a part changes by more than a factor of 4.
-    bool set_scale(const Values& values, Panel& panel) {
+    template <class Sizes> bool set_scale(const Values& values, const Sizes& sizes, Panel& panel) {
+        if constexpr (!std::is_same_v<Sizes, None>) return set_sizes(values, sizes, panel);
         std::array<double, Rows> most{};
         for (std::size_t j = 0; j < nodes; ++j) {
             std::array<double, Rows> sum{};
@@ -195,6 +204,29 @@ private:
         for (const unsigned o : parts_) {
             if (!(most[o] < 1e300)) status = Status::overflow; // and so might the sums in the loops
             even = even && most[o] <= 4 * panel.scale[o];
+        }
+        return even;
+    }
+
+    // False: the size of an output changes by more than a factor of 4.
+    template <class Sizes> bool set_sizes(const Values& values, const Sizes& sizes, Panel& panel) {
+        bool even = true;
+        decltype(sizes(panel.base)) least{}, most{};
+        for (std::size_t j = 0; j < nodes; ++j) {
+            std::array<double, Rows> at{};
+            for (std::size_t r = 0; r < Rows; ++r) {
+                at[r] = std::abs(values[r / group][j].at[r % group]);
+                panel.scale[r] = std::max(panel.scale[r], at[r]);
+            }
+            const auto now = sizes(at);
+            for (std::size_t o = 0; o < now.size(); ++o) {
+                least[o] = j == 0 ? now[o] : std::min(least[o], now[o]);
+                most[o] = std::max(most[o], now[o]);
+            }
+        }
+        for (std::size_t o = 0; o < most.size(); ++o) {
+            if (!(most[o] < 1e300)) status = Status::overflow;
+            even = even && most[o] <= 4 * least[o];
         }
         return even;
     }

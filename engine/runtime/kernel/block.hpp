@@ -191,6 +191,52 @@ template <int N, int V, bool Low>
     }
 }
 
+template <int N, int V>
+[[gnu::always_inline]] inline void operate(const Operation& o, const double* constant, Factors<N, V>& g) {
+    using L = Lanes<N>;
+    const auto &a = g.at[o.a], &b = g.at[o.b], &c = g.at[o.c];
+    auto& to = g.at[o.to];
+    const double* k = constant + o.a;
+    switch (o.kind) {
+    case Kind::product: RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::product(a[i], b[i]); break;
+    case Kind::scaled:
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::product(L::all(*k), b[i]);
+        break;
+    case Kind::sum: RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = a[i] + b[i]; break;
+    case Kind::difference: RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = a[i] - b[i]; break;
+    case Kind::shifted: RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::all(*k) + b[i]; break;
+    case Kind::multiply_add:
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::multiply_add(a[i], b[i], c[i]);
+        break;
+    case Kind::multiply_subtract:
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::multiply_add(-a[i], b[i], c[i]);
+        break;
+    case Kind::scaled_add:
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::multiply_add(L::all(*k), b[i], c[i]);
+        break;
+    case Kind::scaled_subtract:
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::multiply_add(L::all(-*k), b[i], c[i]);
+        break;
+    case Kind::constant: RESONFORM_UNROLL for (int i = 0; i < V; ++i) to[i] = L::all(*k); break;
+    }
+}
+
+// The outputs as operations on atoms and turned modes.
+template <int N, int V>
+[[gnu::always_inline]] inline void operations(const View& w, const double* piece, const Place<N, V>& at,
+                                              Factors<N, V>& g, unsigned long long wanted, double* const* to,
+                                              std::size_t first) {
+    for (unsigned r = 0; r < w.rows; ++r)
+        if ((w.row[r].outputs & wanted) != 0)
+            polynomial<N, V>(piece + w.row[r].offset, group, w.row[r].degree, at.v, g.at[w.row[r].factor]);
+    for (unsigned k = 0; k < w.operations; ++k)
+        if ((w.operation[k].outputs & wanted) != 0) operate<N, V>(w.operation[k], w.constant, g);
+    for (unsigned o = 0; o < w.outputs; ++o)
+        if ((wanted >> o & 1) != 0)
+            RESONFORM_UNROLL for (int i = 0; i < V; ++i)
+                Lanes<N>::store(to[o] + first + i * N, g.at[w.output[o].first][i]);
+}
+
 // The outputs `wanted` (bits) of V*N points of one piece. faded: no exponential is left in it.
 template <int N, int V, bool Low>
 [[gnu::always_inline]] inline void block(const View& w, const double* piece, const double* t,
@@ -210,6 +256,7 @@ template <int N, int V, bool Low>
         const PhaseRow& p = w.phase[k];
         if (((faded ? p.lasting : p.outputs) & wanted) != 0) turn<N, V, Low>(w, p, piece, at, g);
     }
+    if (w.operation != nullptr) return operations<N, V>(w, piece, at, g, wanted, to, first);
     for (unsigned k = 0; k < w.steps; ++k)
         if (((faded ? w.step[k].lasting : w.step[k].outputs) & wanted) != 0) turn<N, V>(w.step[k], g);
     for (unsigned o = 0; o < w.outputs; ++o) {

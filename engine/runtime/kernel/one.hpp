@@ -17,6 +17,15 @@ inline Status one(const View& w, double t, double* values) noexcept {
         return status;
     }
     const double* piece = w.pieces + static_cast<std::size_t>(piece_of(w, t)) * w.stride;
+    if (w.operation != nullptr) {
+        const double times[] = {t, t};
+        double both[most_outputs][2];
+        double* to[most_outputs];
+        for (unsigned o = 0; o < most_outputs; ++o) to[o] = both[o];
+        block<2, 1, false>(w, piece, times, nullptr, ~0ULL, to, 0, false);
+        for (unsigned o = 0; o < w.outputs; ++o) values[o] = both[o][0];
+        return status;
+    }
     Place<2, 1> at;
     at.d[0] = Lanes<2>::all(t - piece[0]);
     at.v[0] = at.d[0] * Lanes<2>::all(w.to_local) - Lanes<2>::all(w.middle);

@@ -14,6 +14,14 @@
 //       std::array<Wide, phases> operator()(const Wide& T) const;        // dtheta/dT
 //   };
 //
+// Where the rows are atoms (runtime/kernel/view.hpp), each of them is an output of its own in `terms`, and
+// there are, too,
+//
+//       static constexpr std::array<Operation, P> operations;            // their `outputs` are found later
+//       static constexpr std::array<unsigned short, outputs> results;    // slots
+//       static constexpr int turns, fades;  // highest degrees in cosines and sines, and in exponentials
+//       std::array<double, K> constants() const;
+//
 // The last `decays` of the phases are exponents chi, and a term is A e^{d.chi} cos(k.theta), d >= 0: the last
 // of its k are d.
 #ifndef RESONFORM_RUNTIME_KERNEL_SCENE
@@ -43,6 +51,8 @@ template <class Scene> constexpr std::size_t decays_of() {
         return 0;
 }
 
+template <class Scene> inline constexpr bool has_atoms = requires { Scene::operations; };
+
 // Each harmonic as a sum or difference of two that come before it (their exponents add up); the first ones
 // are the phases themselves.
 template <std::size_t Phases, std::size_t Decays = 0> struct Harmonics {
@@ -57,21 +67,21 @@ template <std::size_t Phases, std::size_t Decays = 0> struct Harmonics {
     std::size_t count = 0;
     bool fits = true;
 
-    constexpr unsigned index(const std::array<int, Phases>& k) const {
-        for (std::size_t i = 0; i < count; ++i)
-            if (made[i].k == k) return static_cast<unsigned>(i);
+    [[nodiscard]] unsigned index(const std::array<int, Phases>& k) const {
+        for (std::size_t at = hash(k); place[at] != 0; at = (at + 1) % place.size())
+            if (made[place[at] - 1].k == k) return place[at] - 1U;
         return most;
     }
-    constexpr unsigned add(const std::array<int, Phases>& k) {
+    unsigned add(const std::array<int, Phases>& k) {
         if (const unsigned known = index(k); known < most) return known;
         for (std::size_t i = count; i-- > 0;) // one more product
-            for (std::size_t j = 0; j < count; ++j)
-                for (const int sign : {1, -1}) {
-                    bool same = true;
-                    for (std::size_t p = 0; p < Phases; ++p)
-                        same = same && made[i].k[p] + (p < angles ? sign : 1) * made[j].k[p] == k[p];
-                    if (same) return append(k, static_cast<unsigned>(i), static_cast<unsigned>(j), sign);
-                }
+            for (const int sign : {1, -1}) {
+                std::array<int, Phases> by{};
+                for (std::size_t p = 0; p < Phases; ++p)
+                    by[p] = (p < angles ? sign : 1) * (k[p] - made[i].k[p]);
+                if (const unsigned j = index(by); j < most)
+                    return append(k, static_cast<unsigned>(i), j, sign);
+            }
         std::array<int, Phases> half{}, rest = k; // by halves: few steps, small errors
         int sum = 0;
         for (const int n : k) sum += n < 0 ? -n : n;
@@ -94,22 +104,36 @@ template <std::size_t Phases, std::size_t Decays = 0> struct Harmonics {
         return append(k, i, j, sign);
     }
 
-private:
-    constexpr unsigned append(const std::array<int, Phases>& k, unsigned i, unsigned j, int sign) {
+    unsigned append(const std::array<int, Phases>& k, unsigned i, unsigned j, int sign) {
         if (count == most) {
             fits = false;
             return 0;
         }
         made[count] = {k, i, j, sign};
+        std::size_t at = hash(k);
+        while (place[at] != 0) at = (at + 1) % place.size();
+        place[at] = static_cast<unsigned short>(count + 1);
         return static_cast<unsigned>(count++);
     }
+
+private:
+    static std::size_t hash(const std::array<int, Phases>& k) {
+        std::size_t sum = 0;
+        for (const int n : k) sum = 131 * sum + static_cast<std::size_t>(n + 128);
+        return sum % (4 * most);
+    }
+    std::array<unsigned short, 4 * most> place{}; // by hash: 1 + the index, 0 where there is none
 };
 
-template <class Scene> constexpr auto harmonics_of() {
-    Harmonics<Scene::phases, decays_of<Scene>()> result;
+template <class Scene> using HarmonicsOf = Harmonics<Scene::phases, decays_of<Scene>()>;
+
+// When tables are built: what compilers may evaluate grows as the third power of their number.
+template <class Scene> HarmonicsOf<Scene> harmonics_of() {
+    HarmonicsOf<Scene> result;
     for (std::size_t p = 0; p < Scene::phases; ++p) {
-        result.made[p].k[p] = 1;
-        ++result.count;
+        std::array<int, Scene::phases> k{};
+        k[p] = 1;
+        result.append(k, 0, 0, 1);
     }
     for (int size = 1; size < 128; ++size) // the small ones first
         for (const auto& term : Scene::terms) {
@@ -119,8 +143,6 @@ template <class Scene> constexpr auto harmonics_of() {
         }
     return result;
 }
-
-template <class Scene> inline constexpr auto harmonics = harmonics_of<Scene>();
 
 } // namespace resonform::kernel
 

@@ -4,8 +4,9 @@
 #define RESONFORM_RUNTIME_KERNEL_TABLES
 
 #include "runtime/kernel/amplitude_rows.hpp"
+#include "runtime/kernel/atoms.hpp"
+#include "runtime/kernel/parts.hpp"
 #include "runtime/kernel/phase_rows.hpp"
-#include "runtime/kernel/scene.hpp"
 
 #include <new>
 
@@ -32,35 +33,6 @@ struct Options {
     double resolution = 0; // relative error of the rates, if it is more than that of their type
     bool ends = false;     // the scene must not be asked beyond its reach
 };
-
-template <class Scene> constexpr bool is_exponent(std::size_t phase) {
-    return phase >= Scene::phases - decays_of<Scene>();
-}
-
-enum class Part { fading, turning, mean };
-template <class Scene> constexpr Part part_of(const Term<Scene::phases>& term) {
-    for (std::size_t p = 0; p < Scene::phases; ++p)
-        if (is_exponent<Scene>(p) && term.k[p] != 0) return Part::fading;
-    return term.wave == Wave::one ? Part::mean : Part::turning;
-}
-
-// Whether row a belongs to the output of b and decays no faster.
-template <class Scene> constexpr bool lasts(unsigned a, unsigned b) {
-    bool so = Scene::terms[a].output == Scene::terms[b].output;
-    for (std::size_t p = 0; p < Scene::phases; ++p)
-        so = so && (!is_exponent<Scene>(p) || Scene::terms[a].k[p] <= Scene::terms[b].k[p]);
-    return so;
-}
-
-// Of each row what belongs to the same output and decays with the same exponential: the first such row.
-template <class Scene> constexpr auto parts_of() {
-    std::array<unsigned, Scene::terms.size()> parts{};
-    for (unsigned r = 0; r < parts.size(); ++r)
-        for (parts[r] = 0; parts[r] < r; ++parts[r]) {
-            if (lasts<Scene>(parts[r], r) && lasts<Scene>(r, parts[r])) break;
-        }
-    return parts;
-}
 
 class Tables {
 public:
@@ -93,13 +65,23 @@ private:
     // Pieces of [0, root]; answers up to `reach`.
     template <class Scene>
     Status construct(const Scene& scene, const Options& options, double root, double reach) {
-        if constexpr (!harmonics<Scene>.fits) return Status::outside_domain;
+        const auto made = harmonics_of<Scene>();
+        if (!made.fits) return Status::outside_domain;
         constexpr std::size_t count = Scene::terms.size();
         const double eps = scene.eps;
         view_.reach = reach;
         AmplitudeFit<count> rows;
-        rows.fit([&](double t) { return scene.amplitudes(eps * t); }, root, parts_of<Scene>(), lasts<Scene>,
-                 most_levels);
+        const auto fit = [&](const auto& sizes) {
+            rows.fit([&](double t) { return scene.amplitudes(eps * t); }, root, parts_of<Scene>(),
+                     lasts<Scene>, sizes, most_levels);
+        };
+        if constexpr (has_atoms<Scene>) {
+            fit(OutputSizes<Scene>(scene));
+            const auto constants = scene.constants();
+            constant_.assign(constants.begin(), constants.end());
+        } else {
+            fit(typename AmplitudeFit<count>::None{});
+        }
         if (rows.status != Status::ok) return rows.status;
         if (!rows.resolved) return Status::outside_domain;
         if constexpr (Scene::phases == 0) {
@@ -107,7 +89,7 @@ private:
             const double width = std::ldexp(root, -levels);
             set_pieces(levels, width);
             if (!keep_strong(rows, levels, width)) return Status::outside_domain;
-            lay_out<Scene>(rows, levels);
+            lay_out<Scene>(rows, made, levels);
             fill(rows, width);
             return Status::ok;
         } else {
@@ -116,13 +98,14 @@ private:
             for (const double rate : scene.template rates<double>()(0.5 * eps * reach))
                 turns = std::max(turns, std::abs(rate) * (eps * reach));
             if (turns < 1500 && math::digits < long double >> 60)
-                return with_phases<long double>(scene, options, rows, root);
-            return with_phases<Twice<double>>(scene, options, rows, root);
+                return with_phases<long double>(scene, options, rows, made, root);
+            return with_phases<Twice<double>>(scene, options, rows, made, root);
         }
     }
 
     template <class Wide, class Scene, class Rows>
-    Status with_phases(const Scene& scene, const Options& options, Rows& rows, double root) {
+    Status with_phases(const Scene& scene, const Options& options, Rows& rows, const HarmonicsOf<Scene>& made,
+                       double root) {
         const Wide per_quarter = Wide(2) / math::pi<Wide>(), eps(scene.eps);
         const auto rates = scene.template rates<Wide>();
         std::array<PhaseFit<Wide>, Scene::phases> fits;
@@ -160,7 +143,7 @@ private:
             phase_.push_back(shape(phases, p, Scene::phases, curved));
             phase_.back().exponent = fits[p].exponent;
         }
-        lay_out<Scene>(rows, levels);
+        lay_out<Scene>(rows, made, levels);
         fill(rows, width);
         fill_phases(phases);
         const double resolution = std::max(options.resolution, static_cast<double>(math::epsilon<Wide>()));
@@ -174,27 +157,32 @@ private:
             fastest[p] =
                 fits[p].steepest() / root /
                 static_cast<double>(fits[p].exponent ? 1 / ln_two<double>() : 2 / math::pi<double>());
-        set_periods<Scene>(fastest);
+        set_periods<Scene>(fastest, made);
         return Status::ok;
     }
 
     // By the largest sum of multiples, as if all phases were the fastest.
-    template <class Scene> void set_periods(const std::array<double, Scene::phases>& rates) {
-        constexpr const auto& made = harmonics<Scene>;
+    template <class Scene>
+    void set_periods(const std::array<double, Scene::phases>& rates, const HarmonicsOf<Scene>& made) {
         std::array<double, 2> fastest{}; // of angles and exponents
         for (std::size_t p = 0; p < Scene::phases; ++p) {
             double& most = fastest[is_exponent<Scene>(p) ? 1 : 0];
             most = std::max(most, rates[p]);
         }
         int lasting = 1, turns = 1, decays = 1;
-        for (std::size_t h = 0; h < made.count; ++h) {
-            std::array<int, 2> sum{}; // of angles and exponents
-            for (std::size_t p = 0; p < Scene::phases; ++p)
-                sum[is_exponent<Scene>(p) ? 1 : 0] += std::abs(made.made[h].k[p]);
-            if (lasting_[h] != 0) lasting = std::max(lasting, sum[0]);
-            if (needed_[h] == 0) continue;
-            turns = std::max(turns, sum[0]);
-            decays = std::max(decays, sum[1]);
+        if constexpr (has_atoms<Scene>) {
+            lasting = turns = std::max(1, Scene::turns);
+            decays = std::max(1, Scene::fades);
+        } else {
+            for (std::size_t h = 0; h < made.count; ++h) {
+                std::array<int, 2> sum{}; // of angles and exponents
+                for (std::size_t p = 0; p < Scene::phases; ++p)
+                    sum[is_exponent<Scene>(p) ? 1 : 0] += std::abs(made.made[h].k[p]);
+                if (lasting_[h] != 0) lasting = std::max(lasting, sum[0]);
+                if (needed_[h] == 0) continue;
+                turns = std::max(turns, sum[0]);
+                decays = std::max(decays, sum[1]);
+            }
         }
         const double turn = 2 * math::pi<double>();
         view_.shortest_period = turn / (fastest[0] * lasting);
@@ -242,10 +230,34 @@ private:
         return {0, degree, wide, static_cast<unsigned>(p), false, 0, 0};
     }
 
-    template <class Scene, class Rows> void lay_out(Rows& rows, int levels) {
-        rows.pieces(levels);
-        constexpr const auto& made = harmonics<Scene>;
+    template <class Scene, class Rows> void lay_out(Rows& rows, const HarmonicsOf<Scene>& made, int levels) {
         static_assert(Scene::outputs <= most_outputs);
+        lay_out_pieces(rows, levels);
+        if constexpr (has_atoms<Scene>)
+            lay_out_atoms<Scene>(rows);
+        else
+            lay_out_rows<Scene>(rows, made);
+        for (PhaseRow& p : phase_) {
+            p.outputs = needed_[p.harmonic];
+            p.lasting = lasting_[p.harmonic];
+        }
+        view_.phases = static_cast<unsigned>(phase_.size());
+        view_.steps = static_cast<unsigned>(step_.size());
+        view_.rows = static_cast<unsigned>(row_.size());
+        view_.outputs = static_cast<unsigned>(output_.size());
+        view_.groups = static_cast<unsigned>(groups_.size());
+        view_.operations = static_cast<unsigned>(operation_.size());
+        view_.phase = phase_.data();
+        view_.step = step_.data();
+        view_.row = row_.data();
+        view_.output = output_.data();
+        view_.groups_of_rows = groups_.data();
+        view_.operation = has_atoms<Scene> ? operation_.data() : nullptr;
+        view_.constant = constant_.data();
+    }
+
+    template <class Rows> void lay_out_pieces(Rows& rows, int levels) {
+        rows.pieces(levels);
         unsigned offset = 1;
         for (PhaseRow& p : phase_) {
             p.offset = offset;
@@ -257,6 +269,42 @@ private:
             offset += group * (groups_.back().degree + 1);
         }
         view_.stride = offset;
+    }
+
+    // The row of a place, without a factor.
+    template <class Rows> Row row_at(const Rows& rows, std::size_t place) const {
+        const Group& g = groups_[place / group];
+        Row row{0, rows.degree[place], no_factor, static_cast<unsigned>(place)};
+        row.offset = g.offset + (g.degree - row.degree) * group + static_cast<unsigned>(place % group);
+        return row;
+    }
+
+    // An atom that is 0 has no row, and its slot is set.
+    template <class Scene, class Rows> void lay_out_atoms(const Rows& rows) {
+        constexpr std::size_t first = 2 * Scene::phases;
+        std::vector<unsigned long long> slots;
+        operation_ = needed_operations<Scene>(slots);
+        std::vector<bool> kept(Scene::terms.size(), false);
+        for (std::size_t place = 0; place < rows.kept.size(); ++place) {
+            Row row = row_at(rows, place);
+            row.factor = static_cast<unsigned>(first + rows.kept[place]);
+            row.outputs = slots[row.factor];
+            row_.push_back(row);
+            kept[rows.kept[place]] = true;
+        }
+        const auto zero = static_cast<unsigned short>(constant_.size());
+        constant_.push_back(0);
+        for (std::size_t r = 0; r < kept.size(); ++r)
+            if (!kept[r])
+                operation_.insert(operation_.begin(), {Kind::constant, static_cast<unsigned short>(first + r),
+                                                       zero, 0, 0, slots[first + r]});
+        for (const unsigned short slot : Scene::results) output_.push_back({slot, 0, 0});
+        needed_.assign(Scene::phases, 0);
+        for (std::size_t p = 0; p < Scene::phases; ++p) needed_[p] = slots[2 * p] | slots[2 * p + 1];
+        lasting_ = needed_;
+    }
+
+    template <class Scene, class Rows> void lay_out_rows(const Rows& rows, const HarmonicsOf<Scene>& made) {
         needed_.assign(made.most, 0);
         lasting_.assign(made.most, 0);
         for (unsigned o = 0; o < Scene::outputs; ++o) {
@@ -267,10 +315,7 @@ private:
                     if (term.output != o || part_of<Scene>(term) != part) continue;
                     ++output.count;
                     if (part == Part::fading) ++output.fading;
-                    const Group& g = groups_[place / group];
-                    Row row{0, rows.degree[place], no_factor, static_cast<unsigned>(place)};
-                    row.offset =
-                        g.offset + (g.degree - row.degree) * group + static_cast<unsigned>(place % group);
+                    Row row = row_at(rows, place);
                     if (part != Part::mean) {
                         const unsigned h = made.index(term.k);
                         row.factor = 2 * h + (term.wave == Wave::sine ? 1 : 0);
@@ -294,20 +339,6 @@ private:
             step_.push_back({static_cast<unsigned>(h), m.from, m.by, static_cast<double>(m.sign), needed_[h],
                              lasting_[h]});
         }
-        for (PhaseRow& p : phase_) {
-            p.outputs = needed_[p.harmonic];
-            p.lasting = lasting_[p.harmonic];
-        }
-        view_.phases = static_cast<unsigned>(phase_.size());
-        view_.steps = static_cast<unsigned>(step_.size());
-        view_.rows = static_cast<unsigned>(row_.size());
-        view_.outputs = static_cast<unsigned>(output_.size());
-        view_.groups = static_cast<unsigned>(groups_.size());
-        view_.phase = phase_.data();
-        view_.step = step_.data();
-        view_.row = row_.data();
-        view_.output = output_.data();
-        view_.groups_of_rows = groups_.data();
     }
 
     template <class Rows> void fill(Rows& rows, double width) {
@@ -354,6 +385,8 @@ private:
     std::vector<Row> row_;
     std::vector<Output> output_;
     std::vector<Group> groups_;
+    std::vector<Operation> operation_;
+    std::vector<double> constant_;
     std::vector<unsigned long long> needed_, lasting_; // outputs, of each harmonic
 };
 
