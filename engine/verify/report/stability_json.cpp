@@ -57,6 +57,26 @@ Json histogram_json(const std::vector<UlpBin>& bins) {
     return all;
 }
 
+// outputs: in the order of the errors.
+Json decade_json(const Decade& decade,
+                 const std::vector<std::pair<std::string, std::vector<UlpBin>>>& outputs) {
+    Json ulp = Json::object();
+    for (std::size_t k = 0; k < decade.ulp.size(); ++k) ulp[outputs[k].first] = json_number(decade.ulp[k]);
+    return {{"from", decade.from()},
+            {"compared", decade.compared},
+            {"refused_by", Json(decade.refused_by)},
+            {"ulp", ulp}};
+}
+
+Json by_decade_json(const Stability& s) {
+    Json all = Json::object();
+    for (const InputByDecade& own : s.by_decade) {
+        Json& decades = all[own.input.name] = Json::array();
+        for (const Decade& decade : own.decades) decades.push_back(decade_json(decade, s.histogram));
+    }
+    return all;
+}
+
 } // namespace
 
 Json to_json(const Stability& s) {
@@ -83,7 +103,8 @@ Json to_json(const Stability& s) {
               {"refusals", refusals_json(s.refusals)},
               {"beyond_reference", s.beyond_reference},
               {"median_ulp", median},
-              {"histogram_ulp", histogram}};
+              {"histogram_ulp", histogram},
+              {"by_decade", by_decade_json(s)}};
     if (!s.reason.empty()) json["reason"] = s.reason;
     return json;
 }

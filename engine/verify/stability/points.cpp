@@ -237,17 +237,24 @@ std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs) {
     return inputs;
 }
 
-void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
+std::vector<double> as_swept(const SweepPoint& point, const std::vector<SweptInput>& inputs) {
     Inputs values{point.eps};
     values.insert(values.end(), point.parameters.begin(), point.parameters.end());
     values.insert(values.end(), point.distance.begin(), point.distance.end());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (inputs[i].weight != 0) values[i] /= std::pow(point.eps, to_double(inputs[i].weight));
+    return values;
+}
+
+void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
+    const std::vector<double> values = as_swept(point, swept);
     for (std::size_t i = 0; i < values.size(); ++i) {
         SweptInput& input = swept[i];
         if (values[i] == 0) {
             input.zero = true;
             continue;
         }
-        const double size = std::abs(values[i]) / std::pow(point.eps, to_double(input.weight));
+        const double size = std::abs(values[i]);
         input.low = std::min(input.low, size);
         input.high = std::max(input.high, size);
         if (values[i] < 0) input.negative = true;

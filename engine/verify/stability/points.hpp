@@ -58,6 +58,10 @@ std::vector<Real> with_parameters_of(const SweepPoint& at, const Program& progra
     return of_scene;
 }
 
+// The values of all inputs at a point as their ranges are given: signed, of start values the distance over
+// eps^weight.
+std::vector<double> as_swept(const SweepPoint& point, const std::vector<SweptInput>& inputs);
+
 // nothing_swept: the inputs with empty ranges; add() then widens `swept` by the values of a point.
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);
 void add(const SweepPoint& point, std::vector<SweptInput>& swept);

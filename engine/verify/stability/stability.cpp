@@ -133,6 +133,7 @@ private:
             return;
         }
         add(at, result_.swept);
+        add(at, answer, result_.by_decade);
         if (answer.status != Status::ok) {
             ++result_.refused;
             ++result_.refused_by[to_string(answer.status)];
@@ -222,6 +223,7 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
     result.reason = scene.verify.ulp_reason;
     result.inputs = swept_inputs(program, *scene.system);
     result.swept = nothing_swept(result.inputs);
+    result.by_decade = no_decades(result.inputs);
     const StabilityReference reference(program, solution, scene);
     const StabilityTrial trial(program, EvaluatorLibrary::build(program, options.cache, options.progress),
                                reference, result.threshold);

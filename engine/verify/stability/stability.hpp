@@ -4,6 +4,7 @@
 #pragma once
 
 #include "verify/judging/ladder.hpp"
+#include "verify/stability/by_decade.hpp"
 #include "verify/stability/lost_digits.hpp"
 #include "verify/stability/points.hpp"
 
@@ -65,6 +66,7 @@ struct Stability {
     std::vector<StabilityRefusals> refusals;       // the most frequent first
     std::vector<std::pair<std::string, double>> median;                 // per output, in ulp
     std::vector<std::pair<std::string, std::vector<UlpBin>>> histogram; // per output, from 0.5 ulp on
+    std::vector<InputByDecade> by_decade;                               // of `compared` and `refused`
 };
 
 struct StabilityOptions : VerifyOptions {

@@ -50,6 +50,24 @@ TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
     std::size_t counted = 0;
     for (const UlpBin& bin : bins) counted += bin.count;
     EXPECT_EQ(counted, s.compared);
+    ASSERT_EQ(s.by_decade.size(), s.inputs.size() + 1);
+    for (const InputByDecade& own : s.by_decade) {
+        std::size_t there = 0, answered = 0;
+        double largest = 0;
+        for (const Decade& d : own.decades) {
+            if (&d != &own.decades.front()) {
+                EXPECT_GT(d.from(), (&d - 1)->from()) << own.input.name;
+            }
+            there += d.compared;
+            for (const auto& [status, count] : d.refused_by) answered += count;
+            if (!d.ulp.empty()) largest = std::max(largest, d.ulp.front());
+        }
+        EXPECT_EQ(there, s.compared) << own.input.name;
+        EXPECT_EQ(answered, s.refused) << own.input.name;
+        EXPECT_EQ(largest, s.worst.front().ulp) << own.input.name;
+    }
+    EXPECT_EQ(s.by_decade.back().input.name, "t");
+    EXPECT_EQ(json["by_decade"]["theta_0"][0]["from"], 0);
     std::size_t refused = 0;
     for (const StabilityRefusals& r : s.refusals) {
         refused += r.count;
