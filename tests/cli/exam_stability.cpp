@@ -48,7 +48,7 @@ TEST_F(StabilityCommand, PassesAndSaysWhatItSwept) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     for (const char* part :
          {"edge / s: pass, double against 50 digits, threshold 16 ulp of the output's scale\n",
-          "  60 points (seed 2), ", "; 0 without an explanation (at most 10 %)",
+          "  60 points (seed 2), ", "; 0 without an explanation (at most 1 %)",
           "  a            1e-12 ... 1e+12 (24 of 24 decades)\n", " of 6 decades)\n"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
     EXPECT_EQ(json(0, "--seed 3")["seed"], 3);
@@ -98,7 +98,7 @@ TEST_F(StabilityCommand, NothingExplainsABadArgument) {
     EXPECT_EQ(found["verdict"], "fail");
     EXPECT_EQ(found["refused_by"]["bad_argument"], found["refused"]);
     EXPECT_EQ(found["unexplained"], found["refused"]);
-    EXPECT_EQ(found["rule"].get<std::string>().find("at most 10 % of the points have a status without an "),
+    EXPECT_EQ(found["rule"].get<std::string>().find("at most 1 % of the points have a status without an "),
               0U)
         << found["rule"];
 }

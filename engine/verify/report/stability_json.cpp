@@ -20,13 +20,17 @@ Json lost_json(const LostDigits& lost) {
             {"share", json_number(lost.share)}};
 }
 
-Json worst_json(const WorstPoint& w) {
+Json inputs_json(const NamedInputs& inputs) {
     Json at = Json::object();
-    for (const auto& [name, value] : w.at) at[name] = json_number(value);
+    for (const auto& [name, value] : inputs) at[name] = json_number(value);
+    return at;
+}
+
+Json worst_json(const WorstPoint& w) {
     Json json{{"output", w.output},
               {"ulp", json_number(w.ulp)},
               {"unavoidable_ulp", json_number(w.unavoidable)},
-              {"at", at}};
+              {"at", inputs_json(w.at)}};
     if (!w.sensitive_to.empty()) json["sensitive_to"] = w.sensitive_to;
     if (w.lost) json["lost"] = lost_json(*w.lost);
     return json;
@@ -41,13 +45,15 @@ Json ranges_json(const std::vector<SweptInput>& inputs) {
 
 Json refusals_json(const std::vector<StabilityRefusals>& refusals) {
     Json all = Json::array();
-    for (const StabilityRefusals& r : refusals)
+    for (const StabilityRefusals& r : refusals) {
         all.push_back({{"status", r.status},
                        {"why", r.why},
                        {"count", r.count},
                        {"unexplained", r.unexplained},
                        {"where", ranges_json(r.where)},
                        {"t", {json_number(r.first_t), json_number(r.last_t)}}});
+        if (!r.first.empty()) all.back()["first"] = inputs_json(r.first);
+    }
     return all;
 }
 

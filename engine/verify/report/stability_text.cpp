@@ -24,6 +24,13 @@ std::string line_of(const SweptInput& input, const SweptInput& whole) {
                               decades(whole), input.rests ? ", from its equilibrium" : "");
 }
 
+// " eps = 0.01 tau_0 = 2 t = 0"
+std::string text_of(const NamedInputs& at) {
+    std::string text;
+    for (const auto& [name, value] : at) text += fmt::format(" {} = {:.6g}", name, value);
+    return text;
+}
+
 // "outside_domain (1 - tau): 12, 3 without an explanation; a 1e-12 ... 3, t 0 ... 1e5"
 std::string line_of(const StabilityRefusals& refusals) {
     std::string text = fmt::format("  {}{}: {}", refusals.status,
@@ -32,7 +39,10 @@ std::string line_of(const StabilityRefusals& refusals) {
     text += ", at";
     for (const SweptInput& input : refusals.where)
         if (input.high > 0) text += fmt::format(" {} {:.3g} ... {:.3g},", input.name, input.low, input.high);
-    return text + fmt::format(" t {:.3g} ... {:.3g}\n", refusals.first_t, refusals.last_t);
+    text += fmt::format(" t {:.3g} ... {:.3g}\n", refusals.first_t, refusals.last_t);
+    if (refusals.unexplained > 0)
+        text += fmt::format("           without an explanation at{}\n", text_of(refusals.first));
+    return text;
 }
 
 // "psi: median 0.21 ulp; 180 to 0.5, 12 to 1, 3 to 2 ulp"
@@ -59,9 +69,7 @@ std::string text_of(const LostDigits& lost) {
 std::string text_of(const WorstPoint& w, double threshold) {
     std::string text = fmt::format("  {:<8} {:>9.3g} ulp", w.output, w.ulp);
     if (w.unavoidable > 0) text += fmt::format(" (a last bit of the inputs: {:.3g})", w.unavoidable);
-    text += " at";
-    for (const auto& [name, value] : w.at) text += fmt::format(" {} = {:.6g}", name, value);
-    text += "\n";
+    text += " at" + text_of(w.at) + "\n";
     if (w.lost) text += text_of(*w.lost);
     if (w.unavoidable > 0 && !w.is_wrong(threshold))
         text += fmt::format("           ill-conditioned, condition number {:.3g}, most of {}\n",

@@ -21,7 +21,7 @@ constexpr double default_eps = 0.01;
 constexpr double corner_probability = 0.4;
 constexpr int most_draws = 20, most_ways_out = 6;
 constexpr double edge_decades = 6;
-constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-3, largest_phase = 1e12;
+constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-12, largest_phase = 1e12;
 
 // All inputs as one vector: eps, parameters, start.
 using Inputs = std::vector<double>;

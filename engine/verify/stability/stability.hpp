@@ -17,6 +17,8 @@
 
 namespace resonform {
 
+using NamedInputs = std::vector<std::pair<std::string, double>>; // eps, parameters, start values, t
+
 struct WorstPoint {
     std::string output;
     double ulp = 0; // infinite: a number where the exact solution has none
@@ -24,8 +26,8 @@ struct WorstPoint {
     // too.
     double unavoidable = 0;
     std::string sensitive_to; // the input of which a last bit does most; "" where unavoidable is 0
-    std::vector<std::pair<std::string, double>> at; // eps, parameters, start values, t
-    std::optional<LostDigits> lost = {};            // of the worst of an output: which part of it loses them
+    NamedInputs at;
+    std::optional<LostDigits> lost = {}; // of the worst of an output: which part of it loses them
 
     // Above threshold (1 + unavoidable); no code could be required to do better.
     [[nodiscard]] bool is_wrong(double threshold) const;
@@ -37,6 +39,7 @@ struct StabilityRefusals {
     std::size_t count = 0, unexplained = 0;
     std::vector<SweptInput> where = {}; // the ranges of the inputs there
     double first_t = 0, last_t = 0;
+    NamedInputs first = {}; // of those without an explanation
 };
 
 // How many errors lie up to a power of two, and above the one before; the last one infinite where an
@@ -74,14 +77,14 @@ struct StabilityOptions : VerifyOptions {
     std::uint64_t seed = 2;
 };
 
-constexpr double unexplained_share = 0.1; // with more of the points there is something wrong
+constexpr double unexplained_share = 0.01; // with more of the points there is something wrong
 
 // Sweeps all inputs of the program, with [fix] values as free parameters. Verdict: fail, where
-// a threshold (1 + unavoidable) is exceeded, or more than a tenth of the points have an unexplained status,
-// due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the map
-// does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth
-// of them are compared, or fewer than lie beyond the reference, or an input was driven over less than half
-// of the decades open to it. Errors: those of bounded_interval_length at the smallest eps of the ladder.
+// a threshold (1 + unavoidable) is exceeded, or more than a hundredth of the points have an unexplained
+// status, due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the
+// map does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth of
+// them are compared, or fewer than lie beyond the reference, or an input was driven over less than half of
+// the decades open to it. Errors: those of bounded_interval_length at the smallest eps of the ladder.
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options);
 
 std::string to_text(const Stability& stability);
