@@ -89,6 +89,8 @@ Json to_json(const Stability& s) {
     Json worst = Json::array(), median = Json::object(), refused = Json::object(), histogram = Json::object();
     for (const WorstPoint& w : s.worst) worst.push_back(worst_json(w));
     for (const auto& [name, ulp] : s.median) median[name] = json_number(ulp);
+    Json not_judged = Json::object();
+    for (const auto& [name, ulp] : s.not_judged_ulp) not_judged[name] = json_number(ulp);
     for (const auto& [name, bins] : s.histogram) histogram[name] = histogram_json(bins);
     for (const auto& [status, count] : s.refused_by) refused[status] = count;
     Json json{{"schema", "resonform.stability/1"},
@@ -108,6 +110,9 @@ Json to_json(const Stability& s) {
               {"refused_by", refused},
               {"refusals", refusals_json(s.refusals)},
               {"beyond_reference", s.beyond_reference},
+              {"not_judged", s.not_judged},
+              {"not_judged_ulp", not_judged},
+              {"not_judged_refused_by", Json(s.not_judged_refused_by)},
               {"median_ulp", median},
               {"histogram_ulp", histogram},
               {"by_decade", by_decade_json(s)}};

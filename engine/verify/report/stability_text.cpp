@@ -77,6 +77,22 @@ std::string text_of(const WorstPoint& w, double threshold) {
     return text;
 }
 
+std::string line_of_not_judged(const Stability& s) {
+    std::string text =
+        fmt::format("  {} far beyond (phases above {:g}, slow variables at {:g}), without a verdict",
+                    s.not_judged, judged_phase, extreme_slow);
+    const char* before = ": ";
+    for (const auto& [output, ulp] : s.not_judged_ulp) {
+        text += fmt::format("{}{} is off by {:.3g} ulp at most", before, output, ulp);
+        before = ", ";
+    }
+    for (const auto& [status, count] : s.not_judged_refused_by) {
+        text += fmt::format("{}{} {}", before, count, status);
+        before = ", ";
+    }
+    return text + "\n";
+}
+
 } // namespace
 
 std::string to_text(const Stability& s) {
@@ -88,6 +104,7 @@ std::string to_text(const Stability& s) {
     for (const auto& [status, count] : s.refused_by) text += fmt::format(", {} {}", count, status);
     text += fmt::format("; {} without an explanation (at most {:.0f} %), {} beyond the reference\n",
                         s.unexplained, 100 * unexplained_share, s.beyond_reference);
+    if (s.not_judged > 0) text += line_of_not_judged(s);
     if (!s.rule.empty()) text += fmt::format("  {}: {}\n", to_string(s.verdict), s.rule);
     text += "  swept, as far as the reference goes:\n";
     for (std::size_t i = 0; i < s.inputs.size(); ++i) text += line_of(s.swept[i], s.inputs[i]);

@@ -132,6 +132,10 @@ private:
             ++result_.beyond_reference;
             return;
         }
+        if (is_beyond_judgement(at, result_.inputs)) {
+            add_unjudged(answer);
+            return;
+        }
         add(at, result_.swept);
         add(at, answer, result_.by_decade);
         if (answer.status != Status::ok) {
@@ -143,6 +147,15 @@ private:
         }
         ++result_.compared;
         for (std::size_t k = 0; k < ulps_.size(); ++k) record(k, answer, at);
+    }
+
+    void add_unjudged(const StabilityAnswer& answer) {
+        ++result_.not_judged;
+        if (answer.status != Status::ok) ++result_.not_judged_refused_by[to_string(answer.status)];
+        for (std::size_t k = 0; k < answer.ulp.size(); ++k) {
+            double& worst = result_.not_judged_ulp[program_.outputs[k].name];
+            worst = std::max(worst, answer.ulp[k]);
+        }
     }
 
     void add_refusal(const SweepPoint& at, const StabilityAnswer& answer) {

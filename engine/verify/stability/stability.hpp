@@ -59,14 +59,17 @@ struct Stability {
     std::vector<SweptInput> swept;     // how far it was, at points where the exact solution is computed
     Verdict verdict = Verdict::undecided;
     std::string rule;                 // that failed or is left open, with its numbers; empty at a pass
-    std::size_t cases = 0;            // each is one of the next three
+    std::size_t cases = 0;            // each is one of the next four
     std::size_t compared = 0;         // numbers beside numbers
     std::size_t refused = 0;          // the evaluator answered with a status
     std::size_t beyond_reference = 0; // the exact solution is not computed so far
-    std::map<std::string, std::size_t> refused_by; // status -> how many
-    std::size_t unexplained = 0;                   // of `refused`: the exact solution has moderate numbers
-    std::vector<WorstPoint> worst;                 // five of each output: wrong ones first, then by size
-    std::vector<StabilityRefusals> refusals;       // the most frequent first
+    std::size_t not_judged = 0;       // with an input far beyond
+    std::map<std::string, double> not_judged_ulp;             // output -> the worst there
+    std::map<std::string, std::size_t> not_judged_refused_by; // status -> how many there
+    std::map<std::string, std::size_t> refused_by;            // status -> how many
+    std::size_t unexplained = 0;             // of `refused`: the exact solution has moderate numbers
+    std::vector<WorstPoint> worst;           // five of each output: wrong ones first, then by size
+    std::vector<StabilityRefusals> refusals; // the most frequent first
     std::vector<std::pair<std::string, double>> median;                 // per output, in ulp
     std::vector<std::pair<std::string, std::vector<UlpBin>>> histogram; // per output, from 0.5 ulp on
     std::vector<InputByDecade> by_decade;                               // of `compared` and `refused`

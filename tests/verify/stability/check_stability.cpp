@@ -28,7 +28,8 @@ TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
     EXPECT_EQ(s.verdict, Verdict::pass) << s.rule;
     EXPECT_EQ(s.cases, 120U);
     EXPECT_GT(s.compared, 30U);
-    EXPECT_EQ(s.compared + s.refused + s.beyond_reference, s.cases);
+    EXPECT_EQ(s.compared + s.refused + s.beyond_reference + s.not_judged, s.cases);
+    EXPECT_GT(s.not_judged, 0U);
     EXPECT_LT(s.unexplained, 3U); // a row of a phase is low_precision as a whole
     EXPECT_LT(s.beyond_reference, 10U);
     ASSERT_EQ(s.median.size(), 3U);
@@ -97,8 +98,9 @@ TEST(Stability, StartsFollowTheGrading) {
         if (is_parameter) {
             EXPECT_EQ(input.high, 1e12) << input.name;
         } else if (names.size() > 4) {
-            EXPECT_EQ(input.low, 1e-3) << input.name;
-            EXPECT_EQ(input.high, input.name == "theta_0" ? 1e12 : 1e3) << input.name;
+            EXPECT_EQ(input.low, 1e-12) << input.name;
+            EXPECT_EQ(input.high, input.name == "theta_0" ? 1e14 : 1e3) << input.name;
+            EXPECT_EQ(input.extreme, input.name == "xi_0" ? 1e150 : 0) << input.name;
         }
         EXPECT_EQ(input.negative, names.size() > 3) << input.name << ": g, r are positive";
         EXPECT_EQ(input.zero, names.size() > 4) << input.name;
@@ -119,7 +121,7 @@ TEST(Stability, PhysicalStartsAreAsSmallAsTheirVariables) {
             const double size = std::abs(start) / points[k].eps;
             none = none || size == 0;
             if (size == 0) continue;
-            EXPECT_GE(size, 0.999e-3);
+            EXPECT_GE(size, 0.999e-12);
             EXPECT_LE(size, 1.001e3);
             small = small || size < 0.01;
             large = large || size > 100;
