@@ -31,7 +31,7 @@ protected:
               "order = 1\n[fix]\na = 1\n[start]\nx = \"eps\"\n\"x'\" = \"eps\"\n");
     }
     [[nodiscard]] Outcome swept(const std::string& options = "") const {
-        return said("stability systems/edge/scenes/s.toml --points 60 " + options);
+        return said("stability systems/edge/scenes/s.toml --points 150 " + options);
     }
     [[nodiscard]] nlohmann::json json(int code, const std::string& options = "") const {
         const Outcome outcome = swept("--format json " + options);
@@ -48,7 +48,7 @@ TEST_F(StabilityCommand, PassesAndSaysWhatItSwept) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     for (const char* part :
          {"edge / s: pass, double against 50 digits, threshold 16 ulp of the output's scale\n",
-          "  60 points (seed 2), ", "; 0 without an explanation (at most 1 %)",
+          "  150 points (seed 2), ", "; 0 without an explanation (at most 1 %)",
           "  a            1e-12 ... 1e+12 (24 of 24 decades)\n", " of 15 decades)\n"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
     EXPECT_EQ(json(0, "--seed 3")["seed"], 3);

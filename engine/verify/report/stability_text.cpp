@@ -79,8 +79,8 @@ std::string text_of(const WorstPoint& w, double threshold) {
 
 std::string line_of_not_judged(const Stability& s) {
     std::string text =
-        fmt::format("  {} far beyond (phases above {:g}, slow variables at {:g}), without a verdict",
-                    s.not_judged, judged_phase, extreme_slow);
+        fmt::format("  {} far beyond (phases at {:g}, slow variables at {:g}), without a verdict",
+                    s.not_judged, extreme_phase, extreme_slow);
     const char* before = ": ";
     for (const auto& [output, ulp] : s.not_judged_ulp) {
         text += fmt::format("{}{} is off by {:.3g} ulp at most", before, output, ulp);

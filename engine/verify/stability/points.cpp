@@ -23,7 +23,7 @@ constexpr int most_draws = 20, most_ways_out = 6;
 constexpr double edge_decades = 6;
 constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-12;
 constexpr double smallest_distance = 1e-3; // from a rest that is not 0: what is left of the digits
-constexpr double largest_phase = 1e14;
+constexpr double largest_phase = 1e12;
 
 // All inputs as one vector: eps, parameters, start.
 using Inputs = std::vector<double>;
@@ -201,8 +201,9 @@ SweptInput of_start(const ProgramInput& input, const System& system) {
             !(slow && (variable->positive || variable->nonzero)),
             system.weight(start_weight(system, input.canonical)),
             rests,
-            slow ? extreme_slow : 0,
-            phase ? judged_phase : std::sqrt(extreme_slow)};
+            slow    ? extreme_slow
+            : phase ? extreme_phase
+                    : 0};
 }
 
 } // namespace
@@ -238,10 +239,10 @@ std::vector<SweptInput> reachable_inputs(const Program& program, const Scene& sc
     return inputs;
 }
 
-bool is_beyond_judgement(const SweepPoint& point, const std::vector<SweptInput>& inputs) {
+bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& inputs) {
     const std::vector<double> values = as_swept(point, inputs);
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (std::abs(values[i]) > inputs[i].judged) return true;
+        if (inputs[i].extreme > 0 && std::abs(values[i]) > inputs[i].extreme / 2) return true;
     return false;
 }
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,8 +21,7 @@ struct SweptInput {
     bool zero = false;     // and 0
     Rational weight = 0;   // of a start value
     bool rests = false;    // by [equilibrium]
-    double extreme = 0;    // a corner far beyond, of a slow variable; 0: none
-    double judged = std::numeric_limits<double>::infinity(); // what is answered beyond it is told, no more
+    double extreme = 0;    // a corner far beyond that is asked and not judged; 0: none
 };
 
 struct SweepPoint {
@@ -34,15 +32,14 @@ struct SweepPoint {
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
-constexpr double judged_phase = 1e12, extreme_slow = 1e150;
+constexpr double extreme_phase = 1e14, extreme_slow = 1e150;
 
 // log10(high/low), 0 where nothing but 0 was tried.
 double decades(const SweptInput& input);
 
 // In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
 // they are declared positive), start values eps^weight * (1e-12 ... 1e3), or from 1e-3 on where they are
-// measured from [equilibrium]; phases to 1e14, judged to 1e12; slow
-// variables with a corner at 1e150 that is not judged.
+// measured from [equilibrium]; phases to 1e12. Phases and slow variables have a corner far beyond.
 std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
 
 // The same, each no farther than it may go alone, the other inputs as in the scene, in steps of half a
@@ -68,8 +65,8 @@ std::vector<Real> with_parameters_of(const SweepPoint& at, const Program& progra
 // eps^weight.
 std::vector<double> as_swept(const SweepPoint& point, const std::vector<SweptInput>& inputs);
 
-// An input lies beyond what is judged.
-bool is_beyond_judgement(const SweepPoint& point, const std::vector<SweptInput>& inputs);
+// An input is at a corner far beyond its range.
+bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& inputs);
 
 // nothing_swept: the inputs with empty ranges; add() then widens `swept` by the values of a point.
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);

@@ -132,7 +132,7 @@ private:
             ++result_.beyond_reference;
             return;
         }
-        if (is_beyond_judgement(at, result_.inputs)) {
+        if (is_far_beyond(at, result_.inputs)) {
             add_unjudged(answer);
             return;
         }

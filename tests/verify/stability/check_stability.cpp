@@ -99,8 +99,11 @@ TEST(Stability, StartsFollowTheGrading) {
             EXPECT_EQ(input.high, 1e12) << input.name;
         } else if (names.size() > 4) {
             EXPECT_EQ(input.low, 1e-12) << input.name;
-            EXPECT_EQ(input.high, input.name == "theta_0" ? 1e14 : 1e3) << input.name;
-            EXPECT_EQ(input.extreme, input.name == "xi_0" ? 1e150 : 0) << input.name;
+            EXPECT_EQ(input.high, input.name == "theta_0" ? 1e12 : 1e3) << input.name;
+            EXPECT_EQ(input.extreme, input.name == "xi_0"      ? 1e150
+                                     : input.name == "theta_0" ? 1e14
+                                                               : 0)
+                << input.name;
         }
         EXPECT_EQ(input.negative, names.size() > 3) << input.name << ": g, r are positive";
         EXPECT_EQ(input.zero, names.size() > 4) << input.name;
