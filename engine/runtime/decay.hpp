@@ -57,7 +57,7 @@ public:
         std::vector<Real> lefts;
         for (const Panel<Wide, 1>& panel : fitted.panels) {
             lefts.push_back(static_cast<Real>(panel.middle - panel.half));
-            rows_.push_back(row(panel, start));
+            rows_.push_back(row(panel, start, rows_.empty()));
         }
         if (!rows_.empty()) index_ = PanelIndex<Real>(std::move(lefts), end);
         return fitted.status;
@@ -87,15 +87,23 @@ private:
         Real surely_gone{}; // an exponent below this, in Real, leaves no number
     };
 
-    static Row row(const Panel<Wide, 1>& panel, const Wide& start) {
+    // About T = 0 in the first panel: an exponent of 10^18 at its end leaves the digits of a small one there.
+    static Row row(const Panel<Wide, 1>& panel, const Wide& start, bool first) {
         using math::log;
         Row r{panel.middle, Wide(1) / panel.half, panel.coefficient[0], 1, {}};
-        r.coefficient[0] = r.coefficient[0] + start;
-        Real size = Real(0);
+        Real reach = Real(1), size = Real(0); // reach: the largest y^j
+        if (first) {
+            r.middle = Wide(0);
+            r.coefficient = recentred(r.coefficient, Wide(-1), terms);
+            r.coefficient[0] = start;
+        } else {
+            r.coefficient[0] = r.coefficient[0] + start;
+        }
         for (std::size_t j = 0; j < terms; ++j) {
-            const Real c = math::magnitude(static_cast<Real>(r.coefficient[j]));
+            const Real c = reach * math::magnitude(static_cast<Real>(r.coefficient[j]));
             size = size + c;
             if (c > math::epsilon<Real>() / Real(4096)) r.length = j + 1;
+            if (first) reach = Real(2) * reach;
         }
         const Real least = log(math::smallest<Real>()), digits = Real(math::digits<Real>);
         r.surely_gone = least - digits - Real(64) * math::epsilon<Real>() * size;

@@ -72,7 +72,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "", "psi");
+        return interval_.why(status, "100 - tau or 100 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -160,6 +160,7 @@ private:
         Number c_11{};
         Number c_12{};
         Number c_13{};
+        Number c_14{};
     };
 
     template <class Number> static void compute_constants(
@@ -190,8 +191,9 @@ private:
         c.c_7 = k_5 * c.eps;
         c.c_8 = k_10 * k_11 * k_12;
         c.c_9 = k_10 * (-Number(1) / Number(2)) * c.eps * k_11 * k_12;
+        c.c_10 = c.tau_0 + Number(100);
         const Number k_13 = k_5 * k_5;
-        c.c_10 = Number(1) - Number(1) / Number(16) * k_13 * (k_3 * k_3);
+        c.c_11 = Number(1) - Number(1) / Number(16) * k_13 * (k_3 * k_3);
         const Number k_14 = c.c_1 * c.c_1;
         const Number k_15 = sin(c.phase_psi);
         const Number k_16 = Number(1) / Number(4) + Number(1) / Number(8) * k_3;
@@ -204,9 +206,9 @@ private:
         const Number k_23 = k_22 - Number(1) / Number(2) * c.tau_0 * k_11 * c.c_1 * k_17;
         const Number k_24 = k_11 * c.c_1 * k_17 + c.eps * k_20 - psi_0 * c.c_1;
         const Number k_25 = k_11 * c.c_1 * k_15 + k_9 * psi_dot_0 * c.c_1 + c.eps * k_23;
-        c.c_11 = k_13 * k_13 + k_14 * (psi_0 * psi_0) + k_14 * (k_9 * k_9) * (psi_dot_0 * psi_dot_0) + k_5 * (k_20 * k_20) + k_5 * (k_23 * k_23) - Number(4) * (k_24 * k_24 + k_25 * k_25);
-        c.c_12 = Number(4) * c.eps;
-        c.c_13 = Number(1) / Number(4) * k_5;
+        c.c_12 = k_13 * k_13 + k_14 * (psi_0 * psi_0) + k_14 * (k_9 * k_9) * (psi_dot_0 * psi_dot_0) + k_5 * (k_20 * k_20) + k_5 * (k_23 * k_23) - Number(4) * (k_24 * k_24 + k_25 * k_25);
+        c.c_13 = Number(4) * c.eps;
+        c.c_14 = Number(1) / Number(4) * k_5;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -222,8 +224,9 @@ private:
         keep(scaled.c_7, c.c_7, "c_7 in psi");
         keep(scaled.c_8, c.c_8, "c_8 in psi");
         keep(scaled.c_9, c.c_9, "c_9 in psi");
-        keep(scaled.c_12, c.c_12, "c_12 in 2/(tau^2 + 1)");
-        keep(scaled.c_13, c.c_13, "c_13 in psi");
+        keep(scaled.c_10, c.c_10, "c_10 in 100 + tau");
+        keep(scaled.c_13, c.c_13, "c_13 in 2/(tau^2 + 1)");
+        keep(scaled.c_14, c.c_14, "c_14 in psi");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -231,8 +234,8 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_10 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
         if (!(scaled.c_11 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_12 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -247,9 +250,9 @@ private:
         const Number theta_dot_0 = per(s);
         const Number q_1 = theta_dot_0 * theta_dot_0;
         const Number q_2 = Number(4) * q_1;
-        const Number q_3 = c.c_12 * tau * q_1;
+        const Number q_3 = c.c_13 * tau * q_1;
         const Number q_4 = hypot(tau, Number(0));
-        return {Number(q_2 - q_3), Number(q_2 + q_3), Number(Number(1) - c.c_13 * (q_4 * q_4))};
+        return {Number(q_2 - q_3), Number(q_2 + q_3), Number(Number(1) - c.c_14 * (q_4 * q_4))};
     }
 
     // dtheta/dT
@@ -274,6 +277,8 @@ private:
         const Real s_2 = sqrt(s);
         const Real psi_1 = c.c_3 * s_2 * a.cos_theta;
         const Real q_2 = c.eps * s_2 * a.cos_theta * (-c.c_5 * q_1 - c.c_6) - c.c_4 * tau * s_2 * a.sin_theta;
+        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_10 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (psi_1 + c.eps * q_2);
         return finite(values.psi) ? Status::ok : Status::overflow;
     }
@@ -285,6 +290,9 @@ private:
         const Number q_1 = tau * tau;
         const Number s = q_1 + Number(1);
         const Number s_2 = sqrt(s);
+        std::array<Number, 2> none;
+        none.fill(resonform::math::not_a_number<Number>());
+        if (!(Number(100) - tau > Number(0) && T + c.c_10 > Number(0))) return none;
         return {Number(c.c_7 * s_2 * (-c.c_5 * q_1 - c.c_6) + c.c_8 * s_2), Number(c.c_9 * tau * s_2)};
     }
 

@@ -81,7 +81,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "", "psi");
+        return interval_.why(status, "100 - tau or 100 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -181,6 +181,7 @@ private:
         Number c_16{};
         Number c_17{};
         Number c_18{};
+        Number c_19{};
     };
 
     template <class Number> static void compute_constants(
@@ -232,6 +233,7 @@ private:
         c.c_14 = Number(1) / Number(2) * k_21;
         c.c_15 = c.eps * (Number(6) + c.c_14);
         c.c_16 = Number(1) / Number(2) * c.eps;
+        c.c_17 = c.tau_0 + Number(100);
         const Number k_26 = k_21 * k_21;
         const Number k_27 = c.c_1 * c.c_1;
         const Number k_28 = k_3 * k_3;
@@ -246,8 +248,8 @@ private:
         const Number k_37 = k_1 + k_20 + k_3 * k_36 + c.eps * (-c.eps * c.u_psi - c.v_psi);
         const Number k_38 = k_20 + c.eps * k_3 * k_7 * k_34;
         const Number k_39 = k_25 + c.eps * k_3 * k_7 * k_37;
-        c.c_17 = k_26 * k_26 + k_27 * (psi_0 * psi_0) + k_27 * (psi_dot_0 * psi_dot_0) * k_5 * (k_8 * k_8) + k_21 * k_28 * k_29 * (k_34 * k_34) + k_21 * k_28 * k_29 * (k_37 * k_37) - Number(4) * (k_38 * k_38 + k_39 * k_39);
-        c.c_18 = Number(8) * c.eps;
+        c.c_18 = k_26 * k_26 + k_27 * (psi_0 * psi_0) + k_27 * (psi_dot_0 * psi_dot_0) * k_5 * (k_8 * k_8) + k_21 * k_28 * k_29 * (k_34 * k_34) + k_21 * k_28 * k_29 * (k_37 * k_37) - Number(4) * (k_38 * k_38 + k_39 * k_39);
+        c.c_19 = Number(8) * c.eps;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -271,7 +273,8 @@ private:
         keep(scaled.c_14, c.c_14, "c_14 in psi");
         keep(scaled.c_15, c.c_15, "c_15 in psi");
         keep(scaled.c_16, c.c_16, "c_16 in psi");
-        keep(scaled.c_18, c.c_18, "c_18 in 2*(3*exp(2*tau) + 1)/(exp(2*tau) + 1)");
+        keep(scaled.c_17, c.c_17, "c_17 in 100 + tau");
+        keep(scaled.c_19, c.c_19, "c_19 in 2*(3*exp(2*tau) + 1)/(exp(2*tau) + 1)");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -279,7 +282,7 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_18 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -317,7 +320,7 @@ private:
         const Number per_s1 = per(s1);
         const Number q_3 = per_s1 * per_s1;
         const Number q_4 = Number(6) * q_2 + Number(2);
-        return {Number(q_3 * (q_4 * q_4) - c.c_18 * q_2 * q_3)};
+        return {Number(q_3 * (q_4 * q_4) - c.c_19 * q_2 * q_3)};
     }
 
     // dtheta/dT
@@ -354,6 +357,8 @@ private:
         const Real psi_2 = q_2 * im_psi * q_4;
         const Real re_psi = q_5 - q_6;
         const Real q_7 = c.eps * q_2 * re_psi * (q_4 * q_4) * (q_2 * (-q_3 - Real(2)) + Real(1));
+        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_17 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (q_5 + c.eps * (psi_2 + q_7) - q_6);
         return finite(values.psi) ? Status::ok : Status::overflow;
     }
@@ -374,6 +379,9 @@ private:
         const Number q_6 = c.c_12 * q_2;
         const Number q_7 = q_2 * (u_psi * q_5 + v_psi * (q_6 + c.c_13)) + c.c_15 * u_psi + c.c_14 * v_psi;
         const Number q_8 = q_2 * (v_psi * q_5 + u_psi * (-q_6 - c.c_13)) + c.c_15 * v_psi - c.c_14 * u_psi;
+        std::array<Number, 2> none;
+        none.fill(resonform::math::not_a_number<Number>());
+        if (!(Number(100) - tau > Number(0) && T + c.c_17 > Number(0))) return none;
         return {Number(Number(2) * q_4 * (q_2 * q_7 + c.c_16 * u_psi)), Number(-Number(2) * q_4 * (q_2 * q_8 + c.c_16 * v_psi))};
     }
 

@@ -102,7 +102,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "", "psi");
+        return interval_.why(status, "100 - tau or 100 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -190,6 +190,7 @@ private:
         Number c_8{};
         Number c_9{};
         Number c_10{};
+        Number c_11{};
     };
 
     template <class Number> static void compute_constants(
@@ -229,6 +230,7 @@ private:
         const Number k_21 = c.eps * k_5 * (c.eps * k_19 - c.c_3 * psi_0 * k_8 * c.c_1 * k_20);
         c.v_psi = k_21 - psi_dot_0 * k_2 * c.c_1;
         c.c_8 = Number(0);
+        c.c_9 = c.tau_0 + Number(100);
         const Number k_22 = k_17 * k_17;
         const Number k_23 = c.c_1 * c.c_1;
         const Number k_24 = k_5 * k_5;
@@ -243,8 +245,8 @@ private:
         const Number k_33 = k_32 + c.c_3 * k_8 * k_20 * c.u_psi;
         const Number k_34 = k_16 + c.eps * k_5 * k_29;
         const Number k_35 = k_21 + c.eps * k_5 * k_33;
-        c.c_9 = k_22 * k_22 + k_23 * (psi_0 * psi_0) + k_23 * (psi_dot_0 * psi_dot_0) * k_3 + k_17 * k_24 * (k_29 * k_29) + k_17 * k_24 * (k_33 * k_33) - Number(4) * (k_34 * k_34 + k_35 * k_35);
-        c.c_10 = Number(2) * c.eps;
+        c.c_10 = k_22 * k_22 + k_23 * (psi_0 * psi_0) + k_23 * (psi_dot_0 * psi_dot_0) * k_3 + k_17 * k_24 * (k_29 * k_29) + k_17 * k_24 * (k_33 * k_33) - Number(4) * (k_34 * k_34 + k_35 * k_35);
+        c.c_11 = Number(2) * c.eps;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -260,7 +262,8 @@ private:
         keep(scaled.c_7, c.c_7, "c_7 in v_psi");
         keep(scaled.v_psi, c.v_psi, "v_psi");
         keep(scaled.c_8, c.c_8, "c_8");
-        keep(scaled.c_10, c.c_10, "c_10 in 2*omega(tau)");
+        keep(scaled.c_9, c.c_9, "c_9 in 100 + tau");
+        keep(scaled.c_11, c.c_11, "c_11 in 2*omega(tau)");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -268,7 +271,7 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_9 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_10 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -316,7 +319,7 @@ private:
         const Number tau = T + c.tau_0;
         const Number theta_dot = spline(data_omega, 0, tau);
         const Number q_1 = Number(4) * (theta_dot * theta_dot);
-        const Number q_2 = c.c_10 * spline(data_omega, 1, tau);
+        const Number q_2 = c.c_11 * spline(data_omega, 1, tau);
         return {Number(q_1 + q_2), Number(q_1 - q_2)};
     }
 
@@ -349,6 +352,8 @@ private:
         const Real re_psi = q_3 - q_4;
         const Real q_5 = c.c_2 * theta_dot * spline(data_omega, 2, tau) - c.c_3 * (q_1 * q_1);
         const Real q_6 = c.eps * (q_3 + c.eps * (psi_2 + c.eps * re_psi * (q_2 * q_2) * q_5) - q_4);
+        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_9 > Real(0))) return Status::outside_domain;
         values.psi = q_6;
         return finite(values.psi) ? Status::ok : Status::overflow;
     }

@@ -72,7 +72,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "", "psi");
+        return interval_.why(status, "100 - tau or 100 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -160,6 +160,7 @@ private:
         Number c_11{};
         Number c_12{};
         Number c_13{};
+        Number c_14{};
     };
 
     template <class Number> static void compute_constants(
@@ -208,8 +209,9 @@ private:
         c.c_8 = k_11 * c.eps;
         c.c_9 = k_25 * k_26 * k_29;
         c.c_10 = k_25 * (Number(1) / Number(4)) * c.eps * k_26 * k_29;
+        c.c_11 = c.tau_0 + Number(100);
         const Number k_30 = k_28 * (k_5 * k_4) - Number(1);
-        c.c_11 = Number(1) - Number(4) * (k_30 * k_30);
+        c.c_12 = Number(1) - Number(4) * (k_30 * k_30);
         const Number k_31 = k_11 * k_11;
         const Number k_32 = c.c_3 * c.c_3;
         const Number k_33 = k_6 * k_6 * k_4;
@@ -224,8 +226,8 @@ private:
         const Number k_42 = c.tau_0 * k_41 - k_37 * (Number(1) / Number(8)) * k_26 * k_34;
         const Number k_43 = k_26 * c.c_3 * k_38 + k_8 * c.eps * k_40 - psi_0 * c.c_3;
         const Number k_44 = k_26 * c.c_3 * k_34 + k_3 * k_4 * psi_dot_0 * c.c_3 + k_8 * c.eps * k_42;
-        c.c_12 = k_31 * k_31 + k_32 * (psi_0 * psi_0) + k_4 * k_32 * (psi_dot_0 * psi_dot_0) + k_11 * k_33 * (k_40 * k_40) + k_11 * k_33 * (k_42 * k_42) - Number(4) * (k_43 * k_43 + k_44 * k_44);
-        c.c_13 = Number(2) * c.eps;
+        c.c_13 = k_31 * k_31 + k_32 * (psi_0 * psi_0) + k_4 * k_32 * (psi_dot_0 * psi_dot_0) + k_11 * k_33 * (k_40 * k_40) + k_11 * k_33 * (k_42 * k_42) - Number(4) * (k_43 * k_43 + k_44 * k_44);
+        c.c_14 = Number(2) * c.eps;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -242,7 +244,8 @@ private:
         keep(scaled.c_8, c.c_8, "c_8 in psi");
         keep(scaled.c_9, c.c_9, "c_9 in psi");
         keep(scaled.c_10, c.c_10, "c_10 in psi");
-        keep(scaled.c_13, c.c_13, "c_13 in 2*sqrt(tau^2 + 1)");
+        keep(scaled.c_11, c.c_11, "c_11 in 100 + tau");
+        keep(scaled.c_14, c.c_14, "c_14 in 2*sqrt(tau^2 + 1)");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -250,8 +253,8 @@ private:
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_11 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
         if (!(scaled.c_12 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_13 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -267,7 +270,7 @@ private:
         const Number per_s = per(s);
         const Number q_1 = Number(4) * s;
         const Number s_m1_2 = s_2 * per_s;
-        const Number q_2 = c.c_13 * s_m1_2 * tau;
+        const Number q_2 = c.c_14 * s_m1_2 * tau;
         const Number q_3 = hypot(tau, Number(0));
         return {Number(q_1 + q_2), Number(q_1 - q_2), Number(Number(1) - c.c_1 * (per_s * per_s * per_s) * (q_3 * q_3))};
     }
@@ -303,6 +306,8 @@ private:
         const Real psi_2 = c.c_5 * s_m7_4 * tau * a.sin_theta;
         const Real s_m13_4 = s_2 * s_4 * (q_2 * q_2);
         const Real q_3 = c.eps * (psi_2 + c.eps * s_m13_4 * a.cos_theta * (c.c_7 - c.c_6 * q_1));
+        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_11 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (psi_1 + q_3);
         return finite(values.psi) ? Status::ok : Status::overflow;
     }
@@ -320,6 +325,9 @@ private:
         const Number s_m1_4 = s_2 * s_4 * per_s;
         const Number s_m7_4 = s_4 * q_2;
         const Number s_m13_4 = s_2 * s_4 * (q_2 * q_2);
+        std::array<Number, 2> none;
+        none.fill(resonform::math::not_a_number<Number>());
+        if (!(Number(100) - tau > Number(0) && T + c.c_11 > Number(0))) return none;
         return {Number(c.c_8 * s_m13_4 * (c.c_7 - c.c_6 * q_1) + c.c_9 * s_m1_4), Number(c.c_10 * s_m7_4 * tau)};
     }
 

@@ -82,7 +82,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "cos(3*tau)*exp(tau) + 4*exp(tau) + 2", "psi");
+        return interval_.why(status, "cos(3*tau)*exp(tau) + 4*exp(tau) + 2 or 100 - tau or 100 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -193,6 +193,7 @@ private:
         Number c_28{};
         Number c_29{};
         Number c_30{};
+        Number c_31{};
     };
 
     template <class Number> static void compute_constants(
@@ -260,6 +261,7 @@ private:
         c.c_26 = Number(3) / Number(4) * k_22;
         c.c_27 = Number(1) / Number(2) * k_22;
         c.c_28 = Number(1) / Number(2) * c.eps;
+        c.c_29 = c.tau_0 + Number(100);
         const Number k_30 = k_22 * k_22;
         const Number k_31 = k_1 * k_1;
         const Number k_32 = k_2 * k_2;
@@ -279,8 +281,8 @@ private:
         const Number k_46 = k_2 * k_45 - k_27 * c.u_psi;
         const Number k_47 = k_21 + c.eps * k_2 * k_8 * k_42;
         const Number k_48 = k_29 + c.eps * k_2 * k_8 * k_46;
-        c.c_29 = k_30 * k_30 + k_31 * (psi_0 * psi_0) + Number(4) * k_31 * (psi_dot_0 * psi_dot_0) * k_32 * k_6 + k_32 * k_22 * k_33 * (k_42 * k_42) + k_32 * k_22 * k_33 * (k_46 * k_46) - Number(4) * (k_47 * k_47 + k_48 * k_48);
-        c.c_30 = Number(2) * c.eps;
+        c.c_30 = k_30 * k_30 + k_31 * (psi_0 * psi_0) + Number(4) * k_31 * (psi_dot_0 * psi_dot_0) * k_32 * k_6 + k_32 * k_22 * k_33 * (k_42 * k_42) + k_32 * k_22 * k_33 * (k_46 * k_46) - Number(4) * (k_47 * k_47 + k_48 * k_48);
+        c.c_31 = Number(2) * c.eps;
     }
 
     template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
@@ -315,7 +317,8 @@ private:
         keep(scaled.c_26, c.c_26, "c_26 in psi");
         keep(scaled.c_27, c.c_27, "c_27 in psi");
         keep(scaled.c_28, c.c_28, "c_28 in psi");
-        keep(scaled.c_30, c.c_30, "c_30 in (cos(3*tau)*exp(tau) + 4*exp(tau) + 2)*exp(-tau)");
+        keep(scaled.c_29, c.c_29, "c_29 in 100 + tau");
+        keep(scaled.c_31, c.c_31, "c_31 in (cos(3*tau)*exp(tau) + 4*exp(tau) + 2)*exp(-tau)");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -324,7 +327,7 @@ private:
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
         if (!(scaled.c_1 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "cos(3*tau)*exp(tau) + 4*exp(tau) + 2"};
-        if (!(scaled.c_29 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
+        if (!(scaled.c_30 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -367,7 +370,7 @@ private:
         const Number s = q_1 * (cos(q_2) + Number(4)) + Number(2);
         const Number q_3 = per(q_1);
         const Number q_4 = q_3 * q_3 * (s * s);
-        const Number q_5 = q_3 * (-c.c_14 * sin(q_2) * q_1 - c.c_30);
+        const Number q_5 = q_3 * (-c.c_14 * sin(q_2) * q_1 - c.c_31);
         return {Number(q_4 + q_5), Number(q_4 - q_5)};
     }
 
@@ -405,6 +408,8 @@ private:
         const Real q_8 = q_3 * (q_1 * (c.c_18 * q_3 - Real(18)) - Real(8)) + Real(4) - Real(12) * q_5 - Real(9) * q_1;
         const Real q_9 = c.eps * (q_1 * q_1) * re_psi * (q_4 * q_4) * (q_1 * q_8 - Real(2));
         if (!(s > Real(0))) return Status::outside_domain;
+        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_29 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (q_6 + c.eps * (psi_2 + q_9) - q_7);
         return finite(values.psi) ? Status::ok : Status::overflow;
     }
@@ -431,7 +436,7 @@ private:
         const Number q_12 = v_psi * q_2 * q_6 * q_9 + u_psi * q_1 * q_5 * (q_10 + c.c_27) + c.c_28 * v_psi;
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(s > Number(0))) return none;
+        if (!(s > Number(0) && Number(100) - tau > Number(0) && T + c.c_29 > Number(0))) return none;
         return {Number(Number(2) * q_11), Number(-Number(2) * q_12)};
     }
 

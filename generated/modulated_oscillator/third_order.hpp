@@ -85,7 +85,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "cos(3*tau)*exp(tau) + 2*exp(tau) + 1 or 2 + cos(3*tau) + exp(-tau)", "x");
+        return interval_.why(status, "cos(3*tau)*exp(tau) + 2*exp(tau) + 1 or 2 + cos(3*tau) + exp(-tau) or 100 - tau or 100 + tau", "x");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -219,6 +219,7 @@ private:
         Number c_51{};
         Number c_52{};
         Number c_53{};
+        Number c_54{};
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -523,6 +524,7 @@ private:
         c.c_49 = Number(3) / Number(16) * w.k_56;
         c.c_50 = Number(1) / Number(64) * w.k_86;
         c.c_51 = Number(3) / Number(64) * w.k_86;
+        c.c_52 = c.tau_0 + Number(100);
         w.k_87 = w.k_56 * w.k_56;
         w.k_88 = w.k_7 * w.k_7 * w.k_5;
         w.k_89 = c.u_x * c.u_x;
@@ -585,8 +587,8 @@ private:
         w.k_146 = w.k_1 * w.k_144 + w.k_145 - c.c_9 * c.u_x;
         w.k_147 = w.k_55 + w.k_8 * c.eps * w.k_9 * w.k_120;
         w.k_148 = w.k_85 + w.k_8 * c.eps * w.k_9 * w.k_146;
-        c.c_52 = w.k_12 * w.k_13 + w.k_1 * w.k_5 * w.k_12 * w.k_15 + w.k_87 * w.k_87 + w.k_1 * w.k_56 * w.k_88 * (w.k_120 * w.k_120) + w.k_1 * w.k_56 * w.k_88 * (w.k_146 * w.k_146) - Number(4) * (w.k_147 * w.k_147 + w.k_148 * w.k_148);
-        c.c_53 = Number(3) * c.eps;
+        c.c_53 = w.k_12 * w.k_13 + w.k_1 * w.k_5 * w.k_12 * w.k_15 + w.k_87 * w.k_87 + w.k_1 * w.k_56 * w.k_88 * (w.k_120 * w.k_120) + w.k_1 * w.k_56 * w.k_88 * (w.k_146 * w.k_146) - Number(4) * (w.k_147 * w.k_147 + w.k_148 * w.k_148);
+        c.c_54 = Number(3) * c.eps;
     }
 
     template <class Number> static void compute_constants(
@@ -651,7 +653,8 @@ private:
         keep(scaled.c_49, c.c_49, "c_49 in x");
         keep(scaled.c_50, c.c_50, "c_50 in x");
         keep(scaled.c_51, c.c_51, "c_51 in x");
-        keep(scaled.c_53, c.c_53, "c_53 in 2*sqrt(cos(3*tau)*exp(tau) + 2*exp(tau) + 1)*exp(-tau/2)");
+        keep(scaled.c_52, c.c_52, "c_52 in 100 + tau");
+        keep(scaled.c_54, c.c_54, "c_54 in 2*sqrt(cos(3*tau)*exp(tau) + 2*exp(tau) + 1)*exp(-tau/2)");
     }
 
     // The same in numbers of any range first; what has no place in Number is the answer.
@@ -660,7 +663,7 @@ private:
         Constants<resonform::Scaled<Number>> scaled;
         compute_constants(eps, parameters, start, scaled);
         if (!(scaled.c_2 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "cos(3*tau)*exp(tau) + 2*exp(tau) + 1"};
-        if (!(scaled.c_52 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+        if (!(scaled.c_53 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(scaled, c, keep);
         return keep.cause;
@@ -721,7 +724,7 @@ private:
         const Number s_m1_2 = s_2 * per_s;
         const Number q_2 = Number(4) * s1 * per_s;
         const Number s1_m1_2 = s1_2 * per_s1;
-        const Number q_3 = s_m1_2 * s1_m1_2 * (-c.c_53 * sin(q_1) * s - c.eps);
+        const Number q_3 = s_m1_2 * s1_m1_2 * (-c.c_54 * sin(q_1) * s - c.eps);
         const Number q_4 = hypot(u_x, v_x);
         return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_40 * s * per(hypot(s1, c.c_35)) * (q_4 * q_4))};
     }
@@ -775,6 +778,8 @@ private:
         const Real q_15 = c.eps * s * (q_3 * per_s1) * re_x * (s * q_14 - q_8 - q_10 - c.c_26);
         if (!(s1 > Real(0))) return Status::outside_domain;
         if (!(q_2 + exp(Real(-tau)) + Real(2) > Real(0))) return Status::outside_domain;
+        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_52 > Real(0))) return Status::outside_domain;
         values.x = c.eps * (q_5 + c.eps * (x_2 + q_15) - q_6);
         return finite(values.x) ? Status::ok : Status::overflow;
     }
@@ -811,7 +816,7 @@ private:
         const Number q_18 = -Number(2) * (v_x * q_5 * q_15 + s1_m3_2 * u_x * s_2 * (q_16 + c.c_46));
         std::array<Number, 4> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(s1 > Number(0) && q_2 + exp(Number(-tau)) + Number(2) > Number(0))) return none;
+        if (!(s1 > Number(0) && q_2 + exp(Number(-tau)) + Number(2) > Number(0) && Number(100) - tau > Number(0) && T + c.c_52 > Number(0))) return none;
         return {Number(q_17), Number(q_18), Number(Number(2) * u_x * s * per_s1 * (c.c_50 * q_6 - c.c_51 * q_7)), Number(-Number(2) * v_x * s * per_s1 * (c.c_51 * q_6 - c.c_50 * q_7))};
     }
 

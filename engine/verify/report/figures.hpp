@@ -6,6 +6,7 @@
 #include "verify/judging/ladder.hpp"
 #include "verify/report/page.hpp"
 #include "verify/report/plot.hpp"
+#include "verify/stability/stability.hpp"
 
 #include <filesystem>
 #include <map>
@@ -44,6 +45,8 @@ public:
     [[nodiscard]] Gallery ladders(const std::vector<OutputVerdict>& outputs) const;
     // Error against run time, one figure for each task.
     [[nodiscard]] Gallery work(const Comparison& comparison) const;
+    // The worst errors over each input, one small figure for each; with them, which statuses answered where.
+    [[nodiscard]] Gallery stability(const Stability& stability) const;
 
     [[nodiscard]] std::string label(const std::string& name) const; // "x, m"
     // "s" where the file has units: primes count per second. Else "".
@@ -59,6 +62,7 @@ private:
     [[nodiscard]] Figure former_constant(const ErrorCurves& curves, std::size_t output) const;
     [[nodiscard]] Figure motion_of(const ErrorCurves& curves, std::size_t output) const;
     [[nodiscard]] Figure ladder(const OutputVerdict& output) const;
+    [[nodiscard]] Figure stability_over(const Stability& stability, const InputByDecade& own) const;
     [[nodiscard]] Figure work_of(const Comparison& comparison, Task task) const;
 
     const System* system_;

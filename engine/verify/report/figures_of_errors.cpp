@@ -113,8 +113,6 @@ Gallery Figures::ladders(const std::vector<OutputVerdict>& outputs) const {
 }
 
 Figure Figures::work_of(const Comparison& comparison, Task task) const {
-    const std::vector<std::string> hues = {colour::red,    colour::blue, colour::green, colour::orange,
-                                           colour::violet, colour::teal, colour::brown};
     std::vector<Curve> curves;
     std::size_t points = 0;
     for (const ComparisonRow& row : comparison.rows) {
@@ -123,8 +121,11 @@ Figure Figures::work_of(const Comparison& comparison, Task task) const {
         auto curve =
             std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.label == row.method; });
         if (curve == curves.end()) {
-            curves.push_back(
-                {row.method, hues[curves.size() % hues.size()], Curve::Style::line_points, {}, {}});
+            curves.push_back({row.method,
+                              colour::hues[curves.size() % colour::hues.size()],
+                              Curve::Style::line_points,
+                              {},
+                              {}});
             curve = curves.end() - 1;
         }
         add_row(*curve, row);

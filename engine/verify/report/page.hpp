@@ -57,6 +57,7 @@ struct Figure {
 // Figures side by side as far as the window allows.
 struct Gallery {
     std::vector<Figure> figures;
+    bool small = false; // of small plots
 };
 
 using Block = std::variant<Paragraph, Preformatted, Formulas, Statements, Facts, Table, Gallery>;

@@ -91,7 +91,7 @@ struct HtmlWriter {
 
     void operator()(const Gallery& gallery) {
         if (gallery.figures.empty()) return;
-        html += "<div class=\"gallery\">\n";
+        html += fmt::format("<div class=\"gallery{}\">\n", gallery.small ? " small" : "");
         for (const Figure& figure : gallery.figures)
             html += fmt::format("<figure>{}<figcaption>{}{}</figcaption></figure>\n", figure.svg,
                                 escaped(figure.caption), link_to_numbers(figure));

@@ -36,6 +36,7 @@ pre { background: var(--box); border: 1px solid var(--line); border-radius: 6px;
 math { text-indent: 0; font-size: 1.08em; }
 .dots { font-size: 1em; math-depth: 0; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.5rem; }
+.gallery.small { grid-template-columns: repeat(auto-fit, minmax(min(18rem, 100%), 1fr)); }
 figure { margin: 0; min-width: 0; }
 figure svg { display: block; width: 100%; height: auto; }
 figcaption { color: var(--soft); font-size: .9rem; padding: .2rem .2rem 0; }
@@ -71,6 +72,7 @@ summary { font-weight: 600; font-size: .92rem; cursor: pointer; color: var(--blu
   caption { break-after: avoid; }
   details::details-content { content-visibility: visible; display: block; block-size: auto; }
   .gallery { grid-template-columns: 1fr 1fr; gap: .8rem; }
+  .gallery.small { grid-template-columns: 1fr 1fr 1fr; }
   table { font-size: 8pt; } th, td { padding-left: .4rem; overflow-wrap: anywhere; }
   .formulas { overflow: visible; } math { font-size: 8.5pt; }
   pre { font-size: 7.5pt; }

@@ -60,6 +60,7 @@ std::string style_of(const Curve& curve) {
     case Curve::Style::wide: return "with lines lw 5";
     case Curve::Style::dashed: return "with lines lw 1.4 dt (8,6)";
     case Curve::Style::points: return "with points pt 7 ps 0.55";
+    case Curve::Style::crosses: return "with points pt 2 ps 0.5 lw 1.2";
     case Curve::Style::line_points: return "with linespoints lw 1.4 pt 7 ps 0.45";
     }
     return "with lines";
@@ -114,17 +115,22 @@ std::string axis(const std::string& letter, const std::string& label, bool logar
     return text;
 }
 
+struct Sheet {
+    int width = 600, height = 420, left = 12, right = 3; // margins in letters
+    int name_width = -2;                                 // of the legend, in letters more than its names
+};
+
 // What all figures have in common.
-std::string head_of_script(const std::string& name, int right_margin, int height = 420) {
+std::string head_of_script(const std::string& name, const Sheet& sheet) {
     return fmt::format(
-        "set encoding utf8\nset terminal svg size 600,{} dynamic enhanced name \"{}\" "
+        "set encoding utf8\nset terminal svg size {},{} dynamic enhanced name \"{}\" "
         "font \"Helvetica,Arial,sans-serif,15\" background \"#ffffff\"\n"
         "set border 3 lc rgb \"#5a6068\"\nset tics nomirror out scale 0.6 textcolor rgb \"#33383e\"\n"
         "set grid lc rgb \"#e4e7eb\" lt 1 lw 0.8\n"
-        "set key above horizontal left Left reverse samplen 1.6 width -2 font \",13\" textcolor rgb "
+        "set key above horizontal left Left reverse samplen 1.6 width {} font \",13\" textcolor rgb "
         "\"#33383e\"\n"
-        "set lmargin 12\nset rmargin {}\nset errorbars small\n",
-        height, name, right_margin);
+        "set lmargin {}\nset rmargin {}\nset errorbars small\n",
+        sheet.width, sheet.height, name, sheet.name_width, sheet.left, sheet.right);
 }
 
 // gnuplot warns of a curve without a point.
@@ -143,7 +149,8 @@ std::string script(Plot plot) {
     drop_empty(plot, plot.curves);
     drop_empty(plot, plot.below);
     const bool two = !plot.below.empty();
-    std::string text = head_of_script(plot.name, 3, two ? 540 : 420);
+    const Sheet sheet = plot.small ? Sheet{400, 300, 9, 3, 1} : Sheet{600, two ? 540 : 420};
+    std::string text = head_of_script(plot.name, sheet);
     text += axis("x", plot.x_label, plot.log_x) + axis("y", plot.y_label, plot.log_y);
     if (!plot.note.empty())
         text += fmt::format("set label 1 {} at graph 0.02,0.05 left font \",13\" tc rgb \"#5a6068\"\n",
@@ -180,7 +187,7 @@ std::vector<double> edges(const std::vector<double>& centres, bool logarithmic) 
 }
 
 std::string script(const HeatMap& map) {
-    std::string text = head_of_script(map.name, 14);
+    std::string text = head_of_script(map.name, {600, 420, 12, 14});
     text += axis("x", map.x_label, map.log_x) + axis("y", map.y_label, map.log_y);
     const std::vector<double> x = edges(map.x, map.log_x), y = edges(map.y, map.log_y);
     text += fmt::format("set title {}\nset palette defined (0 \"#1f3f7a\", 1 \"#3f8fb5\", 2 \"#f2f0d8\", 3 "

@@ -13,11 +13,14 @@ namespace colour {
 inline const std::string red = "#c0392b", blue = "#1f5fa8", grey = "#8a8f98", green = "#2e7d4f",
                          orange = "#c77d0a", violet = "#7a4a9e", teal = "#0b7f8a", brown = "#7b4b2a",
                          pale = "#c9d6e6";
+// Of curves that are told apart by nothing else.
+inline const std::vector<std::string> hues = {red, blue, green, orange, violet, teal, brown};
 } // namespace colour
 
 struct Curve {
-    enum class Style { line, wide, dashed, points, line_points }; // wide: a pale band for others to lie upon
-    std::string label;                                            // empty: not in the legend
+    // wide: a pale band for others to lie upon
+    enum class Style { line, wide, dashed, points, line_points, crosses };
+    std::string label; // empty: not in the legend
     std::string colour;
     Style style = Style::line;
     std::vector<double> x, y; // points that are not finite (or not positive on a log axis) are left out
@@ -34,6 +37,7 @@ struct Plot {
     // A second, lower panel over the same x, where there are curves; its y is linear.
     std::string below_label = {};
     std::vector<Curve> below = {};
+    bool small = false; // one of many: smaller, with letters as large
 };
 
 // A colour for each cell: z[i*y.size() + j] at x[i], y[j], both ascending or descending; cells without a

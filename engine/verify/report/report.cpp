@@ -158,7 +158,7 @@ Page make_report(const Findings& f, const VerifyOptions& options, bool drawn, Ex
     if (has_former_constants(system)) add(transgressed(f, figures, curves));
     add(accuracy_section(f, figures));
     add(speed_section(f, figures, whole));
-    add(stability_section(f));
+    add(stability_section(f, figures));
     add(emitted(f.verification.emitted));
     add(left_out_section(f, drawn));
     if (whole) add(operations(f));

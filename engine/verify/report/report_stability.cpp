@@ -11,7 +11,23 @@
 
 namespace resonform::report {
 
-Section stability_section(const Findings& f) {
+namespace {
+
+std::string what_figures_show(const Stability& s) {
+    std::string text = "Over each input, by decades, the worst error of each output: level curves far below "
+                       "the dashed threshold lose no digits anywhere. What lies above it is told with its "
+                       "condition number below.";
+    if (s.refused_by.empty()) return text;
+    std::vector<std::string> statuses;
+    for (const auto& [status, count] : s.refused_by) statuses.push_back(status);
+    return text +
+           fmt::format(" Crosses are decades in which points were answered by a status; from above: {}",
+                       fmt::join(statuses, ", "));
+}
+
+} // namespace
+
+Section stability_section(const Findings& f, const Figures& figures) {
     Table worst{"Worst points", {"output", "ulp", "unavoidable", "at"}, {}};
     for (const WorstPoint& point : f.stability.worst) {
         std::vector<std::string> at;
@@ -42,7 +58,7 @@ Section stability_section(const Findings& f) {
              to_string(f.stability.verdict), f.stability.rule.empty() ? "" : ": " + typeset(f.stability.rule),
              f.stability.cases, f.stability.refused, f.stability.unexplained, 100 * unexplained_share,
              f.stability.beyond_reference, f.stability.threshold)},
-         swept, median, worst}};
+         Paragraph{what_figures_show(f.stability)}, figures.stability(f.stability), swept, median, worst}};
 }
 
 } // namespace resonform::report

@@ -16,7 +16,7 @@ Section verdict_section(const Findings& findings);
 Section scene_section(const Findings& findings, const Figures& figures);
 Section accuracy_section(const Findings& findings, const Figures& figures);
 Section speed_section(const Findings& findings, const Figures& figures, bool every_run);
-Section stability_section(const Findings& findings);
+Section stability_section(const Findings& findings, const Figures& figures);
 // What the ladder, the comparison and the sweep have left out, with the reasons.
 Section left_out_section(const Findings& findings, bool drawn);
 

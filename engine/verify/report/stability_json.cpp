@@ -20,13 +20,17 @@ Json lost_json(const LostDigits& lost) {
             {"share", json_number(lost.share)}};
 }
 
-Json worst_json(const WorstPoint& w) {
+Json inputs_json(const NamedInputs& inputs) {
     Json at = Json::object();
-    for (const auto& [name, value] : w.at) at[name] = json_number(value);
+    for (const auto& [name, value] : inputs) at[name] = json_number(value);
+    return at;
+}
+
+Json worst_json(const WorstPoint& w) {
     Json json{{"output", w.output},
               {"ulp", json_number(w.ulp)},
               {"unavoidable_ulp", json_number(w.unavoidable)},
-              {"at", at}};
+              {"at", inputs_json(w.at)}};
     if (!w.sensitive_to.empty()) json["sensitive_to"] = w.sensitive_to;
     if (w.lost) json["lost"] = lost_json(*w.lost);
     return json;
@@ -41,13 +45,15 @@ Json ranges_json(const std::vector<SweptInput>& inputs) {
 
 Json refusals_json(const std::vector<StabilityRefusals>& refusals) {
     Json all = Json::array();
-    for (const StabilityRefusals& r : refusals)
+    for (const StabilityRefusals& r : refusals) {
         all.push_back({{"status", r.status},
                        {"why", r.why},
                        {"count", r.count},
                        {"unexplained", r.unexplained},
                        {"where", ranges_json(r.where)},
                        {"t", {json_number(r.first_t), json_number(r.last_t)}}});
+        if (!r.first.empty()) all.back()["first"] = inputs_json(r.first);
+    }
     return all;
 }
 
@@ -57,12 +63,34 @@ Json histogram_json(const std::vector<UlpBin>& bins) {
     return all;
 }
 
+// outputs: in the order of the errors.
+Json decade_json(const Decade& decade,
+                 const std::vector<std::pair<std::string, std::vector<UlpBin>>>& outputs) {
+    Json ulp = Json::object();
+    for (std::size_t k = 0; k < decade.ulp.size(); ++k) ulp[outputs[k].first] = json_number(decade.ulp[k]);
+    return {{"from", decade.from()},
+            {"compared", decade.compared},
+            {"refused_by", Json(decade.refused_by)},
+            {"ulp", ulp}};
+}
+
+Json by_decade_json(const Stability& s) {
+    Json all = Json::object();
+    for (const InputByDecade& own : s.by_decade) {
+        Json& decades = all[own.input.name] = Json::array();
+        for (const Decade& decade : own.decades) decades.push_back(decade_json(decade, s.histogram));
+    }
+    return all;
+}
+
 } // namespace
 
 Json to_json(const Stability& s) {
     Json worst = Json::array(), median = Json::object(), refused = Json::object(), histogram = Json::object();
     for (const WorstPoint& w : s.worst) worst.push_back(worst_json(w));
     for (const auto& [name, ulp] : s.median) median[name] = json_number(ulp);
+    Json not_judged = Json::object();
+    for (const auto& [name, ulp] : s.not_judged_ulp) not_judged[name] = json_number(ulp);
     for (const auto& [name, bins] : s.histogram) histogram[name] = histogram_json(bins);
     for (const auto& [status, count] : s.refused_by) refused[status] = count;
     Json json{{"schema", "resonform.stability/1"},
@@ -82,8 +110,12 @@ Json to_json(const Stability& s) {
               {"refused_by", refused},
               {"refusals", refusals_json(s.refusals)},
               {"beyond_reference", s.beyond_reference},
+              {"not_judged", s.not_judged},
+              {"not_judged_ulp", not_judged},
+              {"not_judged_refused_by", Json(s.not_judged_refused_by)},
               {"median_ulp", median},
-              {"histogram_ulp", histogram}};
+              {"histogram_ulp", histogram},
+              {"by_decade", by_decade_json(s)}};
     if (!s.reason.empty()) json["reason"] = s.reason;
     return json;
 }

@@ -24,6 +24,13 @@ std::string line_of(const SweptInput& input, const SweptInput& whole) {
                               decades(whole), input.rests ? ", from its equilibrium" : "");
 }
 
+// " eps = 0.01 tau_0 = 2 t = 0"
+std::string text_of(const NamedInputs& at) {
+    std::string text;
+    for (const auto& [name, value] : at) text += fmt::format(" {} = {:.6g}", name, value);
+    return text;
+}
+
 // "outside_domain (1 - tau): 12, 3 without an explanation; a 1e-12 ... 3, t 0 ... 1e5"
 std::string line_of(const StabilityRefusals& refusals) {
     std::string text = fmt::format("  {}{}: {}", refusals.status,
@@ -32,7 +39,10 @@ std::string line_of(const StabilityRefusals& refusals) {
     text += ", at";
     for (const SweptInput& input : refusals.where)
         if (input.high > 0) text += fmt::format(" {} {:.3g} ... {:.3g},", input.name, input.low, input.high);
-    return text + fmt::format(" t {:.3g} ... {:.3g}\n", refusals.first_t, refusals.last_t);
+    text += fmt::format(" t {:.3g} ... {:.3g}\n", refusals.first_t, refusals.last_t);
+    if (refusals.unexplained > 0)
+        text += fmt::format("           without an explanation at{}\n", text_of(refusals.first));
+    return text;
 }
 
 // "psi: median 0.21 ulp; 180 to 0.5, 12 to 1, 3 to 2 ulp"
@@ -59,14 +69,28 @@ std::string text_of(const LostDigits& lost) {
 std::string text_of(const WorstPoint& w, double threshold) {
     std::string text = fmt::format("  {:<8} {:>9.3g} ulp", w.output, w.ulp);
     if (w.unavoidable > 0) text += fmt::format(" (a last bit of the inputs: {:.3g})", w.unavoidable);
-    text += " at";
-    for (const auto& [name, value] : w.at) text += fmt::format(" {} = {:.6g}", name, value);
-    text += "\n";
+    text += " at" + text_of(w.at) + "\n";
     if (w.lost) text += text_of(*w.lost);
     if (w.unavoidable > 0 && !w.is_wrong(threshold))
         text += fmt::format("           ill-conditioned, condition number {:.3g}, most of {}\n",
                             w.unavoidable, w.sensitive_to);
     return text;
+}
+
+std::string line_of_not_judged(const Stability& s) {
+    std::string text =
+        fmt::format("  {} far beyond (phases at {:g}, slow variables at {:g}), without a verdict",
+                    s.not_judged, extreme_phase, extreme_slow);
+    const char* before = ": ";
+    for (const auto& [output, ulp] : s.not_judged_ulp) {
+        text += fmt::format("{}{} is off by {:.3g} ulp at most", before, output, ulp);
+        before = ", ";
+    }
+    for (const auto& [status, count] : s.not_judged_refused_by) {
+        text += fmt::format("{}{} {}", before, count, status);
+        before = ", ";
+    }
+    return text + "\n";
 }
 
 } // namespace
@@ -80,6 +104,7 @@ std::string to_text(const Stability& s) {
     for (const auto& [status, count] : s.refused_by) text += fmt::format(", {} {}", count, status);
     text += fmt::format("; {} without an explanation (at most {:.0f} %), {} beyond the reference\n",
                         s.unexplained, 100 * unexplained_share, s.beyond_reference);
+    if (s.not_judged > 0) text += line_of_not_judged(s);
     if (!s.rule.empty()) text += fmt::format("  {}: {}\n", to_string(s.verdict), s.rule);
     text += "  swept, as far as the reference goes:\n";
     for (std::size_t i = 0; i < s.inputs.size(); ++i) text += line_of(s.swept[i], s.inputs[i]);

@@ -16,15 +16,6 @@ bool is_beyond_double(const SymbolicPoint& exact) {
                        [](const Wide& scale) { return !(scale < Wide(std::numeric_limits<double>::max())); });
 }
 
-// Every input lies within its declared range: none of them can be a bad argument.
-bool explains(Status status, const SymbolicPoint& exact, StabilityReference::From& from, double t) {
-    if (status == Status::bad_argument) return false;
-    if (exact.status != Status::ok || is_beyond_double(exact)) return true;
-    if (status == Status::outside_interval && from.loses_phase(t)) return true;
-    if (status == Status::low_precision && (from.has_large_phase(t) || from.has_grown(t))) return true;
-    return std::isinf(from.conditioning(t).sum.front());
-}
-
 } // namespace
 
 std::vector<StabilityAnswer> StabilityTrial::operator()(const SweepPoint& at, std::size_t times) const {
@@ -42,13 +33,25 @@ std::vector<StabilityAnswer> StabilityTrial::operator()(const SweepPoint& at, st
     return answers;
 }
 
+// Every input lies within its declared range: none of them can be a bad argument.
+bool StabilityTrial::explains(const StabilityAnswer& answer, const SymbolicPoint& exact,
+                              StabilityReference::From& from) const {
+    if (answer.status == Status::bad_argument) return false;
+    if (exact.status != Status::ok || is_beyond_double(exact)) return true;
+    if (answer.status == Status::outside_interval && from.loses_phase(answer.t)) return true;
+    if (answer.status == Status::low_precision &&
+        (from.has_large_phase(answer.t) || (!exponent_.empty() && answer.why == exponent_)))
+        return true;
+    return std::isinf(from.conditioning(answer.t).sum.front());
+}
+
 void StabilityTrial::judge(StabilityAnswer& answer, const std::vector<double>& values,
                            StabilityReference::From& from) const {
     const SymbolicPoint& exact = from.at(answer.t);
     answer.known = exact.status != Status::outside_interval;
     if (!answer.known) return;
     if (answer.status != Status::ok) {
-        answer.explained = explains(answer.status, exact, from, answer.t);
+        answer.explained = explains(answer, exact, from);
         return;
     }
     answer.ulp = from.ulp(answer.t, values);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -26,10 +27,13 @@ struct StabilityAnswer { // at one time
 
 class StabilityTrial {
 public:
-    // threshold: in ulp. All three must outlive it; library: of the program, in double.
+    // threshold: in ulp. All references must outlive it; library: of the program, in double. exponent: of
+    // which the evaluator says low_precision where the formulas neglect too much beside its mode, which is
+    // not for their rounding to judge; "" if there is none.
     StabilityTrial(const Program& program, std::shared_ptr<const EvaluatorLibrary> library,
-                   const StabilityReference& reference, double threshold)
-        : program_(program), library_(std::move(library)), reference_(reference), threshold_(threshold) {}
+                   const StabilityReference& reference, double threshold, std::string exponent)
+        : program_(program), library_(std::move(library)), reference_(reference), threshold_(threshold),
+          exponent_(std::move(exponent)) {}
 
     // The end of slow time with which evaluators are made: a little longer than the interval, for
     // t = end/eps is rounded.
@@ -38,6 +42,8 @@ public:
     [[nodiscard]] std::vector<StabilityAnswer> operator()(const SweepPoint& at, std::size_t times) const;
 
 private:
+    [[nodiscard]] bool explains(const StabilityAnswer& answer, const SymbolicPoint& exact,
+                                StabilityReference::From& from) const;
     void judge(StabilityAnswer& answer, const std::vector<double>& values,
                StabilityReference::From& from) const;
 
@@ -45,6 +51,7 @@ private:
     std::shared_ptr<const EvaluatorLibrary> library_;
     const StabilityReference& reference_;
     double threshold_;
+    std::string exponent_;
 };
 
 } // namespace resonform

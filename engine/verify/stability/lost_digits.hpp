@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -34,8 +35,7 @@ struct LostDigits {
 
 class DigitTracer {
 public:
-    explicit DigitTracer(std::shared_ptr<const Program> program)
-        : shared_(std::make_shared<const Interpretation>(std::move(program))) {}
+    explicit DigitTracer(std::shared_ptr<const Interpretation> shared) : shared_(std::move(shared)) {}
 
     // Of an output at t, evaluators being made with `end`; unit: one ulp of its scale. Nothing: there are no
     // numbers, the graph is not off by as much as half an ulp, or no part of it has most of the error.

@@ -21,7 +21,9 @@ constexpr double default_eps = 0.01;
 constexpr double corner_probability = 0.4;
 constexpr int most_draws = 20, most_ways_out = 6;
 constexpr double edge_decades = 6;
-constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-3, largest_phase = 1e12;
+constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-12;
+constexpr double smallest_distance = 1e-3; // from a rest that is not 0: what is left of the digits
+constexpr double largest_phase = 1e12;
 
 // All inputs as one vector: eps, parameters, start.
 using Inputs = std::vector<double>;
@@ -157,15 +159,20 @@ private:
         const bool turned = input.negative && uniform() < 0.5;
         return (turned ? -1 : 1) * size * std::pow(eps, to_double(input.weight));
     }
-    static std::size_t corners_of(const SweptInput& input) { return input.zero ? 4 : 3; }
+    static std::vector<double> corners(const SweptInput& input) {
+        std::vector<double> sizes{input.high, input.low, std::sqrt(input.low) * std::sqrt(input.high)};
+        if (input.zero) sizes.push_back(0);
+        if (input.extreme > 0) sizes.push_back(input.extreme);
+        return sizes;
+    }
+    static std::size_t corners_of(const SweptInput& input) { return corners(input).size(); }
     double corner(const SweptInput& input, double eps, std::size_t which) {
-        if (which == 3) return 0;
-        return signed_value(input, eps, which == 0 ? input.high : which == 1 ? input.low : middle(input));
+        const double size = corners(input)[which];
+        return size == 0 ? 0 : signed_value(input, eps, size);
     }
     double anywhere(const SweptInput& input, double eps) {
         return signed_value(input, eps, input.low * std::pow(input.high / input.low, uniform()));
     }
-    static double middle(const SweptInput& input) { return std::sqrt(input.low) * std::sqrt(input.high); }
 
     const Program& program_;
     Rests rests_;
@@ -186,13 +193,17 @@ SweptInput of_start(const ProgramInput& input, const System& system) {
     const Variable* variable = system.variable(input.canonical);
     const bool slow = variable != nullptr && variable->role == Role::slow;
     const bool phase = input.canonical.compare(0, 6, "phase.") == 0;
+    const bool rests = rests_elsewhere(system, input.canonical);
     return {input.name,
-            smallest_start,
+            rests ? smallest_distance : smallest_start,
             phase ? largest_phase : largest_start,
             !(slow && variable->positive),
             !(slow && (variable->positive || variable->nonzero)),
             system.weight(start_weight(system, input.canonical)),
-            rests_elsewhere(system, input.canonical)};
+            rests,
+            slow    ? extreme_slow
+            : phase ? extreme_phase
+                    : 0};
 }
 
 } // namespace
@@ -228,6 +239,13 @@ std::vector<SweptInput> reachable_inputs(const Program& program, const Scene& sc
     return inputs;
 }
 
+bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& inputs) {
+    const std::vector<double> values = as_swept(point, inputs);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (inputs[i].extreme > 0 && std::abs(values[i]) > inputs[i].extreme / 2) return true;
+    return false;
+}
+
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs) {
     for (SweptInput& input : inputs) {
         input.low = std::numeric_limits<double>::infinity();
@@ -237,17 +255,24 @@ std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs) {
     return inputs;
 }
 
-void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
+std::vector<double> as_swept(const SweepPoint& point, const std::vector<SweptInput>& inputs) {
     Inputs values{point.eps};
     values.insert(values.end(), point.parameters.begin(), point.parameters.end());
     values.insert(values.end(), point.distance.begin(), point.distance.end());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (inputs[i].weight != 0) values[i] /= std::pow(point.eps, to_double(inputs[i].weight));
+    return values;
+}
+
+void add(const SweepPoint& point, std::vector<SweptInput>& swept) {
+    const std::vector<double> values = as_swept(point, swept);
     for (std::size_t i = 0; i < values.size(); ++i) {
         SweptInput& input = swept[i];
         if (values[i] == 0) {
             input.zero = true;
             continue;
         }
-        const double size = std::abs(values[i]) / std::pow(point.eps, to_double(input.weight));
+        const double size = std::abs(values[i]);
         input.low = std::min(input.low, size);
         input.high = std::max(input.high, size);
         if (values[i] < 0) input.negative = true;

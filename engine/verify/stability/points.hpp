@@ -21,6 +21,7 @@ struct SweptInput {
     bool zero = false;     // and 0
     Rational weight = 0;   // of a start value
     bool rests = false;    // by [equilibrium]
+    double extreme = 0;    // a corner far beyond that is asked and not judged; 0: none
 };
 
 struct SweepPoint {
@@ -31,12 +32,14 @@ struct SweepPoint {
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
+constexpr double extreme_phase = 1e14, extreme_slow = 1e150;
+
 // log10(high/low), 0 where nothing but 0 was tried.
 double decades(const SweptInput& input);
 
 // In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
-// they are declared positive), start values eps^weight * (1e-3 ... 1e3), measured from [equilibrium], phases
-// to 1e12.
+// they are declared positive), start values eps^weight * (1e-12 ... 1e3), or from 1e-3 on where they are
+// measured from [equilibrium]; phases to 1e12. Phases and slow variables have a corner far beyond.
 std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
 
 // The same, each no farther than it may go alone, the other inputs as in the scene, in steps of half a
@@ -58,12 +61,19 @@ std::vector<Real> with_parameters_of(const SweepPoint& at, const Program& progra
     return of_scene;
 }
 
+// The values of all inputs at a point as their ranges are given: signed, of start values the distance over
+// eps^weight.
+std::vector<double> as_swept(const SweepPoint& point, const std::vector<SweptInput>& inputs);
+
+// An input is at a corner far beyond its range.
+bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& inputs);
+
 // nothing_swept: the inputs with empty ranges; add() then widens `swept` by the values of a point.
 std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);
 void add(const SweepPoint& point, std::vector<SweptInput>& swept);
 
 // The scene's own, then points of which every other one has one input at a corner, with the rest as in the
-// scene: all inputs in turn, at the high and the low one first, then in the middle and at zero.
+// scene: all inputs in turn, at the high and the low one first, then in the middle, at zero and far beyond.
 // In the others all inputs are drawn: log-uniform, each at a corner with probability 0.4; in every other of
 // these one input is then moved towards the end of the domain, over all but 1 ... 1e-6 of the way. A point
 // not `inside`, or drawn before, is drawn again, 20 times at most. Same seed, same points.

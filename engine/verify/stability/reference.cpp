@@ -2,12 +2,14 @@
 #include "verify/stability/reference.hpp"
 
 #include "model/system/start_names.hpp"
+#include "runtime/phase.hpp"
 #include "verify/evaluate/scene_values.hpp"
 #include "verify/integrate/tape.hpp"
 #include "verify/symbolic/ulp.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace resonform {
 
@@ -85,19 +87,34 @@ std::vector<double> StabilityReference::From::units() const {
 }
 
 bool StabilityReference::From::has_large_phase(double t) const {
+    const Wide most = reference_.is_flow_ ? Wide(1e-9 / (16 * last_bit)) : Wide(1e13);
     const std::vector<Wide> theta = exact_.phases(Wide(t));
-    return std::any_of(theta.begin(), theta.end(),
-                       [](const Wide& phase) { return abs(phase) * 16 * last_bit > Wide(1e-9); });
-}
-
-bool StabilityReference::From::has_grown(double t) const {
-    const std::vector<Wide> chi = exact_.exponents(Wide(t));
-    return std::any_of(chi.begin(), chi.end(), [](const Wide& exponent) { return exponent > 0; });
+    return std::any_of(theta.begin(), theta.end(), [&](const Wide& phase) { return abs(phase) > most; }) ||
+           exact_.loses_phase(Wide(t), known_end(), Wide(known_radians / (2 * most)));
 }
 
 bool StabilityReference::From::loses_phase(double t) const {
-    const Wide end = std::min(inputs_.slow_time_end, exact_.tabulated()) / inputs_.eps;
-    return exact_.loses_phase(Wide(t), end, phase_resolution<double>(reference_.is_flow_));
+    return exact_.loses_phase(Wide(t), known_end(), phase_resolution<double>(reference_.is_flow_));
+}
+
+// Of t.
+Wide StabilityReference::From::known_end() const {
+    return std::min(inputs_.slow_time_end, exact_.tabulated()) / inputs_.eps;
+}
+
+const StabilityReference::From::Beside* StabilityReference::From::beside(std::size_t k) {
+    if (k < beside_.size()) return &beside_[k];
+    SymbolicInputs changed = inputs_;
+    changed.slow_time_end *= 1 + 4 * last_bit;
+    std::vector<std::pair<std::string, Wide*>> inputs{{"eps", &changed.eps}};
+    for (auto* list : {&changed.parameters, &changed.start})
+        for (auto& [name, input] : *list)
+            if (input != 0 && changed.untaken.count(name) == 0) inputs.emplace_back(name, &input);
+    if (k == inputs.size()) return nullptr;
+    *inputs[k].second *= 1 + last_bit;
+    beside_.push_back({inputs[k].first,
+                       SymbolicEvaluator(reference_.solution_, changed, changed.slow_time_end, most_panels)});
+    return &beside_.back();
 }
 
 Conditioning StabilityReference::From::conditioning(double t) {
@@ -105,33 +122,24 @@ Conditioning StabilityReference::From::conditioning(double t) {
     const std::size_t outputs = reference_.program_.outputs.size();
     Conditioning none{std::vector<double>(outputs, std::numeric_limits<double>::infinity()),
                       std::vector<std::string>(outputs)};
-    for (const Wide& beside : times_at_edge<double>(t))
-        if (exact_(beside).status != here.status) return none;
+    for (const Wide& later : times_at_edge<double>(t))
+        if (exact_(later).status != here.status) return none;
     Conditioning all{std::vector<double>(outputs, 0.0), std::vector<std::string>(outputs)};
     std::vector<double> most(outputs, 0.0);
     const bool numbers = here.status == Status::ok;
     const std::vector<Wide> theta = numbers ? exact_.phases(Wide(t)) : std::vector<Wide>{};
-    SymbolicInputs changed = inputs_;
-    changed.slow_time_end *= 1 + 4 * last_bit;
-    const auto add = [&](const std::string& name, Wide& input) {
-        const Wide before = input;
-        input *= 1 + last_bit;
-        const SymbolicEvaluator beside(reference_.solution_, changed, changed.slow_time_end, most_panels);
-        const SymbolicPoint moved = numbers ? beside.with_phases(Wide(t), theta) : beside(Wide(t));
-        input = before;
-        if (moved.status != here.status) return false;
+    std::size_t next = 0;
+    while (const Beside* changed = beside(next++)) {
+        const SymbolicPoint moved =
+            numbers ? changed->exact.with_phases(Wide(t), theta) : changed->exact(Wide(t));
+        if (moved.status != here.status) return none;
         for (std::size_t k = 0; numbers && k < outputs; ++k) {
             const double change = in_ulp<double>(moved.values[k], here.values[k], scales_[k]);
             all.sum[k] += change;
-            if (change > most[k]) all.input[k] = name;
+            if (change > most[k]) all.input[k] = changed->input;
             most[k] = std::max(most[k], change);
         }
-        return true;
-    };
-    if (!add("eps", changed.eps)) return none;
-    for (auto* list : {&changed.parameters, &changed.start})
-        for (auto& [name, input] : *list)
-            if (input != 0 && changed.untaken.count(name) == 0 && !add(name, input)) return none;
+    }
     return all;
 }
 

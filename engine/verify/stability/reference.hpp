@@ -44,10 +44,10 @@ public:
         [[nodiscard]] std::vector<double> ulp(double t, const std::vector<double>& values);
         // One ulp of each output's scale at the last time asked for.
         [[nodiscard]] std::vector<double> units() const;
-        // 16 ulp of a phase at t are more than the 10^-9 radians that evaluators answer for.
+        // Evaluators answer for a phase to 10^-9 radians, and up to 10^14; here 16 ulp of it are more, or it
+        // is within a factor of 10 of that: at t, or in the eighth of the interval that follows, for a table
+        // may answer for so much of it at once.
         [[nodiscard]] bool has_large_phase(double t) const;
-        // An exponent is above 0 at t: a growing mode has multiplied the truncation error.
-        [[nodiscard]] bool has_grown(double t) const;
         // Emitted code in double has no phase at t, or ends within this eighth of the interval.
         [[nodiscard]] bool loses_phase(double t) const;
         // At t, with the phases unchanged. Infinite, and no input named, where the status is another one for
@@ -55,9 +55,18 @@ public:
         [[nodiscard]] Conditioning conditioning(double t);
 
     private:
+        struct Beside { // with one input changed by its last bit
+            std::string input;
+            SymbolicEvaluator exact;
+        };
+        // Made when they are asked for, once for all times: the k-th, nullptr beyond the last.
+        const Beside* beside(std::size_t k);
+        [[nodiscard]] Wide known_end() const;
+
         const StabilityReference& reference_;
         SymbolicInputs inputs_;
         SymbolicEvaluator exact_;
+        std::vector<Beside> beside_;
         std::map<double, SymbolicPoint> known_;
         std::vector<Wide> scales_; // of each output
     };

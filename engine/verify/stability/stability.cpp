@@ -132,7 +132,12 @@ private:
             ++result_.beyond_reference;
             return;
         }
+        if (is_far_beyond(at, result_.inputs)) {
+            add_unjudged(answer);
+            return;
+        }
         add(at, result_.swept);
+        add(at, answer, result_.by_decade);
         if (answer.status != Status::ok) {
             ++result_.refused;
             ++result_.refused_by[to_string(answer.status)];
@@ -144,6 +149,15 @@ private:
         for (std::size_t k = 0; k < ulps_.size(); ++k) record(k, answer, at);
     }
 
+    void add_unjudged(const StabilityAnswer& answer) {
+        ++result_.not_judged;
+        if (answer.status != Status::ok) ++result_.not_judged_refused_by[to_string(answer.status)];
+        for (std::size_t k = 0; k < answer.ulp.size(); ++k) {
+            double& worst = result_.not_judged_ulp[program_.outputs[k].name];
+            worst = std::max(worst, answer.ulp[k]);
+        }
+    }
+
     void add_refusal(const SweepPoint& at, const StabilityAnswer& answer) {
         const std::string status = to_string(answer.status);
         auto found =
@@ -152,12 +166,22 @@ private:
             });
         if (found == result_.refusals.end())
             found = result_.refusals.insert(
-                found, {status, answer.why, 0, 0, nothing_swept(result_.inputs), answer.t, answer.t});
+                found, {status, answer.why, 0, 0, nothing_swept(result_.inputs), answer.t, answer.t, {}});
         ++found->count;
-        if (!answer.explained) ++found->unexplained;
+        if (!answer.explained && ++found->unexplained == 1) found->first = named(at, answer.t);
         add(at, found->where);
         found->first_t = std::min(found->first_t, answer.t);
         found->last_t = std::max(found->last_t, answer.t);
+    }
+
+    [[nodiscard]] NamedInputs named(const SweepPoint& at, double t) const {
+        NamedInputs inputs{{"eps", at.eps}};
+        for (std::size_t i = 0; i < at.parameters.size(); ++i)
+            inputs.emplace_back(program_.parameters[i].name, at.parameters[i]);
+        for (std::size_t i = 0; i < at.start.size(); ++i)
+            inputs.emplace_back(program_.start[i].name, at.start[i]);
+        inputs.emplace_back("t", t);
+        return inputs;
     }
 
     struct Worst {
@@ -173,7 +197,7 @@ private:
                      ulp,
                      answer.conditioning.sum[output],
                      answer.conditioning.input[output],
-                     {{"eps", at.eps}}},
+                     {}},
                     at,
                     answer.t,
                     answer.units[output]};
@@ -185,11 +209,7 @@ private:
         const auto place = std::upper_bound(list.begin(), list.end(), worst, before);
         if (place == list.end() && list.size() == listed_points) return;
         WorstPoint& point = worst.point;
-        for (std::size_t i = 0; i < at.parameters.size(); ++i)
-            point.at.emplace_back(program_.parameters[i].name, at.parameters[i]);
-        for (std::size_t i = 0; i < at.start.size(); ++i)
-            point.at.emplace_back(program_.start[i].name, at.start[i]);
-        point.at.emplace_back("t", answer.t);
+        point.at = named(at, answer.t);
         // without free inputs every start is the same
         if (std::any_of(list.begin(), list.end(), [&](const Worst& w) { return w.point.at == point.at; }))
             return;
@@ -212,8 +232,10 @@ bool WorstPoint::is_wrong(double threshold) const {
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     if (!scene.verify.eps.empty()) (void)bounded_interval_length(scene, scene.verify.eps.back());
-    const auto shared = std::make_shared<const Program>(build_program(solution, scene, {false, false}));
-    const Program& program = *shared;
+    const auto shared = std::make_shared<const Interpretation>(
+        std::make_shared<const Program>(build_program(solution, scene, {false, false})));
+    const Program& program = *shared->program;
+    const CppPlan& plan = shared->plan;
     Stability result;
     result.system = program.system;
     result.scene = program.scene;
@@ -222,9 +244,11 @@ Stability stability(const Scene& scene, const Solution& solution, const Stabilit
     result.reason = scene.verify.ulp_reason;
     result.inputs = swept_inputs(program, *scene.system);
     result.swept = nothing_swept(result.inputs);
+    result.by_decade = no_decades(result.inputs);
     const StabilityReference reference(program, solution, scene);
     const StabilityTrial trial(program, EvaluatorLibrary::build(program, options.cache, options.progress),
-                               reference, result.threshold);
+                               reference, result.threshold,
+                               plan.loses_digits ? plan.phase_names[*plan.loses_digits] : "");
     if (options.progress) options.progress("sweeping the inputs over their decades");
     constexpr std::size_t times = shares_of_interval.size();
     const auto inside = [&](const SweepPoint& at) { return reference.inside(at); };

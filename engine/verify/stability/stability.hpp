@@ -4,6 +4,7 @@
 #pragma once
 
 #include "verify/judging/ladder.hpp"
+#include "verify/stability/by_decade.hpp"
 #include "verify/stability/lost_digits.hpp"
 #include "verify/stability/points.hpp"
 
@@ -16,6 +17,8 @@
 
 namespace resonform {
 
+using NamedInputs = std::vector<std::pair<std::string, double>>; // eps, parameters, start values, t
+
 struct WorstPoint {
     std::string output;
     double ulp = 0; // infinite: a number where the exact solution has none
@@ -23,8 +26,8 @@ struct WorstPoint {
     // too.
     double unavoidable = 0;
     std::string sensitive_to; // the input of which a last bit does most; "" where unavoidable is 0
-    std::vector<std::pair<std::string, double>> at; // eps, parameters, start values, t
-    std::optional<LostDigits> lost = {};            // of the worst of an output: which part of it loses them
+    NamedInputs at;
+    std::optional<LostDigits> lost = {}; // of the worst of an output: which part of it loses them
 
     // Above threshold (1 + unavoidable); no code could be required to do better.
     [[nodiscard]] bool is_wrong(double threshold) const;
@@ -36,6 +39,7 @@ struct StabilityRefusals {
     std::size_t count = 0, unexplained = 0;
     std::vector<SweptInput> where = {}; // the ranges of the inputs there
     double first_t = 0, last_t = 0;
+    NamedInputs first = {}; // of those without an explanation
 };
 
 // How many errors lie up to a power of two, and above the one before; the last one infinite where an
@@ -55,16 +59,20 @@ struct Stability {
     std::vector<SweptInput> swept;     // how far it was, at points where the exact solution is computed
     Verdict verdict = Verdict::undecided;
     std::string rule;                 // that failed or is left open, with its numbers; empty at a pass
-    std::size_t cases = 0;            // each is one of the next three
+    std::size_t cases = 0;            // each is one of the next four
     std::size_t compared = 0;         // numbers beside numbers
     std::size_t refused = 0;          // the evaluator answered with a status
     std::size_t beyond_reference = 0; // the exact solution is not computed so far
-    std::map<std::string, std::size_t> refused_by; // status -> how many
-    std::size_t unexplained = 0;                   // of `refused`: the exact solution has moderate numbers
-    std::vector<WorstPoint> worst;                 // five of each output: wrong ones first, then by size
-    std::vector<StabilityRefusals> refusals;       // the most frequent first
+    std::size_t not_judged = 0;       // with an input far beyond
+    std::map<std::string, double> not_judged_ulp;             // output -> the worst there
+    std::map<std::string, std::size_t> not_judged_refused_by; // status -> how many there
+    std::map<std::string, std::size_t> refused_by;            // status -> how many
+    std::size_t unexplained = 0;             // of `refused`: the exact solution has moderate numbers
+    std::vector<WorstPoint> worst;           // five of each output: wrong ones first, then by size
+    std::vector<StabilityRefusals> refusals; // the most frequent first
     std::vector<std::pair<std::string, double>> median;                 // per output, in ulp
     std::vector<std::pair<std::string, std::vector<UlpBin>>> histogram; // per output, from 0.5 ulp on
+    std::vector<InputByDecade> by_decade;                               // of `compared` and `refused`
 };
 
 struct StabilityOptions : VerifyOptions {
@@ -72,14 +80,14 @@ struct StabilityOptions : VerifyOptions {
     std::uint64_t seed = 2;
 };
 
-constexpr double unexplained_share = 0.1; // with more of the points there is something wrong
+constexpr double unexplained_share = 0.01; // with more of the points there is something wrong
 
 // Sweeps all inputs of the program, with [fix] values as free parameters. Verdict: fail, where
-// a threshold (1 + unavoidable) is exceeded, or more than a tenth of the points have an unexplained status,
-// due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the map
-// does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth
-// of them are compared, or fewer than lie beyond the reference, or an input was driven over less than half
-// of the decades open to it. Errors: those of bounded_interval_length at the smallest eps of the ladder.
+// a threshold (1 + unavoidable) is exceeded, or more than a hundredth of the points have an unexplained
+// status, due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the
+// map does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth of
+// them are compared, or fewer than lie beyond the reference, or an input was driven over less than half of
+// the decades open to it. Errors: those of bounded_interval_length at the smallest eps of the ladder.
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options);
 
 std::string to_text(const Stability& stability);

@@ -60,7 +60,6 @@ public:
 
     template <class Number>
     static void set_root(const Root& root, Number radicand, SymbolicValues<Number>& values) {
-        using math::sqrt;
         if (root.data != nullptr) {
             values.set(root.id, Number(spline(spline_of(*root.data), root.derivative, radicand)));
             return;
@@ -70,7 +69,7 @@ public:
             return;
         }
         int index = root.index;
-        for (; index % 2 == 0; index /= 2) radicand = sqrt(radicand);
+        for (; index % 2 == 0; index /= 2) radicand = square_root(radicand);
         values.set(root.id, index == 1 ? radicand : math::root(radicand, index));
     }
 

@@ -12,6 +12,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -20,6 +21,24 @@
 namespace resonform {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
+
+// Boost's own works bit by bit, and costs as much as twenty multiplications.
+template <class Number> Number square_root(const Number& x) {
+    using math::sqrt;
+    return sqrt(x);
+}
+template <> inline Wide square_root(const Wide& x) {
+    if (!(x > 0) || !isfinite(x)) return sqrt(x);
+    int exponent = 0;
+    Wide fraction = frexp(x, &exponent);
+    if (exponent % 2 != 0) {
+        fraction *= 2;
+        --exponent;
+    }
+    Wide root = std::sqrt(static_cast<double>(fraction));
+    for (int digits = 16; digits < 50; digits *= 2) root = (root + fraction / root) / 2;
+    return ldexp(root, exponent / 2);
+}
 
 template <class Number> struct ComplexNumber {
     Number re = 0, im = 0;
@@ -36,8 +55,7 @@ template <class Number> struct ComplexNumber {
     friend ComplexNumber operator*(const Number& a, const ComplexNumber& b) { return {a * b.re, a * b.im}; }
     [[nodiscard]] ComplexNumber conjugate() const { return {re, -im}; }
     [[nodiscard]] Number size() const {
-        using math::sqrt;
-        return im == 0 ? math::magnitude(re) : Number(sqrt(Number(re * re + im * im)));
+        return im == 0 ? math::magnitude(re) : square_root(Number(re * re + im * im));
     }
 };
 using WideComplex = ComplexNumber<Wide>;

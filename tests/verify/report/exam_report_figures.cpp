@@ -54,4 +54,31 @@ TEST(ReportFigures, TwoDriftsAreDrawnInTheirPlane) {
     EXPECT_EQ(pendulum.figures.back().caption, "y over x, ε = 0.1");
 }
 
+TEST(ReportFigures, RoundingIsDrawnOverEachInput) {
+    const System read = read_system(std::filesystem::path(RESONFORM_SOURCE_DIR) /
+                                    "systems/almost_holonomic_pendulum/system.toml");
+    Stability s;
+    s.histogram = {{"psi", {}}, {"x", {}}};
+    s.refused_by = {{"overflow", 2}};
+    s.by_decade = {
+        {{"xi_0", 1e-3, 1e3, true, true, 1}, {{{}, 3, {}, {1, 2}}, {-2, 4, {{"overflow", 2}}, {0, 32}}}},
+        {{"C_X", 1e-3, 1e3}}};
+    const auto drawn = [&](bool whether) {
+        return Figures(read, std::filesystem::temp_directory_path() / "resonform-figures", whether)
+            .stability(s);
+    };
+    EXPECT_TRUE(drawn(false).figures.empty());
+    const Gallery gallery = drawn(true);
+    EXPECT_TRUE(gallery.small);
+    EXPECT_EQ(names(gallery), Names{"stability_xi_0"}) << "nothing is known over C_X";
+    const Figure& figure = gallery.figures.front();
+    EXPECT_EQ(figure.caption, "Worst errors over ξ_0, by decades");
+    // 0 to the left of all others; 0 ulp at the foot; the threshold; crosses below
+    EXPECT_EQ(figure.csv, "quantity,curve,\"|ξ_0| / ε\",value,mark\n"
+                          "\"ulp\",\"ψ\",0.003,1,\"0\"\n\"ulp\",\"ψ\",0.03,0.1,\"\"\n"
+                          "\"ulp\",\"x\",0.003,2,\"\"\n\"ulp\",\"x\",0.03,32,\"\"\n"
+                          "\"ulp\",\"\",0.003,16,\n\"ulp\",\"\",0.03,16,\n\"ulp\",\"\",0.03,0.05,\n");
+    EXPECT_EQ(figure.svg.find("NaN"), std::string::npos);
+}
+
 } // namespace resonform::report

@@ -30,7 +30,8 @@ template <class Output> std::shared_ptr<const Program> made(const Output& output
 
 // At t = 0, with an output of the scale 1.
 std::optional<LostDigits> lost(const std::shared_ptr<const Program>& program, double a, double b) {
-    return DigitTracer(program)({0.1, {a, b}, {}, {}}, 1, 0, 0, 0x1p-52);
+    return DigitTracer(std::make_shared<const Interpretation>(program))({0.1, {a, b}, {}, {}}, 1, 0, 0,
+                                                                        0x1p-52);
 }
 
 Graph::Node per(Graph& graph, Graph::Node n) { return graph.power(n, -1); }
