@@ -7,7 +7,7 @@
 //   order       3, normal form and map through weight 4
 //   operations  3 add, 3 multiply, 1 divide, 0 root, 0 sincos, 1 other, 1 tables
 //   written out 3 add, 4 multiply, 1 divide, 0 root, 0 sincos, 0 other, 3 tables
-//   many points from tables of 3 rows (87 operations, 154 one by one)
+//   many points from tables of 3 rows (87 operations, 90 from atoms, 154 one by one)
 //
 // z1 = a1*exp(chi)
 // a1 = u_y

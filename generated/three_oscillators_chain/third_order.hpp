@@ -7,7 +7,7 @@
 //   order       3, normal form and map through weight 4
 //   operations  80 add, 95 multiply, 0 divide, 0 root, 3 sincos, 0 other, 0 tables
 //   written out 297 add, 628 multiply, 247 divide, 148 root, 190 sincos, 0 other, 0 tables
-//   many points from tables of 96 rows (1134 operations, 895 one by one)
+//   many points from tables of 96 rows (1134 operations, 576 from atoms, 895 one by one)
 //
 // z1 = a1*exp(I*theta1)
 // z2 = conj(z1)

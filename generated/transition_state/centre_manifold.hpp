@@ -7,7 +7,7 @@
 //   order       3, normal form and map through weight 4
 //   operations  10 add, 21 multiply, 0 divide, 0 root, 1 sincos, 0 other, 0 tables
 //   written out 35 add, 98 multiply, 21 divide, 0 root, 22 sincos, 0 other, 0 tables
-//   many points from tables of 14 rows (198 operations, 271 one by one)
+//   many points from tables of 14 rows (198 operations, 135 from atoms, 271 one by one)
 //
 // z1 = a1*exp(I*theta)
 // z2 = conj(z1)

@@ -52,7 +52,7 @@ struct HenonHeiles { // one phase, a slow flow
 struct Spring { // two phases, a slow flow
     template <class Real> using Evaluator = generated::spring_pendulum::exchange::Evaluator<Real>;
 };
-struct Chain { // three phases, from atoms
+struct Chain { // three phases
     template <class Real> using Evaluator = generated::three_oscillators_chain::third_order::Evaluator<Real>;
 };
 struct Rise { // z begins with 0
