@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace resonform::test {
@@ -40,6 +41,14 @@ protected:
     }
 };
 using SlowStabilityCommand = StabilityCommand;
+
+// Of the worst points, those that the inputs do not account for.
+double largest_avoidable(const nlohmann::json& found) {
+    double largest = 0;
+    for (const auto& point : found["worst"])
+        if (point["unavoidable_ulp"] == 0) largest = std::max(largest, point["ulp"].get<double>());
+    return largest;
+}
 
 } // namespace
 
@@ -150,7 +159,7 @@ TEST_F(SlowStabilityCommand, AStatusThatNothingExplainsIsAFailure) {
 TEST_F(StabilityCommand, WithoutNumbersThereIsNoVerdict) {
     write(scratch_.path() / "systems/edge/system.toml",
           "[system]\nname = \"edge\"\n[variables]\nx = { role = \"fast\" }\n"
-          "[equations]\nx = \"x'' + x + 10^18*x^2 = 0\"\n");
+          "[equations]\nx = \"x'' + x + 10^40*x^2 = 0\"\n");
     write(scratch_.path() / "systems/edge/scenes/s.toml", "order = 1\n[start]\nx = \"eps\"\n\"x'\" = 0\n");
     const nlohmann::json found = json(1, "--seed 3");
     EXPECT_EQ(found["verdict"], "undecided") << found;
@@ -179,9 +188,9 @@ TEST_F(SlowStabilityCommand, ThePartThatLosesDigitsIsNamed) {
 // Off by 7e8 and by 1e5 ulp when they were emitted as they are written.
 TEST_F(SlowStabilityCommand, WhatIsRewrittenLosesNone) {
     plant("1 - cos(a)", "[domain]\npositive = [\"1 - cos(a)\"]\n");
-    EXPECT_LT(json(0)["worst"][0]["ulp"], 4);
+    EXPECT_LT(largest_avoidable(json(0)), 4) << "cos(10^12) may be no better than its argument";
     plant("sqrt(1 + a^2) - a");
-    EXPECT_LT(json(0)["worst"][0]["ulp"], 4);
+    EXPECT_LT(largest_avoidable(json(0)), 4);
 }
 
 TEST_F(StabilityCommand, PointsAndSeedAreWholeNumbers) {

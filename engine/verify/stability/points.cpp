@@ -242,7 +242,7 @@ std::vector<SweptInput> reachable_inputs(const Program& program, const Scene& sc
 bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& inputs) {
     const std::vector<double> values = as_swept(point, inputs);
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (inputs[i].extreme > 0 && std::abs(values[i]) > inputs[i].extreme / 2) return true;
+        if (inputs[i].extreme > 0 && std::abs(values[i]) > 10 * inputs[i].high) return true;
     return false;
 }
 
