@@ -88,7 +88,8 @@ TEST_F(ModeAtZero, IsRefusedWhereAResonanceDrivesIt) {
 
 // A saddle that oscillators and a slow variable drive, in variables that mix its modes; each of its two
 // modes, each of the values that hold it.
-TEST_F(ModeAtZero, PassesItsLadderBesideOscillators) {
+class SlowModeAtZero : public ModeAtZero {};
+TEST_F(SlowModeAtZero, PassesItsLadderBesideOscillators) {
     const std::string system =
         "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n"
         "s = { role = \"slow\", positive = true }\n[equations]\n"
