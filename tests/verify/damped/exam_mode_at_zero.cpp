@@ -4,6 +4,7 @@
 #include "verify/own_system.hpp"
 #include "verify/report/json.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,10 +64,12 @@ TEST_F(ModeAtZero, TellsWhatIsWrong) {
         "[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
         "x = \"x'' + x + x*y = 0\"\ny = \"y'' - y' + 3*y = x^2\"\n";
     const std::string without = "[start]\nx = \"eps\"\n\"x'\" = 0\ny = 0\n";
-    for (const std::string mode : {"z1", "z2"})
-        EXPECT_EQ(refusal(swinging, without + "amplitude." + mode + " = 0\n"),
-                  "start.amplitude." + mode +
-                      ": a mode that is 0 at the start decays or grows at eps = 0 | " + mode + " oscillates");
+    for (const char* mode : {"z1", "z2"})
+        EXPECT_EQ(
+            refusal(swinging, fmt::format("{}amplitude.{} = 0\n", without, mode)),
+            fmt::format("start.amplitude.{0}: a mode that is 0 at the start decays or grows at eps = 0 | "
+                        "{0} oscillates",
+                        mode));
     EXPECT_EQ(
         refusal(swinging, without + "amplitude.z3 = 0\n"),
         "start.amplitude.z3: a mode that is 0 at the start is real, for it takes the place of one value | "
@@ -98,9 +101,10 @@ TEST_F(SlowModeAtZero, PassesItsLadderBesideOscillators) {
         for (const std::string given : {"y = \"eps/3\"", "\"y'\" = \"eps/3\""}) {
             const Scene scene = written(
                 system,
-                "order = 2\noutputs = [\"x\", \"y\", \"s\"]\n[start]\nx = \"eps\"\n\"x'\" = 0\ns = 1\n" +
-                    given + "\namplitude." + mode +
-                    " = 0\n[verify]\neps = [0.02, 0.01, 0.005, 0.0025, 0.00125]\n");
+                fmt::format("order = 2\noutputs = [\"x\", \"y\", \"s\"]\n[start]\nx = \"eps\"\n\"x'\" = 0\n"
+                            "s = 1\n{}\namplitude.{} = 0\n[verify]\n"
+                            "eps = [0.02, 0.01, 0.005, 0.0025, 0.00125]\n",
+                            given, mode));
             const Verification v = test::verified(test::line_of(scene));
             for (const OutputVerdict& o : v.outputs)
                 EXPECT_EQ(o.verdict, Verdict::pass) << mode << given << o.name << o.reason;
