@@ -101,8 +101,31 @@ std::vector<std::uint64_t> read_integers(const std::string& option, const std::s
     return list;
 }
 
-int read_order(const std::string& option, const std::string& text) {
-    return static_cast<int>(read_integer(option, text, 1, 99, 3));
+int read_order(const std::string& option, const std::string& text, int root, int highest) {
+    if (root == 1)
+        return static_cast<int>(read_integer(option, text, 1, static_cast<std::uint64_t>(highest), 3));
+    Rational held = 0;
+    try {
+        held = parse_rational(text) * root;
+    } catch (const Error&) { // 0 is no order either
+    }
+    if (cln::denominator(held) != 1 || held < 1 || held > highest * root)
+        bad_argument(
+            option,
+            fmt::format("must be a multiple of 1/{0}, as weights and powers of eps are, from 1/{0} to {1}",
+                        root, highest),
+            text, fmt::format("give for example {0} 3 or {0} {1}/{2}", option, 2 * root + 1, root));
+    return cln::cl_I_to_int(cln::numerator(held));
+}
+
+std::vector<int> read_orders(const std::string& option, const std::string& text, int root, int highest) {
+    std::vector<int> list;
+    for (const std::string& item : split_at_commas(text)) {
+        list.push_back(read_order(option, item, root, highest));
+        require_new(list, option, "number", text, item);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
 }
 
 int read_digits(const std::string& text) {

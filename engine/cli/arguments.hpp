@@ -36,8 +36,11 @@ std::uint64_t read_integer(const std::string& option, const std::string& text, s
 // "1,2,3": several of these, all different, in ascending order.
 std::vector<std::uint64_t> read_integers(const std::string& option, const std::string& text,
                                          std::uint64_t lowest, std::uint64_t highest, std::uint64_t example);
-// 1 ... 99.
-int read_order(const std::string& option, const std::string& text);
+// 1 ... highest, "3"; with weights and powers of eps in multiples of 1/root also "5/2". In units of 1/root,
+// as weights are held.
+int read_order(const std::string& option, const std::string& text, int root, int highest = 99);
+// "1,3/2": several of these, all different, in ascending order.
+std::vector<int> read_orders(const std::string& option, const std::string& text, int root, int highest);
 // A decimal number or a fraction, exactly, within smallest_eps ... largest_eps: "0.01", "1/100".
 Rational read_eps(const std::string& text);
 // "0.01,1/100": several of these, all different.

@@ -53,19 +53,20 @@ void print_text(const System& system, const Certificate& certificate) {
         put("The certificate does NOT hold: {}\n", certificate.complaint);
 }
 
-std::shared_ptr<const Normalization> checked(const std::string& argument, int order,
+std::shared_ptr<const Normalization> checked(const std::string& argument, const std::string& order,
                                              const SystemChanges& changes, const DerivationLimits& limits) {
     const Home home = find_home();
     const auto file = find_system(argument, home);
     return watched(limits, [&](Watch& watch) {
-        const Expanded expanded = expand_system(file, changes, home, watch);
-        return normalize_with_certificate(expanded, order * expanded.first_order->system->eps_root, watch);
+        const auto system = std::make_shared<const System>(changed_system(file, changes, home));
+        const int through = read_order("--order", order, system->eps_root);
+        return normalize_with_certificate(expand_system(system, watch), through, watch);
     });
 }
 
 int run_certify(const std::string& argument, const std::string& order, const SystemChanges& changes,
                 const DerivationLimits& limits, const std::string& format) {
-    const auto normalization = checked(argument, read_order("--order", order), changes, limits);
+    const auto normalization = checked(argument, order, changes, limits);
     const System& system = normalization->normal_form.field->system();
     if (format == "json")
         put("{}", document_text(to_json(system, normalization->certificate)));

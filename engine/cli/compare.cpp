@@ -21,8 +21,9 @@ namespace resonform {
 
 namespace {
 
-constexpr std::uint64_t highest_order = 63, fewest_points = 2, most_points = 10'000'000,
-                        most_members = 10'000'000, most_repetitions = 1000;
+constexpr int highest_order = 63;
+constexpr std::uint64_t fewest_points = 2, most_points = 10'000'000, most_members = 10'000'000,
+                        most_repetitions = 1000;
 
 class CompareCommand {
 public:
@@ -44,7 +45,8 @@ public:
         CompareOptions asked = options();
         const Home home = find_home();
         Scene scene = read_scene_with_values(*scene_, home);
-        for (int& order : asked.orders) order *= scene.system->eps_root;
+        if (!orders_->empty())
+            asked.orders = read_orders("--orders", *orders_, scene.system->eps_root, highest_order);
         set_order(scene, asked.orders);
         std::optional<SceneLine> line;
         asked.derivation_seconds = seconds_of(1, [&] {
@@ -65,9 +67,6 @@ private:
     [[nodiscard]] CompareOptions options() const {
         CompareOptions options;
         if (!eps_->empty()) options.eps = read_eps_list(*eps_);
-        if (!orders_->empty())
-            for (const std::uint64_t order : read_integers("--orders", *orders_, 1, highest_order, 3))
-                options.orders.push_back(static_cast<int>(order));
         options.tasks = tasks();
         options.points.clear();
         for (const std::uint64_t points :

@@ -34,18 +34,17 @@ constexpr const char* printing = "what is printed";
 // Through which weight the printed solution uses normal form and map: as asked, else what accuracy
 // through the order on t = 1/eps needs.
 int truncation_of(const GradedField& field, int order, const std::string& asked) {
-    const int one = field.system().eps_root;
     if (!asked.empty()) {
-        const int truncation = read_order("--truncation", asked) * one;
-        if (truncation < order)
-            bad_argument("--truncation", fmt::format("must not be below the order, {}", order / one), asked,
-                         fmt::format("give --truncation {} or more", order / one));
+        const int truncation = read_order("--truncation", asked, field.system().eps_root);
+        if (const std::string least = to_string(field.system().weight(order)); truncation < order)
+            bad_argument("--truncation", fmt::format("must not be below the order, {}", least), asked,
+                         fmt::format("give --truncation {} or more", least));
         return truncation;
     }
     Scene scene;
     scene.system = field.first_order->system;
     scene.order = order;
-    scene.time_scale = one;
+    scene.time_scale = scene.system->eps_root;
     for (const Variable& variable : scene.system->variables)
         if (variable.role == Role::fast || variable.role == Role::drift)
             scene.outputs.push_back(variable.name);
@@ -117,9 +116,8 @@ std::string from_graph(const Expanded& expanded, int order, Stage stage, Format 
 
 bool of_solution(Stage stage) { return stage == Stage::solution || stage == Stage::transgression; }
 
-std::string document(const Expanded& expanded, int order, Stage stage, const std::string& truncation,
+std::string document(const Expanded& expanded, int weight, Stage stage, const std::string& truncation,
                      Format format, const std::string& coefficients, Watch& watch) {
-    const int weight = order * expanded.first_order->system->eps_root;
     if (of_solution(stage)) {
         if (stage == Stage::transgression) require_former_constants(*expanded.first_order->system);
         const int through = truncation_of(*expanded.field, weight, truncation);
@@ -181,7 +179,6 @@ void require_printable_in_numbers(Stage stage, Format format) {
 }
 
 int run_derive(const DeriveRequest& request) {
-    const int order = read_order("--order", request.order);
     const Stage stage = of_argument("--stage", [&] { return parse_stage(request.stage); });
     if (!request.truncation.empty() && !of_solution(stage))
         bad_argument("--truncation", "goes with --stage solution or transgression", request.truncation,
@@ -197,12 +194,12 @@ int run_derive(const DeriveRequest& request) {
     const SystemChanges changes{read_settings(request.settings), style, read_digits(request.digits)};
     if (changes.digits > 0) require_printable_in_numbers(stage, format);
     put("{}", watched(request.limits, [&](Watch& watch) {
-            if (of_mechanism(stage))
-                return print_derivation(changed_system(file, changes, home), stage, format);
-            return stage == Stage::equations
-                       ? print_equations(changed_system(file, changes, home), format)
-                       : document(expand_system(file, changes, home, watch), order, stage, request.truncation,
-                                  format, coefficients, watch);
+            const auto system = std::make_shared<const System>(changed_system(file, changes, home));
+            const int weight = read_order("--order", request.order, system->eps_root);
+            if (of_mechanism(stage)) return print_derivation(*system, stage, format);
+            return stage == Stage::equations ? print_equations(*system, format)
+                                             : document(expand_system(system, watch), weight, stage,
+                                                        request.truncation, format, coefficients, watch);
         }));
     return done;
 }

@@ -46,17 +46,6 @@ private:
     Clock::time_point begin_ = Clock::now();
 };
 
-Expanded expand_shared(std::shared_ptr<const System> system, Watch& watch) {
-    watch.enter("solving the equations for the highest derivatives");
-    Expanded expanded;
-    expanded.first_order = std::make_shared<const FirstOrderSystem>(solve_for_highest(std::move(system)));
-    watch.enter("the expansion");
-    const Place file = whole_file(expanded.first_order->system->file);
-    expanded.field =
-        at_place(file, [&] { return std::make_shared<const GradedField>(expand(expanded.first_order)); });
-    return expanded;
-}
-
 } // namespace
 
 System changed_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home) {
@@ -71,9 +60,15 @@ System changed_system(const std::filesystem::path& file, const SystemChanges& ch
     return system;
 }
 
-Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home,
-                       Watch& watch) {
-    return expand_shared(std::make_shared<const System>(changed_system(file, changes, home)), watch);
+Expanded expand_system(std::shared_ptr<const System> system, Watch& watch) {
+    watch.enter("solving the equations for the highest derivatives");
+    Expanded expanded;
+    expanded.first_order = std::make_shared<const FirstOrderSystem>(solve_for_highest(std::move(system)));
+    watch.enter("the expansion");
+    const Place file = whole_file(expanded.first_order->system->file);
+    expanded.field =
+        at_place(file, [&] { return std::make_shared<const GradedField>(expand(expanded.first_order)); });
+    return expanded;
 }
 
 namespace {
@@ -149,7 +144,7 @@ Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normaliz
 }
 
 Solution solve_system(std::shared_ptr<const System> system, int order, int truncation, Watch& watch) {
-    const Expanded expanded = expand_shared(std::move(system), watch);
+    const Expanded expanded = expand_system(std::move(system), watch);
     return solve_under(watch, normalize_certified(expanded, truncation, watch), {order, truncation});
 }
 
@@ -184,7 +179,7 @@ namespace {
 SceneLine solve_as_given(Scene scene, Watch& watch) {
     SceneLine line;
     line.scene = std::move(scene);
-    line.expanded = expand_shared(line.scene.system, watch);
+    line.expanded = expand_system(line.scene.system, watch);
     at_place(whole_file(line.scene.file), [&] {
         line.count = count_truncation(*line.expanded.field, line.scene);
         const auto normalization = normalize_certified(line.expanded, line.count.truncation, watch);

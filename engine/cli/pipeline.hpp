@@ -34,8 +34,7 @@ struct SystemChanges {
 };
 // SYSTEM of the command line, found by find_system.
 System changed_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home);
-Expanded expand_system(const std::filesystem::path& file, const SystemChanges& changes, const Home& home,
-                       Watch& watch);
+Expanded expand_system(std::shared_ptr<const System> system, Watch& watch);
 
 // Normal form and map through a weight with their certificate, which may fail to hold: `certify` shows it,
 // all others call normalize_certified. Steps of half a second or more are reported on standard error.

@@ -45,8 +45,7 @@ report::Findings findings_of(const SceneLine& line, Verification verification, c
                               {},     {},          std::move(origin)};
     if (timed) {
         auto all_orders = with_progress<CompareOptions>(cache);
-        const int one = line.scene.system->eps_root;
-        for (int order = one; order <= line.scene.order; order += one) all_orders.orders.push_back(order);
+        for (int order = 1; order <= line.scene.order; ++order) all_orders.orders.push_back(order);
         findings.comparison = compare(system, line.scene, line.solution, all_orders);
     }
     findings.stability = stability(line.scene, line.solution, with_progress<StabilityOptions>(cache));

@@ -166,7 +166,7 @@ bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
 
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {
     check_supported(*normalization, options);
-    if (!solves_by_quadratures(normalization->normal_form, options.time_scale)) {
+    if (options.at_zero || !solves_by_quadratures(normalization->normal_form, options.time_scale)) {
         Solution solution;
         solution.order = options.order;
         solution.truncation = options.truncation;

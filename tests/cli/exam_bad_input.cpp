@@ -90,9 +90,28 @@ TEST(BadInput, Orders) {
                     {"--order", "from 1 to 99"});
     EXPECT_SAYS(complaint("resonform certify almost_holonomic_pendulum --order 0"),
                 {"--order", "from 1 to 99"});
+    EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --order 5/2"),
+                {"--order: must be an integer from 1 to 99", "5/2"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --stage solution --truncation 2"),
                 {"--truncation: must not be below the order, 3", "2", "--truncation 3"});
     EXPECT_SAYS(complaint("resonform derive almost_holonomic_pendulum --truncation 4"), {"--stage solution"});
+}
+
+// Weights in multiples of 1/2.
+TEST(BadInput, RationalOrders) {
+    for (const char* order : {"7/3", "-1/2", "1/0", "0", "1/4", "199/2", "x", "''"})
+        EXPECT_EQ(
+            complaint(std::string("resonform derive brusselator --order ") + order),
+            "resonform: --order: must be a multiple of 1/2, as weights and powers of eps are, from 1/2 to "
+            "99\n  found: " +
+                std::string(order) + "\n  hint:  give for example --order 3 or --order 5/2\n");
+    EXPECT_SAYS(complaint("resonform certify brusselator --order 7/3"), {"--order", "multiple of 1/2"});
+    EXPECT_EQ(complaint("resonform derive brusselator --stage solution --order 3/2 --truncation 1"),
+              "resonform: --truncation: must not be below the order, 3/2\n  found: 1\n"
+              "  hint:  give --truncation 3/2 or more\n");
+    const std::string compare = "resonform compare systems/brusselator/scenes/onto_the_cycle.toml --orders ";
+    EXPECT_SAYS(complaint(compare + "1/2,7/3"), {"--orders: must be a multiple of 1/2", "to 63", "7/3"});
+    EXPECT_SAYS(complaint(compare + "1,2/2"), {"--orders: each number must be given once", "second 2/2"});
 }
 
 TEST(BadInput, EpsAndTimes) {

@@ -57,6 +57,17 @@ TEST(Commands, DeriveInEveryStageAndFormat) {
     EXPECT_EQ(form["certificate"]["through_weight"], 2);
 }
 
+TEST(Commands, OrdersMayBeFractions) {
+    const Json form = json_of("resonform derive brusselator --order 5/2");
+    EXPECT_EQ(form["order"], "5/2");
+    EXPECT_EQ(form["certificate"]["through_weight"], "5/2");
+    EXPECT_EQ(json_of("resonform certify brusselator --order 1.5")["through_weight"], "3/2");
+    const Json solution =
+        json_of("resonform derive brusselator --stage solution --order 1/2 --truncation 3/2");
+    EXPECT_EQ(solution["order"], "1/2");
+    EXPECT_EQ(solution["truncation"], "3/2");
+}
+
 // The stages before the normal form want nothing of it: no modes for the equations, no later weight for their
 // expansion.
 TEST(Commands, EarlyStagesDependOnNothingLater) {

@@ -52,6 +52,20 @@ TEST(Literature, CatalanSlowManifold) {
     }
 }
 
+// Kuramoto, Chemical Oscillations, Waves, and Turbulence, chapter 2: beyond the bifurcation the cubic
+// coefficient g has Im g/Re g = (4 - 7 A^2 + 4 A^4)/(3 A (2 + A^2)), and the growth rate is eps/2.
+TEST(Literature, BrusselatorBeyondItsHopfPoint) {
+    const Normalization n = test::certified(test::field_named("brusselator"), 3);
+    const GradedField& field = *n.normal_form.field;
+    EXPECT_EQ(coefficient_of(field, n.normal_form.mode[0], {{"z1", 1}, {"eps", 2}}),
+              Polynomial(Rational(1) / 2));
+    const Polynomial cubic = coefficient_of(field, n.normal_form.mode[0], {{"z1", 2}, {"z2", 1}});
+    const auto half = [](const Polynomial& p) { return Rational(1) / 2 * p; };
+    EXPECT_EQ(half(cubic + field.ring->conjugate(cubic)), coefficient(field, "-(2 + A^2)/(8*A^2)"));
+    EXPECT_EQ(half(cubic - field.ring->conjugate(cubic)),
+              coefficient(field, "-(4 - 7*A^2 + 4*A^4)/(24*A^3)", true));
+}
+
 // The spring pendulum at 1:2 (Broer, Lunter, Vegter; also Nayfeh and Mook, section 6.5): of V = a x^2 y only
 // x^2 y in resonance is left, z1' = i w z1 + i a/(2 w) z1bar z3 and z3' = 2 i w z3 + i a/(8 w) z1^2, and
 // |z1|^2 + 4 |z3|^2 is an integral.

@@ -85,6 +85,7 @@ TEST(BestOrder, OfTermsThatFallIsTheLast) {
     EXPECT_NEAR(best.accuracy, 2e-8, 1e-12) << "twice that of a geometric series";
     EXPECT_EQ(best_of_terms({1e-2}).order, 2);
     EXPECT_NEAR(best_of_terms({1e-2}).accuracy, 1e-3, 1e-9) << "eps, where there is no quotient";
+    EXPECT_NEAR(best_of(parse_rational("0.01"), {1e-2}, 2).accuracy, 1e-3, 1e-9) << "the next is sqrt(eps)";
 }
 
 TEST(BestOrder, IsWhereTermsBeginToGrow) {

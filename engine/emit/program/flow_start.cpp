@@ -5,12 +5,14 @@
 #include "emit/display/identifier.hpp"
 #include "emit/program/scene_program.hpp"
 #include "emit/program/start_map.hpp"
+#include "model/signs/sign_prover.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace resonform {
 
@@ -41,10 +43,11 @@ public:
             read_modes();
         else
             for (const Mode& mode : field_.modes) given_.modes.push_back(polar(mode));
-        if (physical && starts_by_inverse_map(solution_)) {
+        if (physical && !solved_ && starts_by_inverse_map(solution_)) {
             put_inverse_map();
         } else {
             new_ = given_;
+            if (solved_) new_.modes[solved_->mode] = zero();
             if (physical || moves_slow_or_angles())
                 for (int step = 0; step <= solution_.truncation; ++step) substitute(physical);
         }
@@ -70,7 +73,11 @@ private:
     void read_slow_and_angles();
     [[nodiscard]] bool from_physical_values() const;
     void read_modes();
+    void find_solved();
+    void solve_for_state(Graph::Node shift);
+    [[nodiscard]] FlowUnit zero() const { return {program_.graph.rational(0), program_.graph.rational(0)}; }
     void put_inverse_map();
+    FlowUnit row_entry(std::size_t k, std::size_t s, Lowering& lowering);
     FlowUnit old_mode(std::size_t k, const std::vector<Graph::Node>& states, const Lowering& lowering);
     FlowUnit polar(const Mode& mode);
     [[nodiscard]] bool moves_slow_or_angles() const;
@@ -89,6 +96,13 @@ private:
     const std::map<std::string, Graph::Node>& names_;
     const GradedField& field_;
     const NearIdentityMap& map_;
+    // The mode that is 0 and the state that is solved for: index into the basis' states. Old modes without
+    // it, and what one unit of z_j, moved by it, adds to each.
+    struct Solved {
+        std::size_t mode, state;
+        std::vector<FlowUnit> without, per_unit;
+    };
+    std::optional<Solved> solved_;
     FlowValues given_, new_; // old and new variables at t = 0 (of modes given by constants, the new ones)
     std::vector<Graph::Node> turns_; // of the angles from the old to the new
     FlowSums sums_;                  // of the map; lowered anew at each substitution
@@ -117,6 +131,7 @@ FlowUnit FlowStart::turned(const FlowUnit& at, Graph::Node by) {
 
 // Either all fast variables start from physical values, or none does.
 bool FlowStart::from_physical_values() const {
+    if (scene_.at_zero) return true;
     std::string physical, constant;
     for (const std::size_t s : field_.basis.states) {
         const std::string& variable = name(field_.first_order->states[s].variable);
@@ -156,18 +171,23 @@ FlowUnit FlowStart::polar(const Mode& mode) {
     return {graph.multiply({amplitude, direction.u}), graph.multiply({amplitude, direction.v})};
 }
 
+FlowUnit FlowStart::row_entry(std::size_t k, std::size_t s, Lowering& lowering) {
+    const Complex& entry = field_.basis.modes[k].row[s];
+    if (entry.is_zero()) return zero();
+    const Place place = place_of(solution_.system().equations[field_.modes[k].variable].source);
+    const RealForm::Value value = real_(field_.coefficients->convert(entry, place));
+    return {lowering.polynomial(value.re), lowering.polynomial(value.im)};
+}
+
 // sum of row * state, over eps^weight
 FlowUnit FlowStart::old_mode(std::size_t k, const std::vector<Graph::Node>& states, const Lowering& start) {
     Graph& graph = program_.graph;
     Lowering lowering = start;
-    const ModeShape& shape = field_.basis.modes[k];
-    const Place place = place_of(solution_.system().equations[field_.modes[k].variable].source);
     std::vector<Graph::Node> re, im;
-    for (std::size_t s = 0; s < shape.row.size(); ++s) {
-        if (shape.row[s].is_zero()) continue;
-        const RealForm::Value entry = real_(field_.coefficients->convert(shape.row[s], place));
-        re.push_back(graph.multiply({lowering.polynomial(entry.re), states[s]}));
-        im.push_back(graph.multiply({lowering.polynomial(entry.im), states[s]}));
+    for (std::size_t s = 0; s < states.size(); ++s) {
+        const FlowUnit entry = row_entry(k, s, lowering);
+        re.push_back(graph.multiply({entry.u, states[s]}));
+        im.push_back(graph.multiply({entry.v, states[s]}));
     }
     const Graph::Node scale = graph.power(program_.small, -weight(k));
     return {graph.multiply({scale, graph.add(std::move(re))}),
@@ -175,15 +195,65 @@ FlowUnit FlowStart::old_mode(std::size_t k, const std::vector<Graph::Node>& stat
 }
 
 void FlowStart::read_modes() {
-    std::vector<Graph::Node> states;
-    for (const std::size_t s : field_.basis.states)
-        states.push_back(physical(field_.first_order->states[s].name));
-    given_.modes.assign(field_.modes.size(), {program_.graph.rational(0), program_.graph.rational(0)});
+    if (scene_.at_zero) find_solved();
+    const std::size_t count = field_.basis.states.size();
+    std::vector<Graph::Node> states(count, zero().u);
+    given_.modes.assign(field_.modes.size(), zero());
+    for (std::size_t s = 0; s < count; ++s)
+        if (!solved_ || s != solved_->state)
+            states[s] = physical(field_.first_order->states[field_.basis.states[s]].name);
     const FlowMoment before(program_, real_, surroundings_, given_, false);
-    for (std::size_t s = 0; s < states.size(); ++s)
-        states[s] = measured_from(program_.graph, states[s], before.lowering, real_, field_.shifts[s]);
+    for (std::size_t s = 0; s < count; ++s)
+        if (!solved_ || s != solved_->state)
+            states[s] = measured_from(program_.graph, states[s], before.lowering, real_, field_.shifts[s]);
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
         given_.modes[k] = old_mode(k, states, before.lowering);
+    if (!solved_) return;
+    Graph& graph = program_.graph;
+    Lowering lowering = before.lowering;
+    const Graph::Node unit = graph.power(row_entry(solved_->mode, solved_->state, lowering).u, -1);
+    for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+        const FlowUnit entry = row_entry(k, solved_->state, lowering);
+        solved_->per_unit.push_back({graph.multiply({entry.u, unit}), graph.multiply({entry.v, unit})});
+    }
+    solved_->without = given_.modes;
+    solve_for_state(zero().u);
+}
+
+void FlowStart::find_solved() {
+    const auto mode = std::find_if(solution_.flow->modes.begin(), solution_.flow->modes.end(),
+                                   [](const FlowMode& m) { return m.is_at_zero; });
+    const auto state =
+        std::find_if(field_.basis.states.begin(), field_.basis.states.end(), [&](std::size_t s) {
+            return field_.first_order->states[s].name == scene_.at_zero->state;
+        });
+    solved_ = {static_cast<std::size_t>(mode - solution_.flow->modes.begin()),
+               static_cast<std::size_t>(state - field_.basis.states.begin()),
+               {},
+               {}};
+    const Complex& entry = field_.basis.modes[solved_->mode].row[solved_->state];
+    const std::string& name = field_.modes[solved_->mode].name;
+    if (entry.is_zero())
+        bad_input({"the value that is left out follows from the mode that is 0",
+                   fmt::format("{} does not depend on {}", name, scene_.at_zero->state),
+                   "give it, and leave out another one", scene_.at_zero->place});
+    if (!provably_nonzero(entry.re, solution_.system()))
+        refuse(Reason::undecided,
+               {"the value that is left out follows from the mode that is 0, if its part in that is not 0",
+                fmt::format("the part of {} in {} is not proved to be", scene_.at_zero->state, name),
+                "declare under [domain] what it needs, or leave out another value", scene_.at_zero->place});
+}
+
+// So that the old mode is `shift` where the new one is 0.
+void FlowStart::solve_for_state(Graph::Node shift) {
+    Graph& graph = program_.graph;
+    const Graph::Node by = graph.add({shift, graph.negate(solved_->without[solved_->mode].u)});
+    for (std::size_t k = 0; k < given_.modes.size(); ++k) {
+        const FlowUnit &from = solved_->without[k], &per = solved_->per_unit[k];
+        given_.modes[k] = {graph.add({from.u, graph.multiply({per.u, by})}),
+                           graph.add({from.v, graph.multiply({per.v, by})})};
+    }
+    given_.modes[solved_->mode] = {shift, zero().v};
 }
 
 void FlowStart::put_inverse_map() {
@@ -231,11 +301,14 @@ void FlowStart::substitute(bool modes, int of_weight, bool others) {
     };
     const auto less = [&](Graph::Node from, Graph::Node by) { return graph.add({from, graph.negate(by)}); };
     FlowValues next = new_;
+    const bool solves = solved_ && weight(solved_->mode) == of_weight;
+    if (solves) solve_for_state(shift(map_.mode[solved_->mode], of_weight, false).u);
     for (std::size_t k = 0; modes && k < field_.modes.size(); ++k) {
         if (weight(k) != of_weight) continue;
         const FlowUnit by = shift(map_.mode[k], weight(k), false);
         next.modes[k] = {less(given_.modes[k].u, by.u), less(given_.modes[k].v, by.v)};
     }
+    if (solves) next.modes[solved_->mode] = zero();
     if (others) turns_.clear();
     for (std::size_t k = 0; others && k < field_.angles.size(); ++k) {
         turns_.push_back(graph.negate(shift(map_.angle[k], 0, true).u));

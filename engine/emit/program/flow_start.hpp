@@ -3,9 +3,11 @@
 //
 //   z_0 = rows of the modal matrix * (x_0, x'_0, ...),   w_0 = z_0 + g(z_0, ...; xi_0),   a_j = w_0/eps^w
 //
-// at the full weight of the map. Angles, slow variables and drifts have physical values (drifts: or their
-// constants); where the oscillators start from constants, zeta_0 = xi_0 - k(w_0; zeta_0) is solved by M + 1
-// substitutions, each of which gains a power of eps (modes of lower weight first).
+// at the full weight of the map. Where a mode w_j is 0 (scene.at_zero), one state s is not given: it is
+// solved for together with w, by M + 1 substitutions in z = w + h(w), where row j is z_j = h_j(w). Angles,
+// slow variables and drifts have physical values (drifts: or their constants); where the oscillators start
+// from constants, zeta_0 = xi_0 - k(w_0; zeta_0) is solved by M + 1 substitutions, each of which gains a
+// power of eps (modes of lower weight first).
 #pragma once
 
 #include "emit/program/flow_moment.hpp"

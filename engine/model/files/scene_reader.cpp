@@ -73,7 +73,7 @@ Scene SceneReader::read() {
     read_orders();
     read_outputs();
     read_fix();
-    scene_.start = read_start(root_.find("start"), scene_);
+    read_start(root_.find("start"), scene_);
     check_start_domain(scene_, root_.find("fix"));
     read_emit();
     scene_.verify = read_verify(root_.find("verify"), scene_);

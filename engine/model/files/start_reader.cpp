@@ -8,22 +8,38 @@
 #include "model/text/nearest.hpp"
 #include "model/text/toml_values.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace resonform {
 
 namespace {
 
+constexpr std::string_view amplitude_of = "amplitude.";
+
 class StartReader {
 public:
     explicit StartReader(const Scene& scene) : scene_(scene), system_(*scene.system) {}
 
-    std::vector<StartValue> read(const TomlNode* table);
+    void read(const TomlNode* table);
+    void put_into(Scene& scene) {
+        scene.start = std::move(values_);
+        scene.at_zero = std::move(at_zero_);
+    }
 
 private:
     void add(const TomlEntry& entry);
+    void add_mode(const TomlEntry& entry);
+    void check_one_left_out();
     void check_domain(const StartValue& value) const;
-    void check_fast(const Variable& variable) const;
+    void check_fast(const Variable& variable);
     void check_begins(const Variable& variable, const std::string& what) const;
     void check_drift(const Variable& variable) const;
     [[nodiscard]] const StartValue* find(const std::string& canonical) const;
@@ -33,9 +49,11 @@ private:
     const Scene& scene_;
     const System& system_;
     std::vector<StartValue> values_;
+    std::optional<ModeAtZero> at_zero_;
+    std::vector<std::string> left_out_; // beside a mode at 0
 };
 
-std::vector<StartValue> StartReader::read(const TomlNode* table) {
+void StartReader::read(const TomlNode* table) {
     if (table != nullptr) check_table(*table);
     const std::vector<TomlEntry> none;
     for (const TomlEntry& entry : table == nullptr ? none : table->entries) {
@@ -56,7 +74,7 @@ std::vector<StartValue> StartReader::read(const TomlNode* table) {
         if (variable.role == Role::angle) check_begins(variable, "an angle");
         if (variable.role == Role::drift) check_drift(variable);
     }
-    return std::move(values_);
+    if (at_zero_) check_one_left_out();
 }
 
 const StartValue* StartReader::find(const std::string& canonical) const {
@@ -67,6 +85,10 @@ const StartValue* StartReader::find(const std::string& canonical) const {
 }
 
 void StartReader::add(const TomlEntry& entry) {
+    if (entry.key.rfind(amplitude_of, 0) == 0 && is_mode(entry.key.substr(amplitude_of.size()))) {
+        add_mode(entry);
+        return;
+    }
     const std::string canonical = canonical_start(entry.key, system_);
     if (canonical.empty()) {
         bad_input(Reason::name, {"[start] gives variables or constants of the solution", in_quotes(entry.key),
@@ -84,6 +106,29 @@ void StartReader::add(const TomlEntry& entry) {
     value.source = entry.value.source;
     check_domain(value);
     values_.push_back(std::move(value));
+}
+
+void StartReader::add_mode(const TomlEntry& entry) {
+    if (at_zero_)
+        bad_input({"one mode is 0 at the start",
+                   in_quotes(entry.key) + " beside the amplitude of " + at_zero_->mode,
+                   "remove one of the two, and give the physical value that it left out", entry.place});
+    if (!expression_of(entry.value, scene_.constants()).is_zero())
+        bad_value(entry.value,
+                  "the amplitude of a mode that decays or grows is 0, or follows from physical values",
+                  "write 0, or give physical values of all fast variables instead");
+    at_zero_ = {entry.key.substr(amplitude_of.size()), "", entry.place};
+}
+
+void StartReader::check_one_left_out() {
+    const std::string rule = "a mode that is 0 takes the place of one physical value of the fast variables";
+    if (left_out_.empty())
+        bad_input(
+            {rule, "every value is given", "leave out the one that is to follow from it", at_zero_->place});
+    if (left_out_.size() > 1)
+        bad_input({rule, fmt::format("no value of {}", fmt::join(left_out_, ", ")),
+                   "give all but one of them", at_zero_->place});
+    at_zero_->state = left_out_.front();
 }
 
 void StartReader::check_domain(const StartValue& value) const {
@@ -106,7 +151,7 @@ void StartReader::check_domain(const StartValue& value) const {
     if (variable->nonzero && estimate == Estimate::zero) complain(rule, "give a value other than zero");
 }
 
-void StartReader::check_fast(const Variable& variable) const {
+void StartReader::check_fast(const Variable& variable) {
     std::vector<std::string> wanted;
     for (const std::string& kind : constant_kinds(variable.role))
         wanted.push_back(kind + "." + variable.name);
@@ -122,9 +167,17 @@ void StartReader::check_fast(const Variable& variable) const {
         if (constant != nullptr) complain_both(*value, *constant);
         wanted.clear();
     }
-    if (wanted.empty()) wanted = physical;
+    if (constant != nullptr && at_zero_)
+        bad_input({"beside a mode that is 0 fast variables start from physical values",
+                   in_quotes(constant->name), "give the physical values of " + variable.name,
+                   place_of(constant->source)});
+    if (wanted.empty() || at_zero_) wanted = physical;
     for (const std::string& name : wanted) {
         if (find(name) != nullptr) continue;
+        if (at_zero_) {
+            left_out_.push_back(name);
+            continue;
+        }
         complain_missing(
             "a fast variable starts from its amplitude and phase, or from its value and derivatives", name);
     }
@@ -160,8 +213,10 @@ void StartReader::complain_both(const StartValue& one, const StartValue& other) 
 
 } // namespace
 
-std::vector<StartValue> read_start(const TomlNode* table, const Scene& scene) {
-    return StartReader(scene).read(table);
+void read_start(const TomlNode* table, Scene& scene) {
+    StartReader reader(scene);
+    reader.read(table);
+    reader.put_into(scene);
 }
 
 } // namespace resonform

@@ -7,11 +7,12 @@
 
 namespace resonform {
 
-// The start values in the order of the file; `table` is nullptr if the scene has no [start]. Every
-// slow variable, every fast one (amplitude and phase, or value and derivatives), and every drift that
-// is an output must be given. Uses system, outputs and fix of the scene.
+// Puts the start values into the scene, in the order of the file; `table` is nullptr if it has no [start].
+// Every slow variable, every fast one (amplitude and phase, or value and derivatives), and every drift that
+// is an output must be given; beside "amplitude.z2" = 0 all fast ones but for one of their values. Uses
+// system, outputs and fix of the scene.
 // Errors (bad_input): an unknown name, both kinds of values for one variable, one missing, a slow
-// variable outside its declared domain, a value that is not finite.
-std::vector<StartValue> read_start(const TomlNode* table, const Scene& scene);
+// variable outside its declared domain, a value that is not finite. Which modes there are is not known here.
+void read_start(const TomlNode* table, Scene& scene);
 
 } // namespace resonform

@@ -26,11 +26,11 @@ const std::vector<std::string>& python_words() {
     return words;
 }
 
+} // namespace
+
 bool is_mode(const std::string& name) {
     return name.size() > 1 && name[0] == 'z' && name.find_first_not_of(digits, 1) == std::string::npos;
 }
-
-} // namespace
 
 bool is_identifier(const std::string& name) {
     return !name.empty() && name.size() <= longest_name &&

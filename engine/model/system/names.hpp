@@ -13,6 +13,7 @@ bool is_identifier(const std::string& name); // [A-Za-z][A-Za-z0-9_]*, at most 6
 std::string identifier_rule(const std::string& what);
 std::string identifier_hint();
 
+bool is_mode(const std::string& name); // z1, z2, ...
 // I, pi, E, eps, lambda, t, the modes z1, z2, ..., the functions, and the words of Python and SymPy.
 bool is_reserved(const std::string& name);
 

@@ -32,6 +32,14 @@ struct StartValue {
     SourceText source;
 };
 
+// "amplitude.z2" = 0 under [start]: this mode is 0 at all times, and one physical value of the fast variables
+// is not given but follows from that.
+struct ModeAtZero {
+    std::string mode;  // as `derive` names it
+    std::string state; // that is not given: "y'"
+    Place place;
+};
+
 // Below the smallest, the effects of eps are lost in double precision; above the largest, eps is not small.
 constexpr double smallest_eps = 1e-12, largest_eps = 0.5;
 constexpr const char* eps_rule = "eps lies in 1e-12 <= eps <= 0.5";
@@ -83,7 +91,8 @@ struct Scene {
     EmitForm form = EmitForm::automatic;
     std::map<std::string, GiNaC::ex> fix; // parameter -> exact value: 5/4, sqrt(2)
     std::vector<StartValue> start;        // in the order of the file
-    Place fix_place, start_place;         // of the tables, else of the file: for missing entries
+    std::optional<ModeAtZero> at_zero;
+    Place fix_place, start_place; // of the tables, else of the file: for missing entries
     // Of the values, else of the file.
     Place order_place, time_scale_place, form_place, transients_place;
     VerifyPlan verify;

@@ -81,7 +81,7 @@ int held_weight_of(const TomlNode& node, int root, int lowest, int highest) {
         bad_value(node,
                   fmt::format("'{}' is a multiple of 1/{}, as weights and powers of eps are, in {}",
                               node.source.key, root, range),
-                  fmt::format("write a number such as 2 or \"5/{}\"", root));
+                  fmt::format("write a number such as 2 or \"{}/{}\"", 2 * root + 1, root));
     return cln::cl_I_to_int(cln::numerator(held));
 }
 

@@ -2,6 +2,8 @@
 #include "solve/flow/frame.hpp"
 
 #include "algebra/number/error.hpp"
+#include "model/text/diagnostic.hpp"
+#include "model/text/nearest.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 #include "solve/flow/passage.hpp"
 
@@ -57,8 +59,9 @@ public:
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             FlowMode mode;
             mode.grows = resonform::grows(field_, k);
-            mode.is_left_out =
-                is_damped(k) && (!options.transients || (mode.grows && options.growing == Growing::project));
+            mode.is_at_zero = options.at_zero && options.at_zero->mode == field_.modes[k].name;
+            mode.is_left_out = is_damped(k) && (!options.transients || mode.is_at_zero ||
+                                                (mode.grows && options.growing == Growing::project));
             mode.either = !mode.is_left_out && has_either_sign(field_, k);
             modes_.push_back(std::move(mode));
         }
@@ -294,6 +297,43 @@ private:
     const Ring& ring_;
 };
 
+// The name is one of derive's, of a real mode that decays or grows.
+void check_mode_at_zero(const GradedField& field, const ModeAtZero& at_zero) {
+    std::vector<std::string> names;
+    for (const Mode& mode : field.modes) {
+        const bool is_it = mode.name == at_zero.mode;
+        names.push_back(mode.name);
+        if (!mode.is_real()) names.push_back(mode.conjugate_name);
+        if (!is_it && names.back() != at_zero.mode) continue;
+        if (!mode.is_damped())
+            bad_input({"a mode that is 0 at the start decays or grows at eps = 0",
+                       at_zero.mode + (mode.is_real() ? " has the eigenvalue 0" : " oscillates"),
+                       fmt::format("give physical values, or amplitude and phase of {}",
+                                   field.system().variables[mode.variable].name),
+                       at_zero.place});
+        if (!mode.is_real())
+            refuse({"a mode that is 0 at the start is real, for it takes the place of one value",
+                    at_zero.mode + " is a spiral", "write transients = false or growing = \"project\"",
+                    at_zero.place});
+        return;
+    }
+    bad_input(Reason::name, {"a mode that is 0 at the start is one of those that derive prints",
+                             in_quotes(at_zero.mode), suggest(at_zero.mode, names), at_zero.place});
+}
+
+// What is left of its rate would drive it away from 0.
+void check_stays_at_zero(const Normalization& normalization, const SlowFlow& flow,
+                         const SolveOptions& options) {
+    const GradedField& field = *normalization.normal_form.field;
+    for (std::size_t k = 0; k < flow.modes.size(); ++k)
+        if (flow.modes[k].is_at_zero &&
+            !without_left_out(field, flow.modes, normalization.normal_form.mode[k].total(options.truncation))
+                 .empty())
+            refuse(Reason::resonance, {"a mode that is 0 at the start stays 0",
+                                       field.modes[k].name + " is driven by a resonance of other modes",
+                                       "give physical values of all fast variables", options.at_zero->place});
+}
+
 // An angle has no place in the state that a projected start is read from.
 void check_projection(const Normalization& normalization, const SlowFlow& flow) {
     const GradedField& field = *normalization.normal_form.field;
@@ -311,8 +351,10 @@ void check_projection(const Normalization& normalization, const SlowFlow& flow) 
 SlowFlow slow_flow(const Normalization& normalization, const SolveOptions& options) {
     check_modes(normalization.normal_form);
     const GradedField& field = *normalization.normal_form.field;
+    if (options.at_zero) check_mode_at_zero(field, *options.at_zero);
     SlowFlow flow = Framing(normalization, options).build();
     check_projection(normalization, flow);
+    check_stays_at_zero(normalization, flow, options);
     const Outputs outputs(normalization);
     const auto lasting = [&](FlowOutput output) {
         for (int n = 0; n <= output.value.through(); ++n)

@@ -45,9 +45,15 @@ bool SlowFlow::may_grow() const {
            std::any_of(modes.begin(), modes.end(), [](const FlowMode& mode) { return mode.either; });
 }
 
-bool SlowFlow::is_projected() const {
+bool SlowFlow::follows_growth() const {
     return std::any_of(modes.begin(), modes.end(),
-                       [](const FlowMode& mode) { return mode.grows && mode.is_left_out; });
+                       [](const FlowMode& mode) { return (mode.grows || mode.either) && !mode.is_left_out; });
+}
+
+bool SlowFlow::is_projected() const {
+    return std::any_of(modes.begin(), modes.end(), [](const FlowMode& mode) {
+        return mode.grows && mode.is_left_out && !mode.is_at_zero;
+    });
 }
 
 bool SlowFlow::at_rest() const {

@@ -41,6 +41,7 @@ struct FlowMode {
     bool either = false; // decays or grows: not declared, and not left out
     bool passes = false; // either, and Re lambda may vanish (solve/flow/passage.hpp)
     bool is_left_out = false; // a damped or growing mode, by SolveOptions: in no output and no rate
+    bool is_at_zero = false;  // by [start], and left out therefore
     // -Re lambda of a damped mode, Re lambda of one that grows: > 0 as long as it does. Of one that does
     // either: it keeps the sign of the start, unless it passes.
     [[nodiscard]] Polynomial leading_rate(const Mode& mode) const {
@@ -69,6 +70,8 @@ struct SlowFlow {
     // Some mode grows at eps = 0, or may.
     [[nodiscard]] bool grows() const;
     [[nodiscard]] bool may_grow() const;
+    // A mode that grows, or may, is not left out.
+    [[nodiscard]] bool follows_growth() const;
     // The start is moved along the fibres to where the mode that grows is 0.
     [[nodiscard]] bool is_projected() const;
     // No mode, angle or slow variable has a rate within the frame.

@@ -26,23 +26,23 @@ bool is_seen(double term) { return term > 0 && is_known(term); }
 double falling(std::size_t n) { return static_cast<double>(n) * static_cast<double>(n - 1); } // n(n - 1)
 
 // Q/(N(N - 1)) from the last terms that are seen, N of them.
-double quotient(const std::vector<double>& terms, std::size_t count, double eps) {
+double quotient(const std::vector<double>& terms, std::size_t count, double small) {
     double most = 0;
     for (std::size_t n = count; n >= 3 && n + 1 >= count; --n)
         if (is_seen(terms[n - 1]) && is_seen(terms[n - 3]))
             most = std::max(most, terms[n - 1] / terms[n - 3]);
     if (most > 0) return most / falling(count);
-    if (count < 2 || !is_seen(terms[count - 2])) return eps * eps / falling(count + 2);
+    if (count < 2 || !is_seen(terms[count - 2])) return small * small / falling(count + 2);
     return std::pow(terms[count - 1] / terms[count - 2] / static_cast<double>(count), 2);
 }
 
 // The terms with d_{N + 1} and d_{N + 2} appended. Zeros at their end are replaced by extrapolated terms,
 // too.
-std::vector<double> continued(std::vector<double> terms, double eps) {
+std::vector<double> continued(std::vector<double> terms, double small) {
     std::size_t seen = terms.size();
     while (seen > 0 && !is_seen(terms[seen - 1])) --seen;
     if (seen == 0) return terms;
-    const double q = quotient(terms, seen, eps), end = is_known(terms.back()) ? 0 : unknown;
+    const double q = quotient(terms, seen, small), end = is_known(terms.back()) ? 0 : unknown;
     terms.resize(terms.size() + 2, end);
     for (std::size_t n = seen + 1; n <= terms.size(); ++n)
         if (is_known(terms[n - 1]))
@@ -86,8 +86,8 @@ double difference(const OutputsAt& a, const OutputsAt& b, std::size_t output) {
 
 } // namespace
 
-BestOrder best_of(const Rational& eps, const std::vector<double>& terms) {
-    const std::vector<double> all = continued(terms, to_double(eps));
+BestOrder best_of(const Rational& eps, const std::vector<double>& terms, int eps_root) {
+    const std::vector<double> all = continued(terms, std::pow(to_double(eps), 1.0 / eps_root));
     BestOrder best{eps, 0, unknown, static_cast<int>(terms.size()) + 1};
     double after = 0; // the next term that is seen
     for (std::size_t n = all.size(); n-- > 0;) {

@@ -11,7 +11,8 @@
 // n!. Two terms make an error, and quotients go over two orders, because a symmetry can make every other term
 // small, or 0: of d_{n + 1} = 0 the next that is not 0 counts, and where the last ones are 0 they are
 // continued as those beyond N. Where Q is not known d_n/n! goes on by its last quotient, and d_n by eps where
-// it is alone. The terms beyond N are an extrapolation, and so is the answer.
+// it is alone. The terms beyond N are an extrapolation, and so is the answer. With weights in multiples of
+// 1/eps_root orders are counted in these, and eps^(1/eps_root) stands for eps.
 #pragma once
 
 #include "verify/estimate/error_estimator.hpp"
@@ -30,7 +31,7 @@ struct BestOrder {
 };
 
 // From d_1 ... d_N at one eps, not negative; where a term is not finite, the error of its order is not known.
-BestOrder best_of(const Rational& eps, const std::vector<double>& terms);
+BestOrder best_of(const Rational& eps, const std::vector<double>& terms, int eps_root = 1);
 
 class OrderSeries {
 public:

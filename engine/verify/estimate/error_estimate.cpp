@@ -62,7 +62,8 @@ public:
     EstimateAt(const ErrorEstimator& estimator, const Scene& scene, const GradedField& field,
                const Rational& eps)
         : estimator_(estimator), rate_(largest_rate(field, scene, eps)), eps_(eps),
-          interval_(judged_interval(field, scene, eps)), from_(layer_end(field, scene, eps)) {}
+          interval_(judged_interval(field, scene, eps)), from_(layer_end(field, scene, eps)),
+          eps_root_(field.system().eps_root) {}
 
     EstimatesAt estimated(const std::optional<OrderSeries>& orders) const {
         const std::vector<double> times = crowded_times(interval_, estimate_points, rate_, from_).all;
@@ -100,7 +101,7 @@ private:
         std::vector<BestOrder> found;
         for (const std::vector<double>& terms :
              orders.terms(from_rational<long double>(eps_), slow_time_end<long double>(), few_times(), noise))
-            found.push_back(best_of(eps_, terms));
+            found.push_back(best_of(eps_, terms, eps_root_));
         return found;
     }
 
@@ -128,6 +129,7 @@ private:
     double rate_;
     Rational eps_;
     double interval_, from_;
+    int eps_root_;
 };
 
 } // namespace

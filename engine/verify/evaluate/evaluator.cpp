@@ -66,7 +66,8 @@ EvaluatorLibrary::build(const Program& program, const std::filesystem::path& cac
                         CppLies* lies) {
     const auto announce = [&] {
         if (progress)
-            progress(fmt::format("compiling the emitted code of {}, order {}", program.scene, program.order));
+            progress(fmt::format("compiling the emitted code of {}, order {}", program.scene,
+                                 to_string(program.weight(program.order))));
     };
     SharedObject object = SharedObject::load(emit_library(program, types, lies), cache, announce);
     using Loops = const kernel::Loops& (*)() noexcept;

@@ -34,6 +34,7 @@ Conditions conditions_of(const Scene& scene) {
     for (const NamedFunction& f : scene.system->functions)
         if (f.value) conditions.functions.emplace_back(f.name + "(" + f.of + ")", spell(f.value->value));
     for (const StartValue& value : scene.start) conditions.start.emplace_back(value.name, value.text);
+    if (scene.at_zero) conditions.start.emplace_back("amplitude." + scene.at_zero->mode, "0");
     return conditions;
 }
 

@@ -39,11 +39,13 @@ struct Conditions {
     std::vector<Rational> within_layer;
 
     // Where modes grow, all at the smallest eps: the time at which the comparison with direct integration
-    // ends; a line for the reader on what judges later times; the start values that a projection has changed.
+    // ends; a line for the reader on what judges later times; the start values that a projection has changed,
+    // and that which follows from a mode at 0.
     std::optional<double> growth_end;
     struct Moved {
         std::string state;
-        double given, start;
+        std::optional<double> given;
+        double start;
     };
     std::vector<Moved> moved;
     std::string beyond;

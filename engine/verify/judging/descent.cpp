@@ -88,7 +88,8 @@ void weigh_defect(const OutputVerdict& defect, std::vector<OutputVerdict>& outpu
 
 Descent::Descent(const Trial& trial, const Scene& scene, const Solution& solution, Verification& result)
     : trial_(trial), scene_(scene), field_(*solution.normalization->normal_form.field), result_(result),
-      growing_(grows_at_start(field_, scene, scene.verify.eps.front())) {
+      growing_(grows_at_start(field_, scene, scene.verify.eps.front())),
+      follows_growth_(solution.flow && solution.flow->follows_growth()) {
     result_.system = trial.program()->system;
     result_.scene = scene.name;
     result_.outputs = blank_verdicts(scene, solution, *trial.program());
@@ -115,7 +116,7 @@ PlannedRung Descent::rung(const Rational& eps) {
     plan.layer = layer_length(field_, scene_, eps);
     if (!growing_) return plan;
     const std::string none = why_no_defect(*scene_.system);
-    const bool on_manifold = scene_.growing == Growing::project || !scene_.transients;
+    const bool on_manifold = !follows_growth_;
     if (on_manifold)
         result_.conditions.beyond = none.empty() ? "beyond, the defect judges the formula" : none;
     if (none.empty()) plan.defect = on_manifold ? trial_.whole(plan.at) : plan.at;
@@ -189,6 +190,7 @@ void Descent::add(const PlannedRung& plan) {
             output.layer.push_back(of_layer(rung, found.error[k], reference.values[k], within));
         output.ladder.push_back(std::move(rung));
     }
+    result_.conditions.moved = trial_.moved(plan.at);
     if (growing_) add_defect(plan);
     steps_of_last_ = *plan.steps;
 }
@@ -196,7 +198,6 @@ void Descent::add(const PlannedRung& plan) {
 // Beside modes that grow.
 void Descent::add_defect(const PlannedRung& plan) {
     result_.conditions.growth_end = plan.at.interval;
-    result_.conditions.moved = trial_.moved(plan.at);
     if (!plan.defect) return;
     for (const EquationDefect& equation : defect_of(trial_, *plan.defect, plan.rate)) {
         const auto known = std::find_if(result_.defects.begin(), result_.defects.end(),

@@ -50,7 +50,7 @@ private:
     const Scene& scene_;
     const GradedField& field_;
     Verification& result_;
-    bool growing_ = false;
+    bool growing_ = false, follows_growth_ = false;
     std::size_t steps_of_last_ = 0;
 };
 

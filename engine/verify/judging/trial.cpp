@@ -186,6 +186,9 @@ std::vector<Conditions::Moved> Trial::moved(const TrialPoint& at) const {
     for (std::size_t k = 0; k < given_.size(); ++k)
         if (const State& state = system_->states[given_[k]]; comes_from_formula(state))
             list.push_back({state.name, to_double_value(given[k + 1]), to_double_value(at.start[given_[k]])});
+    for (std::size_t i = 0; scene_.at_zero && i < at.start.size(); ++i)
+        if (system_->states[i].name == scene_.at_zero->state)
+            list.push_back({scene_.at_zero->state, std::nullopt, to_double_value(at.start[i])});
     return list;
 }
 

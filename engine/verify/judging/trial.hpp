@@ -58,7 +58,7 @@ public:
     [[nodiscard]] TrialPoint started(TrialPoint at, const GivenArguments& given) const;
     // The same point with the whole interval of the scene.
     [[nodiscard]] TrialPoint whole(TrialPoint at) const;
-    // Given start values that a projection replaces, with the formula's.
+    // Given start values that a projection replaces, and one that is left out, with the formula's.
     [[nodiscard]] std::vector<Conditions::Moved> moved(const TrialPoint& at) const;
 
     // Whether a status comes with numbers to judge: beside modes that grow low_precision does, as they end

@@ -37,7 +37,8 @@ void add(Json& json, const Conditions& c) {
     for (const Rational& eps : c.within_layer) json["within_layer"].push_back(to_double(eps));
     if (c.growth_end) json["times"]["growth_end"] = *c.growth_end;
     for (const Conditions::Moved& moved : c.moved)
-        json["projected"][moved.state] = {{"given", moved.given}, {"start", moved.start}};
+        json["projected"][moved.state] = {{"given", moved.given ? Json(*moved.given) : Json()},
+                                          {"start", moved.start}};
     json["ladder_end"] =
         c.ladder_end ? Json{{"eps", to_double(c.ladder_end->eps)}, {"reason", c.ladder_end->reason}} : Json();
 }

@@ -144,8 +144,10 @@ std::string conditions_text(const Verification& v) {
     if (!start.empty()) text += fmt::format("\n  start: {}", fmt::join(start, ", "));
     if (c.growth_end && !c.beyond.empty()) text += "\n  " + c.beyond;
     for (const Conditions::Moved& moved : c.moved)
-        text += fmt::format("\n  projected at the smallest eps: {}(0) = {:g}, {:+.3e}", moved.state,
-                            moved.given, moved.start - moved.given);
+        text += moved.given
+                    ? fmt::format("\n  projected at the smallest eps: {}(0) = {:g}, {:+.3e}", moved.state,
+                                  *moved.given, moved.start - *moved.given)
+                    : fmt::format("\n  found at the smallest eps: {}(0) = {:g}", moved.state, moved.start);
     if (!c.within_layer.empty()) {
         std::vector<double> eps;
         for (const Rational& e : c.within_layer) eps.push_back(to_double(e));

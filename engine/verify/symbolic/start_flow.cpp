@@ -8,6 +8,7 @@
 #include "verify/symbolic/start.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace resonform {
 
@@ -22,7 +23,7 @@ public:
         const System& system = solution.system();
         for (const std::size_t s : field_.basis.states)
             if (scene.start_of(name(field_.first_order->states[s].variable)) != nullptr) physical_ = true;
-        physical_ = physical_ || field_.basis.states.empty();
+        physical_ = physical_ || field_.basis.states.empty() || scene.at_zero;
         for (const MovingDivisor& moving : moving_divisors_at_start(normalization))
             layers_.push_back({ring_.fixed()(moving.divisor), ring_.fixed()(moving.rate)});
         for (FirstCorrection& correction : transient_corrections(solution)) {
@@ -33,7 +34,13 @@ public:
         for (const DriftVariable& drift : field_.drift)
             physical_drift_.push_back(scene.start_of(drift.name) != nullptr);
         if (!physical_) return;
-        inverts_ = starts_by_inverse_map(solution);
+        inverts_ = !scene.at_zero && starts_by_inverse_map(solution);
+        if (scene.at_zero) {
+            const auto& states = field_.basis.states;
+            for (std::size_t k = 0; k < field_.modes.size(); ++k)
+                for (std::size_t s = 0; solution.flow->modes[k].is_at_zero && s < states.size(); ++s)
+                    if (field_.first_order->states[states[s]].name == scene.at_zero->state) solved_ = {k, s};
+        }
         if (inverts_) inverse_ = map_.shifts(invert(normalization.normal_form, normalization.map));
         for (const Polynomial& shift : field_.shifts) shifts_.push_back(ring_.fixed()(shift));
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
@@ -71,6 +78,7 @@ private:
             old.modes.resize(field_.modes.size());
             put(old);
             for (std::size_t k = 0; k < field_.modes.size(); ++k) old.modes[k] = mode(k, inputs, values);
+            if (solved_) settle(old, 0, values);
             put(old);
         } else {
             for (const Mode& mode : field_.modes) {
@@ -83,6 +91,7 @@ private:
             now = map_.moved(old, inverse_, values, ring_.small(inputs), 1);
         } else {
             now = old;
+            if (solved_) now.modes[solved_->mode] = {};
             for (int step = 0; step <= truncation_ && (physical_ || moves_others()); ++step) {
                 substitute(old, values, inputs, now, put);
             }
@@ -94,7 +103,7 @@ private:
         if (!corrects_little(now.modes, values, ring_.small(inputs))) start.status = Status::outside_domain;
         start.modes = now.modes;
         for (std::size_t k = 0; k < now.modes.size(); ++k)
-            start.mode_spreads.push_back(physical_ ? spread(k, now.modes[k], inputs, values) : Wide(1));
+            start.mode_spreads.push_back(physical_ ? spread(k, pair, inputs, values) : Wide(1));
         start.angles = now.angles;
         start.slow = now.slow;
         for (std::size_t k = 0; k < field_.drift.size(); ++k)
@@ -116,21 +125,37 @@ private:
     // Of modes those of lower weight first, as in emitted code: products of them may be as heavy as a mode in
     // whose map they stand. Slow variables and angles go with the first.
     template <class Put>
-    void substitute(const SymbolicStartValues& old, const SymbolicValues<Wide>& values,
+    void substitute(SymbolicStartValues& old, const SymbolicValues<Wide>& values,
                     const SymbolicInputs& inputs, SymbolicStartValues& now, const Put& put) const {
         std::vector<int> weights = field_.mode_weights();
         if (weights.empty() || !physical_) weights = {0};
         for (auto weight = weights.rbegin(); weight != weights.rend(); ++weight) {
             put(now);
             SymbolicStartValues next = map_.moved(old, map_.map(), values, ring_.small(inputs), -1);
+            if (solved_ && weight_of(solved_->mode) == *weight) {
+                settle(old, (old.modes[solved_->mode] - next.modes[solved_->mode]).re, values);
+                next = map_.moved(old, map_.map(), values, ring_.small(inputs), -1);
+                next.modes[solved_->mode] = {};
+            }
             for (std::size_t k = 0; physical_ && k < now.modes.size(); ++k)
-                if (field_.ring->generator(field_.modes[k].z).weight == *weight) now.modes[k] = next.modes[k];
+                if (weight_of(k) == *weight) now.modes[k] = next.modes[k];
             if (weight != weights.rbegin()) continue;
             now.angles = std::move(next.angles);
             now.slow = std::move(next.slow);
         }
     }
 
+    // Moves the state that is not given until the old mode has this value.
+    void settle(SymbolicStartValues& old, const Wide& wanted, const SymbolicValues<Wide>& values) const {
+        const auto entry = [&](std::size_t k) { return value_of(rows_[k][solved_->state], values); };
+        const Wide by = (wanted - old.modes[solved_->mode].re) / entry(solved_->mode).re;
+        for (std::size_t k = 0; k < old.modes.size(); ++k)
+            if (!rows_[k][solved_->state].empty()) old.modes[k] = old.modes[k] + by * entry(k);
+    }
+
+    [[nodiscard]] int weight_of(std::size_t mode) const {
+        return field_.ring->generator(field_.modes[mode].z).weight;
+    }
     [[nodiscard]] const std::string& name(std::size_t variable) const {
         return field_.system().variables[variable].name;
     }
@@ -140,7 +165,7 @@ private:
                                                     const SymbolicValues<Wide>& values) const {
         std::vector<WideComplex> terms;
         for (std::size_t s = 0; s < rows_[k].size(); ++s) {
-            if (rows_[k][s].empty()) continue;
+            if (rows_[k][s].empty() || (solved_ && s == solved_->state)) continue;
             const std::string& state = field_.first_order->states[field_.basis.states[s]].name;
             const Wide measured = inputs.start_of(state) - value_of(shifts_[s], values).re;
             terms.push_back((measured / map_.scale_of_mode(k, ring_.small(inputs))) *
@@ -156,11 +181,16 @@ private:
         return sum;
     }
 
-    [[nodiscard]] Wide spread(std::size_t k, const WideComplex& started, const SymbolicInputs& inputs,
+    [[nodiscard]] Wide spread(std::size_t k, const SymbolicMap::Pair& pair, const SymbolicInputs& inputs,
                               const SymbolicValues<Wide>& values) const {
         Wide squares = 0;
-        for (const WideComplex& term : terms_of(k, inputs, values)) squares += term.size() * term.size();
-        const Wide norm = sqrt(squares), size = started.size();
+        WideComplex left = pair.old.modes[k]; // of the state that is not given
+        for (const WideComplex& term : terms_of(k, inputs, values)) {
+            squares += term.size() * term.size();
+            left = left - term;
+        }
+        if (solved_) squares += left.size() * left.size();
+        const Wide norm = sqrt(squares), size = pair.now.modes[k].size();
         return size > 0 && norm > size ? Wide(norm / size) : Wide(1);
     }
 
@@ -184,6 +214,10 @@ private:
     int truncation_;
     const SymbolicRing& ring_;
     bool physical_ = false, inverts_ = false;
+    struct Solved {
+        std::size_t mode, state;
+    };
+    std::optional<Solved> solved_; // the mode that is 0, and the state that is not given
     std::vector<bool> physical_drift_;
     std::vector<SymbolicLayer> layers_;                                             // of transients
     std::vector<std::pair<FirstCorrection, std::vector<SymbolicSum>>> corrections_; // and theirs
