@@ -24,8 +24,8 @@ namespace resonform {
 
 namespace kernel {
 
-inline constexpr unsigned group = 8;          // rows side by side in a piece, whatever the width
-inline constexpr unsigned most_outputs = 16;  // of one table
+inline constexpr unsigned group = 8;           // rows side by side in a piece, whatever the width
+inline constexpr unsigned most_outputs = 16;   // of one table
 inline constexpr unsigned most_factors = 1024; // cosines and sines, or slots
 inline constexpr unsigned most_rows = 4096;
 inline constexpr unsigned no_factor = 0xffff; // of a row without a phase
