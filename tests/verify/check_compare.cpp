@@ -18,6 +18,18 @@
 namespace resonform {
 namespace {
 
+// y begins at eps^2 on the slow manifold: at order 1 there is nothing of it, which is no reason to refuse order 3.
+TEST(CompareOrders, GoDownToWhereAnOutputIsNothing) {
+    const test::SceneLine line = test::line_of(test::scene_of("transition_state", "centre_manifold"));
+    CompareOptions options;
+    static_cast<VerifyOptions&>(options) = test::options();
+    options.orders = {1, 3};
+    const std::vector<EmittedCode> codes = emitted_codes(line.scene, line.solution, options);
+    ASSERT_EQ(codes.size(), 2U);
+    EXPECT_EQ(codes.front().prepared().order, 1);
+    EXPECT_EQ(codes.back().prepared().order, 3);
+}
+
 constexpr std::size_t rivals = 6, with_dear_points = 2;
 
 // One comparison, which takes seconds, for all that is asked of it.

@@ -25,7 +25,7 @@ std::string types_for(const std::vector<Task>& tasks) {
 } // namespace
 
 EmittedCode::EmittedCode(const Scene& scene, const Solution& solution, const CompareOptions& options) {
-    prepared_.order = scene.system->weight(scene.order);
+    prepared_.order = scene.system->weight(solution.order);
     prepared_.derivation_seconds = seconds_of(1, [&] {
         program_ = build_program(solution, scene, {true, false, true});
     });
@@ -61,7 +61,7 @@ std::vector<EmittedCode> emitted_codes(const Scene& scene, const Solution& solut
         if (order == scene.order) continue;
         Scene lower = scene;
         lower.order = order;
-        codes.emplace_back(lower, lower_solution(lower, solution), options);
+        codes.emplace_back(scene, lower_solution(lower, solution), options); // an output may be 0 there
     }
     codes.emplace_back(scene, solution, options);
     return codes;
