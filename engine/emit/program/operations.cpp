@@ -145,11 +145,13 @@ void choose_form(Program& program, EmitForm wish, const Place& place) {
                {"a scene whose many points come from tables has rows for them, and not too many",
                 possible ? large : "none", "leave out emit.form, or some outputs", place});
     if (wish == EmitForm::atoms && !counts.atoms)
-        refuse(Reason::size, {"a scene whose many points are made of atoms has outputs that are polynomials "
-                              "in what turns, and "
-                              "not too large ones",
-                              program.form_reason.empty() ? "others" : program.form_reason,
-                              "leave out emit.form, or some outputs", place});
+        refuse(Reason::size,
+               {"a scene whose many points are made of atoms has outputs that are polynomials "
+                "in what turns, and "
+                "not too large ones",
+                program.form_reason.empty() ? "another function of what turns, or too many numbers at a time"
+                                            : program.form_reason,
+                "leave out emit.form, or some outputs", place});
     // Operations that take as long as one of a call, with two numbers in a vector: there is no status or
     // look-up for each point, and rows that do not matter at an eps are left out.
     constexpr int of_tables = 5, of_atoms = 2;

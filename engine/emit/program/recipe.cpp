@@ -60,7 +60,7 @@ private:
         return degrees_[static_cast<std::size_t>(place)];
     }
 
-    // False: something else than sums and products turns, or nothing does.
+    // False: something else than sums and products turns.
     bool find_turning(const std::vector<Value>& order) {
         for (const Value v : outputs_) ++uses_[v];
         for (const Value v : order) {
@@ -77,7 +77,7 @@ private:
                 if (i.op == StraightLine::Op::add) summed_.insert(operand);
             }
         }
-        return !turning_.empty();
+        return true;
     }
 
     // A product that stands in one sum alone is computed with it.

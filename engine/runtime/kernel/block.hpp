@@ -256,7 +256,7 @@ template <int N, int V, bool Low>
         const PhaseRow& p = w.phase[k];
         if (((faded ? p.lasting : p.outputs) & wanted) != 0) turn<N, V, Low>(w, p, piece, at, g);
     }
-    if (w.operation != nullptr) return operations<N, V>(w, piece, at, g, wanted, to, first);
+    if (w.constant != nullptr) return operations<N, V>(w, piece, at, g, wanted, to, first);
     for (unsigned k = 0; k < w.steps; ++k)
         if (((faded ? w.step[k].lasting : w.step[k].outputs) & wanted) != 0) turn<N, V>(w.step[k], g);
     for (unsigned o = 0; o < w.outputs; ++o) {

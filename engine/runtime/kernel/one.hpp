@@ -17,7 +17,7 @@ inline Status one(const View& w, double t, double* values) noexcept {
         return status;
     }
     const double* piece = w.pieces + static_cast<std::size_t>(piece_of(w, t)) * w.stride;
-    if (w.operation != nullptr) {
+    if (w.constant != nullptr) {
         const double times[] = {t, t};
         double both[most_outputs][2];
         double* to[most_outputs];

@@ -252,8 +252,8 @@ private:
         view_.row = row_.data();
         view_.output = output_.data();
         view_.groups_of_rows = groups_.data();
-        view_.operation = has_atoms<Scene> ? operation_.data() : nullptr;
-        view_.constant = constant_.data();
+        view_.operation = operation_.data();
+        view_.constant = has_atoms<Scene> ? constant_.data() : nullptr;
     }
 
     template <class Rows> void lay_out_pieces(Rows& rows, int levels) {

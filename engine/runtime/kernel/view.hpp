@@ -93,10 +93,10 @@ struct View {
     const Output* output = nullptr;
     const Group* groups_of_rows = nullptr;
     unsigned operations = 0;
-    const Operation* operation = nullptr; // null: outputs are sums of rows
-    const double* constant = nullptr;
-    double shortest_period = 0; // of any harmonic that lasts, in t
-    double shortest_layer = 0;  // 2 pi over the largest |chi' + i theta'| of all that fades
+    const Operation* operation = nullptr;
+    const double* constant = nullptr; // null: outputs are sums of rows
+    double shortest_period = 0;       // of any harmonic that lasts, in t
+    double shortest_layer = 0;        // 2 pi over the largest |chi' + i theta'| of all that fades
 };
 
 // Who answers for t + low where the tables do not: beyond their reach, or with less than full precision.
