@@ -97,7 +97,8 @@ std::string plot_command(const std::vector<Curve>& curves, const std::string& pr
         if (!curve.x_low.empty())
             add(fmt::format("{} using 1:2:3:4 with xerrorbars lw 1 ps 0 lc rgb \"{}\" notitle", data,
                             curve.colour));
-        if (!curve.marks.empty())
+        const auto is_word = [](const std::string& mark) { return !mark.empty(); };
+        if (std::any_of(curve.marks.begin(), curve.marks.end(), is_word)) // gnuplot warns of none
             add(fmt::format(
                 "{}marks using 1:2:3 with labels left offset 0.5,0.4 font \",11\" tc rgb \"{}\" notitle",
                 data, curve.colour));
