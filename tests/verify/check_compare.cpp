@@ -18,7 +18,8 @@
 namespace resonform {
 namespace {
 
-// y begins at eps^2 on the slow manifold: at order 1 there is nothing of it, which is no reason to refuse order 3.
+// y begins at eps^2 on the slow manifold: at order 1 there is nothing of it, which is no reason to refuse
+// order 3.
 TEST(CompareOrders, GoDownToWhereAnOutputIsNothing) {
     const test::SceneLine line = test::line_of(test::scene_of("transition_state", "centre_manifold"));
     CompareOptions options;
