@@ -70,6 +70,17 @@ void require_new(const std::vector<Value>& list, const std::string& option, cons
                      "leave out the second " + item);
 }
 
+// "1,2,3": each item as read(item), all different, in ascending order.
+template <class Read> auto read_list(const std::string& option, const std::string& text, const Read& read) {
+    std::vector<decltype(read(text))> list;
+    for (const std::string& item : split_at_commas(text)) {
+        list.push_back(read(item));
+        require_new(list, option, "number", text, item);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+}
+
 } // namespace
 
 void bad_argument(const std::string& option, const std::string& rule, const std::optional<std::string>& value,
@@ -92,13 +103,9 @@ std::uint64_t read_integer(const std::string& option, const std::string& text, s
 
 std::vector<std::uint64_t> read_integers(const std::string& option, const std::string& text,
                                          std::uint64_t lowest, std::uint64_t highest, std::uint64_t example) {
-    std::vector<std::uint64_t> list;
-    for (const std::string& item : split_at_commas(text)) {
-        list.push_back(read_integer(option, item, lowest, highest, example));
-        require_new(list, option, "number", text, item);
-    }
-    std::sort(list.begin(), list.end());
-    return list;
+    return read_list(option, text, [&](const std::string& item) {
+        return read_integer(option, item, lowest, highest, example);
+    });
 }
 
 int read_order(const std::string& option, const std::string& text, int root, int highest) {
@@ -119,13 +126,8 @@ int read_order(const std::string& option, const std::string& text, int root, int
 }
 
 std::vector<int> read_orders(const std::string& option, const std::string& text, int root, int highest) {
-    std::vector<int> list;
-    for (const std::string& item : split_at_commas(text)) {
-        list.push_back(read_order(option, item, root, highest));
-        require_new(list, option, "number", text, item);
-    }
-    std::sort(list.begin(), list.end());
-    return list;
+    return read_list(option, text,
+                     [&](const std::string& item) { return read_order(option, item, root, highest); });
 }
 
 int read_digits(const std::string& text) {

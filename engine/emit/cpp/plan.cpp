@@ -185,11 +185,7 @@ void CppPlan::lower_results() {
     state = results(program->state);
     for (const ProgramData& data : program->data) data_arguments.push_back(code.lower(data.argument));
     for (const ProgramRow& row : program->rows) rows.push_back({&row, code.lower(row.amplitude)});
-    if (program->from_atoms) {
-        std::vector<Value> values;
-        for (const CppResult& output : outputs) values.push_back(output.value);
-        recipe = recipe_of(*program, code, values);
-    }
+    if (program->from_atoms) recipe = recipe_of(*program, code);
     for (const ProgramCondition& condition : program->positive) {
         const Value v = code.lower(condition.value);
         (code.at(v).varying ? varying_conditions : constant_conditions).push_back({v, condition.quantity});

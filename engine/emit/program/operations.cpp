@@ -63,10 +63,12 @@ std::set<std::vector<int>> harmonics_of(const Program& program) {
     return harmonics;
 }
 
-// Why there can be no tables, "" if there can: those of the kernel (runtime/kernel/view.hpp) hold 256
+constexpr std::size_t most_outputs = 16; // of a kernel's tables (runtime/kernel/view.hpp)
+
+// Why there can be no tables, "" if there can: those of the kernel (runtime/kernel/view.hpp) hold 512
 // harmonics, some of which lead to others.
 std::string too_large(const Program& program) {
-    constexpr std::size_t most_rows = 1024, most_harmonics = 192, most_outputs = 16;
+    constexpr std::size_t most_rows = 1024, most_harmonics = 192;
     const std::size_t rows = program.rows.size(), harmonics = harmonics_of(program).size();
     if (rows > most_rows || harmonics > most_harmonics)
         return fmt::format("{} rows of {} harmonics, more than {} or {}", rows, harmonics, most_rows,
@@ -97,12 +99,10 @@ int tabulated_operations(const Program& program) {
 
 // Each operation is read, and its numbers come from memory and go there.
 std::optional<int> operations_on_atoms(const Program& program) {
-    constexpr std::size_t atom = 9, phase = 60, operation = 3, most_outputs = 16;
+    constexpr std::size_t atom = 9, phase = 60, operation = 3;
     if (program.rows.empty() || program.outputs.size() > most_outputs) return std::nullopt;
     StraightLine code(program);
-    std::vector<StraightLine::Value> outputs;
-    for (const ProgramOutput& output : program.outputs) outputs.push_back(code.lower(output.value));
-    const std::optional<Recipe> recipe = recipe_of(program, code, outputs);
+    const std::optional<Recipe> recipe = recipe_of(program, code);
     if (!recipe) return std::nullopt;
     return static_cast<int>(atom * recipe->atoms.size() + operation * recipe->operations.size() +
                             phase * program.phases.size());
@@ -146,9 +146,8 @@ void choose_form(Program& program, EmitForm wish, const Place& place) {
                 possible ? large : "none", "leave out emit.form, or some outputs", place});
     if (wish == EmitForm::atoms && !counts.atoms)
         refuse(Reason::size,
-               {"a scene whose many points are made of atoms has outputs that are polynomials "
-                "in what turns, and "
-                "not too large ones",
+               {"a scene whose many points are made of atoms has outputs that are polynomials in what turns, "
+                "and not too large ones",
                 program.form_reason.empty() ? "another function of what turns, or too many numbers at a time"
                                             : program.form_reason,
                 "leave out emit.form, or some outputs", place});

@@ -25,14 +25,13 @@ bool reads_c(Kind kind) { return kind >= Kind::multiply_add && kind <= Kind::sca
 // First every operation has a place of its own; then places that are not needed any more are used again.
 class RecipeBuilder {
 public:
-    RecipeBuilder(const Program& program, StraightLine& code, const std::vector<Value>& outputs)
-        : code_(code), outputs_(outputs) {
-        for (const ProgramPhase& phase : program.phases)
-            for (const Graph::Node symbol :
-                 phase.decays() ? std::vector<Graph::Node>{phase.exponential, -1} : phase.symbols()) {
-                if (symbol >= 0) places_[code_.lower(symbol)] = static_cast<int>(degrees_.size());
-                degrees_.push_back(phase.decays() ? std::pair{0, 1} : std::pair{1, 0});
-            }
+    RecipeBuilder(const Program& program, StraightLine& code) : code_(code) {
+        for (const ProgramOutput& output : program.outputs) outputs_.push_back(code_.lower(output.value));
+        for (const ProgramPhase& phase : program.phases) {
+            auto place = static_cast<int>(degrees_.size());
+            for (const Graph::Node symbol : phase.symbols()) places_[code_.lower(symbol)] = place++;
+            degrees_.insert(degrees_.end(), 2, phase.decays() ? std::pair{0, 1} : std::pair{1, 0});
+        }
         turned_ = static_cast<int>(degrees_.size());
     }
 
@@ -233,7 +232,7 @@ private:
     }
 
     StraightLine& code_;
-    const std::vector<Value>& outputs_;
+    std::vector<Value> outputs_;
     Recipe recipe_;
     std::set<Value> turning_, summed_;
     std::map<Value, int> uses_, places_, constants_;
@@ -244,9 +243,8 @@ private:
 
 } // namespace
 
-std::optional<Recipe> recipe_of(const Program& program, StraightLine& code,
-                                const std::vector<StraightLine::Value>& outputs) {
-    return RecipeBuilder(program, code, outputs).build();
+std::optional<Recipe> recipe_of(const Program& program, StraightLine& code) {
+    return RecipeBuilder(program, code).build();
 }
 
 } // namespace resonform

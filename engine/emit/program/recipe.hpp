@@ -36,9 +36,8 @@ struct Recipe {
     int turns = 0, fades = 0; // highest degrees in cosines and sines, and in exponentials
 };
 
-// Appends the atoms to `code`. nullopt: something else than sums and products turns, or the kernel has not
-// so many slots.
-std::optional<Recipe> recipe_of(const Program& program, StraightLine& code,
-                                const std::vector<StraightLine::Value>& outputs);
+// Of program.outputs. Appends the atoms to `code`. nullopt: something else than sums and products turns, or
+// the kernel has not so many slots.
+std::optional<Recipe> recipe_of(const Program& program, StraightLine& code);
 
 } // namespace resonform

@@ -17,8 +17,9 @@ namespace resonform::report {
 
 namespace {
 
-constexpr double lowest_ulp = 0.1;      // what is smaller is drawn there
-constexpr double row_of_statuses = 0.5; // each so far below the one before, from lowest_ulp on
+constexpr double lowest_ulp = 0.1; // smaller errors are drawn at this height
+constexpr double row_of_statuses =
+    0.5; // the crosses of each status lie at this share of the height above them
 constexpr double middle_of_decade = 3;
 
 std::string size_of(const SweptInput& input) {

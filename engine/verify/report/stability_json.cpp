@@ -20,17 +20,18 @@ Json lost_json(const LostDigits& lost) {
             {"share", json_number(lost.share)}};
 }
 
-Json inputs_json(const NamedInputs& inputs) {
-    Json at = Json::object();
-    for (const auto& [name, value] : inputs) at[name] = json_number(value);
-    return at;
+// By name.
+template <class Numbers> Json numbers_json(const Numbers& numbers) {
+    Json json = Json::object();
+    for (const auto& [name, value] : numbers) json[name] = json_number(value);
+    return json;
 }
 
 Json worst_json(const WorstPoint& w) {
     Json json{{"output", w.output},
               {"ulp", json_number(w.ulp)},
               {"unavoidable_ulp", json_number(w.unavoidable)},
-              {"at", inputs_json(w.at)}};
+              {"at", numbers_json(w.at)}};
     if (!w.sensitive_to.empty()) json["sensitive_to"] = w.sensitive_to;
     if (w.lost) json["lost"] = lost_json(*w.lost);
     return json;
@@ -52,7 +53,7 @@ Json refusals_json(const std::vector<StabilityRefusals>& refusals) {
                        {"unexplained", r.unexplained},
                        {"where", ranges_json(r.where)},
                        {"t", {json_number(r.first_t), json_number(r.last_t)}}});
-        if (!r.first.empty()) all.back()["first"] = inputs_json(r.first);
+        if (!r.first.empty()) all.back()["first"] = numbers_json(r.first);
     }
     return all;
 }
@@ -86,13 +87,9 @@ Json by_decade_json(const Stability& s) {
 } // namespace
 
 Json to_json(const Stability& s) {
-    Json worst = Json::array(), median = Json::object(), refused = Json::object(), histogram = Json::object();
+    Json worst = Json::array(), histogram = Json::object();
     for (const WorstPoint& w : s.worst) worst.push_back(worst_json(w));
-    for (const auto& [name, ulp] : s.median) median[name] = json_number(ulp);
-    Json not_judged = Json::object();
-    for (const auto& [name, ulp] : s.not_judged_ulp) not_judged[name] = json_number(ulp);
     for (const auto& [name, bins] : s.histogram) histogram[name] = histogram_json(bins);
-    for (const auto& [status, count] : s.refused_by) refused[status] = count;
     Json json{{"schema", "resonform.stability/1"},
               {"system", s.system},
               {"scene", s.scene},
@@ -107,13 +104,13 @@ Json to_json(const Stability& s) {
               {"refused", s.refused},
               {"unexplained", s.unexplained},
               {"worst", worst},
-              {"refused_by", refused},
+              {"refused_by", Json(s.refused_by)},
               {"refusals", refusals_json(s.refusals)},
               {"beyond_reference", s.beyond_reference},
               {"not_judged", s.not_judged},
-              {"not_judged_ulp", not_judged},
+              {"not_judged_ulp", numbers_json(s.not_judged_ulp)},
               {"not_judged_refused_by", Json(s.not_judged_refused_by)},
-              {"median_ulp", median},
+              {"median_ulp", numbers_json(s.median)},
               {"histogram_ulp", histogram},
               {"by_decade", by_decade_json(s)}};
     if (!s.reason.empty()) json["reason"] = s.reason;

@@ -22,7 +22,8 @@ constexpr double corner_probability = 0.4;
 constexpr int most_draws = 20, most_ways_out = 6;
 constexpr double edge_decades = 6;
 constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-12;
-constexpr double smallest_distance = 1e-3; // from a rest that is not 0: what is left of the digits
+// From an equilibrium that is not 0: starts that are closer are differences that have lost their digits.
+constexpr double smallest_distance = 1e-3;
 constexpr double largest_phase = 1e12;
 
 // All inputs as one vector: eps, parameters, start.
