@@ -11,6 +11,8 @@
 #include "runtime/math.hpp"
 #include "runtime/status.hpp"
 
+#include <cstddef>
+
 namespace resonform {
 
 template <class Number> struct Scaled {
@@ -188,6 +190,11 @@ struct Keeper {
     template <class Number> void operator()(const Scaled<Number>& from, Number& to, const char* quantity) {
         if (!from.fits(to) && cause.status == Status::ok)
             cause = {math::finite(from.mantissa) ? Status::overflow : Status::outside_domain, quantity};
+    }
+    // Elements first ... end - 1 of two arrays.
+    template <class From, class To>
+    void operator()(const From& from, To& to, std::size_t first, std::size_t end, const char* quantity) {
+        for (std::size_t k = first; k < end; ++k) (*this)(from[k], to[k], quantity);
     }
 };
 

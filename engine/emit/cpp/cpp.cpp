@@ -83,6 +83,7 @@ void add_headers(const Program& program, std::set<std::string>& names) {
     add(!cpp_data_tables(program).empty(), "spline");
     add(!program.tables.empty(), "table");
     add(program.has_tables(), "tabulated");
+    add(plan.walks_constants(), "walk");
 }
 
 // The includes of the runtime, or the whole runtime as text.

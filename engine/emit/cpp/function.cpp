@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace resonform {
 
@@ -21,9 +22,6 @@ using Value = StraightLine::Value;
 constexpr std::size_t longest_function = 300; // operations
 constexpr std::size_t longest_piece = 120;    // statements
 constexpr std::size_t longest_inline = 64;    // characters
-
-// |n| <= 2^48: exact in every real type.
-bool is_short(const Integer& n) { return cln::abs(n) <= (Integer(1) << 48); }
 
 // A short integer that is not negative.
 std::string integer_text(const std::string& type, const Integer& n) {
@@ -53,6 +51,28 @@ std::string function_text(const std::string& head, const Parameters& parameters,
     return text + body + "    }\n";
 }
 
+// A text as literals, one a line.
+std::string literal_lines(const std::string& text) {
+    constexpr std::size_t longest = 240;
+    std::string lines;
+    for (std::size_t k = 0; k < text.size(); k += longest)
+        lines += fmt::format("{}\"{}\"", k == 0 ? "" : "\n", text.substr(k, longest));
+    return lines;
+}
+
+std::string ratio_lines(const std::vector<Rational>& numbers) {
+    std::string lines, line;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        line += fmt::format("{{{},{}}}", to_string(Rational(cln::numerator(numbers[k]))),
+                            to_string(Rational(cln::denominator(numbers[k]))));
+        line += ",";
+        if (line.size() < 220 && k + 1 < numbers.size()) continue;
+        lines += line + "\n";
+        line.clear();
+    }
+    return lines;
+}
+
 std::string names_of(const Parameters& parameters) {
     std::vector<std::string> names;
     for (const auto& parameter : parameters) names.push_back(parameter.second);
@@ -63,6 +83,7 @@ std::string names_of(const Parameters& parameters) {
 
 void CppFunction::compute(const std::vector<Value>& roots, bool through_constants) {
     const std::vector<Value> order = code_->behind(roots, through_constants);
+    if (may_walk_ && walk(order, roots)) return;
     std::map<Value, int> uses;
     for (const Value root : roots) uses[root] += 1;
     for (const Value v : order)
@@ -74,6 +95,30 @@ void CppFunction::compute(const std::vector<Value>& roots, bool through_constant
     for (const Value root : roots)
         if (is_coefficient(root) && targets_.count(root) == 0)
             texts_[root] = {planted(texts_[root].text), Level::atom};
+}
+
+void CppFunction::assign(const std::vector<Value>& list, const std::string& array) {
+    lists_.emplace_back(list, array);
+    for (std::size_t k = 0; k < list.size(); ++k) assign(list[k], fmt::format("{}[{}]", array, k));
+}
+
+bool CppFunction::walk(const std::vector<Value>& order, const std::vector<Value>& roots) {
+    std::set<Value> known;
+    for (const auto& [v, text] : texts_) known.insert(v);
+    for (const auto& [v, wish] : given_) known.insert(v);
+    walk_ = cpp_walk(*code_, order, known, roots);
+    if (!walk_) return false;
+    for (const auto& [v, place] : walk_->inputs) {
+        const auto text = texts_.find(v);
+        const auto given = given_.find(v);
+        statements_.push_back({fmt::format("w[{}]", place),
+                               text != texts_.end()    ? text->second.text
+                               : given != given_.end() ? given->second.second
+                                                       : number(code_->at(v).number).text,
+                               false});
+    }
+    for (const Value v : roots) texts_[v] = {fmt::format("w[{}]", walk_->place_of.at(v)), Level::atom};
+    return true;
 }
 
 void CppFunction::compute_one(Value v, int uses) {
@@ -215,7 +260,13 @@ std::string CppFunction::print(const Frame& frame) const {
         return text;
     };
     std::string before, body = statement_lines(0, statements_.size());
-    if (in_pieces_) {
+    if (walk_) {
+        before = fmt::format(
+            "    static constexpr std::array<resonform::Ratio, {}> {}_numbers{{{{\n{}    }}}};\n\n",
+            walk_->numbers.size(), frame.name, ratio_lines(walk_->numbers));
+        body = fmt::format("        std::array<{}, {}> w;\n", type_, walk_->places) + body +
+               walk_lines(frame.name);
+    } else if (in_pieces_) {
         const bool is_template = frame.head.find("template") != std::string::npos;
         const std::string work = frame.name + "_quantities" + (is_template ? "<Number>" : "");
         Parameters parameters = frame.parameters;
@@ -233,6 +284,22 @@ std::string CppFunction::print(const Frame& frame) const {
     }
     return before + function_text(fmt::format("{} {} {}", frame.head, frame.result, frame.name),
                                   frame.parameters, lines(frame.first) + body + lines(frame.last));
+}
+
+// The walk, and what is done with its values.
+std::string CppFunction::walk_lines(const std::string& function) const {
+    std::string text = fmt::format(
+        "        resonform::Walk<{}, {}, {}> walk(w.data(), {}_numbers.data(),\n{});\n        walk.run();\n",
+        walk_->digits, walk_->functions, type_, function, literal_lines(walk_->text));
+    std::set<Value> listed;
+    for (const auto& [list, array] : lists_) {
+        text += fmt::format("        resonform::Walk<{}, {}, {}>(w.data(), nullptr,\n{}).copy_to({});\n",
+                            walk_->digits, walk_->functions, type_, literal_lines(walk_->list(list)), array);
+        listed.insert(list.begin(), list.end());
+    }
+    for (const auto& [v, target] : targets_)
+        if (!listed.contains(v)) text += fmt::format("        {} = {};\n", target, texts_.at(v).text);
+    return text;
 }
 
 // The struct of the quantities that the pieces of a long function pass on.

@@ -5,9 +5,11 @@
 
 #include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
+#include "emit/cpp/walk.hpp"
 #include "emit/program/straight_line.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +36,10 @@ public:
     void begin_with(const std::string& target, const std::string& expression) {
         statements_.insert(statements_.begin(), {target, expression, false});
     }
+    // Values to be assigned to the elements of an array, in this order.
+    void assign(const std::vector<StraightLine::Value>& list, const std::string& array);
+    // Too long for statements: a loop walks it, if there are neither data nor callables.
+    void walk() { may_walk_ = true; }
     // Callables are members of `object`.
     void call_through(const std::string& object) { callables_in_ = object; }
 
@@ -63,6 +69,7 @@ private:
         bool declared = true;
     };
 
+    bool walk(const std::vector<StraightLine::Value>& order, const std::vector<StraightLine::Value>& roots);
     void compute_one(StraightLine::Value v, int uses);
     [[nodiscard]] Text expression(StraightLine::Value v) const;
     [[nodiscard]] Text sum_of(const StraightLine::Instruction& i) const;
@@ -74,6 +81,7 @@ private:
     [[nodiscard]] bool begins_with_number(StraightLine::Value v) const;
     [[nodiscard]] std::string planted(const std::string& text) const;
     [[nodiscard]] std::string statement_lines(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] std::string walk_lines(const std::string& function) const;
     [[nodiscard]] std::string quantities(const std::string& name, bool is_template) const;
 
     const StraightLine* code_;
@@ -81,7 +89,9 @@ private:
     CppLies* lies_;
     std::string callables_in_ = "c";
     CppNames names_;
-    bool in_pieces_ = false;
+    bool in_pieces_ = false, may_walk_ = false;
+    std::optional<CppWalk> walk_;
+    std::vector<std::pair<std::vector<StraightLine::Value>, std::string>> lists_; // and the arrays for them
     std::map<StraightLine::Value, Text> texts_;
     std::map<StraightLine::Value, std::pair<std::string, std::string>> given_;
     std::map<StraightLine::Value, std::string> targets_;

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "emit/cpp/names.hpp"
+#include "emit/cpp/walk.hpp"
 #include "emit/program/prune.hpp"
 
 #include <fmt/format.h>
@@ -239,16 +240,37 @@ void CppPlan::find_members(bool conditions) {
     in_any_case.insert(flow_starts.begin(), flow_starts.end());
     for (const Growth& growth : growths) in_any_case.insert(growth.factor);
     for (const CppCondition& condition : constant_conditions) in_any_case.insert(condition.value);
-    CppNames names = names_beside_callables();
-    members.clear();
+    std::vector<Value> constants;
     for (const Value v : code.behind(all, false)) {
         const StraightLine::Instruction& i = code.at(v);
         const bool literal = i.op == StraightLine::Op::number && cln::denominator(i.number) == 1 &&
                              cln::abs(i.number) < (Integer(1) << 31) && in_any_case.count(v) == 0;
-        if (i.varying || literal) continue;
-        const std::string wish = i.op == StraightLine::Op::symbol ? inputs.at(i.symbol) : i.label;
-        members[v] = wish.empty() ? names.numbered("c") : names.unique(wish);
+        if (!i.varying && !literal) constants.push_back(v);
     }
+    CppNames names = names_beside_callables();
+    members.clear();
+    listed.clear();
+    const bool in_array = is_long(constants);
+    if (in_array) names.unique(list_name);
+    for (const Value v : constants) {
+        const StraightLine::Instruction& i = code.at(v);
+        const std::string wish = i.op == StraightLine::Op::symbol ? inputs.at(i.symbol) : i.label;
+        if (!wish.empty() || !in_array) {
+            members[v] = wish.empty() ? names.numbered("c") : names.unique(wish);
+            continue;
+        }
+        members[v] = fmt::format("{}[{}]", list_name, listed.size());
+        listed.push_back(v);
+    }
+}
+
+// Is what they are computed from too long for statements?
+bool CppPlan::is_long(const std::vector<Value>& constants) const {
+    constexpr std::size_t longest = 2000;
+    const std::vector<Value> order = code.behind(constants, true);
+    return order.size() > longest && std::all_of(order.begin(), order.end(), [&](Value v) {
+               return code.at(v).op == StraightLine::Op::symbol || can_be_walked(code.at(v));
+           });
 }
 
 void CppPlan::find_ranges() {
@@ -290,8 +312,9 @@ void CppPlan::name_kept() {
         if (member == members.end()) continue;
         const std::string& in = user[static_cast<std::size_t>(v)];
         const bool known = !code.at(v).label.empty() || code.at(v).op == StraightLine::Op::symbol;
-        kept.emplace_back(v, known || in.empty() || in == member->second ? member->second
-                                                                         : member->second + " in " + in);
+        const bool is_listed = std::binary_search(listed.begin(), listed.end(), v);
+        const std::string called = is_listed ? "a constant" : member->second;
+        kept.emplace_back(v, known || in.empty() || in == member->second ? called : called + " in " + in);
     }
 }
 

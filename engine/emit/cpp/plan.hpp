@@ -74,6 +74,11 @@ struct CppPlan {
     bool layers_use_flow = false, layers_are_broad = true;
     // Constants that outlive the construction, and the names of their members.
     std::map<StraightLine::Value, std::string> members;
+    // Those of them that are elements of one array, in its order: where there are so many that a loop walks
+    // them. Else empty, and each has a name of its own.
+    std::vector<StraightLine::Value> listed;
+    static constexpr const char* list_name = "all";
+    [[nodiscard]] bool walks_constants() const { return !listed.empty(); }
     ConstantRange range;  // of the members
     bool native_defaults; // of start values and slow time, whatever the arguments are
     // The constant conditions are no members: these are native, and they would not be.
@@ -112,6 +117,7 @@ private:
     void assign_levels();
     void lower_results();
     void find_members(bool conditions);
+    [[nodiscard]] bool is_long(const std::vector<StraightLine::Value>& constants) const;
     void find_ranges();
     void name_kept();
     void find_callables(const std::vector<CppCallable>& beside);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/stages.hpp"
 
+#include "emit/cpp/constants.hpp"
 #include "emit/cpp/data.hpp"
 #include "emit/cpp/function.hpp"
 #include "emit/cpp/names.hpp"
@@ -21,16 +22,12 @@ public:
     explicit CppStages(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
     std::string print() {
-        return constants() + kept_constants() + start_conditions() + cpp_data_edges(plan_) + flow_rates() +
-               layers() + integrands() + phase_rates() + arguments() +
-               evaluation("outputs", "Values", plan_.outputs) + evaluation("states", "State", plan_.state) +
-               passes() + amplitudes() + recipe_constants();
+        return cpp_constants(plan_) + cpp_data_edges(plan_) + flow_rates() + layers() + integrands() +
+               phase_rates() + arguments() + evaluation("outputs", "Values", plan_.outputs) +
+               evaluation("states", "State", plan_.state) + passes() + amplitudes() + recipe_constants();
     }
 
 private:
-    std::string constants();
-    std::string kept_constants() const;
-    std::string start_conditions();
     std::string flow_rates();
     std::string layers();
     std::string integrands();
@@ -43,7 +40,6 @@ private:
     void know_call(CppFunction& function);
     std::string amplitudes();
     std::string recipe_constants();
-    void know_arguments(CppFunction& function);
     void know_members(CppFunction& function) const;
     void know_tables(CppFunction& function, const std::string& array);
 
@@ -53,99 +49,6 @@ private:
 
 void CppStages::know_members(CppFunction& function) const {
     for (const auto& [value, name] : plan_.members) function.know(value, "c." + name);
-}
-
-void CppStages::know_arguments(CppFunction& function) {
-    function.define(plan_.code.lower(program_.eps), "eps", "Number(given_eps)");
-    for (std::size_t k = 0; k < program_.parameters.size(); ++k)
-        function.define(plan_.code.lower(program_.parameters[k].symbol), program_.parameters[k].name,
-                        "Number(parameters." + plan_.parameters[k] + ")");
-    for (std::size_t k = 0; k < program_.start.size(); ++k)
-        function.define(plan_.code.lower(program_.start[k].symbol), program_.start[k].name,
-                        "Number(start." + plan_.start[k] + ")");
-}
-
-std::string CppStages::constants() {
-    std::string text = "    // What is computed once.\n    template <class Number> struct Constants {\n";
-    CppFunction function(plan_.code, "Number", "k", plan_.lies);
-    know_arguments(function);
-    std::vector<Value> roots;
-    for (const CppCallable& callable : plan_.callables)
-        text += fmt::format("        resonform::Callable<{}> {};\n", callable.type, callable.name);
-    for (const auto& [value, name] : plan_.members) {
-        text += fmt::format("        Number {}{{}};\n", name);
-        function.assign(value, "c." + name);
-        roots.push_back(value);
-    }
-    function.compute(roots, true);
-    for (const CppCallable& callable : plan_.callables)
-        function.begin_with("c." + callable.name, "parameters." + callable.name);
-    return text + "    };\n\n" +
-           function.print({"template <class Number> static",
-                           "void",
-                           "compute_constants",
-                           {{"const Real&", "given_eps"},
-                            {"const Parameters&", "parameters"},
-                            {"const Start&", "start"},
-                            {"Constants<Number>&", "c"}},
-                           {},
-                           {}}) +
-           "\n";
-}
-
-// For powers of arguments beyond the range of Number: all constants in Scaled, then converted to Number.
-std::string CppStages::kept_constants() const {
-    if (plan_.range.native) return "";
-    constexpr std::size_t longest = 200; // statements of a function
-    const std::string structs = "const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c";
-    std::string text, calls;
-    for (std::size_t k = 0; k < plan_.kept.size(); k += longest) {
-        const std::string name = fmt::format("keep_{}", k / longest + 1);
-        text += fmt::format("    template <class Number> static void {}({}, resonform::Keeper& keep) {{\n",
-                            name, structs);
-        for (std::size_t j = k; j < std::min(k + longest, plan_.kept.size()); ++j) {
-            const auto& [value, reader] = plan_.kept[j];
-            text += fmt::format("        keep(scaled.{0}, c.{0}, {1});\n", plan_.members.at(value),
-                                cpp_literal(reader));
-        }
-        text += "    }\n\n";
-        calls += fmt::format("        {}(scaled, c, keep);\n", name);
-    }
-    text += "    // The same in numbers of any range first; what has no place in Number is the answer.\n"
-            "    template <class Number> static Cause keep_constants(\n            const Real& eps, const "
-            "Parameters& parameters, const Start& start, Constants<Number>& c) {\n"
-            "        Constants<resonform::Scaled<Number>> scaled;\n"
-            "        compute_constants(eps, parameters, start, scaled);\n";
-    for (const CppCondition& condition : plan_.constant_conditions)
-        text += fmt::format("        if (!(scaled.{} > resonform::Scaled<Number>(0))) return "
-                            "{{Status::outside_domain, {}}};\n",
-                            plan_.members.at(condition.value), cpp_literal(condition.quantity));
-    for (const CppCallable& callable : plan_.callables)
-        text += fmt::format("        c.{0} = parameters.{0};\n", callable.name);
-    return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n";
-}
-
-// Conditions on the start: products of many arguments, of which only the sign matters.
-std::string CppStages::start_conditions() {
-    if (!plan_.conditions_apart) return "";
-    CppFunction function(plan_.code, "Number", "k", plan_.lies);
-    know_arguments(function);
-    function.call_through("parameters");
-    std::vector<Value> conditions;
-    for (const CppCondition& condition : plan_.constant_conditions) conditions.push_back(condition.value);
-    function.compute(conditions, true);
-    std::vector<std::string> texts;
-    for (const Value condition : conditions) texts.push_back("Number(" + function.text(condition) + ")");
-    return "    // All > 0, or the solution does not start where its map is close to the identity.\n" +
-           function.print({"template <class Number> static",
-                           fmt::format("std::array<Number, {}>", texts.size()),
-                           "start_conditions",
-                           {{"const Real&", "given_eps"},
-                            {"const Parameters&", "parameters"},
-                            {"const Start&", "start"}},
-                           {},
-                           {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}) +
-           "\n";
 }
 
 void CppStages::know_tables(CppFunction& function, const std::string& array) {

@@ -5,6 +5,7 @@
 #include "emit/program/prune.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace resonform {
@@ -36,47 +37,55 @@ FlowMoment::FlowMoment(Program& program, const RealForm& real, const Surrounding
 
 namespace {
 
-// Whether a harmonic turns (1, or -1 where its conjugate counts as turning forward), by the first mode or
-// angle that does; 0: it is real. Powers of a real mode turn nothing.
-int sense(const RealForm& form, const FlowSum::Harmonic& harmonic) {
-    for (std::size_t k = 0; k < harmonic.turns.size(); ++k) {
-        if (k < form.modes().size() && form.modes()[k].is_real()) continue;
-        if (harmonic.turns[k] != 0) return harmonic.turns[k] > 0 ? 1 : -1;
+// 1, or -1 where the conjugate counts as turning forward, by the first mode or angle that turns; 0: none
+// does.
+int sense(const std::vector<int>& turns) {
+    const auto first = std::find_if(turns.begin(), turns.end(), [](int turn) { return turn != 0; });
+    return first == turns.end() ? 0 : *first > 0 ? 1 : -1;
+}
+
+// About how many products and sums it takes; a divisor is a sum of its own.
+std::size_t length(const std::vector<Fraction>& list) {
+    std::size_t terms = 0;
+    for (const Fraction& f : list) {
+        terms += f.numerator.size();
+        for (const Polynomial& divisor : f.divisors) terms += 2 + divisor.size();
     }
-    return 0;
+    return terms;
+}
+
+std::size_t length(const FlowSum& sum) {
+    std::size_t terms = length(sum.re) + length(sum.im);
+    for (const FlowSum::Harmonic& h : sum.harmonics)
+        terms += length(h.re) + length(h.im) + (sense(h.turns) == 0 ? 0 : 4);
+    return terms;
 }
 
 } // namespace
 
 // Of a real p the conjugate of each harmonic is there as well: one of them is taken twice.
 FlowSum flow_sum(const RealForm& form, const Polynomial& p, int power, bool real) {
-    constexpr std::size_t longest = 20000; // of a real form
+    constexpr std::size_t longest = 20000;          // of a real form
+    constexpr std::size_t short_sum = 40, much = 3; // longer sums than this, that many times
     const auto fractions = [&](const Polynomial& part, const Rational& factor) {
         return reduced_fractions(*form.ring(), factor * over_eps(form, part, power));
     };
-    FlowSum sum;
-    sum.real = real;
-    if (form.length(p) <= longest) {
-        const RealForm::Value parts = form(p);
-        sum.re = fractions(parts.re, 1);
-        if (!real) sum.im = fractions(parts.im, 1);
-        return sum;
-    }
+    FlowSum by_turns, multiplied_out;
+    by_turns.real = multiplied_out.real = real;
     for (const RealForm::Harmonic& h : form.harmonics(p)) {
-        FlowSum::Harmonic harmonic;
-        for (const auto& [a, b] : h.modes) {
-            harmonic.turns.push_back(a - b);
-            harmonic.moduli.push_back(std::min(a, b));
-        }
-        harmonic.turns.insert(harmonic.turns.end(), h.angles.begin(), h.angles.end());
-        const int turning = sense(form, harmonic);
+        const int turning = sense(h.turns);
         if (real && turning < 0) continue;
         const Rational factor = real && turning > 0 ? 2 : 1;
-        harmonic.re = fractions(h.coefficient.re, factor);
-        harmonic.im = fractions(h.coefficient.im, factor);
-        sum.harmonics.push_back(std::move(harmonic));
+        by_turns.harmonics.push_back(
+            {h.turns, fractions(h.coefficient.re, factor), fractions(h.coefficient.im, factor)});
     }
-    return sum;
+    if (form.length(p) > longest) return by_turns;
+    const RealForm::Value parts = form(p);
+    multiplied_out.re = fractions(parts.re, 1);
+    if (!real) multiplied_out.im = fractions(parts.im, 1);
+    const std::size_t terms = length(multiplied_out);
+    if (terms > short_sum && terms > much * length(by_turns)) return by_turns;
+    return multiplied_out;
 }
 
 FlowMoment::Unit FlowMoment::value(const FlowSum& sum) {
@@ -90,33 +99,51 @@ FlowMoment::Unit FlowMoment::times(const Unit& a, const Unit& b) {
             graph_.add({graph_.multiply({a.u, b.v}), graph_.multiply({a.v, b.u})})};
 }
 
-// (u + i v)^turns, of a negative power the conjugate.
-FlowMoment::Unit FlowMoment::turned(std::size_t unit, int turns) {
+// (u + i v)^turns, turns > 0
+FlowMoment::Unit FlowMoment::power(std::size_t unit, int turns) {
     if (turns == 1) return units_[unit];
     if (const auto known = powers_.find({unit, turns}); known != powers_.end()) return known->second;
-    Unit result;
-    if (turns == 0)
-        result = {graph_.rational(1), graph_.rational(0)};
-    else if (turns < 0)
-        result = {turned(unit, -turns).u, graph_.negate(turned(unit, -turns).v)};
-    else
-        result = times(turned(unit, turns / 2), turned(unit, turns - turns / 2));
+    const Unit result = times(power(unit, turns / 2), power(unit, turns - turns / 2));
     return powers_.emplace(std::pair{unit, turns}, result).first->second;
 }
 
+// Of the units to their turns, those of negative turns conjugate.
+FlowMoment::Unit FlowMoment::product(std::vector<int> turns) {
+    if (sense(turns) == 0) return {graph_.rational(1), graph_.rational(0)};
+    if (sense(turns) < 0) {
+        for (int& turn : turns) turn = -turn;
+        const Unit other = product(std::move(turns));
+        return {other.u, graph_.negate(other.v)};
+    }
+    if (const auto known = products_.find(turns); known != products_.end()) return known->second;
+    std::vector<int> before = turns;
+    std::size_t last = turns.size() - 1;
+    while (turns[last] == 0) --last;
+    before[last] = 0;
+    Unit factor = power(last, std::abs(turns[last]));
+    if (turns[last] < 0) factor.v = graph_.negate(factor.v);
+    return products_[turns] = sense(before) == 0 ? factor : times(product(std::move(before)), factor);
+}
+
+// The first that are not multiplied out want them.
+void FlowMoment::define_moduli() {
+    const std::vector<GeneratorId>& ids = real_.moduli();
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        if (ids[k] < 0 || lowering.node(ids[k]) >= 0) continue;
+        const RealForm::Pair& pair = real_.modes()[k];
+        const Graph::Node modulus = graph_.add({graph_.power(units_[k].u, 2), graph_.power(units_[k].v, 2)});
+        lowering.define(ids[k], modulus, lowering.varying(pair.u) || lowering.varying(pair.v));
+    }
+}
+
 FlowMoment::Unit FlowMoment::sum_of_harmonics(const FlowSum& sum) {
+    define_moduli();
     std::vector<Graph::Node> u, v;
     for (const FlowSum::Harmonic& h : sum.harmonics) {
-        Unit product{lowering.fractions(h.re), lowering.fractions(h.im)};
-        for (std::size_t k = 0; k < h.turns.size(); ++k) product = times(product, turned(k, h.turns[k]));
-        std::vector<Graph::Node> moduli;
-        for (std::size_t k = 0; k < h.moduli.size(); ++k)
-            if (h.moduli[k] > 0)
-                moduli.push_back(graph_.power(
-                    graph_.add({graph_.power(units_[k].u, 2), graph_.power(units_[k].v, 2)}), h.moduli[k]));
-        const Graph::Node modulus = graph_.multiply(moduli);
-        u.push_back(graph_.multiply({product.u, modulus}));
-        if (!sum.real) v.push_back(graph_.multiply({product.v, modulus}));
+        const Unit coefficient{lowering.fractions(h.re), lowering.fractions(h.im)};
+        const Unit all = times(coefficient, product(h.turns));
+        u.push_back(all.u);
+        if (!sum.real) v.push_back(all.v);
     }
     return {graph_.add(std::move(u)), sum.real ? -1 : graph_.add(std::move(v))};
 }

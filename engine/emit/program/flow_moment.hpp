@@ -21,18 +21,18 @@ struct FlowValues {
     std::vector<Graph::Node> slow, drift;
 };
 
-// p/eps^power before it is lowered to nodes: real and imaginary part multiplied out, or, where these would be
-// long, coefficients times powers of the units.
+// p/eps^power before it is lowered to nodes: real and imaginary part multiplied out, or, where that is much
+// longer, sums over what turns alike times products of the units.
 struct FlowSum {
     struct Harmonic {
-        std::vector<int> turns, moduli; // powers of the units, modes first; of |mode|^2
+        std::vector<int> turns; // RealForm::Harmonic
         std::vector<Fraction> re, im;
     };
     bool real = false; // the imaginary part is not asked for
     std::vector<Fraction> re, im;
     std::vector<Harmonic> harmonics; // if it is not multiplied out
 };
-using FlowSums = std::map<const Series*, FlowSum>;
+using FlowSums = std::map<std::pair<const Series*, int>, FlowSum>; // of a series through a weight
 FlowSum flow_sum(const RealForm& real_form, const Polynomial& p, int power, bool real);
 
 class FlowMoment {
@@ -42,21 +42,24 @@ public:
     FlowMoment(Program& program, const RealForm& real, const Surroundings& surroundings,
                const FlowValues& values, bool named);
 
-    // u + i v; powers of the units are formed once.
+    // u + i v; products of the units are formed once.
     Unit value(const FlowSum& sum);
     Unit value(const Polynomial& p, int power, bool real) { return value(flow_sum(real_, p, power, real)); }
 
     Lowering lowering;
 
 private:
+    void define_moduli();
     Unit sum_of_harmonics(const FlowSum& sum);
     Unit times(const Unit& a, const Unit& b);
-    Unit turned(std::size_t unit, int turns);
+    Unit power(std::size_t unit, int turns);
+    Unit product(std::vector<int> turns);
 
     Graph& graph_;
     const RealForm& real_;
     std::vector<Unit> units_; // of modes, then of angles
     std::map<std::pair<std::size_t, int>, Unit> powers_;
+    std::map<std::vector<int>, Unit> products_;
 };
 
 // A state of the user as the field has it: less its shift (GradedField::shift), which is often 0.

@@ -48,8 +48,8 @@ public:
         } else {
             new_ = given_;
             if (solved_) new_.modes[solved_->mode] = zero();
-            if (physical || moves_slow_or_angles())
-                for (int step = 0; step <= solution_.truncation; ++step) substitute(physical);
+            for (const Substitution& step : start_substitutions(solution_, physical))
+                substitute(physical, step);
         }
         require_near_identity(program_, solution_, real_, surroundings_,
                               {given_, new_, turns_, {}, !physical, &sums_});
@@ -80,9 +80,8 @@ private:
     FlowUnit row_entry(std::size_t k, std::size_t s, Lowering& lowering);
     FlowUnit old_mode(std::size_t k, const std::vector<Graph::Node>& states, const Lowering& lowering);
     FlowUnit polar(const Mode& mode);
-    [[nodiscard]] bool moves_slow_or_angles() const;
-    void substitute(bool modes);
-    void substitute(bool modes, int of_weight, bool others);
+    void substitute(bool modes, const Substitution& step);
+    void substitute(bool modes, const Substitution& step, int of_weight, bool others);
     FlowUnit unit(Graph::Node angle);
     FlowUnit turned(const FlowUnit& unit, Graph::Node by);
     Graph::Node drift(std::size_t k);
@@ -274,48 +273,43 @@ void FlowStart::put_inverse_map() {
         new_.slow.push_back(graph.add({given_.slow[k], shift(inverse.slow[k], 0).u}));
 }
 
-bool FlowStart::moves_slow_or_angles() const {
-    const auto moves = [&](const Series& series) { return !series.total(solution_.truncation).empty(); };
-    return std::any_of(map_.slow.begin(), map_.slow.end(), moves) ||
-           std::any_of(map_.angle.begin(), map_.angle.end(), moves);
-}
-
 // zeta <- xi_0 - k(w, theta, zeta), theta <- phi_0 - m(w, theta, zeta); with `modes` w <- z_0 - h(w, theta,
 // zeta), those of lower weight first: products of them may be as heavy as a mode in whose map they stand.
-void FlowStart::substitute(bool modes) {
+void FlowStart::substitute(bool modes, const Substitution& step) {
     std::vector<int> weights = modes ? field_.mode_weights() : std::vector<int>();
     if (weights.empty()) weights.push_back(0);
     std::reverse(weights.begin(), weights.end());
-    for (const int now : weights) substitute(modes, now, now == weights.front());
+    for (const int now : weights) substitute(modes, step, now, now == weights.front());
 }
 
 // The modes of one weight; `others`: slow variables and angles, too.
-void FlowStart::substitute(bool modes, int of_weight, bool others) {
+void FlowStart::substitute(bool modes, const Substitution& step, int of_weight, bool others) {
     Graph& graph = program_.graph;
     FlowMoment now(program_, real_, surroundings_, new_, false);
-    const auto shift = [&](const Series& series, int weight, bool real) {
-        const auto known = sums_.find(&series);
+    const auto shift = [&](const Series& series, int through, int weight, bool real) {
+        const auto known = sums_.find({&series, through});
         if (known != sums_.end()) return now.value(known->second);
-        const FlowSum sum = flow_sum(real_, series.total(solution_.truncation), weight, real);
-        return now.value(sums_.emplace(&series, sum).first->second);
+        const FlowSum sum = flow_sum(real_, series.total(through), weight, real);
+        return now.value(sums_.emplace(std::pair{&series, through}, sum).first->second);
     };
     const auto less = [&](Graph::Node from, Graph::Node by) { return graph.add({from, graph.negate(by)}); };
     FlowValues next = new_;
     const bool solves = solved_ && weight(solved_->mode) == of_weight;
-    if (solves) solve_for_state(shift(map_.mode[solved_->mode], of_weight, false).u);
+    if (solves)
+        solve_for_state(shift(map_.mode[solved_->mode], step.mode[solved_->mode], of_weight, false).u);
     for (std::size_t k = 0; modes && k < field_.modes.size(); ++k) {
         if (weight(k) != of_weight) continue;
-        const FlowUnit by = shift(map_.mode[k], weight(k), false);
+        const FlowUnit by = shift(map_.mode[k], step.mode[k], weight(k), false);
         next.modes[k] = {less(given_.modes[k].u, by.u), less(given_.modes[k].v, by.v)};
     }
     if (solves) next.modes[solved_->mode] = zero();
     if (others) turns_.clear();
     for (std::size_t k = 0; others && k < field_.angles.size(); ++k) {
-        turns_.push_back(graph.negate(shift(map_.angle[k], 0, true).u));
+        turns_.push_back(graph.negate(shift(map_.angle[k], step.angle[k], 0, true).u));
         next.angles[k] = turned(given_.angles[k], turns_[k]);
     }
     for (std::size_t k = 0; others && k < field_.slow.size(); ++k)
-        next.slow[k] = less(given_.slow[k], shift(map_.slow[k], 0, true).u);
+        next.slow[k] = less(given_.slow[k], shift(map_.slow[k], step.slow[k], 0, true).u);
     new_ = std::move(next);
 }
 
@@ -345,7 +339,7 @@ void FlowStart::name_units() {
 
 } // namespace
 
-// The inverse of a map has many times its terms; M + 1 substitutions have M + 1 times as many.
+// The inverse of a map has many times its terms.
 bool starts_by_inverse_map(const Solution& solution) {
     constexpr std::size_t most_inverted = 2000;
     const NearIdentityMap& map = solution.normalization->map;
@@ -353,6 +347,14 @@ bool starts_by_inverse_map(const Solution& solution) {
     for (const auto* list : {&map.mode, &map.angle, &map.slow})
         for (const Series& series : *list) terms += series.total(solution.truncation).size();
     return terms <= most_inverted;
+}
+
+std::vector<Substitution> start_substitutions(const Solution& solution, bool modes) {
+    SubstitutionFor wanted{modes};
+    for (std::size_t k = 0; k < solution.flow->modes.size(); ++k)
+        if (solution.flow->modes[k].is_at_zero) wanted.mode_at_zero = k;
+    return substitutions(*solution.normalization->normal_form.field, solution.normalization->map,
+                         solution.truncation, wanted);
 }
 
 FlowValues flow_start(Program& program, const Solution& solution, const Scene& scene, const RealForm& real,

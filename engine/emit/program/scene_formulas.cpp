@@ -7,6 +7,8 @@
 #include "emit/program/harmonics.hpp"
 #include "solve/flow/slow_flow.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -28,11 +30,25 @@ Solution narrowed(Solution solution, const Scene& scene) {
     return solution;
 }
 
+// Of a long formula the first lines.
 std::vector<std::string> lines_of(const Page& page) {
+    constexpr int longest = 60;
     std::istringstream text(page_text(page));
     std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);)
-        if (!line.empty()) lines.push_back(line);
+    int long_by = 0; // lines of this formula
+    const auto end_formula = [&] {
+        if (long_by > longest)
+            lines.push_back(
+                fmt::format("          + ... ({} lines more, of `resonform derive --stage solution`)",
+                            long_by - longest));
+        long_by = 0;
+    };
+    for (std::string line; std::getline(text, line);) {
+        if (line.empty()) continue;
+        if (line.front() != ' ') end_formula();
+        if (++long_by <= longest) lines.push_back(line);
+    }
+    end_formula();
     return lines;
 }
 

@@ -49,7 +49,8 @@ public:
     StartMap(Program& program, const Solution& solution, const RealForm& real,
              const Surroundings& surroundings, const StartPair& start)
         : program_(program), real_(real), surroundings_(surroundings), start_(start),
-          algebra_(program, solution.truncation), moved_(moved_variables(solution)) {
+          truncation_(solution.truncation), algebra_(program, truncation_),
+          moved_(moved_variables(solution)) {
         std::erase_if(moved_, [&](const MovedVariable& v) {
             return v.kind == MovedVariable::Kind::drift &&
                    (v.index >= start.now.drift.size() || start.now.drift[v.index] < 0);
@@ -72,9 +73,10 @@ private:
     [[nodiscard]] FlowUnit real(Graph::Node x) const { return {x, algebra_.number(0)}; }
     [[nodiscard]] FlowUnit added(FlowMoment& at, const MovedVariable& v) const {
         const bool mode = v.kind == MovedVariable::Kind::mode;
-        const bool known = start_.sums != nullptr && start_.sums->contains(v.series);
+        const std::pair whole{v.series, truncation_};
+        const bool known = start_.sums != nullptr && start_.sums->contains(whole);
         const FlowUnit value =
-            at.value(known ? start_.sums->at(v.series) : flow_sum(real_, v.added, v.weight, !mode));
+            at.value(known ? start_.sums->at(whole) : flow_sum(real_, v.added, v.weight, !mode));
         return mode ? value : real(value.u);
     }
     void pair_up();
@@ -84,6 +86,7 @@ private:
     const RealForm& real_;
     const Surroundings& surroundings_;
     const StartPair& start_;
+    int truncation_;
     NodeAlgebra algebra_;
     std::vector<MovedVariable> moved_;
     StartShifts<FlowUnit> at_;

@@ -3,22 +3,25 @@
 
 #include "algebra/ring/ring_copy.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 namespace resonform {
 
 namespace {
 
+GeneratorId add_part(RingBuilder& builder, const char* part, const std::string& variable) {
+    Generator g;
+    g.kind = GeneratorKind::constant;
+    g.name = fresh_name(builder, part + ("_" + variable));
+    return builder.add(std::move(g));
+}
+
 RealForm::Pair add_pair(RingBuilder& builder, const std::string& variable, bool real) {
-    const auto add = [&](const char* part) {
-        Generator g;
-        g.kind = GeneratorKind::constant;
-        g.name = fresh_name(builder, part + ("_" + variable));
-        return builder.add(std::move(g));
-    };
-    const GeneratorId u = add("u");
-    return {u, real ? GeneratorId(-1) : add("v")};
+    const GeneratorId u = add_part(builder, "u", variable);
+    return {u, real ? GeneratorId(-1) : add_part(builder, "v", variable)};
 }
 
 RealForm::Value split(const Ring& ring, const Polynomial& p) {
@@ -50,6 +53,9 @@ RealForm::RealForm(const GradedField& field) : field_(field) {
         modes_.push_back(add_pair(builder, name(mode.variable), mode.is_real()));
     for (const AngleVariable& angle : field.angles)
         angles_.push_back(add_pair(builder, name(angle.variable), false));
+    for (const Mode& mode : field.modes)
+        moduli_.push_back(mode.is_real() ? GeneratorId(-1)
+                                         : add_part(builder, "modulus", name(mode.variable)));
     ring_ = builder.freeze();
     lift_ = RingMap::by_name(field.ring, ring_, std::move(gone));
 
@@ -108,20 +114,26 @@ RealForm::Value RealForm::operator()(const Polynomial& p) const {
 
 std::vector<RealForm::Harmonic> RealForm::harmonics(const Polynomial& p) const {
     const Ring& old = *field_.ring;
-    std::vector<Harmonic> result;
+    std::map<std::vector<int>, std::vector<Polynomial>> parts;
     for (const auto& [monomial, coefficient] : old.collect(p, turning())) {
-        Harmonic h;
+        std::vector<int> turns;
         int weight = 0;
-        for (const Mode& mode : field_.modes) {
-            h.modes.emplace_back(old.exponent(monomial, mode.z),
-                                 mode.is_real() ? 0 : old.exponent(monomial, mode.zbar));
-            weight += old.generator(mode.z).weight * (h.modes.back().first + h.modes.back().second);
+        Polynomial still = ring_->one();
+        for (std::size_t k = 0; k < modes_.size(); ++k) {
+            const Mode& mode = field_.modes[k];
+            const int z = old.exponent(monomial, mode.z);
+            const int zbar = mode.is_real() ? z : old.exponent(monomial, mode.zbar);
+            turns.push_back(z - zbar);
+            weight += old.generator(mode.z).weight * (mode.is_real() ? z : z + zbar);
+            if (const int power = std::min(z, zbar); power > 0)
+                still = ring_->multiply(still, ring_->gen(mode.is_real() ? modes_[k].u : moduli_[k], power));
         }
-        for (const AngleVariable& angle : field_.angles)
-            h.angles.push_back(old.exponent(monomial, angle.phase));
-        h.coefficient = split(*ring_, ring_->multiply((*lift_)(coefficient), ring_->gen(eps_, weight)));
-        result.push_back(std::move(h));
+        for (const AngleVariable& angle : field_.angles) turns.push_back(old.exponent(monomial, angle.phase));
+        still = ring_->multiply(still, ring_->gen(eps_, weight));
+        parts[turns].push_back(ring_->multiply((*lift_)(coefficient), still));
     }
+    std::vector<Harmonic> result;
+    for (const auto& [turns, list] : parts) result.push_back({turns, split(*ring_, sum(list))});
     return result;
 }
 

@@ -26,6 +26,8 @@ public:
     };
     [[nodiscard]] const std::vector<Pair>& modes() const { return modes_; }
     [[nodiscard]] const std::vector<Pair>& angles() const { return angles_; }
+    // u^2 + v^2 of a mode; -1: it is real. Only harmonics() has these.
+    [[nodiscard]] const std::vector<GeneratorId>& moduli() const { return moduli_; }
     [[nodiscard]] const std::vector<GeneratorId>& slow() const { return slow_; }
     [[nodiscard]] GeneratorId eps() const { return eps_; }
 
@@ -34,11 +36,14 @@ public:
     };
     [[nodiscard]] Value operator()(const Polynomial& p) const;
 
-    // A term before operator() multiplies it out: p = sum of coefficient * product of powers of modes, their
-    // conjugates and e^{i phi}, in this order. Modes are divided by eps^weight, the coefficient is not.
+    // p by what its terms turn with, nothing multiplied out: the sum of
+    //
+    //   coefficient * prod (u + i v)^turn, of a negative turn (u - i v)^-turn
+    //
+    // over modes, then angles; the coefficient holds powers of the moduli and of u of real modes, whose turns
+    // are 0.
     struct Harmonic {
-        std::vector<std::pair<int, int>> modes; // powers of u + i v and of u - i v; of a real mode of u and 0
-        std::vector<int> angles;
+        std::vector<int> turns;
         Value coefficient;
     };
     [[nodiscard]] std::vector<Harmonic> harmonics(const Polynomial& p) const;
@@ -52,7 +57,7 @@ private:
     const GradedField& field_;
     RingPtr ring_;
     std::vector<Pair> modes_, angles_;
-    std::vector<GeneratorId> slow_;
+    std::vector<GeneratorId> slow_, moduli_;
     GeneratorId eps_ = -1;
     std::vector<GeneratorId> outer_; // z1, zbar1, ..., e^{i phi}, ...
     std::vector<Polynomial> units_;  // their images

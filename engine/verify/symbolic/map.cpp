@@ -53,15 +53,23 @@ SymbolicMap::SymbolicMap(const Solution& solution, const SymbolicRing& ring)
 }
 
 SymbolicMap::Shifts SymbolicMap::shifts(const NearIdentityMap& map) const {
-    const auto sums = [&](const std::vector<Series>& list) {
-        std::vector<SymbolicSum> result;
-        for (const Series& series : list) result.push_back(ring_.fixed()(series.total(truncation_)));
-        return result;
+    const auto whole = [&](const std::vector<Series>& list) {
+        return std::vector<int>(list.size(), truncation_);
     };
-    Shifts result{sums(map.mode), sums(map.angle), sums(map.slow), {}};
+    Shifts result = shifts(map, {whole(map.mode), whole(map.angle), whole(map.slow)});
     for (const Series& series : map.drift) // written out, because their scale is needed
         result.drift.push_back(ring_.fixed().written_out(series.total(truncation_)));
     return result;
+}
+
+SymbolicMap::Shifts SymbolicMap::shifts(const NearIdentityMap& map, const Substitution& step) const {
+    const auto sums = [&](const std::vector<Series>& list, const std::vector<int>& through) {
+        std::vector<SymbolicSum> result;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            result.push_back(ring_.fixed()(list[k].total(through[k])));
+        return result;
+    };
+    return {sums(map.mode, step.mode), sums(map.angle, step.angle), sums(map.slow, step.slow), {}};
 }
 
 Wide SymbolicMap::scale_of_mode(std::size_t k, const Wide& eps) const {

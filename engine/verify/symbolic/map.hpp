@@ -2,6 +2,7 @@
 // The near-identity map of a solution at t = 0, in 50 digits.
 #pragma once
 
+#include "normalize/recursion/substitutions.hpp"
 #include "solve/near_identity.hpp"
 #include "verify/symbolic/ring.hpp"
 
@@ -24,6 +25,8 @@ public:
         std::vector<SymbolicSum> mode, angle, slow, drift;
     };
     [[nodiscard]] Shifts shifts(const NearIdentityMap& map) const;
+    // Without drifts, as far as a substitution takes them.
+    [[nodiscard]] Shifts shifts(const NearIdentityMap& map, const Substitution& step) const;
     [[nodiscard]] const Shifts& map() const { return map_; }
     [[nodiscard]] Wide scale_of_mode(std::size_t k, const Wide& eps) const;
 

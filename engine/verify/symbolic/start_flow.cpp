@@ -17,8 +17,7 @@ namespace {
 class FlowStart : public SymbolicStartFinder {
 public:
     FlowStart(const Solution& solution, const Scene& scene, const SymbolicRing& ring)
-        : field_(*solution.normalization->normal_form.field), truncation_(solution.truncation), ring_(ring),
-          map_(solution, ring) {
+        : field_(*solution.normalization->normal_form.field), ring_(ring), map_(solution, ring) {
         const Normalization& normalization = *solution.normalization;
         const System& system = solution.system();
         for (const std::size_t s : field_.basis.states)
@@ -33,8 +32,11 @@ public:
         }
         for (const DriftVariable& drift : field_.drift)
             physical_drift_.push_back(scene.start_of(drift.name) != nullptr);
+        inverts_ = physical_ && !scene.at_zero && starts_by_inverse_map(solution);
+        if (!inverts_)
+            for (const Substitution& step : start_substitutions(solution, physical_))
+                substitutions_.push_back(map_.shifts(normalization.map, step));
         if (!physical_) return;
-        inverts_ = !scene.at_zero && starts_by_inverse_map(solution);
         if (scene.at_zero) {
             const auto& states = field_.basis.states;
             for (std::size_t k = 0; k < field_.modes.size(); ++k)
@@ -92,9 +94,8 @@ private:
         } else {
             now = old;
             if (solved_) now.modes[solved_->mode] = {};
-            for (int step = 0; step <= truncation_ && (physical_ || moves_others()); ++step) {
-                substitute(old, values, inputs, now, put);
-            }
+            for (const SymbolicMap::Shifts& by : substitutions_)
+                substitute(old, by, values, inputs, now, put);
         }
         put(now);
         for (const SymbolicLayer& layer : layers_)
@@ -125,16 +126,17 @@ private:
     // Of modes those of lower weight first, as in emitted code: products of them may be as heavy as a mode in
     // whose map they stand. Slow variables and angles go with the first.
     template <class Put>
-    void substitute(SymbolicStartValues& old, const SymbolicValues<Wide>& values,
-                    const SymbolicInputs& inputs, SymbolicStartValues& now, const Put& put) const {
+    void substitute(SymbolicStartValues& old, const SymbolicMap::Shifts& by,
+                    const SymbolicValues<Wide>& values, const SymbolicInputs& inputs,
+                    SymbolicStartValues& now, const Put& put) const {
         std::vector<int> weights = field_.mode_weights();
         if (weights.empty() || !physical_) weights = {0};
         for (auto weight = weights.rbegin(); weight != weights.rend(); ++weight) {
             put(now);
-            SymbolicStartValues next = map_.moved(old, map_.map(), values, ring_.small(inputs), -1);
+            SymbolicStartValues next = map_.moved(old, by, values, ring_.small(inputs), -1);
             if (solved_ && weight_of(solved_->mode) == *weight) {
                 settle(old, (old.modes[solved_->mode] - next.modes[solved_->mode]).re, values);
-                next = map_.moved(old, map_.map(), values, ring_.small(inputs), -1);
+                next = map_.moved(old, by, values, ring_.small(inputs), -1);
                 next.modes[solved_->mode] = {};
             }
             for (std::size_t k = 0; physical_ && k < now.modes.size(); ++k)
@@ -194,13 +196,6 @@ private:
         return size > 0 && norm > size ? Wide(norm / size) : Wide(1);
     }
 
-    [[nodiscard]] bool moves_others() const {
-        const auto moves = [](const SymbolicSum& sum) { return !sum.empty(); };
-        const SymbolicMap::Shifts& map = map_.map();
-        return std::any_of(map.slow.begin(), map.slow.end(), moves) ||
-               std::any_of(map.angle.begin(), map.angle.end(), moves);
-    }
-
     [[nodiscard]] SymbolicStart::Sum drift(std::size_t k, const SymbolicInputs& inputs,
                                            const SymbolicValues<Wide>& values) const {
         const std::string& variable = field_.drift[k].name;
@@ -211,7 +206,6 @@ private:
     }
 
     const GradedField& field_;
-    int truncation_;
     const SymbolicRing& ring_;
     bool physical_ = false, inverts_ = false;
     struct Solved {
@@ -223,6 +217,7 @@ private:
     std::vector<std::pair<FirstCorrection, std::vector<SymbolicSum>>> corrections_; // and theirs
     SymbolicMap map_;
     SymbolicMap::Shifts inverse_;
+    std::vector<SymbolicMap::Shifts> substitutions_;
     std::vector<std::vector<SymbolicSum>> rows_;
     std::vector<SymbolicSum> shifts_; // of the states
 };

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp/constants.hpp"
+
+#include "emit/cpp/function.hpp"
+#include "emit/cpp/names.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace resonform {
+
+namespace {
+
+using Value = StraightLine::Value;
+
+class CppConstants {
+public:
+    explicit CppConstants(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
+
+    std::string print() { return constants() + kept_constants() + start_conditions(); }
+
+private:
+    void know_arguments(CppFunction& function);
+    std::string constants();
+    std::string kept_constants() const;
+    std::vector<std::string> kept_lines() const;
+    std::string start_conditions();
+
+    const Program& program_;
+    CppPlan& plan_;
+};
+
+void CppConstants::know_arguments(CppFunction& function) {
+    function.define(plan_.code.lower(program_.eps), "eps", "Number(given_eps)");
+    for (std::size_t k = 0; k < program_.parameters.size(); ++k)
+        function.define(plan_.code.lower(program_.parameters[k].symbol), program_.parameters[k].name,
+                        "Number(parameters." + plan_.parameters[k] + ")");
+    for (std::size_t k = 0; k < program_.start.size(); ++k)
+        function.define(plan_.code.lower(program_.start[k].symbol), program_.start[k].name,
+                        "Number(start." + plan_.start[k] + ")");
+}
+
+std::string CppConstants::constants() {
+    std::string text = "    // What is computed once.\n    template <class Number> struct Constants {\n";
+    CppFunction function(plan_.code, "Number", "k", plan_.lies);
+    know_arguments(function);
+    std::vector<Value> roots;
+    for (const CppCallable& callable : plan_.callables)
+        text += fmt::format("        resonform::Callable<{}> {};\n", callable.type, callable.name);
+    for (const auto& [value, name] : plan_.members) {
+        roots.push_back(value);
+        if (std::binary_search(plan_.listed.begin(), plan_.listed.end(), value)) continue;
+        text += fmt::format("        Number {}{{}};\n", name);
+        function.assign(value, "c." + name);
+    }
+    if (plan_.walks_constants()) {
+        text += fmt::format("        std::array<Number, {}> {}{{}};\n", plan_.listed.size(), plan_.list_name);
+        function.assign(plan_.listed, fmt::format("c.{}", plan_.list_name));
+        if (plan_.lies == nullptr) function.walk(); // lies are planted in statements
+    }
+    function.compute(roots, true);
+    for (const CppCallable& callable : plan_.callables)
+        function.begin_with("c." + callable.name, "parameters." + callable.name);
+    return text + "    };\n\n" +
+           function.print({"template <class Number> static",
+                           "void",
+                           "compute_constants",
+                           {{"const Real&", "given_eps"},
+                            {"const Parameters&", "parameters"},
+                            {"const Start&", "start"},
+                            {"Constants<Number>&", "c"}},
+                           {},
+                           {}}) +
+           "\n";
+}
+
+// One a constant; elements of the array that are named alike have one together.
+std::vector<std::string> CppConstants::kept_lines() const {
+    std::vector<std::string> lines;
+    for (std::size_t k = 0, next = 0; k < plan_.kept.size(); k = next) {
+        const auto& [value, reader] = plan_.kept[k];
+        next = k + 1;
+        const auto place = std::lower_bound(plan_.listed.begin(), plan_.listed.end(), value);
+        if (place == plan_.listed.end() || *place != value) {
+            lines.push_back(fmt::format("        keep(scaled.{0}, c.{0}, {1});\n", plan_.members.at(value),
+                                        cpp_literal(reader)));
+            continue;
+        }
+        auto end = place + 1;
+        for (; next < plan_.kept.size() && end != plan_.listed.end() &&
+               plan_.kept[next] == std::pair{*end, reader};
+             ++next)
+            ++end;
+        lines.push_back(fmt::format("        keep(scaled.{0}, c.{0}, {1}, {2}, {3});\n", plan_.list_name,
+                                    place - plan_.listed.begin(), end - plan_.listed.begin(),
+                                    cpp_literal(reader)));
+    }
+    return lines;
+}
+
+// For powers of arguments beyond the range of Number: all constants in Scaled, then converted to Number.
+std::string CppConstants::kept_constants() const {
+    if (plan_.range.native) return "";
+    constexpr std::size_t longest = 200; // statements of a function
+    const std::string structs = "const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c";
+    std::string text, calls;
+    const std::vector<std::string> lines = kept_lines();
+    for (std::size_t k = 0; k < lines.size(); k += longest) {
+        const std::string name = fmt::format("keep_{}", k / longest + 1);
+        text += fmt::format("    template <class Number> static void {}({}, resonform::Keeper& keep) {{\n",
+                            name, structs);
+        for (std::size_t j = k; j < std::min(k + longest, lines.size()); ++j) text += lines[j];
+        text += "    }\n\n";
+        calls += fmt::format("        {}(scaled, c, keep);\n", name);
+    }
+    text += "    // The same in numbers of any range first; what has no place in Number is the answer.\n"
+            "    template <class Number> static Cause keep_constants(\n            const Real& eps, const "
+            "Parameters& parameters, const Start& start, Constants<Number>& c) {\n"
+            "        Constants<resonform::Scaled<Number>> scaled;\n"
+            "        compute_constants(eps, parameters, start, scaled);\n";
+    for (const CppCondition& condition : plan_.constant_conditions)
+        text += fmt::format("        if (!(scaled.{} > resonform::Scaled<Number>(0))) return "
+                            "{{Status::outside_domain, {}}};\n",
+                            plan_.members.at(condition.value), cpp_literal(condition.quantity));
+    for (const CppCallable& callable : plan_.callables)
+        text += fmt::format("        c.{0} = parameters.{0};\n", callable.name);
+    return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n";
+}
+
+// Conditions on the start: products of many arguments, of which only the sign matters.
+std::string CppConstants::start_conditions() {
+    if (!plan_.conditions_apart) return "";
+    CppFunction function(plan_.code, "Number", "k", plan_.lies);
+    know_arguments(function);
+    function.call_through("parameters");
+    std::vector<Value> conditions;
+    for (const CppCondition& condition : plan_.constant_conditions) conditions.push_back(condition.value);
+    if (plan_.walks_constants() && plan_.lies == nullptr) function.walk();
+    function.compute(conditions, true);
+    std::vector<std::string> texts;
+    for (const Value condition : conditions) texts.push_back("Number(" + function.text(condition) + ")");
+    return "    // All > 0, or the solution does not start where its map is close to the identity.\n" +
+           function.print({"template <class Number> static",
+                           fmt::format("std::array<Number, {}>", texts.size()),
+                           "start_conditions",
+                           {{"const Real&", "given_eps"},
+                            {"const Parameters&", "parameters"},
+                            {"const Start&", "start"}},
+                           {},
+                           {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}) +
+           "\n";
+}
+
+} // namespace
+
+std::string cpp_constants(CppPlan& plan) { return CppConstants(plan).print(); }
+
+} // namespace resonform

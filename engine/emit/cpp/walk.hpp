@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Instructions -> the text that a loop walks (runtime/walk.hpp), for functions too long to be compiled as
+// statements.
+#pragma once
+
+#include "emit/program/straight_line.hpp"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+struct CppWalk {
+    std::size_t places = 0;
+    int digits = 2;                                                  // of a place or a number
+    unsigned functions = 0;                                          // bit k: function k of the walk occurs
+    std::vector<std::pair<StraightLine::Value, std::size_t>> inputs; // and their places at the beginning
+    std::vector<Rational> numbers;
+    std::string text;
+    std::map<StraightLine::Value, std::size_t> place_of; // of the roots
+
+    // Places as text, for Walk::copy_to.
+    [[nodiscard]] std::string list(const std::vector<StraightLine::Value>& values) const;
+};
+
+// Can the walk take such an instruction?
+bool can_be_walked(const StraightLine::Instruction& i);
+
+// order: operands before their users, all that the roots need. Inputs are those of it that the caller
+// computes: what `known` holds, and numbers that are no ratio of short integers. nullopt: there are data or
+// callables.
+std::optional<CppWalk> cpp_walk(const StraightLine& code, const std::vector<StraightLine::Value>& order,
+                                const std::set<StraightLine::Value>& known,
+                                const std::vector<StraightLine::Value>& roots);
+
+// Is |n| <= 2^48, exact in every real type?
+bool is_short(const Integer& n);
+
+} // namespace resonform

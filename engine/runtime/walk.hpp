@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// A long formula as text that a loop walks: a compiler would take minutes for it as statements. All values
+// have places in one array; what a value is made of is told by digits of base 90, the printable characters
+// from '#' without '?' and '\'. A place and a number of the list `numbers` has `Digits` of them.
+//
+//   sum             how many terms are added, how many subtracted, its place, theirs
+//   sum_and_number  the same, with a number before its place
+//   product         how many factors, its place, theirs
+//   scaled_product  the same, with a number before its place
+//   reciprocal      its place, that of x
+//   root            its degree, its place, that of x
+//   function        which one, how many arguments, its place, theirs
+//   end
+#ifndef RESONFORM_RUNTIME_WALK
+#define RESONFORM_RUNTIME_WALK
+
+#include "runtime/math.hpp"
+
+#include <cstddef>
+
+namespace resonform {
+
+enum class Walked { sum, sum_and_number, product, scaled_product, reciprocal, root, function, end };
+enum class WalkedFunction { sin, cos, log, exp, asinh, sinh, erf, atan2, hypot };
+
+// A rational number; both parts are exact in every real type.
+struct Ratio {
+    long long over, under;
+};
+
+// Functions: bit k is set if function k occurs, so that a type needs no others.
+template <int Digits, unsigned Functions, class Number> class Walk {
+public:
+    Walk(Number* places, const Ratio* numbers, const char* text)
+        : places_(places), numbers_(numbers), at_(text) {}
+
+    void run() {
+        for (auto what = static_cast<Walked>(digit()); what != Walked::end;
+             what = static_cast<Walked>(digit()))
+            take(what);
+    }
+
+    // The values at the places listed, one after the other.
+    template <class List> void copy_to(List& list) {
+        for (Number& x : list) x = next();
+    }
+
+private:
+    int digit() {
+        const int c = *at_++;
+        return c - '#' - (c > '?' ? 1 : 0) - (c > '\\' ? 1 : 0);
+    }
+    std::size_t index() {
+        int n = 0;
+        for (int k = 0; k < Digits; ++k) n = 90 * n + digit();
+        return static_cast<std::size_t>(n);
+    }
+    Number& next() { return places_[index()]; }
+    Number number() {
+        using One = typename OneOf<Number>::type;
+        const Ratio& ratio = numbers_[index()];
+        return Number(One(One(ratio.over) / One(ratio.under)));
+    }
+
+    void take(Walked what) {
+        switch (what) {
+        case Walked::sum: return sum(false);
+        case Walked::sum_and_number: return sum(true);
+        case Walked::product: return product(false);
+        case Walked::scaled_product: return product(true);
+        case Walked::root: return root(digit());
+        case Walked::function: return function(digit());
+        default: break;
+        }
+        Number& x = next();
+        x = Number(1) / next();
+    }
+    void sum(bool with_number) {
+        const int plus = digit(), minus = digit();
+        Number x = with_number ? number() : Number(0);
+        Number& to = next();
+        for (int k = 0; k < plus; ++k) x = with_number || k > 0 ? x + next() : next();
+        for (int k = 0; k < minus; ++k) x = x - next();
+        to = x;
+    }
+    void product(bool with_number) {
+        const int factors = digit();
+        Number x = with_number ? number() : Number(1);
+        Number& to = next();
+        for (int k = 0; k < factors; ++k) x = with_number || k > 0 ? x * next() : next();
+        to = x;
+    }
+    void root(int degree) {
+        using math::root;
+        using math::sqrt;
+        Number& to = next();
+        const Number& x = next();
+        to = degree == 2 ? Number(sqrt(x)) : Number(root(x, degree));
+    }
+    static constexpr bool uses(WalkedFunction f) { return (Functions >> static_cast<unsigned>(f) & 1U) != 0; }
+    // if constexpr: not every type has every function.
+    void function(int which) {
+        using namespace math;
+        using Of = WalkedFunction;
+        const auto f = static_cast<Of>(which);
+        const bool two = digit() == 2;
+        Number& to = next();
+        const Number x = next(), y = two ? next() : x;
+        if constexpr (uses(Of::sin))
+            if (f == Of::sin) to = sin(x);
+        if constexpr (uses(Of::cos))
+            if (f == Of::cos) to = cos(x);
+        if constexpr (uses(Of::log))
+            if (f == Of::log) to = log(x);
+        if constexpr (uses(Of::exp))
+            if (f == Of::exp) to = exp(x);
+        if constexpr (uses(Of::asinh))
+            if (f == Of::asinh) to = asinh(x);
+        if constexpr (uses(Of::sinh))
+            if (f == Of::sinh) to = sinh(x);
+        if constexpr (uses(Of::erf))
+            if (f == Of::erf) to = erf(x);
+        if constexpr (uses(Of::atan2))
+            if (f == Of::atan2) to = atan2(x, y);
+        if constexpr (uses(Of::hypot))
+            if (f == Of::hypot) to = hypot(x, y);
+    }
+
+    Number* places_;
+    const Ratio* numbers_;
+    const char* at_;
+};
+
+} // namespace resonform
+
+#endif
