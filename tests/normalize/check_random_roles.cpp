@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random systems with every role: whatever is not refused is certified, real, and has an inverse map.
+// Random systems with every role: whatever is not refused is certified, real, and has an inverse map, which
+// substitutions find as well.
 #include "normalize/certified.hpp"
 #include "normalize/recursion/inverse_map.hpp"
+#include "normalize/substituted.hpp"
 
 #include <gtest/gtest.h>
 
@@ -116,6 +118,7 @@ bool check(const std::string& toml) {
                 for (int k = 0; k <= s.through(); ++k)
                     EXPECT_EQ(field.ring->conjugate(s.part(k)), s.part(k)) << toml;
         const NearIdentityMap inverse = invert(n.normal_form, n.map);
+        test::Substituted(n).expect(inverse);
         for (std::size_t k = 0; k < inverse.mode.size(); ++k) {
             const Series composed = compose(field, n.map.mode[k], inverse, order);
             for (int w = 0; w <= order; ++w)

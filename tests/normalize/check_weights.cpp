@@ -6,6 +6,7 @@
 #include "normalize/recursion/centre_manifold.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 #include "normalize/styles/normalize.hpp"
+#include "normalize/substituted.hpp"
 
 #include <gtest/gtest.h>
 
@@ -125,6 +126,17 @@ TEST(Weights, TheMapHasAnInverse) {
     check(inverse.mode, n.map.mode);
     check(inverse.slow, n.map.slow);
     check(inverse.angle, n.map.angle);
+    test::Substituted(n).expect(inverse);
+}
+
+// h of x'' + x + x^3 = 0 begins at weight 3 and has odd weights: each substitution gains two.
+TEST(Weights, SubstitutionsTakeOnlyWhatTheyMakeRight) {
+    const Normalization n = test::certified(test::duffing(), 8);
+    const GradedField& field = *n.normal_form.field;
+    std::vector<int> taken;
+    for (const Substitution& step : substitutions(field, n.map, 8, {})) taken.push_back(step.mode.front());
+    EXPECT_EQ(taken, (std::vector{4, 6, 8}));
+    EXPECT_TRUE(substitutions(field, n.map, 8, {false}).empty()) << "there is nothing but the mode";
 }
 
 TEST(Weights, TheCatalanSlowManifoldOfTheWeightOfASquare) {

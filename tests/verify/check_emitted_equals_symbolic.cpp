@@ -7,6 +7,7 @@
 #include "verify/run/cache.hpp"
 #include "verify/symbolic/evaluator.hpp"
 
+#include "emit/cpp/plan.hpp"
 #include "emit/program/build_program.hpp"
 #include "model/files/read_scene.hpp"
 #include "support/compiler.hpp"
@@ -107,6 +108,18 @@ TEST(EmittedEqualsSymbolic, WhereManyPointsAreMadeOfAtoms) {
         const EmittedCheck check = checked(m);
         EXPECT_EQ(check.verdict, Verdict::pass) << system << '\n' << to_text(check);
     }
+}
+
+// Three modes at order 5: thousands of statements, if they were statements.
+TEST(SlowEmittedEqualsSymbolic, WhereALoopWalksTheConstants) {
+    Scene scene = test::scene_of("three_oscillators_chain", "third_order");
+    scene.order = 5;
+    const Made m = made(std::move(scene));
+    ASSERT_TRUE(CppPlan(m.program).walks_constants());
+    const auto library = EvaluatorLibrary::build(m.program, cache(), {}, "dl");
+    const EmittedCheck check = check_emitted(m.program, library, m.solution, m.scene, {cache(), {}, 4, 10});
+    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
+    EXPECT_LT(check.worst(), 4) << to_text(check);
 }
 
 TEST(SlowEmittedEqualsSymbolic, HonestCodePassesClosedAndAsAFlow) {

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Formulas as text that a loop walks, against the formulas.
+#include "emit/cpp/walk.hpp"
+#include "runtime/walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace resonform {
+namespace {
+
+using Value = StraightLine::Value;
+using Op = Graph::Op;
+
+struct Formula {
+    Program program;
+    std::vector<Graph::Node> symbols;
+
+    Formula() {
+        program.time = program.graph.symbol("t");
+        program.slow_time = program.graph.symbol("T");
+    }
+    Graph::Node symbol(const std::string& name) {
+        symbols.push_back(program.graph.symbol(name));
+        return symbols.back();
+    }
+};
+
+constexpr std::size_t most_places = 20000;
+
+// The roots, where the symbols are `numbers`.
+template <int Digits>
+std::vector<double> walked(const CppWalk& walk, const std::vector<double>& inputs,
+                           const std::vector<Value>& roots) {
+    std::vector<double> places(most_places);
+    std::vector<Ratio> ratios;
+    for (const Rational& n : walk.numbers)
+        ratios.push_back({std::stoll(to_string(Rational(cln::numerator(n)))),
+                          std::stoll(to_string(Rational(cln::denominator(n))))});
+    for (std::size_t k = 0; k < inputs.size(); ++k) places[walk.inputs[k].second] = inputs[k];
+    Walk<Digits, 0x1ff, double>(places.data(), ratios.data(), walk.text.c_str()).run();
+    std::vector<double> result(roots.size());
+    Walk<Digits, 0, double>(places.data(), nullptr, walk.list(roots).c_str()).copy_to(result);
+    return result;
+}
+
+std::vector<double> walked(const Formula& f, const std::vector<Graph::Node>& wanted,
+                           const std::vector<double>& numbers, int digits = 2) {
+    StraightLine code(f.program);
+    std::set<Value> known;
+    std::vector<Value> roots;
+    std::map<Value, double> given;
+    for (std::size_t k = 0; k < f.symbols.size(); ++k) given[code.lower(f.symbols[k])] = numbers[k];
+    for (const auto& [v, number] : given) known.insert(v);
+    for (const Graph::Node n : wanted) roots.push_back(code.lower(n));
+    const auto walk = cpp_walk(code, code.behind(roots, true), known, roots);
+    if (!walk) return {};
+    EXPECT_EQ(walk->digits, digits);
+    EXPECT_LT(walk->places, most_places);
+    std::vector<double> inputs;
+    for (const auto& [v, place] : walk->inputs)
+        inputs.push_back(given.contains(v) ? given.at(v) : cln::double_approx(code.at(v).number));
+    return walk->digits == 2 ? walked<2>(*walk, inputs, roots) : walked<3>(*walk, inputs, roots);
+}
+
+TEST(Walk, EveryKindOfOperation) {
+    Formula f;
+    Graph& g = f.program.graph;
+    const Graph::Node x = f.symbol("x"), y = f.symbol("y");
+    const Rational third = Rational(1) / 3, large = Rational(Integer("12345678901234567890123")) / 7;
+    const std::vector<Graph::Node> roots{g.add({x, g.negate(y), g.rational(third)}),
+                                         g.add({g.negate(x), g.negate(y)}),
+                                         g.multiply({g.rational(-third), x, y}),
+                                         g.add({g.multiply({g.rational(large), x}), y}),
+                                         g.power(g.add({x, y}), -3),
+                                         g.root(x, 2),
+                                         g.root(x, 3),
+                                         g.function(Op::sin, {x}),
+                                         g.function(Op::cos, {x}),
+                                         g.function(Op::log, {x}),
+                                         g.function(Op::exp, {x}),
+                                         g.function(Op::asinh, {x}),
+                                         g.function(Op::sinh, {x}),
+                                         g.function(Op::erf, {x}),
+                                         g.function(Op::atan2, {x, y}),
+                                         g.function(Op::sqrt_sum_squares, {x, y}),
+                                         g.rational(third),
+                                         x};
+    const double a = 1.25, b = -0.75;
+    const std::vector<double> expected{a - b + 1.0 / 3,
+                                       -a - b,
+                                       -a * b / 3,
+                                       12345678901234567890123.0 / 7 * a + b,
+                                       1 / ((a + b) * (a + b) * (a + b)),
+                                       std::sqrt(a),
+                                       std::cbrt(a),
+                                       std::sin(a),
+                                       std::cos(a),
+                                       std::log(a),
+                                       std::exp(a),
+                                       std::asinh(a),
+                                       std::sinh(a),
+                                       std::erf(a),
+                                       std::atan2(a, b),
+                                       std::hypot(a, b),
+                                       1.0 / 3,
+                                       a};
+    const std::vector<double> found = walked(f, roots, {a, b});
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        EXPECT_NEAR(found[k], expected[k], 1e-15 * std::abs(expected[k])) << k;
+}
+
+// More operands than a digit can tell, more places than two digits can tell.
+TEST(Walk, LongSumsAndProductsAndManyPlaces) {
+    Formula f;
+    Graph& g = f.program.graph;
+    std::vector<Graph::Node> terms, factors, roots;
+    std::vector<double> numbers;
+    double sum = 0, product = 1;
+    for (int k = 0; k < 200; ++k) {
+        const Graph::Node x = f.symbol("x" + std::to_string(k));
+        numbers.push_back(1 + 1 / (k + 2.0));
+        terms.push_back(k % 3 == 0 ? g.negate(x) : x);
+        factors.push_back(x);
+        sum += k % 3 == 0 ? -numbers.back() : numbers.back();
+        product *= numbers.back();
+    }
+    terms.push_back(g.rational(7));
+    factors.push_back(g.rational(Rational(3) / 16));
+    roots = {g.add(terms), g.multiply(factors)};
+    std::vector<double> found = walked(f, roots, numbers);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found[0], sum + 7, 1e-12);
+    EXPECT_NEAR(found[1], product * 3 / 16, 1e-12 * product);
+
+    roots.clear();
+    for (int k = 0; k < 9000; ++k)
+        roots.push_back(
+            g.add({g.multiply({g.rational(k + 2), factors[0]}), g.rational(Rational(1) / (k + 2))}));
+    found = walked(f, roots, numbers, 3);
+    ASSERT_EQ(found.size(), 9000U);
+    for (std::size_t k = 0; k < found.size(); k += 100)
+        EXPECT_NEAR(found[k], (static_cast<double>(k) + 2) * numbers[0] + 1 / (static_cast<double>(k) + 2),
+                    1e-11);
+}
+
+// Places that nothing needs any more are used again.
+TEST(Walk, PlacesAreUsedAgain) {
+    Formula f;
+    Graph& g = f.program.graph;
+    const Graph::Node x = f.symbol("x");
+    Graph::Node y = x;
+    double expected = 0.5;
+    for (int k = 0; k < 100; ++k) {
+        y = g.function(Op::sin, {g.add({y, g.rational(k + 1)})});
+        expected = std::sin(expected + k + 1);
+    }
+    StraightLine code(f.program);
+    const Value root = code.lower(y), start = code.lower(x);
+    const auto walk = cpp_walk(code, code.behind({root}, true), {start}, {root});
+    ASSERT_TRUE(walk);
+    EXPECT_LE(walk->places, 3U);
+    EXPECT_NEAR(walked(f, {y}, {0.5}).at(0), expected, 1e-12);
+}
+
+TEST(Walk, WhatACallerGivesIsNotWalked) {
+    Formula f;
+    const Graph::Node x = f.symbol("x");
+    EXPECT_TRUE(walked(f, {f.program.graph.callable("omega", 0, x)}, {1}).empty());
+}
+
+} // namespace
+} // namespace resonform
