@@ -74,6 +74,11 @@ SignSet signs_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>&
         return {false, signs.zero, signs.positive};
     }
     case Graph::Op::exp: return SignSet::of(1);
+    case Graph::Op::expm1:
+    case Graph::Op::log1p:
+    case Graph::Op::sinh:
+    case Graph::Op::asinh:
+    case Graph::Op::erf: return operand(0);
     case Graph::Op::power: {
         SignSet signs = e.exponent % 2 == 0 ? operand(0).square() : operand(0);
         signs.zero = signs.zero && e.exponent > 0;
@@ -118,7 +123,9 @@ std::optional<GiNaC::ex> constant_of(const Graph& graph, Graph::Node n) {
     case Graph::Op::sin: return GiNaC::sin(operands[0]);
     case Graph::Op::cos: return GiNaC::cos(operands[0]);
     case Graph::Op::log: return GiNaC::log(operands[0]);
+    case Graph::Op::log1p: return GiNaC::log(1 + operands[0]);
     case Graph::Op::exp: return GiNaC::exp(operands[0]);
+    case Graph::Op::expm1: return GiNaC::exp(operands[0]) - 1;
     case Graph::Op::asinh: return GiNaC::asinh(operands[0]);
     case Graph::Op::sinh: return GiNaC::sinh(operands[0]);
     case Graph::Op::erf: return call(Function::error_function, operands[0]);

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -33,7 +34,9 @@ public:
         sin,
         cos,
         log,
+        log1p, // log(1 + x)
         exp,
+        expm1, // e^x - 1
         asinh,
         sinh,
         erf,
@@ -65,7 +68,7 @@ public:
     Node power(Node base, int exponent);
     // A rational with an exact root is folded. Errors: refused: a negative number under the root.
     Node root(Node base, int k);
-    // One of sin ... sqrt_sum_squares; exact values at 0 and 1 are folded.
+    // One of sin ... sqrt_sum_squares; exact values at 0 and 1 are folded, log(1 + u) is log1p(u).
     Node function(Op op, std::vector<Node> operands);
     Node spline(DataPointer data, int derivative, Node x);
     Node callable(const std::string& name, int derivative, Node x);
@@ -77,6 +80,7 @@ private:
     Node product(const Factors& factors, const Rational& coefficient);
     Node intern_power(Node base, int exponent);
     std::pair<Rational, Node> split_coefficient(Node n);
+    std::optional<Node> beside_one(Node n);
     Node intern(Entry entry);
 
     std::vector<Entry> entries_;

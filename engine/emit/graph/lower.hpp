@@ -83,7 +83,15 @@ private:
     [[nodiscard]] std::vector<std::size_t> varying_roots() const;
     [[nodiscard]] Graph::Node power(Graph::Node x, int exponent) const;
     std::optional<Graph::Node> without_cancellation(const Polynomial& p);
+    // The part of a sum in which e^u - 1 is a factor, divided by it, taken out of the sum; nullopt: none.
+    struct Divided {
+        Graph::Node argument; // u
+        Terms terms;
+    };
+    std::optional<Divided> without_exponential(Terms& terms) const;
+    template <class Sum> Graph::Node by_exponentials(Terms& terms, const Sum& sum);
     Graph::Node lowered(Terms& terms);
+    Graph::Node by_roots(Terms& terms);
     Graph::Node sum_of(Terms& terms, Rows rows);
     Graph::Node horner(Terms& terms, Rows rows, bool varying);
     Graph::Node common_factor(Terms& terms, Rows rows, bool varying);
