@@ -106,7 +106,7 @@ Graph::Node Graph::add(std::vector<Node> operands) {
     while (!operands.empty()) {
         const Node n = operands.back();
         operands.pop_back();
-        if (at(n).op == Op::add) {
+        if (at(n).op == Op::add && whole_.count(n) == 0) {
             operands.insert(operands.end(), at(n).operands.begin(), at(n).operands.end());
             continue;
         }
@@ -123,6 +123,11 @@ Graph::Node Graph::add(std::vector<Node> operands) {
     if (e.operands.size() == 1) return e.operands.front();
     std::sort(e.operands.begin(), e.operands.end());
     return intern(std::move(e));
+}
+
+Graph::Node Graph::whole(Node sum) {
+    if (at(sum).op == Op::add) whole_.insert(sum);
+    return sum;
 }
 
 void Graph::collect(Node n, int exponent, Factors& factors, Rational& coefficient) {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -61,6 +62,10 @@ public:
     Node rational(const Rational& value);
     Node symbol(const std::string& name);
     Node add(std::vector<Node> operands); // flattens, folds rationals, collects equal terms
+    // A sum that stays one term of the sums to which it is added: a difference that is small beside its own
+    // terms, and meets a small one.
+    //   d = whole(c - k_4);  add({k, d})   ->   k + (c - k_4),  not (c + k) - k_4
+    Node whole(Node sum);
     Node
     multiply(const std::vector<Node>& operands); // flattens, folds rationals, collects equal bases; 0 absorbs
     Node negate(Node n) { return multiply({rational(-1), n}); }
@@ -84,6 +89,7 @@ private:
     Node intern(Entry entry);
 
     std::vector<Entry> entries_;
+    std::set<Node> whole_;
     std::unordered_map<std::string, Node> index_; // keyed by a canonical spelling of the entry
 };
 
