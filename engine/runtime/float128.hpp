@@ -20,6 +20,8 @@ resonform::Float128 sinq(resonform::Float128) noexcept;
 resonform::Float128 cosq(resonform::Float128) noexcept;
 resonform::Float128 expq(resonform::Float128) noexcept;
 resonform::Float128 logq(resonform::Float128) noexcept;
+resonform::Float128 expm1q(resonform::Float128) noexcept;
+resonform::Float128 log1pq(resonform::Float128) noexcept;
 resonform::Float128 sinhq(resonform::Float128) noexcept;
 resonform::Float128 erfq(resonform::Float128) noexcept;
 resonform::Float128 asinhq(resonform::Float128) noexcept;
@@ -36,6 +38,8 @@ inline Float128 sin(Float128 x) noexcept { return sinq(x); }
 inline Float128 cos(Float128 x) noexcept { return cosq(x); }
 inline Float128 exp(Float128 x) noexcept { return expq(x); }
 inline Float128 log(Float128 x) noexcept { return logq(x); }
+inline Float128 expm1(Float128 x) noexcept { return expm1q(x); }
+inline Float128 log1p(Float128 x) noexcept { return log1pq(x); }
 inline Float128 sinh(Float128 x) noexcept { return sinhq(x); }
 inline Float128 erf(Float128 x) noexcept { return erfq(x); }
 inline Float128 asinh(Float128 x) noexcept { return asinhq(x); }

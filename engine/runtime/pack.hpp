@@ -140,8 +140,14 @@ inline Pack erf(const Pack& x) {
 inline Pack exp(const Pack& x) {
     return each([](double y) { return std::exp(y); }, x);
 }
+inline Pack expm1(const Pack& x) {
+    return each([](double y) { return std::expm1(y); }, x);
+}
 inline Pack log(const Pack& x) {
     return each([](double y) { return std::log(y); }, x);
+}
+inline Pack log1p(const Pack& x) {
+    return each([](double y) { return std::log1p(y); }, x);
 }
 inline Pack sinh(const Pack& x) {
     return each([](double y) { return std::sinh(y); }, x);
@@ -218,8 +224,14 @@ inline PackPair asinh(const PackPair& x) {
 inline PackPair exp(const PackPair& x) {
     return each_pair([](const Twice<double>& y) { return exp(y); }, x);
 }
+inline PackPair expm1(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return expm1(y); }, x);
+}
 inline PackPair log(const PackPair& x) {
     return each_pair([](const Twice<double>& y) { return log(y); }, x);
+}
+inline PackPair log1p(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return log1p(y); }, x);
 }
 inline PackPair sinh(const PackPair& x) {
     return each_pair([](const Twice<double>& y) { return sinh(y); }, x);

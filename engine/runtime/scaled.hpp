@@ -139,6 +139,20 @@ template <class Number> Scaled<Number> log(const Scaled<Number>& x) {
            Scaled<Number>(Number(static_cast<double>(x.exponent)) * Number(600) * Number(log(Number(2))));
 }
 
+template <class Number> Scaled<Number> expm1(const Scaled<Number>& x) {
+    using math::expm1;
+    Number value;
+    if (!x.fits(value)) return x.exponent < 0 ? x : Scaled<Number>(math::not_a_number<Number>());
+    if (math::magnitude(value) < Number(600)) return Scaled<Number>(Number(expm1(value)));
+    return exp(x) - Scaled<Number>(Number(1));
+}
+
+template <class Number> Scaled<Number> log1p(const Scaled<Number>& x) {
+    using math::log1p;
+    if (x.exponent == 0) return Scaled<Number>(Number(log1p(x.mantissa)));
+    return x.exponent < 0 ? x : log(x);
+}
+
 template <class Number> Scaled<Number> asinh(const Scaled<Number>& x) {
     using math::asinh;
     if (x.exponent == 0) return Scaled<Number>(asinh(x.mantissa));

@@ -125,21 +125,35 @@ template <class Real> Twice<Real> pow(const Twice<Real>& x, const Twice<Real>& y
     return Twice<Real>(pow(x.high, y.high));
 }
 
-// exp(x) = exp(x/2^m)^(2^m), the inner one by its series.
-template <class Real> Twice<Real> exp(const Twice<Real>& x) {
-    using math::exp;
-    if (!math::finite(x.high) || !math::finite(Real(exp(x.high)))) return Twice<Real>(exp(x.high));
-    if (x.high < Real(0)) return Twice<Real>(1) / exp(-x);
+// exp(x) - 1 = (1 + s)^(2^m) - 1 of x >= 0, s = exp(x/2^m) - 1 by its series.
+template <class Real> Twice<Real> exp_less_one(const Twice<Real>& x) {
     int halvings = 3;
     for (Real size = x.high; size > Real(1); size = size / Real(2)) ++halvings;
     const Twice<Real> small = x / Twice<Real>(math::power(Real(2), halvings));
-    Twice<Real> less_one(Real(0)), term(Real(1)); // exp(small) - 1 keeps its leading digits
+    Twice<Real> less_one(Real(0)), term(Real(1)); // keeps its leading digits
     for (int n = 1; n <= math::digits<Real> / 3 + 6; ++n) {
         term = term * small / Twice<Real>(n);
         less_one = less_one + term;
     }
     for (int i = 0; i < halvings; ++i) less_one = less_one * (less_one + Twice<Real>(2));
-    return less_one + Twice<Real>(1);
+    return less_one;
+}
+
+template <class Real> Twice<Real> exp(const Twice<Real>& x) {
+    using math::exp;
+    if (!math::finite(x.high) || !math::finite(Real(exp(x.high)))) return Twice<Real>(exp(x.high));
+    if (x.high < Real(0)) return Twice<Real>(1) / exp(-x);
+    return exp_less_one(x) + Twice<Real>(1);
+}
+
+template <class Real> Twice<Real> expm1(const Twice<Real>& x) {
+    using math::exp;
+    using math::expm1;
+    const Real size = math::magnitude(x.high);
+    if (!math::finite(size) || !math::finite(Real(exp(size)))) return Twice<Real>(expm1(x.high));
+    if (!(x.high < Real(0))) return exp_less_one(x);
+    const Twice<Real> up = exp_less_one(-x);
+    return -up / (up + Twice<Real>(1));
 }
 
 template <class Real> Twice<Real> log(const Twice<Real>& x) {
@@ -147,6 +161,14 @@ template <class Real> Twice<Real> log(const Twice<Real>& x) {
     const Twice<Real> guess(log(x.high));
     if (!math::finite(guess.high)) return guess;
     return guess + (x * exp(-guess) - Twice<Real>(1));
+}
+
+// log(1 + x): of a guess g what is left is (1 + x) e^-g - 1 = x + (1 + x) (e^-g - 1).
+template <class Real> Twice<Real> log1p(const Twice<Real>& x) {
+    using math::log1p;
+    const Twice<Real> guess(log1p(x.high));
+    if (!math::finite(guess.high)) return guess;
+    return guess + (x + (x + Twice<Real>(1)) * expm1(-guess));
 }
 
 template <class Real> Twice<Real> asinh(const Twice<Real>& x) {

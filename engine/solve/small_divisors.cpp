@@ -166,12 +166,12 @@ std::vector<StandingDivisor> standing_divisors(const Normalization& normalizatio
     const GradedField& field = *normalization.normal_form.field;
     const Ring& ring = *field.ring;
     const Polynomial eps = ring.gen(field.eps, ring.weights_in_one());
-    const Polynomial floor = (least_divisor() * least_divisor()) * ring.multiply(eps, eps);
+    const Polynomial least = (least_divisor() * least_divisor()) * ring.multiply(eps, eps);
     std::vector<StandingDivisor> standing;
     for (const Polynomial& divisor : smallest_of_each(normalization, Of::all)) {
         const std::optional<Polynomial> rate = rate_of(divisor, normalization.normal_form);
         if (rate && rate->empty())
-            standing.push_back({divisor, ring.multiply(divisor, ring.conjugate(divisor)) - floor});
+            standing.push_back({divisor, ring.multiply(divisor, ring.conjugate(divisor)), least});
     }
     return standing;
 }

@@ -23,10 +23,10 @@ std::vector<MovingDivisor> moving_divisors_at_start(const Normalization& normali
 
 // A constant divisor is as good as zero where the phase D t stays small on t <= 1/eps: then the monomial that
 // was divided by it cancels against its start value, but only in exact arithmetic. It must satisfy
-// margin = |D|^2 - (10^-4 eps)^2 > 0, so that two divisions by D leave eight digits of the real type. Of
-// divisors that differ by a factor, only the smallest.
+// |D|^2 > (10^-4 eps)^2, so that two divisions by D leave eight digits of the real type. Of divisors that
+// differ by a factor, only the smallest.
 struct StandingDivisor {
-    Polynomial divisor, margin;
+    Polynomial divisor, square, least; // D, |D|^2, (10^-4 eps)^2
 };
 std::vector<StandingDivisor> standing_divisors(const Normalization& normalization);
 

@@ -72,7 +72,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "100 - tau or 100 + tau", "psi");
+        return interval_.why(status, "80 - tau or 80 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -191,7 +191,7 @@ private:
         c.c_7 = k_5 * c.eps;
         c.c_8 = k_10 * k_11 * k_12;
         c.c_9 = k_10 * (-Number(1) / Number(2)) * c.eps * k_11 * k_12;
-        c.c_10 = c.tau_0 + Number(100);
+        c.c_10 = c.tau_0 + Number(80);
         const Number k_13 = k_5 * k_5;
         c.c_11 = Number(1) - Number(1) / Number(16) * k_13 * (k_3 * k_3);
         const Number k_14 = c.c_1 * c.c_1;
@@ -224,7 +224,7 @@ private:
         keep(scaled.c_7, c.c_7, "c_7 in psi");
         keep(scaled.c_8, c.c_8, "c_8 in psi");
         keep(scaled.c_9, c.c_9, "c_9 in psi");
-        keep(scaled.c_10, c.c_10, "c_10 in 100 + tau");
+        keep(scaled.c_10, c.c_10, "c_10 in 80 + tau");
         keep(scaled.c_13, c.c_13, "c_13 in 2/(tau^2 + 1)");
         keep(scaled.c_14, c.c_14, "c_14 in psi");
     }
@@ -277,7 +277,7 @@ private:
         const Real s_2 = sqrt(s);
         const Real psi_1 = c.c_3 * s_2 * a.cos_theta;
         const Real q_2 = c.eps * s_2 * a.cos_theta * (-c.c_5 * q_1 - c.c_6) - c.c_4 * tau * s_2 * a.sin_theta;
-        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(Real(80) - tau > Real(0))) return Status::outside_domain;
         if (!(a.T + c.c_10 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (psi_1 + c.eps * q_2);
         return finite(values.psi) ? Status::ok : Status::overflow;
@@ -292,7 +292,7 @@ private:
         const Number s_2 = sqrt(s);
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(Number(100) - tau > Number(0) && T + c.c_10 > Number(0))) return none;
+        if (!(Number(80) - tau > Number(0) && T + c.c_10 > Number(0))) return none;
         return {Number(c.c_7 * s_2 * (-c.c_5 * q_1 - c.c_6) + c.c_8 * s_2), Number(c.c_9 * tau * s_2)};
     }
 

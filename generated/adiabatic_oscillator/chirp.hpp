@@ -81,7 +81,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "100 - tau or 100 + tau", "psi");
+        return interval_.why(status, "80 - tau or 80 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -233,7 +233,7 @@ private:
         c.c_14 = Number(1) / Number(2) * k_21;
         c.c_15 = c.eps * (Number(6) + c.c_14);
         c.c_16 = Number(1) / Number(2) * c.eps;
-        c.c_17 = c.tau_0 + Number(100);
+        c.c_17 = c.tau_0 + Number(80);
         const Number k_26 = k_21 * k_21;
         const Number k_27 = c.c_1 * c.c_1;
         const Number k_28 = k_3 * k_3;
@@ -273,7 +273,7 @@ private:
         keep(scaled.c_14, c.c_14, "c_14 in psi");
         keep(scaled.c_15, c.c_15, "c_15 in psi");
         keep(scaled.c_16, c.c_16, "c_16 in psi");
-        keep(scaled.c_17, c.c_17, "c_17 in 100 + tau");
+        keep(scaled.c_17, c.c_17, "c_17 in 80 + tau");
         keep(scaled.c_19, c.c_19, "c_19 in 2*(3*exp(2*tau) + 1)/(exp(2*tau) + 1)");
     }
 
@@ -357,7 +357,7 @@ private:
         const Real psi_2 = q_2 * im_psi * q_4;
         const Real re_psi = q_5 - q_6;
         const Real q_7 = c.eps * q_2 * re_psi * (q_4 * q_4) * (q_2 * (-q_3 - Real(2)) + Real(1));
-        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(Real(80) - tau > Real(0))) return Status::outside_domain;
         if (!(a.T + c.c_17 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (q_5 + c.eps * (psi_2 + q_7) - q_6);
         return finite(values.psi) ? Status::ok : Status::overflow;
@@ -381,7 +381,7 @@ private:
         const Number q_8 = q_2 * (v_psi * q_5 + u_psi * (-q_6 - c.c_13)) + c.c_15 * v_psi - c.c_14 * u_psi;
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(Number(100) - tau > Number(0) && T + c.c_17 > Number(0))) return none;
+        if (!(Number(80) - tau > Number(0) && T + c.c_17 > Number(0))) return none;
         return {Number(Number(2) * q_4 * (q_2 * q_7 + c.c_16 * u_psi)), Number(-Number(2) * q_4 * (q_2 * q_8 + c.c_16 * v_psi))};
     }
 

@@ -102,7 +102,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "100 - tau or 100 + tau", "psi");
+        return interval_.why(status, "80 - tau or 80 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -230,7 +230,7 @@ private:
         const Number k_21 = c.eps * k_5 * (c.eps * k_19 - c.c_3 * psi_0 * k_8 * c.c_1 * k_20);
         c.v_psi = k_21 - psi_dot_0 * k_2 * c.c_1;
         c.c_8 = Number(0);
-        c.c_9 = c.tau_0 + Number(100);
+        c.c_9 = c.tau_0 + Number(80);
         const Number k_22 = k_17 * k_17;
         const Number k_23 = c.c_1 * c.c_1;
         const Number k_24 = k_5 * k_5;
@@ -262,7 +262,7 @@ private:
         keep(scaled.c_7, c.c_7, "c_7 in v_psi");
         keep(scaled.v_psi, c.v_psi, "v_psi");
         keep(scaled.c_8, c.c_8, "c_8");
-        keep(scaled.c_9, c.c_9, "c_9 in 100 + tau");
+        keep(scaled.c_9, c.c_9, "c_9 in 80 + tau");
         keep(scaled.c_11, c.c_11, "c_11 in 2*omega(tau)");
     }
 
@@ -352,7 +352,7 @@ private:
         const Real re_psi = q_3 - q_4;
         const Real q_5 = c.c_2 * theta_dot * spline(data_omega, 2, tau) - c.c_3 * (q_1 * q_1);
         const Real q_6 = c.eps * (q_3 + c.eps * (psi_2 + c.eps * re_psi * (q_2 * q_2) * q_5) - q_4);
-        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(Real(80) - tau > Real(0))) return Status::outside_domain;
         if (!(a.T + c.c_9 > Real(0))) return Status::outside_domain;
         values.psi = q_6;
         return finite(values.psi) ? Status::ok : Status::overflow;

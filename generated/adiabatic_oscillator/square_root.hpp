@@ -72,7 +72,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "100 - tau or 100 + tau", "psi");
+        return interval_.why(status, "80 - tau or 80 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -209,7 +209,7 @@ private:
         c.c_8 = k_11 * c.eps;
         c.c_9 = k_25 * k_26 * k_29;
         c.c_10 = k_25 * (Number(1) / Number(4)) * c.eps * k_26 * k_29;
-        c.c_11 = c.tau_0 + Number(100);
+        c.c_11 = c.tau_0 + Number(80);
         const Number k_30 = k_28 * (k_5 * k_4) - Number(1);
         c.c_12 = Number(1) - Number(4) * (k_30 * k_30);
         const Number k_31 = k_11 * k_11;
@@ -244,7 +244,7 @@ private:
         keep(scaled.c_8, c.c_8, "c_8 in psi");
         keep(scaled.c_9, c.c_9, "c_9 in psi");
         keep(scaled.c_10, c.c_10, "c_10 in psi");
-        keep(scaled.c_11, c.c_11, "c_11 in 100 + tau");
+        keep(scaled.c_11, c.c_11, "c_11 in 80 + tau");
         keep(scaled.c_14, c.c_14, "c_14 in 2*sqrt(tau^2 + 1)");
     }
 
@@ -306,7 +306,7 @@ private:
         const Real psi_2 = c.c_5 * s_m7_4 * tau * a.sin_theta;
         const Real s_m13_4 = s_2 * s_4 * (q_2 * q_2);
         const Real q_3 = c.eps * (psi_2 + c.eps * s_m13_4 * a.cos_theta * (c.c_7 - c.c_6 * q_1));
-        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(Real(80) - tau > Real(0))) return Status::outside_domain;
         if (!(a.T + c.c_11 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (psi_1 + q_3);
         return finite(values.psi) ? Status::ok : Status::overflow;
@@ -327,7 +327,7 @@ private:
         const Number s_m13_4 = s_2 * s_4 * (q_2 * q_2);
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(Number(100) - tau > Number(0) && T + c.c_11 > Number(0))) return none;
+        if (!(Number(80) - tau > Number(0) && T + c.c_11 > Number(0))) return none;
         return {Number(c.c_8 * s_m13_4 * (c.c_7 - c.c_6 * q_1) + c.c_9 * s_m1_4), Number(c.c_10 * s_m7_4 * tau)};
     }
 

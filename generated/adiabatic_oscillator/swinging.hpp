@@ -82,7 +82,7 @@ public:
     const char* why(Status status) const noexcept {
         if (cause_.status != Status::ok) return status == cause_.status ? cause_.quantity : "";
         if (status == Status::low_precision) return !theta_.precise() ? "theta" : "";
-        return interval_.why(status, "cos(3*tau)*exp(tau) + 4*exp(tau) + 2 or 100 - tau or 100 + tau", "psi");
+        return interval_.why(status, "cos(3*tau)*exp(tau) + 4*exp(tau) + 2 or 80 - tau or 80 + tau", "psi");
     }
 
     static Start default_start(const Real& eps, [[maybe_unused]] const Parameters& parameters) {
@@ -261,7 +261,7 @@ private:
         c.c_26 = Number(3) / Number(4) * k_22;
         c.c_27 = Number(1) / Number(2) * k_22;
         c.c_28 = Number(1) / Number(2) * c.eps;
-        c.c_29 = c.tau_0 + Number(100);
+        c.c_29 = c.tau_0 + Number(80);
         const Number k_30 = k_22 * k_22;
         const Number k_31 = k_1 * k_1;
         const Number k_32 = k_2 * k_2;
@@ -317,7 +317,7 @@ private:
         keep(scaled.c_26, c.c_26, "c_26 in psi");
         keep(scaled.c_27, c.c_27, "c_27 in psi");
         keep(scaled.c_28, c.c_28, "c_28 in psi");
-        keep(scaled.c_29, c.c_29, "c_29 in 100 + tau");
+        keep(scaled.c_29, c.c_29, "c_29 in 80 + tau");
         keep(scaled.c_31, c.c_31, "c_31 in (cos(3*tau)*exp(tau) + 4*exp(tau) + 2)*exp(-tau)");
     }
 
@@ -408,7 +408,7 @@ private:
         const Real q_8 = q_3 * (q_1 * (c.c_18 * q_3 - Real(18)) - Real(8)) + Real(4) - Real(12) * q_5 - Real(9) * q_1;
         const Real q_9 = c.eps * (q_1 * q_1) * re_psi * (q_4 * q_4) * (q_1 * q_8 - Real(2));
         if (!(s > Real(0))) return Status::outside_domain;
-        if (!(Real(100) - tau > Real(0))) return Status::outside_domain;
+        if (!(Real(80) - tau > Real(0))) return Status::outside_domain;
         if (!(a.T + c.c_29 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (q_6 + c.eps * (psi_2 + q_9) - q_7);
         return finite(values.psi) ? Status::ok : Status::overflow;
@@ -436,7 +436,7 @@ private:
         const Number q_12 = v_psi * q_2 * q_6 * q_9 + u_psi * q_1 * q_5 * (q_10 + c.c_27) + c.c_28 * v_psi;
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(s > Number(0) && Number(100) - tau > Number(0) && T + c.c_29 > Number(0))) return none;
+        if (!(s > Number(0) && Number(80) - tau > Number(0) && T + c.c_29 > Number(0))) return none;
         return {Number(Number(2) * q_11), Number(-Number(2) * q_12)};
     }
 

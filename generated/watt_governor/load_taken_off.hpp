@@ -1039,7 +1039,7 @@ private:
         keep(scaled.c_8, c.c_8, "c_8 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
         keep(scaled.c_9, c.c_9, "c_9 in w");
         keep(scaled.c_10, c.c_10, "c_10 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
-        keep(scaled.c_11, c.c_11, "c_11 in w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)");
+        keep(scaled.c_11, c.c_11, "c_11 in -(b^2*w^2 - 4*w^4 + 4)");
         keep(scaled.c_12, c.c_12, "c_12 in theta_dot");
         keep(scaled.c_13, c.c_13, "c_13 in theta_dot");
         keep(scaled.c_14, c.c_14, "c_14 in chi_dot");
@@ -1129,7 +1129,7 @@ private:
         const Number q_5 = c.c_36 * q_2;
         const Number q_6 = hypot(Number(s_m3_2 * s2_m3_2 * s3_m3_2 * per_w_mean * (q_5 - c.c_3)), Number(s_m3_2 * s1_m1_2 * s2_m3_2 * s3_m3_2 * (c.c_3 - q_5)));
         const Number q_7 = hypot(s, c.c_11);
-        const Number q_8 = q_2 * s2_2 * s3_2 * q_7 * hypot(s_2, c.c_11) * (w_ * (w_ * s2 + Number(1)) + Number(1));
+        const Number q_8 = s_2 * q_2 * s2_2 * s3_2 * q_7 * (w_ * (w_ * s2 + Number(1)) + Number(1));
         return {Number(q_3 + q_4 + c.c_10), Number(q_3 + c.c_10 - q_4), Number(Number(1) - Number(2) * q_6), Number(q_7), Number(hypot(s1, c.c_11)), Number(q_8)};
     }
 

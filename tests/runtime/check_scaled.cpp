@@ -124,7 +124,9 @@ TYPED_TEST(EveryReal, PowersLeaveTheRangeAndComeBack) {
         EXPECT_LT(this->distance(exact(asinh(-above)), -asinh(exact(above))), 8);
         const Exact slope = 2 / sqrt(boost::math::constants::pi<Exact>());
         EXPECT_LT(this->distance(exact(erf(-above)), K > 1 ? Exact(-1) : Exact(-slope * exact(above))), 8);
+        EXPECT_LT(this->distance(exact(log1p(above)), K > 1 ? log(exact(above)) : exact(above)), 8) << K;
         if (K < 1) {
+            EXPECT_LT(this->distance(exact(expm1(above)), exact(above)), 2) << K;
             EXPECT_LT(this->distance(exact(sinh(above)), exact(above)), 2) << K;
         }
     }

@@ -54,7 +54,11 @@ TEST_F(TwiceDouble, FunctionsHave29Digits) {
         expect_close(sqrt(x), sqrt(exact(x)), 0, "sqrt");
         expect_close(math::root(x, 3), cbrt(exact(x)), 0, "root");
         expect_close(exp(y), exp(exact(y)), 0, "exp");
+        expect_close(expm1(y), expm1(exact(y)), 0, "expm1");
+        expect_close(expm1(y * Number(1e-9)), expm1(exact(y * Number(1e-9))), 0, "expm1");
         expect_close(log(x), log(exact(x)), 1, "log");
+        expect_close(log1p(x), log1p(exact(x)), 0, "log1p");
+        expect_close(log1p(y * Number(1e-9)), log1p(exact(y * Number(1e-9))), 0, "log1p");
         expect_close(asinh(y), asinh(exact(y)), 1, "asinh");
         expect_close(sinh(y), sinh(exact(y)), 1, "sinh");
         expect_close(sinh(x * Number(1e-9)), sinh(exact(x * Number(1e-9))), 0, "sinh");

@@ -32,8 +32,8 @@ const char* const words[] = {
     "Interval", "Evaluator", "c", "w", "t", "T", "a", "i", "parameters", "start", "given_eps", "tables",
     "flow", "values", "status", "count", "prepared", "none", "generated", "resonform", "std", "math", "sqrt",
     "sin", "cos", "log", "exp", "asinh", "sinh", "erf", "atan2", "hypot", "pow", "floor", "root", "power",
-    "finite", "not_a_number", "magnitude", "epsilon", "digits", "pi", "number", "per", "within", "scaled",
-    "Cause",
+    "expm1", "log1p", "finite", "not_a_number", "magnitude", "epsilon", "digits", "pi", "number", "per",
+    "within", "scaled", "Cause",
     // macros of compilers and of the C library
     "linux", "unix", "i386", "sun", "mips", "sparc", "hpux", "arm", "near", "far", "min", "max", "small",
     "major", "minor", "assert", "errno", "stdin", "stdout", "stderr", "alloca", "offsetof", "setjmp",

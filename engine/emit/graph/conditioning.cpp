@@ -69,8 +69,16 @@ SignSet signs_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>&
             signs = e.op == Graph::Op::add ? signs + operand(k) : signs * operand(k);
         return signs;
     }
-    case Graph::Op::root: return operand(0);
+    case Graph::Op::root: { // where it is a number; that its radicand is none below 0 is asked on its own
+        const SignSet signs = operand(0);
+        return {false, signs.zero, signs.positive};
+    }
     case Graph::Op::exp: return SignSet::of(1);
+    case Graph::Op::expm1:
+    case Graph::Op::log1p:
+    case Graph::Op::sinh:
+    case Graph::Op::asinh:
+    case Graph::Op::erf: return operand(0);
     case Graph::Op::power: {
         SignSet signs = e.exponent % 2 == 0 ? operand(0).square() : operand(0);
         signs.zero = signs.zero && e.exponent > 0;
@@ -115,7 +123,9 @@ std::optional<GiNaC::ex> constant_of(const Graph& graph, Graph::Node n) {
     case Graph::Op::sin: return GiNaC::sin(operands[0]);
     case Graph::Op::cos: return GiNaC::cos(operands[0]);
     case Graph::Op::log: return GiNaC::log(operands[0]);
+    case Graph::Op::log1p: return GiNaC::log(1 + operands[0]);
     case Graph::Op::exp: return GiNaC::exp(operands[0]);
+    case Graph::Op::expm1: return GiNaC::exp(operands[0]) - 1;
     case Graph::Op::asinh: return GiNaC::asinh(operands[0]);
     case Graph::Op::sinh: return GiNaC::sinh(operands[0]);
     case Graph::Op::erf: return call(Function::error_function, operands[0]);
@@ -124,6 +134,16 @@ std::optional<GiNaC::ex> constant_of(const Graph& graph, Graph::Node n) {
         return std::nullopt;
     default: return std::nullopt;
     }
+}
+
+// Whether a factor is a sum whose terms are no numbers: sqrt(k)*(2 - sqrt(2)) loses no more than a digit.
+bool cancels_by_values(const Graph& graph, Graph::Node n) {
+    const Graph::Entry& e = graph.at(n);
+    const auto is_known = [&](Graph::Node term) { return constant_of(graph, term).has_value(); };
+    if (e.op == Graph::Op::add) return !std::all_of(e.operands.begin(), e.operands.end(), is_known);
+    if (e.op != Graph::Op::multiply && e.op != Graph::Op::power) return false;
+    return std::any_of(e.operands.begin(), e.operands.end(),
+                       [&](Graph::Node factor) { return cancels_by_values(graph, factor); });
 }
 
 // A sum of numbers with different signs, as its value to more digits than any real type has:
@@ -145,7 +165,7 @@ Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
 
 } // namespace
 
-Graph::Node Lowering::conditioned(const Polynomial& p) {
+std::optional<Graph::Node> Lowering::without_cancellation(const Polynomial& p) {
     const auto known = [&](const Polynomial& part) {
         return !signs_of(*graph_, radicand(part), positive_).negative;
     };
@@ -155,7 +175,19 @@ Graph::Node Lowering::conditioned(const Polynomial& p) {
         const Polynomial over = ring_->multiply(a, a) - ring_->multiply(r, r);
         if (!over.empty()) return graph_->multiply({polynomial(over), graph_->power(radicand(a - r), -1)});
     }
-    return with_all_digits(*graph_, radicand(p));
+    return std::nullopt;
+}
+
+Graph::Node Lowering::conditioned(const Polynomial& p) {
+    const std::optional<Graph::Node> rewritten = without_cancellation(p);
+    return rewritten ? *rewritten : with_all_digits(*graph_, radicand(p));
+}
+
+Graph::Node Lowering::divisor(const Polynomial& p) {
+    const Graph::Node plain = polynomial(p);
+    if (!cancels_by_values(*graph_, plain)) return plain;
+    const std::optional<Graph::Node> rewritten = without_cancellation(p);
+    return rewritten ? *rewritten : plain;
 }
 
 } // namespace resonform

@@ -106,7 +106,7 @@ Graph::Node Graph::add(std::vector<Node> operands) {
     while (!operands.empty()) {
         const Node n = operands.back();
         operands.pop_back();
-        if (at(n).op == Op::add) {
+        if (at(n).op == Op::add && whole_.count(n) == 0) {
             operands.insert(operands.end(), at(n).operands.begin(), at(n).operands.end());
             continue;
         }
@@ -123,6 +123,11 @@ Graph::Node Graph::add(std::vector<Node> operands) {
     if (e.operands.size() == 1) return e.operands.front();
     std::sort(e.operands.begin(), e.operands.end());
     return intern(std::move(e));
+}
+
+Graph::Node Graph::whole(Node sum) {
+    if (at(sum).op == Op::add) whole_.insert(sum);
+    return sum;
 }
 
 void Graph::collect(Node n, int exponent, Factors& factors, Rational& coefficient) {
@@ -218,12 +223,25 @@ Graph::Node Graph::root(Node base, int k) {
     return intern(std::move(e));
 }
 
+// u of 1 + u. That sum is rounded, and log(1 + u) loses all digits where u is small.
+std::optional<Graph::Node> Graph::beside_one(Node n) {
+    if (at(n).op != Op::add) return std::nullopt;
+    std::vector<Node> rest = at(n).operands;
+    const auto one = std::find_if(rest.begin(), rest.end(), [&](Node term) { return is_rational(term, 1); });
+    if (one == rest.end()) return std::nullopt;
+    rest.erase(one);
+    return add(std::move(rest));
+}
+
 Graph::Node Graph::function(Op op, std::vector<Node> operands) {
     const Node x = operands.front();
-    const bool odd = op == Op::sin || op == Op::asinh || op == Op::sinh || op == Op::erf;
+    const bool odd = op == Op::sin || op == Op::asinh || op == Op::sinh || op == Op::erf || op == Op::expm1 ||
+                     op == Op::log1p;
     if (is_rational(x, 0) && odd) return x;
     if (is_rational(x, 0) && (op == Op::cos || op == Op::exp)) return rational(1);
     if (is_rational(x, 1) && op == Op::log) return rational(0);
+    if (op == Op::log)
+        if (const std::optional<Node> rest = beside_one(x)) return function(Op::log1p, {*rest});
     Entry e;
     e.op = op;
     e.operands = std::move(operands);
@@ -254,7 +272,9 @@ const char* function_name(Graph::Op op) {
     case Graph::Op::sin: return "sin";
     case Graph::Op::cos: return "cos";
     case Graph::Op::log: return "log";
+    case Graph::Op::log1p: return "log1p";
     case Graph::Op::exp: return "exp";
+    case Graph::Op::expm1: return "expm1";
     case Graph::Op::asinh: return "asinh";
     case Graph::Op::sinh: return "sinh";
     case Graph::Op::erf: return "erf";

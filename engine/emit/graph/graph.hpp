@@ -13,6 +13,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -33,7 +35,9 @@ public:
         sin,
         cos,
         log,
+        log1p, // log(1 + x)
         exp,
+        expm1, // e^x - 1
         asinh,
         sinh,
         erf,
@@ -58,6 +62,10 @@ public:
     Node rational(const Rational& value);
     Node symbol(const std::string& name);
     Node add(std::vector<Node> operands); // flattens, folds rationals, collects equal terms
+    // A sum that stays one term of the sums to which it is added: a difference that is small beside its own
+    // terms, and meets a small one.
+    //   d = whole(c - k_4);  add({k, d})   ->   k + (c - k_4),  not (c + k) - k_4
+    Node whole(Node sum);
     Node
     multiply(const std::vector<Node>& operands); // flattens, folds rationals, collects equal bases; 0 absorbs
     Node negate(Node n) { return multiply({rational(-1), n}); }
@@ -65,7 +73,7 @@ public:
     Node power(Node base, int exponent);
     // A rational with an exact root is folded. Errors: refused: a negative number under the root.
     Node root(Node base, int k);
-    // One of sin ... sqrt_sum_squares; exact values at 0 and 1 are folded.
+    // One of sin ... sqrt_sum_squares; exact values at 0 and 1 are folded, log(1 + u) is log1p(u).
     Node function(Op op, std::vector<Node> operands);
     Node spline(DataPointer data, int derivative, Node x);
     Node callable(const std::string& name, int derivative, Node x);
@@ -77,9 +85,11 @@ private:
     Node product(const Factors& factors, const Rational& coefficient);
     Node intern_power(Node base, int exponent);
     std::pair<Rational, Node> split_coefficient(Node n);
+    std::optional<Node> beside_one(Node n);
     Node intern(Entry entry);
 
     std::vector<Entry> entries_;
+    std::set<Node> whole_;
     std::unordered_map<std::string, Node> index_; // keyed by a canonical spelling of the entry
 };
 

@@ -105,7 +105,22 @@ Graph::Node Lowering::power(Graph::Node x, int exponent) const {
                                                     : graph_->power(x, exponent);
 }
 
+// What is left of a sum when its multiples of e^u - 1 are taken out, and these:
+//
+//   y + e^u/2 - 1 + e^-u/2   ->   y + expm1(u)^2 e^-u/2
+template <class Sum> Graph::Node Lowering::by_exponentials(Terms& terms, const Sum& sum) {
+    std::optional<Divided> divided = without_exponential(terms);
+    if (!divided) return sum(terms);
+    const Graph::Node less_one = graph_->function(Graph::Op::expm1, {divided->argument});
+    const Graph::Node rest = by_exponentials(terms, sum);
+    return graph_->add({rest, graph_->multiply({less_one, by_exponentials(divided->terms, sum)})});
+}
+
 Graph::Node Lowering::lowered(Terms& terms) {
+    return by_exponentials(terms, [this](Terms& sum) { return by_roots(sum); });
+}
+
+Graph::Node Lowering::by_roots(Terms& terms) {
     const std::vector<std::size_t> roots = varying_roots();
     std::vector<std::size_t> rows = collected(terms, roots);
     std::vector<Graph::Node> sum;
@@ -124,8 +139,10 @@ Graph::Node Lowering::lowered(Terms& terms) {
 Graph::Node Lowering::radicand(const Polynomial& p) {
     Terms terms;
     for (const Term& t : p.terms()) fold(t.monomial, t.coefficient, terms);
-    std::vector<std::size_t> rows = collected(terms, {});
-    return sum_of(terms, rows);
+    return by_exponentials(terms, [this](Terms& sum) {
+        std::vector<std::size_t> rows = collected(sum, {});
+        return sum_of(sum, rows);
+    });
 }
 
 Graph::Node Lowering::sum_of(Terms& terms, Rows rows) {

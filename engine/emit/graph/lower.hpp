@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -54,6 +55,9 @@ public:
     // A sum of numbers with different signs is formed exactly:   1 - pi/3 -> -0.0471975...
     // (conditioning.cpp)
     Graph::Node conditioned(const Polynomial& p);
+    // The same of a divisor that is no factor of a fraction but a quantity of its own; otherwise as
+    // polynomial().
+    Graph::Node divisor(const Polynomial& p);
     // 1/x is this node, which is finite where x = 0.
     void set_inverse(Graph::Node x, Graph::Node inverse) { inverses_[x] = inverse; }
     // Nodes known to be positive.
@@ -78,7 +82,16 @@ private:
                                                      const std::vector<std::size_t>& roots) const;
     [[nodiscard]] std::vector<std::size_t> varying_roots() const;
     [[nodiscard]] Graph::Node power(Graph::Node x, int exponent) const;
+    std::optional<Graph::Node> without_cancellation(const Polynomial& p);
+    // The part of a sum in which e^u - 1 is a factor, divided by it, taken out of the sum; nullopt: none.
+    struct Divided {
+        Graph::Node argument; // u
+        Terms terms;
+    };
+    std::optional<Divided> without_exponential(Terms& terms) const;
+    template <class Sum> Graph::Node by_exponentials(Terms& terms, const Sum& sum);
     Graph::Node lowered(Terms& terms);
+    Graph::Node by_roots(Terms& terms);
     Graph::Node sum_of(Terms& terms, Rows rows);
     Graph::Node horner(Terms& terms, Rows rows, bool varying);
     Graph::Node common_factor(Terms& terms, Rows rows, bool varying);

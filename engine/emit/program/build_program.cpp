@@ -49,9 +49,11 @@ public:
         Moment call(program_, solution_, solution_.ring, surroundings_, plan);
         define_phase(call, phase_start);
         define_results(call);
-        add_layers(program_, *solution_.normalization, surroundings_, [&](const Polynomial& p) {
-            return call.lowering.polynomial((*solution_.from_normal_form)(p));
-        });
+        const RingMap& real = *solution_.from_normal_form;
+        add_layers(
+            program_, *solution_.normalization, surroundings_,
+            [&](const Polynomial& p) { return call.lowering.polynomial(real(p)); },
+            [&](const Polynomial& p) { return call.lowering.divisor(real(p)); });
         if (!solution_.modes.empty())
             add_corrections(
                 program_, solution_, surroundings_,

@@ -48,7 +48,8 @@ public:
         turned_ = FlowTurning(program_, *frame_, solution_, real_, surroundings_).turned(moving_, start_);
         define_results();
         const auto lower = [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); };
-        add_layers(program_, *solution_.normalization, surroundings_, lower);
+        add_layers(program_, *solution_.normalization, surroundings_, lower,
+                   [&](const Polynomial& p) { return frame_->lowering.divisor(real_(p).re); });
         for (const FadingDivisor& fading : fading_)
             add_fading(program_, solution_, surroundings_, fading, begin, lower);
         add_corrections(program_, solution_, surroundings_, lasting_modes(), lower);

@@ -13,12 +13,16 @@ namespace resonform {
 
 namespace {
 
+// |D|^2 from D: multiplied out it would lose twice the digits that D loses.
+Graph::Node square_of(Graph& graph, const Ring& ring, const Polynomial& divisor, const ToNode& lower) {
+    const auto [re, im] = real_and_imaginary(ring, divisor, lower);
+    return graph.add({graph.power(re, 2), graph.power(im, 2)});
+}
+
 // |D|^2 -+ both parts of dD/dt, without those that are known to be positive.
 std::vector<Graph::Node> margins_of(Graph& graph, const Ring& ring, const MovingDivisor& moving,
-                                    const Surroundings& surroundings,
-                                    const std::function<Graph::Node(const Polynomial&)>& lower) {
-    const auto [re, im] = real_and_imaginary(ring, moving.divisor, lower);
-    const Graph::Node square = graph.add({graph.power(re, 2), graph.power(im, 2)});
+                                    const Surroundings& surroundings, Graph::Node square,
+                                    const ToNode& lower) {
     const auto [re_rate, im_rate] = real_and_imaginary(ring, moving.rate, lower);
     std::vector<Graph::Node> margins;
     for (const Graph::Node component : {re_rate, im_rate})
@@ -51,9 +55,8 @@ Graph::Node gone(Program& program, int order, int power, Graph::Node square, Gra
 
 } // namespace
 
-std::pair<Graph::Node, Graph::Node>
-real_and_imaginary(const Ring& ring, const Polynomial& p,
-                   const std::function<Graph::Node(const Polynomial&)>& lower) {
+std::pair<Graph::Node, Graph::Node> real_and_imaginary(const Ring& ring, const Polynomial& p,
+                                                       const ToNode& lower) {
     const Polynomial turned_back = -Polynomial(ring.monomial(Ring::imaginary_unit), 1); // 1/i
     const Polynomial conjugate = ring.conjugate(p);
     return {lower(Rational(1) / 2 * (p + conjugate)),
@@ -61,28 +64,35 @@ real_and_imaginary(const Ring& ring, const Polynomial& p,
 }
 
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
-                const std::function<Graph::Node(const Polynomial&)>& lower) {
+                const ToNode& lower, const ToNode& divisor) {
     Graph& graph = program.graph;
     const Ring& ring = *normalization.normal_form.field->ring;
+    const auto square = [&](const Polynomial& d) { return square_of(graph, ring, d, divisor); };
     for (const MovingDivisor& moving : moving_divisors(normalization)) {
-        for (const Graph::Node margin : margins_of(graph, ring, moving, surroundings, lower))
+        for (const Graph::Node margin :
+             margins_of(graph, ring, moving, surroundings, square(moving.divisor), lower))
             if (varies(program, margin)) program.layers.push_back({margin, quantity(ring, moving.divisor)});
     }
     const Graph::Node largest =
         graph.rational(least_divisor() * least_divisor() / 4); // (10^-4 eps)^2 at eps = 1/2
     for (const StandingDivisor& standing : standing_divisors(normalization)) {
-        const Graph::Node square = lower(ring.multiply(standing.divisor, ring.conjugate(standing.divisor)));
-        const Graph::Node rest = graph.add({square, graph.negate(largest)});
-        if (!signs_of(graph, rest, surroundings.positive).is_positive())
-            program.positive.push_back({lower(standing.margin), quantity(ring, standing.divisor)});
+        const Graph::Node rest = graph.add({lower(standing.square), graph.negate(largest)});
+        if (signs_of(graph, rest, surroundings.positive).is_positive()) continue;
+        const Graph::Node exact = square(standing.divisor);
+        const bool rewritten = exact != square_of(graph, ring, standing.divisor, lower);
+        const Graph::Node margin = rewritten ? graph.add({exact, graph.negate(lower(standing.least))})
+                                             : lower(standing.square - standing.least);
+        program.positive.push_back({margin, quantity(ring, standing.divisor)});
     }
 }
 
 void add_start_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
-                      const std::function<Graph::Node(const Polynomial&)>& lower) {
+                      const ToNode& lower) {
     const Ring& ring = *normalization.normal_form.field->ring;
     for (const MovingDivisor& moving : moving_divisors_at_start(normalization))
-        for (const Graph::Node margin : margins_of(program.graph, ring, moving, surroundings, lower))
+        for (const Graph::Node margin :
+             margins_of(program.graph, ring, moving, surroundings,
+                        square_of(program.graph, ring, moving.divisor, lower), lower))
             program.positive.push_back({margin, quantity(ring, moving.divisor)});
 }
 
@@ -91,13 +101,13 @@ Graph::Node inverse_of(Graph& graph, Graph::Node now, Graph::Node start) {
 }
 
 void add_fading(Program& program, const Solution& solution, const Surroundings& surroundings,
-                const FadingDivisor& fading, const std::function<Graph::Node(const Polynomial&)>& start,
-                const std::function<Graph::Node(const Polynomial&)>& now) {
+                const FadingDivisor& fading, const ToNode& start, const ToNode& now) {
     Graph& graph = program.graph;
     const Ring& ring = *solution.normalization->normal_form.field->ring;
     const Polynomial& divisor = fading.moving.divisor; // real, as a radicand is
     const Graph::Node moves = now(divisor), begins = start(divisor);
-    std::vector<Graph::Node> clear = margins_of(graph, ring, fading.moving, surroundings, now);
+    std::vector<Graph::Node> clear =
+        margins_of(graph, ring, fading.moving, surroundings, square_of(graph, ring, divisor, now), now);
     clear.push_back(graph.multiply({begins, moves}));
     const std::size_t first_decay = solution.flow->phases.size();
     for (const std::vector<int>& product : fading.products) {

@@ -28,17 +28,20 @@
 
 namespace resonform {
 
+using ToNode = std::function<Graph::Node(const Polynomial&)>;
+
 // Adds the margins D^2 - dD/dt and D^2 + dD/dt of all moving divisors, > 0 outside of the layers, to
-// program.layers. `lower`: the node of a real polynomial of the normal form's ring at any slow time. Divisors
+// program.layers. `lower`: the node of a real polynomial of the normal form's ring at any slow time;
+// `divisor`: the same of a divisor, without cancellation (Lowering::divisor). Divisors
 // whose rate needs the derivative of a function known by name that nothing else needs are left out. The
 // margins of standing divisors go into program.positive, unless they are numbers that are large enough for
 // every eps <= 1/2.
 void add_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
-                const std::function<Graph::Node(const Polynomial&)>& lower);
+                const ToNode& lower, const ToNode& divisor);
 
 // Adds the margins of moving_divisors_at_start to program.positive. `lower`: the node at t = 0.
 void add_start_layers(Program& program, const Normalization& normalization, const Surroundings& surroundings,
-                      const std::function<Graph::Node(const Polynomial&)>& lower);
+                      const ToNode& lower);
 
 // 1/D of such a divisor for the outputs, by the nodes of D at any slow time and at t = 0.
 Graph::Node inverse_of(Graph& graph, Graph::Node now, Graph::Node start);
@@ -46,12 +49,10 @@ Graph::Node inverse_of(Graph& graph, Graph::Node now, Graph::Node start);
 // Adds what leaves the outputs their digits to a phase of the program, which has all phases of the flow.
 // start, now: the node of a real polynomial of the normal form's ring at t = 0 and at any slow time.
 void add_fading(Program& program, const Solution& solution, const Surroundings& surroundings,
-                const FadingDivisor& fading, const std::function<Graph::Node(const Polynomial&)>& start,
-                const std::function<Graph::Node(const Polynomial&)>& now);
+                const FadingDivisor& fading, const ToNode& start, const ToNode& now);
 
 // Real and imaginary part of a polynomial, by `lower`, the node of a real one.
-std::pair<Graph::Node, Graph::Node>
-real_and_imaginary(const Ring& ring, const Polynomial& p,
-                   const std::function<Graph::Node(const Polynomial&)>& lower);
+std::pair<Graph::Node, Graph::Node> real_and_imaginary(const Ring& ring, const Polynomial& p,
+                                                       const ToNode& lower);
 
 } // namespace resonform

@@ -15,7 +15,9 @@ template <class Number> Number graph_function(Graph::Op op, const Number& x, con
     case Graph::Op::sin: return sin(x);
     case Graph::Op::cos: return cos(x);
     case Graph::Op::log: return log(x);
+    case Graph::Op::log1p: return log1p(x);
     case Graph::Op::exp: return exp(x);
+    case Graph::Op::expm1: return expm1(x);
     case Graph::Op::asinh: return asinh(x);
     case Graph::Op::sinh: return sinh(x);
     case Graph::Op::erf: return erf(x);

@@ -110,6 +110,8 @@ Json to_json(const Stability& s) {
               {"not_judged", s.not_judged},
               {"not_judged_ulp", numbers_json(s.not_judged_ulp)},
               {"not_judged_refused_by", Json(s.not_judged_refused_by)},
+              {"ill_conditioned", s.ill_conditioned},
+              {"moderately_ill_conditioned", s.moderately_ill_conditioned},
               {"median_ulp", numbers_json(s.median)},
               {"histogram_ulp", histogram},
               {"by_decade", by_decade_json(s)}};

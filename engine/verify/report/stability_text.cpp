@@ -79,8 +79,8 @@ std::string text_of(const WorstPoint& w, double threshold) {
 
 std::string line_of_not_judged(const Stability& s) {
     std::string text =
-        fmt::format("  {} far beyond (phases at {:g}, slow variables at {:g}), without a verdict",
-                    s.not_judged, extreme_phase, extreme_slow);
+        fmt::format("  {} far beyond (phases at {:g}, slow variables at {:g} and {:g}), without a verdict",
+                    s.not_judged, extreme_phase, extreme_slow, subnormal_slow);
     const char* before = ": ";
     for (const auto& [output, ulp] : s.not_judged_ulp) {
         text += fmt::format("{}{} is off by {:.3g} ulp at most", before, output, ulp);
@@ -105,6 +105,11 @@ std::string to_text(const Stability& s) {
     text += fmt::format("; {} without an explanation (at most {:.0f} %), {} beyond the reference\n",
                         s.unexplained, 100 * unexplained_share, s.beyond_reference);
     if (s.not_judged > 0) text += line_of_not_judged(s);
+    if (s.ill_conditioned > 0)
+        text += fmt::format(
+            "  {} errors above {:g} ulp that a last bit of the inputs leaves open, {} of them with "
+            "a condition number below 1e8\n",
+            s.ill_conditioned, s.threshold, s.moderately_ill_conditioned);
     if (!s.rule.empty()) text += fmt::format("  {}: {}\n", to_string(s.verdict), s.rule);
     text += "  swept, as far as the reference goes:\n";
     for (std::size_t i = 0; i < s.inputs.size(); ++i) text += line_of(s.swept[i], s.inputs[i]);

@@ -22,8 +22,6 @@ constexpr double corner_probability = 0.4;
 constexpr int most_draws = 20, most_ways_out = 6;
 constexpr double edge_decades = 6;
 constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-12;
-// From an equilibrium that is not 0: starts that are closer are differences that have lost their digits.
-constexpr double smallest_distance = 1e-3;
 constexpr double largest_phase = 1e12;
 
 // All inputs as one vector: eps, parameters, start.
@@ -164,6 +162,7 @@ private:
         std::vector<double> sizes{input.high, input.low, std::sqrt(input.low) * std::sqrt(input.high)};
         if (input.zero) sizes.push_back(0);
         if (input.extreme > 0) sizes.push_back(input.extreme);
+        if (input.subnormal > 0) sizes.push_back(input.subnormal);
         return sizes;
     }
     static std::size_t corners_of(const SweptInput& input) { return corners(input).size(); }
@@ -194,17 +193,17 @@ SweptInput of_start(const ProgramInput& input, const System& system) {
     const Variable* variable = system.variable(input.canonical);
     const bool slow = variable != nullptr && variable->role == Role::slow;
     const bool phase = input.canonical.compare(0, 6, "phase.") == 0;
-    const bool rests = rests_elsewhere(system, input.canonical);
     return {input.name,
-            rests ? smallest_distance : smallest_start,
+            smallest_start,
             phase ? largest_phase : largest_start,
             !(slow && variable->positive),
             !(slow && (variable->positive || variable->nonzero)),
             system.weight(start_weight(system, input.canonical)),
-            rests,
+            rests_elsewhere(system, input.canonical),
             slow    ? extreme_slow
             : phase ? extreme_phase
-                    : 0};
+                    : 0,
+            slow ? subnormal_slow : 0};
 }
 
 } // namespace
@@ -242,8 +241,11 @@ std::vector<SweptInput> reachable_inputs(const Program& program, const Scene& sc
 
 bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& inputs) {
     const std::vector<double> values = as_swept(point, inputs);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (inputs[i].extreme > 0 && std::abs(values[i]) > 10 * inputs[i].high) return true;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double size = std::abs(values[i]);
+        if (inputs[i].extreme > 0 && size > 10 * inputs[i].high) return true;
+        if (inputs[i].subnormal > 0 && size != 0 && size < std::numeric_limits<double>::min()) return true;
+    }
     return false;
 }
 

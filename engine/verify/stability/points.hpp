@@ -22,6 +22,7 @@ struct SweptInput {
     Rational weight = 0;   // of a start value
     bool rests = false;    // by [equilibrium]
     double extreme = 0;    // a corner far beyond that is asked and not judged; 0: none
+    double subnormal = 0;  // the same far below
 };
 
 struct SweepPoint {
@@ -32,14 +33,15 @@ struct SweepPoint {
     friend bool operator==(const SweepPoint&, const SweepPoint&) = default;
 };
 
-constexpr double extreme_phase = 1e14, extreme_slow = 1e150;
+constexpr double extreme_phase = 1e14, extreme_slow = 1e150, subnormal_slow = 1e-310;
 
 // log10(high/low), 0 where nothing but 0 was tried.
 double decades(const SweptInput& input);
 
 // In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
-// they are declared positive), start values eps^weight * (1e-12 ... 1e3), or from 1e-3 on where they are
-// measured from [equilibrium]; phases to 1e12. Phases and slow variables have a corner far beyond.
+// they are declared positive), start values eps^weight * (1e-12 ... 1e3), measured from [equilibrium] where
+// there is one; phases to 1e12. Phases and slow variables have a corner far beyond, slow variables one among
+// the subnormal numbers.
 std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
 
 // The same, each no farther than it may go alone, the other inputs as in the scene, in steps of half a
@@ -65,7 +67,7 @@ std::vector<Real> with_parameters_of(const SweepPoint& at, const Program& progra
 // eps^weight.
 std::vector<double> as_swept(const SweepPoint& point, const std::vector<SweptInput>& inputs);
 
-// An input is at a corner far beyond its range.
+// An input is at a corner far beyond its range, or far below.
 bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& inputs);
 
 // nothing_swept: the inputs with empty ranges; add() then widens `swept` by the values of a point.

@@ -22,7 +22,9 @@ Wide slope_of_function(const Graph::Entry& e, const Values& values, const Wide& 
     case Graph::Op::sin: return cos(x);
     case Graph::Op::cos: return -sin(x);
     case Graph::Op::log: return 1 / x;
+    case Graph::Op::log1p: return 1 / Wide(1 + x);
     case Graph::Op::exp: return value;
+    case Graph::Op::expm1: return value + 1;
     case Graph::Op::asinh: return 1 / sqrt(Wide(1 + x * x));
     case Graph::Op::sinh: return cosh(x);
     case Graph::Op::erf: return 2 / sqrt(math::pi<Wide>()) * exp(Wide(-x * x));

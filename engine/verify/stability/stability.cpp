@@ -25,7 +25,8 @@ namespace {
 constexpr std::size_t listed_points = 5; // the worst of each output
 constexpr double covered_share = 0.5;    // of the decades of an input: with fewer there is none either
 
-constexpr double noticed = 4; // ulp: whose loss is looked for in the graph
+constexpr double noticed = 4;              // ulp: whose loss is looked for in the graph
+constexpr double moderate_condition = 1e8; // half of the digits of double are left
 
 std::vector<UlpBin> histogram_of(const std::vector<double>& ulps) {
     std::vector<UlpBin> bins;
@@ -201,6 +202,10 @@ private:
                     at,
                     answer.t,
                     answer.units[output]};
+        if (!(ulp <= result_.threshold) && !worst.point.is_wrong(result_.threshold)) {
+            ++result_.ill_conditioned;
+            if (worst.point.unavoidable < moderate_condition) ++result_.moderately_ill_conditioned;
+        }
         const auto before = [&](const Worst& a, const Worst& b) {
             return std::pair(a.point.is_wrong(result_.threshold), a.point.ulp) >
                    std::pair(b.point.is_wrong(result_.threshold), b.point.ulp);

@@ -67,10 +67,12 @@ struct Stability {
     std::map<std::string, double> not_judged_ulp;             // output -> the worst there
     std::map<std::string, std::size_t> not_judged_refused_by; // status -> how many there
     std::map<std::string, std::size_t> refused_by;            // status -> how many
-    std::size_t unexplained = 0;             // of `refused`: the exact solution has moderate numbers
-    std::vector<WorstPoint> worst;           // five of each output: wrong ones first, then by size
-    std::vector<StabilityRefusals> refusals; // the most frequent first
-    std::vector<std::pair<std::string, double>> median;                 // per output, in ulp
+    std::size_t unexplained = 0; // of `refused`: the exact solution has moderate numbers
+    // Errors above the threshold that are not wrong, and those of them with a condition number below 1e8.
+    std::size_t ill_conditioned = 0, moderately_ill_conditioned = 0;
+    std::vector<WorstPoint> worst;                      // five of each output: wrong ones first, then by size
+    std::vector<StabilityRefusals> refusals;            // the most frequent first
+    std::vector<std::pair<std::string, double>> median; // per output, in ulp
     std::vector<std::pair<std::string, std::vector<UlpBin>>> histogram; // per output, from 0.5 ulp on
     std::vector<InputByDecade> by_decade;                               // of `compared` and `refused`
 };

@@ -148,7 +148,7 @@ TEST(Stability, StartsAreDrawnAroundTheEquilibrium) {
             EXPECT_EQ(p.start[0], p.distance[0]);
             add(p, swept);
         }
-        EXPECT_LE(swept.back().low, 1.001e-3);
+        EXPECT_LE(swept.back().low, 1.001e-12);
         EXPECT_GE(swept.back().high, 0.999e3);
         EXPECT_LE(swept.back().high, 1.001e3);
     }
