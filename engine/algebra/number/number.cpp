@@ -2,12 +2,14 @@
 #include "algebra/number/number.hpp"
 
 #include "algebra/number/error.hpp"
-#include "algebra/number/flint.hpp"
 
+#include <cln/integer_io.h>
+#include <cln/rational_io.h>
 #include <cln/real.h>
 
 #include <cstddef>
 #include <cstdlib>
+#include <sstream>
 
 namespace resonform {
 namespace {
@@ -120,7 +122,9 @@ Rational parse_rational(std::string_view text) { return NumberReader(text).read(
 std::string to_string(const Rational& value) {
     const auto spelled = [](const Integer& n) {
         if (cln::integer_length(n) < 63) return std::to_string(cln::cl_I_to_long(n));
-        return to_mpz(n).get_str(); // a stream takes longer than the rest
+        std::ostringstream out; // a stream takes longer than the rest
+        out << n;
+        return out.str();
     };
     const std::string numerator = spelled(cln::numerator(value));
     const Integer denominator = cln::denominator(value);
