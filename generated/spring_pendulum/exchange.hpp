@@ -479,7 +479,7 @@ private:
             std::array<Wide, 2> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                compute_constants(of.eps_, of.parameters_, of.start_, c);
+                compute_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_11, c.c_11};
             }
             std::array<Wide, 2> operator()(const Wide& T) const {
@@ -577,7 +577,6 @@ private:
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
         eps_ = eps;
-        parameters_ = parameters;
         start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
@@ -613,7 +612,6 @@ private:
     resonform::Phase<Real> theta_1_;
     resonform::Phase<Real> theta_2_;
     Real eps_{};
-    Parameters parameters_;
     Start start_;
     resonform::SharedTables shared_;
     Cause cause_;

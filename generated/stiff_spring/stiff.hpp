@@ -754,7 +754,7 @@ private:
             std::array<Wide, 3> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                keep_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_12, c.c_12, c.c_12};
             }
             std::array<Wide, 3> operator()(const Wide& T) const {
@@ -843,7 +843,6 @@ private:
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
         eps_ = eps;
-        parameters_ = parameters;
         start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
@@ -886,7 +885,6 @@ private:
     resonform::Phase<Real> theta_2_;
     resonform::Decay<Real> chi_;
     Real eps_{};
-    Parameters parameters_;
     Start start_;
     resonform::SharedTables shared_;
     Cause cause_;

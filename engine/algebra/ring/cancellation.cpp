@@ -25,13 +25,23 @@ std::pair<Ids, Ids> divided_by_occurrence(const Ring& ring, const Polynomial& p)
     return result;
 }
 
+// Whether no generator divides p.
+bool is_free_of_monomials(const Ring& ring, const Polynomial& p, const Ids& inside) {
+    return std::all_of(inside.begin(), inside.end(),
+                       [&](GeneratorId id) { return ring.lowest_exponent(p, id) == 0; });
+}
+
 // The greatest common divisor of `radicand` and all coefficients of p over the generators that `radicand`
 // does not hold; nullopt: a number.
 std::optional<Polynomial> common_factor(const Ring& ring, const Polynomial& p, const Polynomial& radicand) {
     const auto [inside, outside] = divided_by_occurrence(ring, radicand);
+    const auto coefficients = ring.collect(p, outside);
+    const bool of_one_term = std::any_of(coefficients.begin(), coefficients.end(),
+                                         [](const auto& c) { return c.second.size() == 1; });
+    if (of_one_term && is_free_of_monomials(ring, radicand, inside)) return std::nullopt;
     const Translation translation(ring, inside);
     std::optional<Packed> common = translation.packed(radicand);
-    for (const auto& [outer, coefficient] : ring.collect(p, outside)) {
+    for (const auto& [outer, coefficient] : coefficients) {
         const auto next = common ? translation.packed(coefficient) : std::nullopt;
         if (!next) return std::nullopt;
         common = common_divisor(*common, *next);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ring::expanded_form: roots factored out, radicands written out again, for the printers.
 #include "algebra/ring/cancellation.hpp"
+#include "algebra/ring/fractions.hpp"
 #include "algebra/ring/polynomial.hpp"
+#include "algebra/ring/products.hpp"
 #include "algebra/ring/ring.hpp"
 
 #include <algorithm>
@@ -23,19 +25,19 @@ std::vector<Factored> split(const Ring& ring, const std::vector<Factored>& parts
     const int k = ring.generator(root).index;
     std::vector<Factored> result;
     for (const Factored& part : parts) {
-        const std::vector<Term>& terms = part.numerator.terms();
-        if (std::all_of(terms.begin(), terms.end(),
-                        [&](const Term& t) { return ring.exponent(t.monomial, root) == 0; })) {
+        const Fractions& f = part.numerator.fractions();
+        if (std::all_of(f.monomials.begin(), f.monomials.end(),
+                        [&](const Monomial& m) { return ring.exponent(m, root) == 0; })) {
             result.push_back(part);
             continue;
         }
-        std::map<int, std::vector<Term>> classes;
-        for (const Term& t : terms) {
-            const int e = ring.exponent(t.monomial, root);
-            classes[((e % k) + k) % k].push_back(t);
+        std::map<int, Fractions> classes;
+        for (std::size_t n = 0; n < f.size(); ++n) {
+            const int e = ring.exponent(f.monomials[n], root);
+            classes[((e % k) + k) % k].append(f.monomials[n], f, n);
         }
         for (auto& group : classes) {
-            const Polynomial p = Polynomial::from_terms(std::move(group.second));
+            const Polynomial p = Polynomial::from_fractions(std::move(group.second));
             const Monomial lowest = ring.monomial(root, ring.lowest_exponent(p, root));
             result.push_back({part.factor + lowest, written_out(ring, divided(p, lowest), root)});
         }
@@ -47,19 +49,22 @@ std::vector<Factored> split(const Ring& ring, const std::vector<Factored>& parts
 
 Polynomial written_out(const Ring& ring, const Polynomial& p, GeneratorId root) {
     const Generator& g = ring.generator(root);
-    std::map<int, std::vector<Term>> by_power;
-    for (const Term& t : p.terms()) {
-        const int n = std::max(0, ring.exponent(t.monomial, root) / g.index);
-        by_power[n].push_back({t.monomial - ring.monomial(root, n * g.index), t.coefficient});
+    const Fractions& f = p.fractions();
+    std::map<int, Fractions> by_power;
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        const int n = std::max(0, ring.exponent(f.monomials[k], root) / g.index);
+        by_power[n].append(f.monomials[k] - ring.monomial(root, n * g.index), f, k);
     }
-    Polynomial total, power = ring.one();
-    int n = 0;
-    for (auto& group : by_power) {
-        for (; n < group.first; ++n) power = plain_product(ring.packing(), power, g.radicand);
-        const Polynomial part = Polynomial::from_terms(std::move(group.second));
-        total = total + (n == 0 ? part : plain_product(ring.packing(), power, part));
+    if (by_power.empty() || by_power.rbegin()->first == 0) return p;
+    std::vector<Polynomial> powers{ring.one()};
+    std::vector<FractionProduct> products;
+    for (const auto& [n, group] : by_power) {
+        while (static_cast<int>(powers.size()) <= n)
+            powers.push_back(plain_product(ring.packing(), powers.back(), g.radicand));
+        products.push_back({&powers[static_cast<std::size_t>(n)].fractions(), &group}); // of a shared body
     }
-    return total;
+    require_safe(ring.packing(), products);
+    return Polynomial::from_fractions(sum_of_products(products, &ring.packing()));
 }
 
 std::vector<std::pair<Monomial, Polynomial>> Ring::expanded_form(const Polynomial& p) const {

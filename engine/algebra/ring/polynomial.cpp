@@ -154,15 +154,10 @@ Polynomial sum(const std::vector<Polynomial>& summands) {
 }
 
 Polynomial divided(const Polynomial& p, const Monomial& m) {
-    std::vector<Term> terms = p.terms();
-    for (Term& t : terms) t.monomial = t.monomial - m;
-    return Polynomial::from_terms(std::move(terms));
-}
-
-Rational content(const Polynomial& p) {
-    Rational result = 0;
-    for (const Term& t : p.terms()) result = common_measure(result, t.coefficient);
-    return result;
+    if (m == Monomial{}) return p;
+    Fractions f = p.fractions();
+    for (Monomial& monomial : f.monomials) monomial = monomial - m;
+    return Polynomial::from_fractions(std::move(f));
 }
 
 } // namespace resonform

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/ring/translation.hpp"
 
+#include "algebra/ring/primitive_terms.hpp"
+
 namespace resonform {
 
 std::optional<Packed> Translation::packed(const Polynomial& p) const {
     Packed result(context_);
-    const Rational number = content(p);
     Packed::Exponents exponents(ids_.size());
-    for (const Term& t : p.terms()) {
+    for (const Term& t : primitive_terms(p)) {
         for (std::size_t k = 0; k < ids_.size(); ++k) {
             const int exponent = ring_.exponent(t.monomial, ids_[k]);
             if (exponent < 0) return std::nullopt;
             exponents[k] = static_cast<ulong>(exponent);
         }
-        result.give(exponents, Whole(cln::numerator(t.coefficient / number)));
+        result.give(exponents, Whole(cln::numerator(t.coefficient)));
     }
     result.put_in_order();
     return result;

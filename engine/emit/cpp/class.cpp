@@ -48,6 +48,8 @@ private:
     std::string kept_arguments() const;
     std::string construct() const;
     std::string data_members() const;
+    // Whether Parameters hold anything.
+    bool has_parameters() const { return !program_.parameters.empty() || !plan_.callables.empty(); }
 
     const Program& program_;
     const CppPlan& plan_;
@@ -189,6 +191,7 @@ std::string CppFrame::rates() const {
     }
     return filled(frames::rates, {{"phases", std::to_string(program_.phases.size())},
                                   {"constants", plan_.range.native ? "compute_constants" : "keep_constants"},
+                                  {"parameters", has_parameters() ? "of.parameters_" : "Parameters{}"},
                                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                   {"rates", fmt::format("{}", fmt::join(list, ", "))}});
 }
@@ -253,8 +256,9 @@ std::string CppFrame::layers() const {
 std::string CppFrame::kept_arguments() const {
     if (!program_.has_tables()) return "";
     std::string text = "        eps_ = eps;\n";
-    if (!program_.phases.empty()) text += "        parameters_ = parameters;\n        start_ = start;\n";
-    return text;
+    if (program_.phases.empty()) return text;
+    if (has_parameters()) text += "        parameters_ = parameters;\n";
+    return text + "        start_ = start;\n";
 }
 
 std::string CppFrame::construct() const {
@@ -322,7 +326,8 @@ std::string CppFrame::data_members() const {
                             plan_.phase_names[k]);
     if (program_.has_tables()) {
         text += "    Real eps_{};\n";
-        if (!program_.phases.empty()) text += "    Parameters parameters_;\n    Start start_;\n";
+        if (!program_.phases.empty() && has_parameters()) text += "    Parameters parameters_;\n";
+        if (!program_.phases.empty()) text += "    Start start_;\n";
         text += "    resonform::SharedTables shared_;\n";
     }
     return cpp_further_members(plan_, further_) +

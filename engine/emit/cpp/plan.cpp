@@ -41,9 +41,9 @@ void CppPlan::find_callables(const std::vector<CppCallable>& beside) {
     };
     for (std::size_t v = 0; v < code.size(); ++v)
         note(code.at(static_cast<Value>(v)).callable, code.at(static_cast<Value>(v)).index);
-    std::vector<Graph::Node> start;
-    for (const ProgramInput& input : program->start) start.push_back(input.default_value);
-    const std::vector<bool> in_start = reachable(program->graph, start);
+    std::vector<Graph::Node> defaults;
+    for (const ProgramInput& input : program->start) defaults.push_back(input.default_value);
+    const std::vector<bool> in_start = reachable(program->graph, defaults);
     for (std::size_t n = 0; n < in_start.size(); ++n)
         if (const Graph::Entry& e = program->graph.at(static_cast<Graph::Node>(n));
             in_start[n] && e.op == Graph::Op::callable)

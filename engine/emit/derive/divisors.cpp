@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The divisors of a normal form with their verdicts, and the resonance surfaces, where one of the removed
 // divisors vanishes.
+#include "algebra/ring/fractions.hpp"
 #include "emit/derive/derive.hpp"
 #include "emit/display/display.hpp"
 #include "emit/display/json.hpp"
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <tuple>
 
 namespace resonform {
 
@@ -77,6 +80,16 @@ const char* meaning(const DivisorRecord& record) {
     return "";
 }
 
+// A total order, of no meaning.
+struct InSomeOrder {
+    bool operator()(const Polynomial& a, const Polynomial& b) const {
+        const auto key = [](const Fractions& f) {
+            return std::tie(f.monomials, f.negative, f.limbs, f.magnitudes, f.denominator);
+        };
+        return key(a.fractions()) < key(b.fractions());
+    }
+};
+
 Json exponents_json(const GradedField& field, const std::string& variable, const Monomial& m) {
     return {{"variable", variable}, {"exponents", json_exponents(*field.ring, m, field.outer())}};
 }
@@ -125,10 +138,13 @@ Page divisors_page(const GradedField& field, const std::vector<DivisorRecord>& d
 
 Json divisors_json(const GradedField& field, const std::vector<DivisorRecord>& divisors, int order) {
     Json list = Json::array();
+    std::map<Polynomial, std::string, InSomeOrder> texts; // many monomials have the same divisor
     for (const DivisorRecord& record : divisors) {
         if (record.weight > order) continue;
         Json entry = exponents_json(field, record.variable, record.monomial);
-        entry["divisor"] = json_expression(*field.ring, record.divisor);
+        std::string& text = texts[record.divisor];
+        if (text.empty()) text = json_expression(*field.ring, record.divisor);
+        entry["divisor"] = text;
         entry["verdict"] = to_string(record.verdict);
         list.push_back(std::move(entry));
     }

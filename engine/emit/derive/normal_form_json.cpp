@@ -83,14 +83,14 @@ Json normal_form_document(const GradedField& field, int order, int truncation, S
                           const Certificate& certificate) {
     Json document = json_head("resonform.normal_form/1", field.system());
     if (!field.system().equilibrium.empty()) document["equilibrium"] = equilibrium_json(field.system());
-    document.update(Json{{"order", json_rational(field.system().weight(order))},
-                         {"truncation", json_rational(field.system().weight(truncation))},
-                         {"style", to_string(style)},
-                         {"fast", fast_json(field)},
-                         {"normal_form", std::move(normal_form)},
-                         {"map", std::move(map)},
-                         {"divisors", divisors_json(field, divisors, order)},
-                         {"certificate", certificate_json(certificate)}});
+    document["order"] = json_rational(field.system().weight(order));
+    document["truncation"] = json_rational(field.system().weight(truncation));
+    document["style"] = to_string(style);
+    document["fast"] = fast_json(field);
+    document["normal_form"] = std::move(normal_form); // update() would copy it
+    document["map"] = std::move(map);
+    document["divisors"] = divisors_json(field, divisors, order);
+    document["certificate"] = certificate_json(certificate);
     return document;
 }
 

@@ -2,9 +2,13 @@
 #include "emit/display/display.hpp"
 
 #include "algebra/ring/cancellation.hpp"
+#include "algebra/ring/fractions.hpp"
+#include "algebra/ring/primitive_terms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cln/integer.h>
+#include <cstddef>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -124,9 +128,9 @@ bool before_in_polynomial(const Exponents& a, const Exponents& b) {
     return degree_a != degree_b ? degree_a > degree_b : a > b;
 }
 
-std::vector<PlainTerm> ordered_terms(const Ring& ring, const Polynomial& p) {
+std::vector<PlainTerm> ordered_terms(const Ring& ring, const std::vector<Term>& list) {
     std::vector<PlainTerm> terms;
-    for (const Term& term : p.terms()) terms.push_back({ring.exponents(term.monomial), term.coefficient});
+    for (const Term& term : list) terms.push_back({ring.exponents(term.monomial), term.coefficient});
     std::sort(terms.begin(), terms.end(), [](const PlainTerm& a, const PlainTerm& b) {
         return before_in_polynomial(a.exponents, b.exponents);
     });
@@ -135,29 +139,24 @@ std::vector<PlainTerm> ordered_terms(const Ring& ring, const Polynomial& p) {
 
 DisplaySum display_radicand(const Ring& ring, const Polynomial& radicand) {
     DisplaySum sum;
-    for (const PlainTerm& term : ordered_terms(ring, radicand))
+    for (const PlainTerm& term : ordered_terms(ring, radicand.terms()))
         sum.terms.push_back(monomial_term(ring, term.exponents, term.coefficient, {}));
     return sum;
 }
 
-// Takes the content out of a list of terms: the rest has coprime integer coefficients, the first
-// positive, and no common power.
-PlainTerm take_content(std::vector<PlainTerm>& terms) {
-    PlainTerm content = terms.front();
-    cln::cl_I numerators = 0, denominators = 1;
-    for (const PlainTerm& term : terms) {
-        for (std::size_t i = 0; i < content.exponents.size(); ++i)
-            content.exponents[i] = std::min(content.exponents[i], term.exponents[i]);
-        numerators = cln::gcd(numerators, cln::numerator(term.coefficient));
-        denominators = cln::lcm(denominators, cln::denominator(term.coefficient));
-    }
-    content.coefficient = Rational(numerators) / denominators;
-    if (cln::minusp(terms.front().coefficient)) content.coefficient = -content.coefficient;
+// Takes common powers and the sign of the first out of a list of terms.
+PlainTerm take_powers(std::vector<PlainTerm>& terms) {
+    PlainTerm common{terms.front().exponents, 1};
+    for (const PlainTerm& term : terms)
+        for (std::size_t i = 0; i < common.exponents.size(); ++i)
+            common.exponents[i] = std::min(common.exponents[i], term.exponents[i]);
+    const bool negative = cln::minusp(terms.front().coefficient);
+    if (negative) common.coefficient = -1;
     for (PlainTerm& term : terms) {
-        for (std::size_t i = 0; i < content.exponents.size(); ++i) term.exponents[i] -= content.exponents[i];
-        term.coefficient = term.coefficient / content.coefficient;
+        for (std::size_t i = 0; i < common.exponents.size(); ++i) term.exponents[i] -= common.exponents[i];
+        if (negative) term.coefficient = -term.coefficient;
     }
-    return content;
+    return common;
 }
 
 struct Element {
@@ -181,16 +180,17 @@ void divide_by(DisplayTerm& term, DisplaySum divisor) {
         same->exponent = same->exponent - 1;
 }
 
-// outer * numerator, the numerator's terms either all real or all imaginary.
-Element element(const Ring& ring, const Exponents& outer, std::vector<PlainTerm> numerator,
-                const Substitutes& substitutes) {
-    PlainTerm content = take_content(numerator);
-    for (std::size_t i = 0; i < outer.size(); ++i) content.exponents[i] += outer[i];
+// number * outer * numerator: coprime integers, the terms either all real or all imaginary.
+Element element(const Ring& ring, const Rational& number, const Exponents& outer,
+                std::vector<PlainTerm> numerator, const Substitutes& substitutes) {
+    PlainTerm common = take_powers(numerator);
+    for (std::size_t i = 0; i < outer.size(); ++i) common.exponents[i] += outer[i];
     Element result;
-    result.order = content.exponents;
-    result.term = monomial_term(ring, content.exponents, content.coefficient, substitutes);
+    result.order = common.exponents;
+    result.term = monomial_term(ring, common.exponents, common.coefficient * number, substitutes);
     if (numerator.size() == 1) return result;
     DisplaySum sum;
+    sum.terms.reserve(numerator.size());
     for (const PlainTerm& term : numerator)
         sum.terms.push_back(monomial_term(ring, term.exponents, term.coefficient, substitutes));
     insert_sum(result.term.factors, std::move(sum));
@@ -200,9 +200,19 @@ Element element(const Ring& ring, const Exponents& outer, std::vector<PlainTerm>
 // The same of a part that is real or imaginary.
 Element element(const Ring& ring, const Monomial& outer, Polynomial part, const Substitutes& substitutes) {
     const Fraction f = cancelled(ring, outer, std::move(part));
-    Element result = element(ring, ring.exponents(f.factor), ordered_terms(ring, f.numerator), substitutes);
+    Element result = element(ring, content(f.numerator), ring.exponents(f.factor),
+                             ordered_terms(ring, primitive_terms(f.numerator)), substitutes);
     for (const Polynomial& divisor : f.divisors) divide_by(result.term, display_radicand(ring, divisor));
     return result;
+}
+
+// Real and imaginary part.
+std::array<Polynomial, 2> parts_of(const Ring& ring, const Polynomial& p) {
+    std::array<Fractions, 2> parts;
+    const Fractions& f = p.fractions();
+    for (std::size_t k = 0; k < f.size(); ++k)
+        parts[ring.exponent(f.monomials[k], Ring::imaginary_unit) != 0 ? 1 : 0].append(f.monomials[k], f, k);
+    return {Polynomial::from_fractions(std::move(parts[0])), Polynomial::from_fractions(std::move(parts[1]))};
 }
 
 } // namespace
@@ -210,18 +220,15 @@ Element element(const Ring& ring, const Monomial& outer, Polynomial part, const 
 DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& substitutes) {
     std::vector<Element> elements;
     for (const auto& [outer, numerator] : ring.expanded_form(p)) {
-        std::vector<Term> parts[2]; // real, imaginary
-        for (const Term& t : numerator.terms())
-            parts[ring.exponent(t.monomial, Ring::imaginary_unit) != 0 ? 1 : 0].push_back(t);
-        for (auto& part : parts) {
-            const Polynomial sum = Polynomial::from_terms(std::move(part));
-            if (sum.empty()) continue;
+        for (const Polynomial& part : parts_of(ring, numerator)) {
+            if (part.empty()) continue;
             if (ring.digits() == 0) {
-                elements.push_back(element(ring, outer, sum, substitutes));
+                elements.push_back(element(ring, outer, part, substitutes));
                 continue;
             }
-            for (PlainTerm& term : ordered_terms(ring, sum)) // rounded numbers have no common factors
-                elements.push_back(element(ring, ring.exponents(outer), {std::move(term)}, substitutes));
+            for (const PlainTerm& term : ordered_terms(ring, part.terms())) // rounded: no common factors
+                elements.push_back(element(ring, term.coefficient, ring.exponents(outer),
+                                           {{term.exponents, 1}}, substitutes));
         }
     }
     std::sort(elements.begin(), elements.end(), [](const Element& a, const Element& b) {
@@ -229,6 +236,7 @@ DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& sub
         return imaginary_a != imaginary_b ? imaginary_b : a.order > b.order;
     });
     DisplaySum sum;
+    sum.terms.reserve(elements.size()); // or all are copied where it grows: numbers have no move
     for (Element& e : elements) sum.terms.push_back(std::move(e.term));
     return sum;
 }
@@ -236,14 +244,17 @@ DisplaySum display(const Ring& ring, const Polynomial& p, const Substitutes& sub
 std::vector<std::pair<Monomial, Polynomial>> collect_in_order(const Ring& ring, const Polynomial& p,
                                                               const std::vector<GeneratorId>& outer) {
     auto collected = ring.collect(p, outer);
-    const auto key = [&](const Monomial& m) {
-        Exponents exponents{ring.weight(m)};
-        for (GeneratorId id : outer) exponents.push_back(ring.exponent(m, id));
-        return exponents;
-    };
-    std::sort(collected.begin(), collected.end(),
-              [&](const auto& a, const auto& b) { return key(a.first) < key(b.first); });
-    return collected;
+    std::vector<std::pair<Exponents, std::size_t>> keys;
+    for (const auto& [monomial, coefficient] : collected) {
+        Exponents exponents{ring.weight(monomial)};
+        for (GeneratorId id : outer) exponents.push_back(ring.exponent(monomial, id));
+        keys.emplace_back(std::move(exponents), keys.size());
+    }
+    std::sort(keys.begin(), keys.end()); // the exponents differ
+    std::vector<std::pair<Monomial, Polynomial>> result;
+    result.reserve(collected.size());
+    for (const auto& [exponents, k] : keys) result.push_back(std::move(collected[k]));
+    return result;
 }
 
 namespace {
@@ -262,7 +273,9 @@ DisplayFactor with_power_inside(DisplayFactor factor) {
 DisplaySum display_collected(const Ring& ring, const Polynomial& p, const std::vector<GeneratorId>& outer,
                              const Substitutes& substitutes) {
     DisplaySum sum;
-    for (const auto& [monomial, coefficient] : collect_in_order(ring, p, outer)) {
+    const auto collected = collect_in_order(ring, p, outer);
+    sum.terms.reserve(collected.size());
+    for (const auto& [monomial, coefficient] : collected) {
         DisplayTerm term = factored(display(ring, coefficient, substitutes));
         for (DisplayFactor& factor : monomial_term(ring, ring.exponents(monomial), 1, substitutes).factors)
             term.tail.push_back(with_power_inside(std::move(factor)));

@@ -89,6 +89,6 @@ void insert_sum(std::vector<DisplayFactor>& factors, DisplaySum sum);
 bool is_bare_sum(const DisplayTerm& term);
 
 // A sum as one term: common powers and the rational content before a parenthesis.
-DisplayTerm factored(const DisplaySum& sum);
+DisplayTerm factored(DisplaySum sum);
 
 } // namespace resonform

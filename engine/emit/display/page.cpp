@@ -20,18 +20,19 @@ std::string continued(const std::string& text) {
     return starts_negative(text) ? "- " + text.substr(1) : "+ " + text;
 }
 
-std::vector<DisplaySum> without_empty(const std::vector<DisplaySum>& groups) {
-    std::vector<DisplaySum> result;
+std::vector<const DisplaySum*> without_empty(const std::vector<DisplaySum>& groups) {
+    std::vector<const DisplaySum*> result;
     for (const DisplaySum& group : groups)
-        if (!group.terms.empty()) result.push_back(group);
+        if (!group.terms.empty()) result.push_back(&group);
     return result;
 }
 
 // Appends a group, or its terms one by one if it is too long for a line.
 void append_pieces(std::vector<std::string>& pieces, const DisplaySum& group) {
-    const std::string text = spell(group, text_spelling());
-    if (text.size() <= text_columns) {
-        pieces.push_back(text);
+    constexpr std::size_t most = (text_columns + 3) / 4; // terms in a line: "a + b" has four columns a term
+    if (std::string text = group.terms.size() > most ? "" : spell(group, text_spelling());
+        !text.empty() && text.size() <= text_columns) {
+        pieces.push_back(std::move(text));
         return;
     }
     for (const DisplayTerm& term : group.terms) pieces.push_back(spell(DisplaySum{{term}}, text_spelling()));
@@ -39,7 +40,7 @@ void append_pieces(std::vector<std::string>& pieces, const DisplaySum& group) {
 
 std::vector<std::string> text_pieces(const Side& s) {
     std::vector<std::string> pieces;
-    for (const DisplaySum& group : without_empty(s.groups)) append_pieces(pieces, group);
+    for (const DisplaySum* group : without_empty(s.groups)) append_pieces(pieces, *group);
     if (!cln::zerop(s.remainder))
         pieces.push_back("O(" + spell(symbol_factor("eps", s.remainder), text_spelling()) + ")");
     if (pieces.empty()) pieces.emplace_back("0");
@@ -69,15 +70,15 @@ std::string text_formula(const Formula& formula, std::size_t indent) {
 
 // Groups cut into lines of at most latex_terms terms; everything on one line if it is short.
 std::vector<std::string> latex_lines(const Side& s) {
-    const std::vector<DisplaySum> groups = without_empty(s.groups);
+    const std::vector<const DisplaySum*> groups = without_empty(s.groups);
     std::size_t terms = 0;
-    for (const DisplaySum& group : groups) terms += group.terms.size();
+    for (const DisplaySum* group : groups) terms += group->terms.size();
     std::vector<DisplaySum> lines;
-    for (const DisplaySum& group : groups)
-        for (std::size_t i = 0; i < group.terms.size(); ++i) {
+    for (const DisplaySum* group : groups)
+        for (std::size_t i = 0; i < group->terms.size(); ++i) {
             const bool new_line = lines.empty() || (terms > latex_terms && i % latex_terms == 0);
             if (new_line) lines.emplace_back();
-            lines.back().terms.push_back(group.terms[i]);
+            lines.back().terms.push_back(group->terms[i]);
         }
     std::vector<std::string> result;
     result.reserve(lines.size());

@@ -12,6 +12,8 @@ bool is_function(const DisplayFactor& factor, const char* name) {
     return factor.kind == DisplayFactor::Kind::function && factor.name == name;
 }
 
+bool is_exponential(const DisplayFactor& factor) { return is_function(factor, "exp"); }
+
 void add_like_terms(DisplaySum& sum, const DisplayTerm& term) {
     const auto like = std::find_if(sum.terms.begin(), sum.terms.end(),
                                    [&](const DisplayTerm& t) { return same_but_coefficient(t, term); });
@@ -27,7 +29,7 @@ void add_like_terms(DisplaySum& sum, const DisplayTerm& term) {
 DisplaySum whole_exponent(const std::vector<DisplayFactor>& factors) {
     DisplaySum whole;
     for (const DisplayFactor& factor : factors) {
-        if (!is_function(factor, "exp")) continue;
+        if (!is_exponential(factor)) continue;
         for (DisplayTerm term : factor.arguments.front().terms) {
             term.coefficient = term.coefficient * factor.exponent;
             add_like_terms(whole, term);
@@ -86,10 +88,13 @@ void multiply(std::vector<DisplayFactor>& factors, DisplayFactor factor) {
 
 } // namespace
 
+bool has_exponential(const DisplayTerm& term) {
+    return std::any_of(term.factors.begin(), term.factors.end(), is_exponential);
+}
+
 DisplayTerm with_powers(const DisplayTerm& term) {
-    const auto is_exponential = [](const DisplayFactor& f) { return is_function(f, "exp"); };
-    if (std::none_of(term.factors.begin(), term.factors.end(), is_exponential)) return term;
     DisplayTerm result = term;
+    if (!has_exponential(term)) return result;
     auto& factors = result.factors;
     const auto place = std::find_if(factors.begin(), factors.end(), is_exponential) - factors.begin();
     factors.erase(std::remove_if(factors.begin(), factors.end(), is_exponential), factors.end());

@@ -13,20 +13,26 @@ namespace resonform {
 
 // The term with its exponentials made one, and those of logarithms made powers. The tail stays.
 DisplayTerm with_powers(const DisplayTerm& term);
+// Whether that differs from the term, all of which it copies.
+bool has_exponential(const DisplayTerm& term);
 
 // a - b + c of such terms, each spelled without its sign by `spelled`; 0 of none.
 template <class Spelled> std::string signed_sum(const DisplaySum& sum, const Spelled& spelled) {
     if (sum.terms.empty()) return "0";
     std::string text;
-    for (const DisplayTerm& given : sum.terms) {
-        const DisplayTerm term = with_powers(given);
+    const auto append = [&](const DisplayTerm& term) {
         const bool negative = cln::minusp(term.coefficient);
         if (text.empty())
             text = negative ? "-" : "";
         else
             text += negative ? " - " : " + ";
         text += spelled(term);
-    }
+    };
+    for (const DisplayTerm& term : sum.terms)
+        if (has_exponential(term))
+            append(with_powers(term));
+        else
+            append(term);
     return text;
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/slow_rate.hpp"
 
+#include "algebra/ring/fractions.hpp"
+
 #include <algorithm>
 #include <cln/rational.h>
+#include <cstddef>
+#include <map>
 #include <utility>
 
 namespace resonform {
@@ -37,35 +41,38 @@ std::optional<SlowRate> only_rate_with_eps(const GradedField& field) {
 SeriesWriter::SeriesWriter(RingPtr ring, GeneratorId eps, std::vector<GeneratorId> outer,
                            std::optional<SlowRate> rate, const std::vector<Polynomial>& all)
     : ring_(std::move(ring)), eps_(eps), outer_(std::move(outer)), rate_(std::move(rate)) {
-    const bool fits =
-        std::all_of(all.begin(), all.end(), [this](const Polynomial& p) { return divided(p).has_value(); });
-    if (!fits) rate_.reset();
+    if (!rate_) return;
+    const auto fits = [this](const Monomial& m) { return divided(m).has_value(); };
+    if (!std::all_of(all.begin(), all.end(), [&](const Polynomial& p) {
+            const std::vector<Monomial>& monomials = p.fractions().monomials;
+            return std::all_of(monomials.begin(), monomials.end(), fits);
+        }))
+        rate_.reset();
 }
 
-std::optional<Term> SeriesWriter::divided(const Term& term) const {
-    const int power = ring_->exponent(term.monomial, eps_);
-    if (power % rate_->eps_power != 0) return std::nullopt;
-    const int times = power / rate_->eps_power;
-    std::vector<int> exponents = ring_->exponents(term.monomial);
+std::optional<Monomial> SeriesWriter::divided(const Monomial& m) const {
+    if (ring_->exponent(m, eps_) % rate_->eps_power != 0) return std::nullopt;
+    std::vector<int> exponents = ring_->exponents(m);
     for (const auto& [name, exponent] : rate_->powers) {
         const std::optional<GeneratorId> id = ring_->find(name);
         if (!id) return std::nullopt;
         int& left = exponents[static_cast<std::size_t>(*id)];
-        left -= exponent * times;
+        left -= exponent * times(m);
         if (left < 0 && !ring_->generator(*id).invertible) return std::nullopt;
     }
-    return Term{ring_->monomial(exponents), term.coefficient / cln::expt(rate_->coefficient, times)};
+    return ring_->monomial(exponents);
 }
 
-std::optional<Polynomial> SeriesWriter::divided(const Polynomial& p) const {
-    if (!rate_) return p;
-    std::vector<Term> terms;
-    for (const Term& term : p.terms()) {
-        std::optional<Term> quotient = divided(term);
-        if (!quotient) return std::nullopt;
-        terms.push_back(std::move(*quotient));
-    }
-    return Polynomial::from_terms(std::move(terms));
+Polynomial SeriesWriter::divided(const Polynomial& p) const {
+    std::map<int, Fractions> by_times;
+    const Fractions& f = p.fractions();
+    for (std::size_t k = 0; k < f.size(); ++k)
+        by_times[times(f.monomials[k])].append(divided(f.monomials[k]).value(), f, k);
+    std::vector<Polynomial> parts;
+    for (auto& [times, part] : by_times)
+        parts.push_back(1 / cln::expt(rate_->coefficient, times) *
+                        Polynomial::from_fractions(std::move(part)));
+    return sum(parts);
 }
 
 DisplaySum SeriesWriter::operator()(const Polynomial& p) const { return (*this)(p, {}); }
@@ -73,7 +80,7 @@ DisplaySum SeriesWriter::operator()(const Polynomial& p) const { return (*this)(
 DisplaySum SeriesWriter::operator()(const Polynomial& p, Substitutes substitutes) const {
     if (!rate_) return display_collected(*ring_, p, outer_, substitutes);
     substitutes.emplace(eps_, symbol_factor(rate_->variable + "'", Rational(1) / rate_->eps_power));
-    return display_collected(*ring_, divided(p).value(), outer_, substitutes);
+    return display_collected(*ring_, divided(p), outer_, substitutes);
 }
 
 } // namespace resonform

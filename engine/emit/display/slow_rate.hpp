@@ -37,8 +37,9 @@ public:
 
 private:
     // c eps^n -> c / (rate / eps^eps_power)^(n/eps_power): eps then stands for xi'^(1/eps_power).
-    [[nodiscard]] std::optional<Polynomial> divided(const Polynomial& p) const;
-    [[nodiscard]] std::optional<Term> divided(const Term& term) const;
+    [[nodiscard]] Polynomial divided(const Polynomial& p) const;
+    [[nodiscard]] std::optional<Monomial> divided(const Monomial& m) const; // without the coefficient
+    [[nodiscard]] int times(const Monomial& m) const { return ring_->exponent(m, eps_) / rate_->eps_power; }
 
     RingPtr ring_;
     GeneratorId eps_;

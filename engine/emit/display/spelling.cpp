@@ -9,6 +9,7 @@
 #include <cctype>
 #include <fmt/format.h>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -148,10 +149,10 @@ bool needs_parentheses(const DisplayFactor& factor) {
 }
 
 std::string power(const DisplayFactor& factor, const Rational& exponent, const Spelling& spelling) {
-    const std::string base = inner(factor, spelling);
+    std::string base = inner(factor, spelling);
     const bool has_root = factor.kind != FactorKind::sum || spelling.root_of_sums;
     if (has_root && exponent == Rational(1) / 2) return "sqrt(" + base + ")";
-    std::string atom = needs_parentheses(factor) ? "(" + base + ")" : base;
+    std::string atom = needs_parentheses(factor) ? "(" + base + ")" : std::move(base);
     if (exponent == 1) return atom;
     const std::string spelled = rational(exponent, spelling);
     const bool plain = is_integer(exponent) && exponent > 0;
@@ -159,7 +160,12 @@ std::string power(const DisplayFactor& factor, const Rational& exponent, const S
 }
 
 std::string product(const std::vector<std::string>& factors) {
-    return fmt::format("{}", fmt::join(factors, "*"));
+    std::string text;
+    for (const std::string& factor : factors) {
+        if (!text.empty()) text += '*';
+        text += factor;
+    }
+    return text;
 }
 
 // |coefficient| * [i] * factors: "sqrt(g)/(4*r)"; empty for 1 when a tail follows.

@@ -181,22 +181,21 @@ bool is_bare_sum(const DisplayTerm& term) {
            term.factors.front().kind == DisplayFactor::Kind::sum && term.factors.front().exponent == 1;
 }
 
-DisplayTerm factored(const DisplaySum& sum) {
-    if (sum.terms.size() == 1) return sum.terms.front();
+DisplayTerm factored(DisplaySum sum) {
+    if (sum.terms.size() == 1) return std::move(sum.terms.front());
     DisplayTerm content;
     if (sum.terms.empty()) {
         content.coefficient = 0;
         return content;
     }
-    DisplaySum rest = sum;
-    take_coefficient(rest, content);
-    for (DisplayFactor common : bases_of(rest)) {
-        common.exponent = common_exponent(rest, common);
+    take_coefficient(sum, content);
+    for (DisplayFactor common : bases_of(sum)) {
+        common.exponent = common_exponent(sum, common);
         if (cln::zerop(common.exponent)) continue;
-        for (DisplayTerm& term : rest.terms) divide(term, common);
+        for (DisplayTerm& term : sum.terms) divide(term, common);
         content.factors.push_back(std::move(common));
     }
-    insert_sum(content.factors, std::move(rest));
+    insert_sum(content.factors, std::move(sum));
     return content;
 }
 

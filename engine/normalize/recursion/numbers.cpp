@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -100,8 +101,8 @@ bool is_certain(const NormalizationOf<Part>& n, const Rounding& rounding) {
                                [&](const BasicSeries<Part>& s) { return rounding.is_certain(s); });
         });
     };
-    return known(std::vector{&n.normal_form.mode, &n.normal_form.angle, &n.normal_form.drift, &n.map.mode,
-                             &n.map.angle, &n.map.drift});
+    return known(std::array{&n.normal_form.mode, &n.normal_form.angle, &n.normal_form.drift, &n.map.mode,
+                            &n.map.angle, &n.map.drift});
 }
 
 // Modes and frequencies of the field as rounded numbers.

@@ -6,14 +6,13 @@
 #include "verify/estimate/best_order.hpp"
 #include "verify/estimate/error_estimator.hpp"
 #include "verify/estimate/times.hpp"
+#include "verify/run/parallel.hpp"
 #include "verify/run/real.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <optional>
-#include <thread>
 
 namespace resonform {
 
@@ -149,13 +148,7 @@ ErrorEstimates error_estimates(const Scene& scene, const Solution& solution, con
     std::vector<EstimateAt> rungs;
     for (const Rational& e : eps) rungs.emplace_back(estimator, scene, field, e);
     std::vector<EstimatesAt> found(rungs.size());
-    const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
-    std::vector<std::future<void>> work;
-    for (std::size_t j = 0; j < threads; ++j)
-        work.push_back(std::async(std::launch::async, [&, j] {
-            for (std::size_t i = j; i < rungs.size(); i += threads) found[i] = rungs[i].estimated(orders);
-        }));
-    for (auto& w : work) w.get();
+    in_parallel(rungs.size(), [&](std::size_t i) { found[i] = rungs[i].estimated(orders); });
     ErrorEstimates estimates;
     for (std::size_t k = 0; k < estimator.outputs().size(); ++k) {
         const ErrorEstimator::Output& output = estimator.outputs()[k];

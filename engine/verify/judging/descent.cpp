@@ -6,6 +6,7 @@
 #include "verify/judging/conditions.hpp"
 #include "verify/judging/defect.hpp"
 #include "verify/judging/deviation.hpp"
+#include "verify/run/parallel.hpp"
 #include "verify/run/real.hpp"
 
 #include <fmt/format.h>
@@ -86,6 +87,14 @@ void weigh_defect(const OutputVerdict& defect, std::vector<OutputVerdict>& outpu
 
 } // namespace
 
+// What a rung is judged by.
+struct Descent::Measured {
+    SampleTimes times;
+    Reference reference;
+    Deviation deviation;
+    std::vector<EquationDefect> defect; // empty: none is computed
+};
+
 Descent::Descent(const Trial& trial, const Scene& scene, const Solution& solution, Verification& result)
     : trial_(trial), scene_(scene), field_(*solution.normalization->normal_form.field), result_(result),
       growing_(grows_at_start(field_, scene, scene.verify.eps.front())),
@@ -147,7 +156,9 @@ std::vector<PlannedRung> Descent::planned(const std::vector<Rational>& ladder) {
 }
 
 void Descent::measure(const std::vector<PlannedRung>& rungs) {
-    for (const PlannedRung& rung : rungs) add(rung);
+    std::vector<Measured> all(rungs.size());
+    in_parallel(rungs.size(), [&](std::size_t k) { all[k] = measured(rungs[k]); });
+    for (std::size_t k = 0; k < rungs.size(); ++k) add(rungs[k], all[k]);
     for (OutputVerdict& output : result_.outputs) judge(output);
     for (OutputVerdict& defect : result_.defects) judge(defect);
 }
@@ -163,43 +174,48 @@ void Descent::further() {
     }
 }
 
-void Descent::add(const PlannedRung& plan) {
-    const SampleTimes times =
-        crowded_times(plan.at.interval, Trial::resolving_points(*plan.steps), plan.rate, plan.from);
+Descent::Measured Descent::measured(const PlannedRung& plan) const {
+    Measured found;
+    found.times = crowded_times(plan.at.interval, Trial::resolving_points(*plan.steps), plan.rate, plan.from);
+    found.reference = trial_.reference(plan.at, found.times.all);
+    found.deviation = deviation(trial_, plan.at, found.reference);
+    if (plan.defect) found.defect = defect_of(trial_, *plan.defect, plan.rate);
+    return found;
+}
+
+void Descent::add(const PlannedRung& plan, const Measured& found) {
+    const auto& [times, reference, deviation, defect] = found;
     result_.conditions.layer_end = plan.from;
     note(times, plan.at.interval - plan.from, plan.rate);
-    const Reference reference = trial_.reference(plan.at, times.all);
-    const Deviation found = deviation(trial_, plan.at, reference);
     const auto behind = std::upper_bound(times.all.begin(), times.all.end(), plan.layer);
     const auto within = static_cast<std::size_t>(behind - times.all.begin());
     for (std::size_t k = 0; k < result_.outputs.size(); ++k) {
         OutputVerdict& output = result_.outputs[k];
         LadderRung rung;
         rung.eps = plan.at.eps;
-        rung.max_error = largest(found.error[k], times.even);
-        rung.rms_error = root_mean_square(found.error[k], times.even);
-        rung.digits = found.digits;
+        rung.max_error = largest(deviation.error[k], times.even);
+        rung.rms_error = root_mean_square(deviation.error[k], times.even);
+        rung.digits = deviation.digits;
         rung.reference_error = reference.error[k];
-        rung.floor = found.floor[k];
-        rung.refused = found.refused;
-        rung.refusal = found.refusal;
+        rung.floor = deviation.floor[k];
+        rung.refused = deviation.refused;
+        rung.refusal = deviation.refusal;
         rung.scale = largest_value(reference.values[k]);
         if (growing_) // rounding has grown, too
             rung.reference_error = std::max(rung.reference_error, grown_rounding * rung.scale);
         if (plan.layer > 0)
-            output.layer.push_back(of_layer(rung, found.error[k], reference.values[k], within));
+            output.layer.push_back(of_layer(rung, deviation.error[k], reference.values[k], within));
         output.ladder.push_back(std::move(rung));
     }
     result_.conditions.moved = trial_.moved(plan.at);
-    if (growing_) add_defect(plan);
+    if (growing_) add_defect(plan, found);
     steps_of_last_ = *plan.steps;
 }
 
 // Beside modes that grow.
-void Descent::add_defect(const PlannedRung& plan) {
+void Descent::add_defect(const PlannedRung& plan, const Measured& found) {
     result_.conditions.growth_end = plan.at.interval;
-    if (!plan.defect) return;
-    for (const EquationDefect& equation : defect_of(trial_, *plan.defect, plan.rate)) {
+    for (const EquationDefect& equation : found.defect) {
         const auto known = std::find_if(result_.defects.begin(), result_.defects.end(),
                                         [&](const OutputVerdict& d) { return d.name == equation.variable; });
         OutputVerdict& defect = known == result_.defects.end() ? result_.defects.emplace_back() : *known;

@@ -30,8 +30,8 @@ public:
     // Plans all rungs before any is integrated; the first that takes too many steps ends the ladder, and
     // result.conditions.ladder_end says why. Errors: those of Trial::point and Trial::steps.
     [[nodiscard]] std::vector<PlannedRung> planned(const std::vector<Rational>& ladder);
-    // Integrates them and judges what there is by now. Numbers alone: neither GiNaC nor anything that other
-    // threads may share. Errors: those of Trial::reference.
+    // Integrates them, side by side, and judges what there is by now. Numbers alone: neither GiNaC nor
+    // anything that other threads may share. Errors: those of Trial::reference.
     void measure(const std::vector<PlannedRung>& rungs);
 
     // Both.
@@ -42,8 +42,10 @@ public:
 private:
     [[nodiscard]] std::optional<LadderEnd> end_at(const Rational& eps) const;
     [[nodiscard]] PlannedRung rung(const Rational& eps);
-    void add(const PlannedRung& plan);
-    void add_defect(const PlannedRung& plan);
+    struct Measured;
+    [[nodiscard]] Measured measured(const PlannedRung& plan) const;
+    void add(const PlannedRung& plan, const Measured& found);
+    void add_defect(const PlannedRung& plan, const Measured& found);
     void note(const SampleTimes& times, double length, double rate);
 
     const Trial& trial_;

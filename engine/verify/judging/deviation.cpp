@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/judging/deviation.hpp"
 
+#include "verify/run/parallel.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
-#include <thread>
 
 namespace resonform {
 
@@ -55,15 +55,12 @@ void tell_refusal(const Trial& trial, const Evaluator<Real>& evaluator, const Re
 template <class Real>
 void deviate(const Trial& trial, const TrialPoint& at, const Reference& reference, Deviation& result) {
     const std::size_t points = reference.times.size();
-    const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
+    const std::size_t parts = side_by_side();
     const Evaluator<Real> evaluator = trial.evaluator<Real>(at);
     result.error.assign(reference.values.size(), std::vector<double>(points));
-    std::vector<std::future<void>> work;
-    for (std::size_t j = 0; j < threads; ++j)
-        work.push_back(std::async(std::launch::async, [&, j] {
-            fill(trial, evaluator, reference, result.error, points * j / threads, points * (j + 1) / threads);
-        }));
-    for (auto& w : work) w.get();
+    in_parallel(parts, [&](std::size_t j) {
+        fill(trial, evaluator, reference, result.error, points * j / parts, points * (j + 1) / parts);
+    });
     tell_refusal(trial, evaluator, reference, result);
 }
 

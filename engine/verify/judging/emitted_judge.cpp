@@ -4,6 +4,7 @@
 #include "model/system/start_names.hpp"
 #include "verify/evaluate/interpretation.hpp"
 #include "verify/evaluate/interpreter.hpp"
+#include "verify/run/parallel.hpp"
 #include "verify/symbolic/ulp.hpp"
 
 #include <fmt/format.h>
@@ -119,8 +120,14 @@ template <class Real> EmittedInType EmittedJudge<Real>::judged(const Answers& an
         result_.points += answers[j].statuses.size();
         result_.compared += compared;
     }
+    if (is_enough()) return result_;
     draw_starts();
-    for (std::size_t j = 0; j < starts_.size() && !is_enough(); ++j) compare_start(starts_[j]);
+    std::vector<Status> at_start(starts_.size());
+    in_parallel(starts_.size(), [&](std::size_t j) {
+        std::vector<Real> values(program_.outputs.size());
+        at_start[j] = emitted_at(starts_[j].drawn).call(Real(0), values.data());
+    });
+    for (std::size_t j = 0; j < starts_.size() && !is_enough(); ++j) compare_start(starts_[j], at_start[j]);
     if (!result_.has_seen()) result_.ulp = std::numeric_limits<double>::quiet_NaN();
     return result_;
 }
@@ -152,15 +159,16 @@ template <class Real> void EmittedJudge<Real>::draw_starts() {
          emitted_points<Real>(scene_, starts_only<Real> * options_.starts, 0, options_.seed + 1)) {
         d.end *= Real(shortened);
         const SymbolicPoints asked = asked_of(d);
-        starts_.push_back({d, asked, symbolic_->start().at(asked.inputs).status});
+        starts_.push_back({d, asked, Status::ok});
     }
+    in_parallel(starts_.size(), [&](std::size_t j) {
+        starts_[j].exact = symbolic_->start().at(starts_[j].asked.inputs).status;
+    });
 }
 
 // Whether the map leads back to its start is asked at t = 0 only, and few starts fail: of many, the
 // status there. Where the exact start says another one, the whole exact solution is asked.
-template <class Real> void EmittedJudge<Real>::compare_start(const Start& start) {
-    std::vector<Real> values(program_.outputs.size());
-    const Status status = emitted_at(start.drawn).call(Real(0), values.data());
+template <class Real> void EmittedJudge<Real>::compare_start(const Start& start, Status status) {
     if (agree(status, start.exact)) return;
     std::unique_ptr<SymbolicEvaluator> beside;
     const SymbolicPoint exact = SymbolicEvaluator(symbolic_, start.asked.inputs, Wide(0))(Wide(0));

@@ -65,7 +65,7 @@ private:
     [[nodiscard]] EmittedAnswers<Real> room_for(std::size_t start) const;
 
     [[nodiscard]] std::size_t compare(const EmittedAnswers<Real>& answers, double enough);
-    void compare_start(const Start& start);
+    void compare_start(const Start& start, Status emitted);
     [[nodiscard]] bool at_edge(Status status, const SymbolicPoint& exact, const SymbolicPoints& asked, Real t,
                                std::unique_ptr<SymbolicEvaluator>& beside) const;
     void disagree(Status emitted, Status exact, const Points& drawn, Real t);

@@ -171,10 +171,10 @@ struct SymbolicEvaluator::Impl {
             WideComplex& y = beside.now[beyond.variable];
             (beyond.imaginary ? y.im : y.re) += push;
             beside.move_to(frame, T);
-            const Numbers moved = functions(beside);
+            const Numbers displaced = functions(beside);
             result.resize(here.size(), Wide(0));
             for (std::size_t k = 0; k < here.size(); ++k)
-                result[k] += abs(Wide(moved[k] - here[k])) / push * beyond.size;
+                result[k] += abs(Wide(displaced[k] - here[k])) / push * beyond.size;
         }
         return result;
     }
