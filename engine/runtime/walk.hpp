@@ -21,7 +21,7 @@
 namespace resonform {
 
 enum class Walked { sum, sum_and_number, product, scaled_product, reciprocal, root, function, end };
-enum class WalkedFunction { sin, cos, log, exp, asinh, sinh, erf, atan2, hypot };
+enum class WalkedFunction { sin, cos, log, log1p, exp, expm1, asinh, sinh, erf, atan2, hypot };
 
 // A rational number; both parts are exact in every real type.
 struct Ratio {
@@ -112,8 +112,12 @@ private:
             if (f == Of::cos) to = cos(x);
         if constexpr (uses(Of::log))
             if (f == Of::log) to = log(x);
+        if constexpr (uses(Of::log1p))
+            if (f == Of::log1p) to = log1p(x);
         if constexpr (uses(Of::exp))
             if (f == Of::exp) to = exp(x);
+        if constexpr (uses(Of::expm1))
+            if (f == Of::expm1) to = expm1(x);
         if constexpr (uses(Of::asinh))
             if (f == Of::asinh) to = asinh(x);
         if constexpr (uses(Of::sinh))

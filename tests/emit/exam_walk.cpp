@@ -40,7 +40,7 @@ std::vector<double> walked(const CppWalk& walk, const std::vector<double>& input
         ratios.push_back({std::stoll(to_string(Rational(cln::numerator(n)))),
                           std::stoll(to_string(Rational(cln::denominator(n))))});
     for (std::size_t k = 0; k < inputs.size(); ++k) places[walk.inputs[k].second] = inputs[k];
-    Walk<Digits, 0x1ff, double>(places.data(), ratios.data(), walk.text.c_str()).run();
+    Walk<Digits, 0x7ff, double>(places.data(), ratios.data(), walk.text.c_str()).run();
     std::vector<double> result(roots.size());
     Walk<Digits, 0, double>(places.data(), nullptr, walk.list(roots).c_str()).copy_to(result);
     return result;
@@ -81,6 +81,8 @@ TEST(Walk, EveryKindOfOperation) {
                                          g.function(Op::cos, {x}),
                                          g.function(Op::log, {x}),
                                          g.function(Op::exp, {x}),
+                                         g.function(Op::log1p, {x}),
+                                         g.function(Op::expm1, {x}),
                                          g.function(Op::asinh, {x}),
                                          g.function(Op::sinh, {x}),
                                          g.function(Op::erf, {x}),
@@ -100,6 +102,8 @@ TEST(Walk, EveryKindOfOperation) {
                                        std::cos(a),
                                        std::log(a),
                                        std::exp(a),
+                                       std::log1p(a),
+                                       std::expm1(a),
                                        std::asinh(a),
                                        std::sinh(a),
                                        std::erf(a),

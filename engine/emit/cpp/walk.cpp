@@ -17,9 +17,17 @@ constexpr std::size_t most_operands = base - 1;
 
 // In the order of the walk's.
 enum class Walked { sum, sum_and_number, product, scaled_product, reciprocal, root, function, end };
-constexpr std::array walked_functions{Graph::Op::sin, Graph::Op::cos,   Graph::Op::log,
-                                      Graph::Op::exp, Graph::Op::asinh, Graph::Op::sinh,
-                                      Graph::Op::erf, Graph::Op::atan2, Graph::Op::sqrt_sum_squares};
+constexpr std::array walked_functions{Graph::Op::sin,
+                                      Graph::Op::cos,
+                                      Graph::Op::log,
+                                      Graph::Op::log1p,
+                                      Graph::Op::exp,
+                                      Graph::Op::expm1,
+                                      Graph::Op::asinh,
+                                      Graph::Op::sinh,
+                                      Graph::Op::erf,
+                                      Graph::Op::atan2,
+                                      Graph::Op::sqrt_sum_squares};
 
 char digit(std::size_t n) {
     std::size_t c = '#' + n;
