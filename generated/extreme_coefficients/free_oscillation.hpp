@@ -355,7 +355,7 @@ private:
             std::array<Wide, 1> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                keep_constants(of.eps_, of.parameters_, of.start_, c);
+                keep_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_1};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
@@ -433,7 +433,6 @@ private:
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
         eps_ = eps;
-        parameters_ = parameters;
         start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
@@ -452,7 +451,6 @@ private:
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};
-    Parameters parameters_;
     Start start_;
     resonform::SharedTables shared_;
     Cause cause_;

@@ -134,7 +134,8 @@ TEST(Weights, SubstitutionsTakeOnlyWhatTheyMakeRight) {
     const Normalization n = test::certified(test::duffing(), 8);
     const GradedField& field = *n.normal_form.field;
     std::vector<int> taken;
-    for (const Substitution& step : substitutions(field, n.map, 8, {})) taken.push_back(step.mode.front());
+    for (const SubstitutionStep& step : substitutions(field, n.map, 8, {}))
+        taken.push_back(step.mode.front());
     EXPECT_EQ(taken, (std::vector{4, 6, 8}));
     EXPECT_TRUE(substitutions(field, n.map, 8, {false}).empty()) << "there is nothing but the mode";
 }

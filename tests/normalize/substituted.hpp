@@ -19,7 +19,7 @@ public:
         shift_.angle.resize(map_.angle.size());
         shift_.slow.resize(map_.slow.size());
         shift_.drift.resize(map_.drift.size());
-        for (const Substitution& step : substitutions(field_, map_, map_.through, {})) substitute(step);
+        for (const SubstitutionStep& step : substitutions(field_, map_, map_.through, {})) substitute(step);
     }
 
     void expect(const NearIdentityMap& inverse) const {
@@ -37,7 +37,7 @@ private:
         for (int w = 0; w <= map_.through; ++w) result.set(w, -composed.part(w));
         return result;
     }
-    void substitute(const Substitution& step) {
+    void substitute(const SubstitutionStep& step) {
         std::vector<int> weights = field_.mode_weights();
         if (weights.empty()) weights = {0};
         std::reverse(weights.begin(), weights.end());

@@ -48,7 +48,7 @@ public:
         } else {
             new_ = given_;
             if (solved_) new_.modes[solved_->mode] = zero();
-            for (const Substitution& step : start_substitutions(solution_, physical))
+            for (const SubstitutionStep& step : start_substitutions(solution_, physical))
                 substitute(physical, step);
         }
         require_near_identity(program_, solution_, real_, surroundings_,
@@ -80,8 +80,8 @@ private:
     FlowUnit row_entry(std::size_t k, std::size_t s, Lowering& lowering);
     FlowUnit old_mode(std::size_t k, const std::vector<Graph::Node>& states, const Lowering& lowering);
     FlowUnit polar(const Mode& mode);
-    void substitute(bool modes, const Substitution& step);
-    void substitute(bool modes, const Substitution& step, int of_weight, bool others);
+    void substitute(bool modes, const SubstitutionStep& step);
+    void substitute(bool modes, const SubstitutionStep& step, int of_weight, bool others);
     FlowUnit unit(Graph::Node angle);
     FlowUnit turned(const FlowUnit& unit, Graph::Node by);
     Graph::Node drift(std::size_t k);
@@ -275,7 +275,7 @@ void FlowStart::put_inverse_map() {
 
 // zeta <- xi_0 - k(w, theta, zeta), theta <- phi_0 - m(w, theta, zeta); with `modes` w <- z_0 - h(w, theta,
 // zeta), those of lower weight first: products of them may be as heavy as a mode in whose map they stand.
-void FlowStart::substitute(bool modes, const Substitution& step) {
+void FlowStart::substitute(bool modes, const SubstitutionStep& step) {
     std::vector<int> weights = modes ? field_.mode_weights() : std::vector<int>();
     if (weights.empty()) weights.push_back(0);
     std::reverse(weights.begin(), weights.end());
@@ -283,7 +283,7 @@ void FlowStart::substitute(bool modes, const Substitution& step) {
 }
 
 // The modes of one weight; `others`: slow variables and angles, too.
-void FlowStart::substitute(bool modes, const Substitution& step, int of_weight, bool others) {
+void FlowStart::substitute(bool modes, const SubstitutionStep& step, int of_weight, bool others) {
     Graph& graph = program_.graph;
     FlowMoment now(program_, real_, surroundings_, new_, false);
     const auto shift = [&](const Series& series, int through, int weight, bool real) {
@@ -349,7 +349,7 @@ bool starts_by_inverse_map(const Solution& solution) {
     return terms <= most_inverted;
 }
 
-std::vector<Substitution> start_substitutions(const Solution& solution, bool modes) {
+std::vector<SubstitutionStep> start_substitutions(const Solution& solution, bool modes) {
     SubstitutionFor wanted{modes};
     for (std::size_t k = 0; k < solution.flow->modes.size(); ++k)
         if (solution.flow->modes[k].is_at_zero) wanted.mode_at_zero = k;

@@ -23,7 +23,7 @@ namespace resonform {
 bool starts_by_inverse_map(const Solution& solution);
 
 // Those for a start that does not go through the inverse map; modes: they are looked for, too.
-std::vector<Substitution> start_substitutions(const Solution& solution, bool modes);
+std::vector<SubstitutionStep> start_substitutions(const Solution& solution, bool modes);
 
 FlowValues flow_start(Program& program, const Solution& solution, const Scene& scene, const RealForm& real,
                       const Surroundings& surroundings, const std::map<std::string, Graph::Node>& names);

@@ -29,7 +29,7 @@ public:
                std::any_of(error_.begin(), error_.end(), [&](int e) { return e <= through_; });
     }
 
-    Substitution substitute() {
+    SubstitutionStep substitute() {
         std::vector<int> taken(lowest_.size(), -1), weights{0};
         if (wanted_.modes && modes_ > 0) weights = field_.mode_weights();
         std::reverse(weights.begin(), weights.end());
@@ -97,10 +97,10 @@ private:
 
 } // namespace
 
-std::vector<Substitution> substitutions(const GradedField& field, const NearIdentityMap& map, int through,
-                                        const SubstitutionFor& wanted) {
+std::vector<SubstitutionStep> substitutions(const GradedField& field, const NearIdentityMap& map, int through,
+                                            const SubstitutionFor& wanted) {
     ErrorWeights errors(field, map, through, wanted);
-    std::vector<Substitution> list;
+    std::vector<SubstitutionStep> list;
     // Terms that gain nothing lead from heavier modes to lighter ones, or from modes to angles and slow
     // variables, never in a circle: so many substitutions are enough.
     const std::size_t most =

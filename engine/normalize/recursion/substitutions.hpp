@@ -17,7 +17,7 @@
 namespace resonform {
 
 // Of each series of the map: through which weight a substitution takes it; below 0: not at all.
-struct Substitution {
+struct SubstitutionStep {
     std::vector<int> mode, angle, slow;
 };
 
@@ -27,7 +27,7 @@ struct SubstitutionFor {
     // A mode whose new value is 0: a state follows from it, and with that all old modes.
     std::optional<std::size_t> mode_at_zero = std::nullopt;
 };
-std::vector<Substitution> substitutions(const GradedField& field, const NearIdentityMap& map, int through,
-                                        const SubstitutionFor& wanted);
+std::vector<SubstitutionStep> substitutions(const GradedField& field, const NearIdentityMap& map, int through,
+                                            const SubstitutionFor& wanted);
 
 } // namespace resonform

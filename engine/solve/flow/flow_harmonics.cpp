@@ -38,30 +38,57 @@ int size_of(const Powers& powers) {
     return std::accumulate(powers.decays.begin(), powers.decays.end(), sum);
 }
 
-Polynomial rate_of(const SlowFlow& flow, const std::vector<int>& turns) {
-    Polynomial rate;
-    for (std::size_t p = 0; p < turns.size(); ++p)
-        if (turns[p] != 0) rate = rate + Rational(turns[p]) * flow.phases[p];
-    return rate;
+// Which sums of frequencies vanish. Sums and differences of a thousand harmonics are few up to a factor.
+class Frequencies {
+public:
+    Frequencies(const Ring& ring, const SlowFlow& flow) : ring_(ring), flow_(flow) {}
+
+    // sum_p k_p theta_p' = 0
+    [[nodiscard]] bool cancel(std::vector<int> k) {
+        int factor = 0;
+        for (const int n : k) factor = std::gcd(factor, n);
+        if (factor == 0) return true;
+        if (*std::find_if(k.begin(), k.end(), [](int n) { return n != 0; }) < 0) factor = -factor;
+        for (int& n : k) n /= factor;
+        const auto known = known_.find(k);
+        return known != known_.end() ? known->second
+                                     : known_.emplace(k, ring_.vanishes(rate_of(k))).first->second;
+    }
+
+private:
+    [[nodiscard]] Polynomial rate_of(const std::vector<int>& k) const {
+        Polynomial rate;
+        for (std::size_t p = 0; p < k.size(); ++p)
+            if (k[p] != 0) rate = rate + Rational(k[p]) * flow_.phases[p];
+        return rate;
+    }
+
+    const Ring& ring_;
+    const SlowFlow& flow_;
+    std::map<std::vector<int>, bool> known_;
+};
+
+// a + sign b
+std::vector<int> sum_of(std::vector<int> a, const std::vector<int>& b, int sign) {
+    for (std::size_t p = 0; p < a.size(); ++p) a[p] += sign * b[p];
+    return a;
 }
 
-// A harmonic with the rate of its angle (which its conjugate has with the other sign) and its terms.
 struct Found {
     Powers powers;
-    Polynomial rate;
     std::vector<Term> terms;
 };
 
 // The harmonic of the same rate among those found; false: neither it nor its conjugate is there.
-bool join(const Ring& ring, std::vector<Found>& found, const Powers& powers, const Polynomial& rate,
+bool join(Frequencies& frequencies, std::vector<Found>& found, const Powers& powers,
           const std::vector<Term>& terms) {
     for (Found& known : found) {
         if (known.powers.decays != powers.decays) continue;
-        if (ring.vanishes(known.rate - rate)) {
+        if (frequencies.cancel(sum_of(known.powers.turns, powers.turns, -1))) {
             known.terms.insert(known.terms.end(), terms.begin(), terms.end());
             return true;
         }
-        if (ring.vanishes(known.rate + rate)) return true;
+        if (frequencies.cancel(sum_of(known.powers.turns, powers.turns, 1))) return true;
     }
     return false;
 }
@@ -78,7 +105,7 @@ bool FlowHarmonic::lasts() const { return is_zero(decays); }
 
 std::vector<FlowHarmonic> flow_harmonics(const GradedField& field, const SlowFlow& flow,
                                          const Polynomial& p) {
-    const Ring& ring = *field.ring;
+    Frequencies frequencies(*field.ring, flow);
     const auto order = [](const Powers& a, const Powers& b) { // k before -k
         return std::tuple(size_of(a), b.turns, b.decays) < std::tuple(size_of(b), a.turns, a.decays);
     };
@@ -89,15 +116,14 @@ std::vector<FlowHarmonic> flow_harmonics(const GradedField& field, const SlowFlo
         const Powers none{std::vector<int>(powers.turns.size(), 0), powers.decays};
         for (Found& known : found)
             if (known.powers == none) return known;
-        return *found.insert(is_zero(none.decays) ? found.begin() : found.end(), {none, {}, {}});
+        return *found.insert(is_zero(none.decays) ? found.begin() : found.end(), {none, {}});
     };
     for (auto& [powers, terms] : sorted) {
-        Polynomial rate = rate_of(flow, powers.turns);
-        if (ring.vanishes(rate)) {
+        if (frequencies.cancel(powers.turns)) {
             Found& still = without_turns(powers);
             still.terms.insert(still.terms.end(), terms.begin(), terms.end());
-        } else if (!join(ring, found, powers, rate, terms)) {
-            found.push_back({powers, std::move(rate), std::move(terms)});
+        } else if (!join(frequencies, found, powers, terms)) {
+            found.push_back({powers, std::move(terms)});
         }
     }
     std::vector<FlowHarmonic> result;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double default_eps = 0.01;
 constexpr double corner_probability = 0.4;
-constexpr int most_draws = 20, most_ways_out = 6;
+constexpr int most_draws = 60, most_ways_out = 6;
 constexpr double edge_decades = 6;
 constexpr double parameter_decades = 1e12, largest_start = 1e3, smallest_start = 1e-12;
 constexpr double largest_phase = 1e12;

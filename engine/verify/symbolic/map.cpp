@@ -62,7 +62,7 @@ SymbolicMap::Shifts SymbolicMap::shifts(const NearIdentityMap& map) const {
     return result;
 }
 
-SymbolicMap::Shifts SymbolicMap::shifts(const NearIdentityMap& map, const Substitution& step) const {
+SymbolicMap::Shifts SymbolicMap::shifts(const NearIdentityMap& map, const SubstitutionStep& step) const {
     const auto sums = [&](const std::vector<Series>& list, const std::vector<int>& through) {
         std::vector<SymbolicSum> result;
         for (std::size_t k = 0; k < list.size(); ++k)

@@ -26,7 +26,7 @@ public:
     };
     [[nodiscard]] Shifts shifts(const NearIdentityMap& map) const;
     // Without drifts, as far as a substitution takes them.
-    [[nodiscard]] Shifts shifts(const NearIdentityMap& map, const Substitution& step) const;
+    [[nodiscard]] Shifts shifts(const NearIdentityMap& map, const SubstitutionStep& step) const;
     [[nodiscard]] const Shifts& map() const { return map_; }
     [[nodiscard]] Wide scale_of_mode(std::size_t k, const Wide& eps) const;
 

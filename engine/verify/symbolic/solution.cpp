@@ -89,7 +89,8 @@ void SymbolicSolution::add_layers(const std::function<Polynomial(const Polynomia
     for (const MovingDivisor& moving : moving_divisors(*solution_.normalization))
         layers_.push_back({ring_->fixed()(lifted(moving.divisor)), ring_->fixed()(lifted(moving.rate))});
     for (const StandingDivisor& standing : standing_divisors(*solution_.normalization))
-        conditions_.push_back({SymbolicCondition::Kind::standing, ring_->fixed()(lifted(standing.square - standing.least))});
+        conditions_.push_back(
+            {SymbolicCondition::Kind::standing, ring_->fixed()(lifted(standing.square - standing.least))});
 }
 
 void SymbolicSolution::add_corrections() {

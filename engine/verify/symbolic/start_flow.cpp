@@ -34,7 +34,7 @@ public:
             physical_drift_.push_back(scene.start_of(drift.name) != nullptr);
         inverts_ = physical_ && !scene.at_zero && starts_by_inverse_map(solution);
         if (!inverts_)
-            for (const Substitution& step : start_substitutions(solution, physical_))
+            for (const SubstitutionStep& step : start_substitutions(solution, physical_))
                 substitutions_.push_back(map_.shifts(normalization.map, step));
         if (!physical_) return;
         if (scene.at_zero) {
