@@ -40,7 +40,10 @@ std::vector<double> walked(const CppWalk& walk, const std::vector<double>& input
         ratios.push_back({std::stoll(to_string(Rational(cln::numerator(n)))),
                           std::stoll(to_string(Rational(cln::denominator(n))))});
     for (std::size_t k = 0; k < inputs.size(); ++k) places[walk.inputs[k].second] = inputs[k];
-    Walk<Digits, 0x7ff, double>(places.data(), ratios.data(), walk.text.c_str()).run();
+    for (const std::string& text : walk.texts) {
+        EXPECT_LT(text.size(), 65536U);
+        Walk<Digits, 0x7ff, double>(places.data(), ratios.data(), text.c_str()).run();
+    }
     std::vector<double> result(roots.size());
     Walk<Digits, 0, double>(places.data(), nullptr, walk.list(roots).c_str()).copy_to(result);
     return result;
@@ -145,7 +148,7 @@ TEST(Walk, LongSumsAndProductsAndManyPlaces) {
         roots.push_back(
             g.add({g.multiply({g.rational(k + 2), factors[0]}), g.rational(Rational(1) / (k + 2))}));
     found = walked(f, roots, numbers, 3);
-    ASSERT_EQ(found.size(), 9000U);
+    ASSERT_EQ(found.size(), 9000U) << "text of several pieces";
     for (std::size_t k = 0; k < found.size(); k += 100)
         EXPECT_NEAR(found[k], (static_cast<double>(k) + 2) * numbers[0] + 1 / (static_cast<double>(k) + 2),
                     1e-11);

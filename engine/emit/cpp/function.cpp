@@ -19,9 +19,9 @@ namespace {
 
 using Value = StraightLine::Value;
 
-constexpr std::size_t longest_function = 300; // operations
-constexpr std::size_t longest_piece = 120;    // statements
-constexpr std::size_t longest_inline = 64;    // characters
+constexpr std::ptrdiff_t longest_function = 300; // operations
+constexpr std::size_t longest_piece = 120;       // statements
+constexpr std::size_t longest_inline = 64;       // characters
 
 // A short integer that is not negative.
 std::string integer_text(const std::string& type, const Integer& n) {
@@ -89,7 +89,8 @@ void CppFunction::compute(const std::vector<Value>& roots, bool through_constant
     for (const Value v : order)
         if (code_->at(v).varying || through_constants)
             for (const Value operand : code_->at(v).operands) uses[operand] += 1;
-    in_pieces_ = order.size() > longest_function;
+    in_pieces_ = std::count_if(order.begin(), order.end(), [&](Value v) { return texts_.count(v) == 0; }) >
+                 longest_function;
     for (const Value v : order)
         if (texts_.count(v) == 0) compute_one(v, uses[v]);
     for (const Value root : roots)
@@ -288,9 +289,11 @@ std::string CppFunction::print(const Frame& frame) const {
 
 // The walk, and what is done with its values.
 std::string CppFunction::walk_lines(const std::string& function) const {
-    std::string text = fmt::format(
-        "        resonform::Walk<{}, {}, {}> walk(w.data(), {}_numbers.data(),\n{});\n        walk.run();\n",
-        walk_->digits, walk_->functions, type_, function, literal_lines(walk_->text));
+    std::vector<std::string> texts;
+    for (const std::string& text : walk_->texts) texts.push_back(literal_lines(text));
+    std::string text = fmt::format("        for (const char* text : {{\n{}}})\n            "
+                                   "resonform::Walk<{}, {}, {}>(w.data(), {}_numbers.data(), text).run();\n",
+                                   fmt::join(texts, ",\n"), walk_->digits, walk_->functions, type_, function);
     std::set<Value> listed;
     for (const auto& [list, array] : lists_) {
         text += fmt::format("        resonform::Walk<{}, {}, {}>(w.data(), nullptr,\n{}).copy_to({});\n",

@@ -65,9 +65,7 @@ public:
         const std::size_t most = std::max(used_, walk_.numbers.size());
         walk_.digits = most > base * base ? 3 : 2;
         if (most > base * base * base) return std::nullopt;
-        for (const auto& [is_digit, n] : symbols_)
-            walk_.text += is_digit ? std::string(1, digit(n)) : in_digits(n, walk_.digits);
-        walk_.text += digit(static_cast<std::size_t>(Walked::end));
+        write();
         return std::move(walk_);
     }
 
@@ -101,8 +99,25 @@ private:
         return place;
     }
 
+    void write() {
+        constexpr std::size_t longest = 60000;
+        std::string text;
+        const auto end = [&] {
+            walk_.texts.push_back(text + digit(static_cast<std::size_t>(Walked::end)));
+            text.clear();
+        };
+        for (std::size_t k = 0; k < symbols_.size(); ++k) {
+            if (text.size() > longest && begins_.contains(k)) end();
+            const auto& [is_digit, n] = symbols_[k];
+            text += is_digit ? std::string(1, digit(n)) : in_digits(n, walk_.digits);
+        }
+        end();
+    }
     void put_digit(std::size_t n) { symbols_.emplace_back(true, n); }
-    void put(Walked what) { put_digit(static_cast<std::size_t>(what)); }
+    void put(Walked what) {
+        begins_.insert(symbols_.size());
+        put_digit(static_cast<std::size_t>(what));
+    }
     void put_index(std::size_t n) { symbols_.emplace_back(false, n); }
     void put_number(const Rational& value) {
         const auto [known, fresh] = numbers_.try_emplace(value, walk_.numbers.size());
@@ -205,6 +220,7 @@ private:
     std::set<std::size_t> free_;
     std::size_t used_ = 0;
     std::vector<std::pair<bool, std::size_t>> symbols_; // one digit, or several
+    std::set<std::size_t> begins_;                      // of operations
 };
 
 } // namespace

@@ -20,7 +20,7 @@ struct CppWalk {
     unsigned functions = 0;                                          // bit k: function k of the walk occurs
     std::vector<std::pair<StraightLine::Value, std::size_t>> inputs; // and their places at the beginning
     std::vector<Rational> numbers;
-    std::string text;
+    std::vector<std::string> texts; // one after the other: of a length that every compiler takes
     std::map<StraightLine::Value, std::size_t> place_of; // of the roots
 
     // Places as text, for Walk::copy_to.
