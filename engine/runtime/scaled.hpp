@@ -22,6 +22,12 @@ template <class Number> struct Scaled {
     Scaled() = default;
     template <class Other> explicit Scaled(const Other& x) : Scaled(Number(x), 0) {}
     Scaled(const Number& m, long e) : mantissa(m), exponent(e) {
+        const Number size = math::magnitude(m);
+        if (!(size < Number(0x1p300) && size > Number(0x1p-300))) put_in_range();
+    }
+
+    // Of what is 0, not finite, too large or too small.
+    void put_in_range() {
         using math::scaled_by;
         const auto size = [this] { return math::magnitude(mantissa); };
         if (!math::finite(mantissa) || mantissa == Number(0)) {
@@ -51,7 +57,10 @@ template <class Number> struct Scaled {
         return fits(x) ? x : math::not_a_number<Number>();
     }
 
-    friend Scaled operator-(const Scaled& a) { return {Number(-a.mantissa), a.exponent}; }
+    friend Scaled operator-(Scaled a) {
+        a.mantissa = -a.mantissa;
+        return a;
+    }
     friend Scaled operator*(const Scaled& a, const Scaled& b) {
         return {Number(a.mantissa * b.mantissa), a.exponent + b.exponent};
     }
@@ -59,12 +68,16 @@ template <class Number> struct Scaled {
         return {Number(a.mantissa / b.mantissa), a.exponent - b.exponent};
     }
     friend Scaled operator+(const Scaled& a, const Scaled& b) {
+        if (a.exponent == b.exponent) return {Number(a.mantissa + b.mantissa), a.exponent};
         if (a.mantissa == Number(0)) return b;
         if (b.mantissa == Number(0)) return a;
         const long e = a.exponent < b.exponent ? b.exponent : a.exponent;
         return {Number(a.at(e) + b.at(e)), e};
     }
-    friend Scaled operator-(const Scaled& a, const Scaled& b) { return a + (-b); }
+    friend Scaled operator-(const Scaled& a, const Scaled& b) {
+        if (a.exponent == b.exponent) return {Number(a.mantissa - b.mantissa), a.exponent};
+        return a + (-b);
+    }
     friend bool operator>(const Scaled& a, const Scaled& b) { return (a - b).mantissa > Number(0); }
 
     // In units of 2^(600 e), e >= exponent.
