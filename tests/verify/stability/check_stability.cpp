@@ -176,8 +176,8 @@ TEST(Stability, SamePointsForTheSameSeedInsideTheDomain) {
     const auto nowhere = [&](const SweepPoint&) { return ++asked, false; };
     asked = 0;
     EXPECT_EQ(sweep_points(program, line.scene, 3, 2, nowhere).size(), 3U);
-    EXPECT_EQ(asked, 60)
-        << "twenty times each, but for the scene's own; before what is moved to the edge, too";
+    EXPECT_EQ(asked, 180)
+        << "sixty times each, but for the scene's own; before what is moved to the edge, too";
 }
 
 } // namespace
