@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace resonform {
 
@@ -313,8 +314,9 @@ void CppPlan::name_kept() {
         const std::string& in = user[static_cast<std::size_t>(v)];
         const bool known = !code.at(v).label.empty() || code.at(v).op == StraightLine::Op::symbol;
         const bool is_listed = std::binary_search(listed.begin(), listed.end(), v);
-        const std::string called = is_listed ? "a constant" : member->second;
-        kept.emplace_back(v, known || in.empty() || in == member->second ? called : called + " in " + in);
+        std::string called = is_listed ? "a constant" : member->second;
+        if (!known && !in.empty() && in != member->second) called.append(" in ").append(in);
+        kept.emplace_back(v, std::move(called));
     }
 }
 

@@ -140,7 +140,7 @@ TEST_P(SlowDeletion, OfEachStatementChangesANumberOrAStatus) {
             << "without it something changes by now: " << s.statement << "  (" << s.reason << ")";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SlowDeletion,
+INSTANTIATE_TEST_SUITE_P(SlowScenes, SlowDeletion,
                          ::testing::Values("nonholonomic_particle/uniform_rise",
                                            "crossing_rates/through_one_rate",
                                            "almost_holonomic_pendulum/third_order"));
