@@ -163,7 +163,7 @@ template <class Real> Twice<Real> log(const Twice<Real>& x) {
     return guess + (x * exp(-guess) - Twice<Real>(1));
 }
 
-// log(1 + x): of a guess g what is left is (1 + x) e^-g - 1 = x + (1 + x) (e^-g - 1).
+// log(1 + x), by one Newton step from a guess g: its error is (1 + x) e^-g - 1 = x + (1 + x) (e^-g - 1).
 template <class Real> Twice<Real> log1p(const Twice<Real>& x) {
     using math::log1p;
     const Twice<Real> guess(log1p(x.high));

@@ -287,7 +287,7 @@ std::string CppFunction::print(const Frame& frame) const {
                                   frame.parameters, lines(frame.first) + body + lines(frame.last));
 }
 
-// The walk, and what is done with its values.
+// The statements that run the walk and copy its results to where they belong.
 std::string CppFunction::walk_lines(const std::string& function) const {
     std::vector<std::string> texts;
     for (const std::string& text : walk_->texts) texts.push_back(literal_lines(text));

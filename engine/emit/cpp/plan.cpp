@@ -265,7 +265,7 @@ void CppPlan::find_members(bool conditions) {
     }
 }
 
-// Is what they are computed from too long for statements?
+// Whether these constants take so many operations that a loop walks them, instead of statements.
 bool CppPlan::is_long(const std::vector<Value>& constants) const {
     constexpr std::size_t longest = 2000;
     const std::vector<Value> order = code.behind(constants, true);

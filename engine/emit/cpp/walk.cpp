@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/walk.hpp"
 
+#include "emit/program/reused_places.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -53,7 +55,7 @@ public:
             return std::nullopt;
         find_last_uses(roots);
         for (const Value v : order_)
-            if (is_input(v)) walk_.inputs.emplace_back(v, places_[v] = new_place());
+            if (is_input(v)) walk_.inputs.emplace_back(v, places_[v] = free_.take());
         for (std::size_t k = 0; k < order_.size(); ++k) {
             const Value v = order_[k];
             if (is_input(v) || (is_number(v) && last_use_[v] < order_.size())) continue;
@@ -61,8 +63,8 @@ public:
             release(v, k);
         }
         for (const Value v : roots) walk_.place_of[v] = places_.at(v);
-        walk_.places = used_;
-        const std::size_t most = std::max(used_, walk_.numbers.size());
+        walk_.places = free_.used();
+        const std::size_t most = std::max(walk_.places, walk_.numbers.size());
         walk_.digits = most > base * base ? 3 : 2;
         if (most > base * base * base) return std::nullopt;
         write();
@@ -90,15 +92,8 @@ private:
     void release(Value v, std::size_t k) {
         std::set<Value> operands(code_.at(v).operands.begin(), code_.at(v).operands.end());
         for (const Value operand : operands)
-            if (last_use_.at(operand) == k && places_.contains(operand)) free_.insert(places_.at(operand));
+            if (last_use_.at(operand) == k && places_.contains(operand)) free_.give_back(places_.at(operand));
     }
-    std::size_t new_place() {
-        if (free_.empty()) return used_++;
-        const std::size_t place = *free_.begin();
-        free_.erase(free_.begin());
-        return place;
-    }
-
     void write() {
         constexpr std::size_t longest = 60000;
         std::string text;
@@ -126,7 +121,7 @@ private:
     }
     std::size_t place(Value v) {
         if (const auto known = places_.find(v); known != places_.end()) return known->second;
-        const std::size_t place = places_[v] = new_place(); // a number beside another one
+        const std::size_t place = places_[v] = free_.take(); // a number beside another one
         put_sum(0, 0, &code_.at(v).number, place);
         return place;
     }
@@ -158,7 +153,7 @@ private:
             put_digit(which);
             put_digit(arguments.size());
         }
-        put_index(places_[v] = new_place());
+        put_index(places_[v] = free_.take());
         for (const std::size_t argument : arguments) put_index(argument);
     }
 
@@ -174,7 +169,7 @@ private:
             else
                 (k < positive ? plus : minus).push_back(place(w));
         }
-        const std::size_t to = places_[v] = new_place();
+        const std::size_t to = places_[v] = free_.take();
         while (!plus.empty() || !minus.empty() || number) {
             const std::size_t p = std::min(plus.size(), most_operands),
                               m = std::min(minus.size(), most_operands);
@@ -197,7 +192,7 @@ private:
             else
                 factors.push_back(place(w));
         }
-        const std::size_t to = places_[v] = new_place();
+        const std::size_t to = places_[v] = free_.take();
         while (!factors.empty()) {
             const std::size_t count = std::min(factors.size(), most_operands);
             put(number ? Walked::scaled_product : Walked::product);
@@ -217,8 +212,7 @@ private:
     CppWalk walk_;
     std::map<Value, std::size_t> places_, last_use_;
     std::map<Rational, std::size_t> numbers_;
-    std::set<std::size_t> free_;
-    std::size_t used_ = 0;
+    ReusedPlaces free_;
     std::vector<std::pair<bool, std::size_t>> symbols_; // one digit, or several
     std::set<std::size_t> begins_;                      // of operations
 };

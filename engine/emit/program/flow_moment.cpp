@@ -46,7 +46,7 @@ int sense(const std::vector<int>& turns) {
 
 // About how many products and sums it takes; a divisor is a sum of its own.
 std::size_t length(const std::vector<Fraction>& list) {
-    std::size_t terms = 0;
+    std::size_t terms = 0; // 0: too many to be multiplied out
     for (const Fraction& f : list) {
         terms += f.numerator.size();
         for (const Polynomial& divisor : f.divisors) terms += 2 + divisor.size();
@@ -72,6 +72,14 @@ FlowSum flow_sum(const RealForm& form, const Polynomial& p, int power, bool real
     };
     FlowSum by_turns, multiplied_out;
     by_turns.real = multiplied_out.real = real;
+    std::size_t terms = 0; // 0: too many to be multiplied out
+    if (form.length(p) <= longest) {
+        const RealForm::Value parts = form(p);
+        multiplied_out.re = fractions(parts.re, 1);
+        if (!real) multiplied_out.im = fractions(parts.im, 1);
+        terms = length(multiplied_out);
+        if (terms <= short_sum) return multiplied_out;
+    }
     for (const RealForm::Harmonic& h : form.harmonics(p)) {
         const int turning = sense(h.turns);
         if (real && turning < 0) continue;
@@ -79,13 +87,7 @@ FlowSum flow_sum(const RealForm& form, const Polynomial& p, int power, bool real
         by_turns.harmonics.push_back(
             {h.turns, fractions(h.coefficient.re, factor), fractions(h.coefficient.im, factor)});
     }
-    if (form.length(p) > longest) return by_turns;
-    const RealForm::Value parts = form(p);
-    multiplied_out.re = fractions(parts.re, 1);
-    if (!real) multiplied_out.im = fractions(parts.im, 1);
-    const std::size_t terms = length(multiplied_out);
-    if (terms > short_sum && terms > much * length(by_turns)) return by_turns;
-    return multiplied_out;
+    return terms == 0 || terms > much * length(by_turns) ? by_turns : multiplied_out;
 }
 
 FlowMoment::Unit FlowMoment::value(const FlowSum& sum) {
@@ -125,7 +127,7 @@ FlowMoment::Unit FlowMoment::product(std::vector<int> turns) {
     return products_[turns] = sense(before) == 0 ? factor : times(product(std::move(before)), factor);
 }
 
-// The first that are not multiplied out want them.
+// Only sums that are not multiplied out use them.
 void FlowMoment::define_moduli() {
     const std::vector<GeneratorId>& ids = real_.moduli();
     for (std::size_t k = 0; k < ids.size(); ++k) {

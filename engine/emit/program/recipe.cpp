@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/program/recipe.hpp"
 
+#include "emit/program/reused_places.hpp"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -13,7 +15,7 @@ namespace {
 using Value = StraightLine::Value;
 using Kind = Recipe::Kind;
 
-constexpr int most_slots = 1024; // runtime/kernel/view.hpp, most_factors
+constexpr std::size_t most_slots = 1024; // runtime/kernel/view.hpp, most_factors
 
 bool reads_a(Kind kind) {
     return kind == Kind::product || kind == Kind::sum || kind == Kind::difference ||
@@ -198,9 +200,8 @@ private:
     bool assign_slots() {
         std::vector<int> slot(degrees_.size(), -1), last(degrees_.size(), -1);
         for (int place = 0; place < turned_; ++place) slot[static_cast<std::size_t>(place)] = place;
-        int next = turned_;
-        for (const int place : atoms_) slot[static_cast<std::size_t>(place)] = next++;
-        const int first = next;
+        int first = turned_;
+        for (const int place : atoms_) slot[static_cast<std::size_t>(place)] = first++;
         std::vector<Recipe::Operation>& list = recipe_.operations;
         const auto for_operands = [](auto& o, const auto& f) {
             if (reads_a(o.kind)) f(o.a);
@@ -212,23 +213,20 @@ private:
                          [&](int place) { last[static_cast<std::size_t>(place)] = static_cast<int>(k); });
         for (const int place : recipe_.results)
             last[static_cast<std::size_t>(place)] = static_cast<int>(list.size());
-        std::set<int> free;
+        ReusedPlaces free(static_cast<std::size_t>(first));
         for (std::size_t k = 0; k < list.size(); ++k) {
             Recipe::Operation& o = list[k];
-            std::set<int> gone;
             for_operands(o, [&](int& place) {
                 const auto p = static_cast<std::size_t>(place);
                 place = slot[p];
-                if (place >= first && last[p] == static_cast<int>(k)) gone.insert(place);
+                if (place >= first && last[p] == static_cast<int>(k))
+                    free.give_back(static_cast<std::size_t>(place));
             });
-            free.insert(gone.begin(), gone.end());
             const auto to = static_cast<std::size_t>(o.to);
-            slot[to] = free.empty() ? next++ : *free.begin();
-            free.erase(slot[to]);
-            o.to = slot[to];
+            o.to = slot[to] = static_cast<int>(free.take());
         }
         for (int& place : recipe_.results) place = slot[static_cast<std::size_t>(place)];
-        return next <= most_slots;
+        return free.used() <= most_slots;
     }
 
     StraightLine& code_;

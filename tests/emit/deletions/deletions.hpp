@@ -12,7 +12,7 @@
 namespace resonform::test {
 
 struct Deletions {
-    std::string text;                // the header with what is deleted where gone(n) says so
+    std::string text;                // the header; statement n of `places` is skipped where gone(n)
     std::vector<std::string> places; // of n = 1, 2, ...: the statements
     std::vector<std::string> unused; // declarations whose name stands nowhere else
 };
