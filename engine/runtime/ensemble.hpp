@@ -28,6 +28,7 @@ public:
     using Mask = kernel::Mask;
     std::array<Pack, Course::columns> tables{};
     std::array<Pack, Course::angles> cosine{}, sine{};
+    bool in_range = true; // of a double, whatever is computed once, for all members
 
     PackedEnd(const Course& course, const Pack& eps, const Pack& t) : course_(course), eps_(eps), t_(t) {}
 
@@ -55,6 +56,10 @@ private:
     template <class Number, std::size_t n> Mask integrate(const Number& end, Mask open, double most) {
         Mask done = open & ~open;
         const typename Course::template Angles<Number> turning(course_);
+        if (turning.lost.status != Status::ok) {
+            in_range = false;
+            return done;
+        }
         for (int parts = 1; parts <= 8 && open.any(); parts *= 2) {
             FinalSums<Pack, Course, Number, n> sums(course_, turning);
             const Mask resolved = open & sums.integrate_evenly(end, parts);
@@ -227,28 +232,46 @@ private:
     }
 
     // The outputs of all lanes, and the members that are answered; `status` is ok if all outputs of all lanes
-    // are. Not inlined: a member has the same bits whether it is computed among others or alone.
+    // are and what is computed once has stayed in range. Not inlined: a member has the same bits whether it
+    // is computed among others or alone.
     template <class Packed, std::size_t Count>
     [[gnu::noinline, gnu::flatten]] static kernel::Mask compute(const Gathered<Packed>& some, bool full_phase,
                                                                 std::array<kernel::Pack, Count>& values,
                                                                 Status& status) {
         using Pack = kernel::Pack;
         typename Packed::template Constants<Pack> c;
-        Packed::compute_constants(some.eps, some.parameters, some.start, c);
+        constexpr bool asked = requires { Packed::keep_constants(some.eps, some.parameters, some.start, c); };
+        if constexpr (!asked)
+            Packed::compute_constants(some.eps, some.parameters, some.start, c);
+        else if (Packed::keep_constants(some.eps, some.parameters, some.start, c).status != Status::ok) {
+            status = Status::overflow;
+            return some.fit;
+        }
         const typename Packed::Course course{some.eps, some.parameters, some.start, c};
         kernel::Mask members = some.fit;
         if constexpr (requires { course.conditions(); })
             for (const Pack& condition : course.conditions())
-                members = members & (condition > Pack(0x1p-30)) & (condition < Pack(0x1p1000));
+                members = members & (condition > Pack(asked ? 0 : 0x1p-30)) & (condition < Pack(0x1p1000));
         PackedEnd<typename Packed::Course> end(course, some.eps, some.t);
         members = end.reach(members, full_phase);
+        if (!end.in_range) {
+            status = Status::overflow;
+            return some.fit;
+        }
         typename Packed::Arguments a;
         a.T = some.eps * some.t;
         Packed::take(end, a);
         typename Packed::Values outputs;
-        status = Packed::outputs(c, a, outputs);
+        status = evaluate<Packed>(c, a, outputs);
         Packed::list(outputs, values.data());
+        for (const Pack& value : values) members = members & (value - value == Pack(0));
         return members;
+    }
+
+    // Apart from compute(): it may be so long that a compiler takes minutes for both as one.
+    template <class Packed, class Constants, class Arguments, class Values>
+    [[gnu::noinline]] static Status evaluate(const Constants& c, const Arguments& a, Values& values) {
+        return Packed::outputs(c, a, values);
     }
 
     // Sets the numbers of members that are answered, a bit each.
@@ -267,8 +290,8 @@ private:
             if (!members[j]) continue;
             Gathered<Packed> own = some;
             own.spread(members & ~members, j);
-            compute(own, full_phase, values, status);
-            if (status != Status::ok) answered &= ~(std::size_t(1) << j);
+            const kernel::Mask alone = compute(own, full_phase, values, status);
+            if (status != Status::ok || !alone[j]) answered &= ~(std::size_t(1) << j);
             for (std::size_t k = 0; k < Count; ++k) numbers[k][j] = values[k][j];
         }
         return answered;

@@ -96,6 +96,10 @@ private:
     template <class Number> Status integrate(const Number& end) {
         const typename Course::template Angles<Number> turning(course_);
         if (turning.lost.status != Status::ok) return turning.lost.status;
+        if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
+            too_long_ = is_too_long(turning(Number(0), course_.start()), end);
+            if (too_long_) return Status::ok;
+        }
         FinalSums<Real, Course, Number> sums(course_, turning);
         if (const Status status = sums.integrate(end); status != Status::ok) return status;
         tables = at_start_ ? course_.start() : sums.tables();
@@ -120,6 +124,16 @@ private:
             turn(theta, cosine[k], sine[k]);
         }
         return beyond_ == Status::ok ? status : beyond_;
+    }
+
+    // Whether a phase would turn too far at its first rate, before anything is integrated.
+    template <class Number>
+    static bool is_too_long(const std::array<Number, Course::angles>& rate, const Number& end) {
+        for (std::size_t k = 0; k < Course::angles; ++k)
+            if (!Course::decays[k] &&
+                Real(quick_radians) < math::magnitude(static_cast<Real>(Number(rate[k] * end))))
+                return true;
+        return false;
     }
 
     // Whether everything has decayed that turns with a phase.

@@ -35,11 +35,11 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
 // The rates of a level depend on the columns of earlier levels; those of a flow, level 0, on its own.
 //
 //   static constexpr bool flow, nested;                    some rates need columns
-//   static constexpr std::array<std::size_t, L> levels;    the number of columns of each
-//   static constexpr std::size_t columns, angles;
-//   static constexpr std::array<bool, angles> rounded;     the rate of a phase needs columns
-//   static constexpr std::array<bool, angles> decays;      it is an exponent
-//   static constexpr std::array<unsigned long long, angles> fades;   what turns with it decays with these
+//   static constexpr bool steady;                          there are no columns, and rates of phases are
+//   constant static constexpr std::array<std::size_t, L> levels;    the number of columns of each static
+//   constexpr std::size_t columns, angles; static constexpr std::array<bool, angles> rounded;     the rate of
+//   a phase needs columns static constexpr std::array<bool, angles> decays;      it is an exponent static
+//   constexpr std::array<unsigned long long, angles> fades;   what turns with it decays with these
 //   std::array<Real, columns> start() const;
 //   std::array<Real, levels[L]> rates(std::integral_constant<std::size_t, L>, const Real& T,
 //                                     const std::array<Real, columns>&) const;
@@ -67,7 +67,9 @@ public:
     // Status as fit_panels: overflow, outside_domain; that of a flow, or where margins are in doubt, says no
     // more than that there is no result.
     Status integrate(const Number& end) {
-        if constexpr (requires { turning_.edges; }) {
+        if constexpr (Course::steady) {
+            return turn_steadily(end);
+        } else if constexpr (requires { turning_.edges; }) {
             Status status = Status::ok;
             for (Number left = Number(0), right = left; status == Status::ok && left < end; left = right) {
                 right = end_of_piece(turning_, left, end);
@@ -112,7 +114,8 @@ public:
     auto integrate_evenly(const Number& end, int parts) {
         Number left = Number(0);
         Real worst = Real(0);
-        for (int part = 1; part <= parts; ++part) {
+        if constexpr (Course::steady) turn_steadily(end);
+        for (int part = 1; part <= parts && !Course::steady; ++part) {
             const Number right = part == parts ? end : Number(end * (Number(part) / Number(parts)));
             panel(left, right);
             worst = math::larger(worst, rest_);
@@ -144,6 +147,16 @@ private:
     // As PanelFitter: where halving gains nothing, rounding is seen.
     static bool converged(const Real& rest, const Real& parent) {
         return !(Real(1) < rest) || (rest < Real(1000) && parent < Real(4) * rest && Real(0) < parent);
+    }
+
+    Status turn_steadily(const Number& end) {
+        const std::array<Number, phases> rate = turning_(end, tables_);
+        for (std::size_t k = 0; k < phases; ++k) {
+            if constexpr (!several)
+                if (!math::finite(narrow(rate[k]))) return fault<Real>(rate);
+            angles_[k] = rate[k] * end;
+        }
+        return Status::ok;
     }
 
     Status panel(const Number& left, const Number& right) {
@@ -202,13 +215,11 @@ private:
             judge(sum.end(), scale,
                   Course::nested ? Real(Real(16) * math::epsilon<Real>())
                                  : square_enough<Real>(math::epsilon<Real>()));
-            if constexpr (Course::nested && !(Course::flow && Level == 0))
-                for (std::size_t j = 0; j < n; ++j) {
-                    Real before = Real(0);
-                    for (std::size_t m = 0; m < n; ++m)
-                        before = before + Real(gauss_.before[j][m]) * rate[k][m];
-                    at_node_[j][from + k] = tables_[from + k] + half * before;
-                }
+            if constexpr (Course::nested && !(Course::flow && Level == 0)) {
+                const std::array<Real, n> before = gauss_.integrals(rate[k]);
+                for (std::size_t j = 0; j < n; ++j)
+                    at_node_[j][from + k] = tables_[from + k] + half * before[j];
+            }
         }
         return Status::ok;
     }
@@ -227,12 +238,10 @@ private:
             const Real before = std::exchange(change, Real(0));
             for (std::size_t k = 0; k < count; ++k) {
                 Real moved = Real(0), size = math::magnitude(tables_[k]);
+                const std::array<Real, n> integral = gauss_.integrals(rate[k]);
                 for (std::size_t j = 0; j < n; ++j) {
-                    Real integral = Real(0);
-                    for (std::size_t m = 0; m < n; ++m)
-                        integral = integral + gauss_.before[j][m] * rate[k][m];
-                    if (!math::finite(integral)) return fault<Real>(rate[k]);
-                    const Real next = tables_[k] + half * integral;
+                    if (!math::finite(integral[j])) return fault<Real>(rate[k]);
+                    const Real next = tables_[k] + half * integral[j];
                     size = std::max(size, Real(math::magnitude(next)));
                     moved = std::max(moved, Real(math::magnitude(Real(next - at_node_[j][k]))));
                     at_node_[j][k] = next;

@@ -23,12 +23,21 @@ public:
     // Row 0 and 1: the last and the last but one coefficient of the Legendre series, from the values at the
     // nodes.
     std::array<Values, 2> last{};
-    // Row j: the integral from -1 to node[j].
+    // Row m: what the value at node m adds to the integrals from -1 to each node.
     std::array<Values, n> before{};
 
     static const Gauss& once() {
         static const Gauss table;
         return table;
+    }
+
+    // The integrals from -1 to each node, from the values there; side by side, so that no sum waits for its
+    // last term.
+    template <class Value> std::array<Value, n> integrals(const std::array<Value, n>& values) const {
+        std::array<Value, n> sums{};
+        for (std::size_t m = 0; m < n; ++m)
+            for (std::size_t j = 0; j < n; ++j) sums[j] = sums[j] + Value(before[m][j]) * values[m];
+        return sums;
     }
 
     // The integral over [-1, 1].
@@ -83,7 +92,7 @@ private:
                 Wide integral = p[j][1] + Wide(1);
                 for (std::size_t k = 1; k < n; ++k)
                     integral = integral + p[m][k] * (p[j][k + 1] - p[j][k - 1]);
-                before[j][m] = static_cast<Number>(half * weights[m] * integral);
+                before[m][j] = static_cast<Number>(half * weights[m] * integral);
             }
         }
     }

@@ -7,6 +7,7 @@
 #ifndef RESONFORM_RUNTIME_PACK
 #define RESONFORM_RUNTIME_PACK
 
+#include "runtime/in_range.hpp"
 #include "runtime/kernel/block.hpp"
 #include "runtime/spline.hpp"
 #include "runtime/twice.hpp"
@@ -58,11 +59,11 @@ struct Pack {
     void store(double* x) const { L::store(x, v); }
     double operator[](std::size_t i) const { return v[i]; }
 
-    friend Pack operator-(const Pack& a) { return of(-a.v); }
-    friend Pack operator+(const Pack& a, const Pack& b) { return of(a.v + b.v); }
-    friend Pack operator-(const Pack& a, const Pack& b) { return of(a.v - b.v); }
-    friend Pack operator*(const Pack& a, const Pack& b) { return of(a.v * b.v); }
-    friend Pack operator/(const Pack& a, const Pack& b) { return of(a.v / b.v); }
+    [[gnu::always_inline]] friend Pack operator-(const Pack& a) { return of(-a.v); }
+    [[gnu::always_inline]] friend Pack operator+(const Pack& a, const Pack& b) { return of(a.v + b.v); }
+    [[gnu::always_inline]] friend Pack operator-(const Pack& a, const Pack& b) { return of(a.v - b.v); }
+    [[gnu::always_inline]] friend Pack operator*(const Pack& a, const Pack& b) { return of(a.v * b.v); }
+    [[gnu::always_inline]] friend Pack operator/(const Pack& a, const Pack& b) { return of(a.v / b.v); }
     friend Mask operator<(const Pack& a, const Pack& b) { return {a.v < b.v}; }
     friend Mask operator>(const Pack& a, const Pack& b) { return {a.v > b.v}; }
     friend Mask operator==(const Pack& a, const Pack& b) { return {a.v == b.v}; }
@@ -281,6 +282,8 @@ template <> inline kernel::PackPair root<kernel::PackPair>(const kernel::PackPai
 
 template <> struct OneOf<kernel::Pack> { using type = double; };
 template <> struct OneOf<kernel::PackPair> { using type = Twice<double>; };
+template <> inline constexpr bool notes_range<kernel::Pack> = true;
+template <> inline constexpr bool notes_range<kernel::PackPair> = true;
 template <> struct WideNumberOf<kernel::Pack> { using type = kernel::PackPair; };
 
 inline kernel::Pack spline(const Spline& of, int derivative, const kernel::Pack& x) {

@@ -12,6 +12,7 @@
 #include "runtime/status.hpp"
 
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform {
 
@@ -214,14 +215,31 @@ template <class Number> Scaled<Number> atan2(const Scaled<Number>& y, const Scal
 // Constants on their way into Number; `cause` names the first that has no place there.
 struct Keeper {
     Cause cause;
-    template <class Number> void operator()(const Scaled<Number>& from, Number& to, const char* quantity) {
-        if (!from.fits(to) && cause.status == Status::ok)
-            cause = {math::finite(from.mantissa) ? Status::overflow : Status::outside_domain, quantity};
+    template <class Wide, class Number>
+    [[gnu::noinline]] void operator()(const Scaled<Wide>& from, Number& to, const char* quantity) {
+        Number mantissa;
+        if constexpr (std::is_same_v<Wide, Number>)
+            mantissa = from.mantissa;
+        else // Wide is twice a shorter type
+            mantissa = Number(from.mantissa.high) + Number(from.mantissa.low);
+        if (!Scaled<Number>(mantissa, from.exponent).fits(to))
+            note(math::finite(mantissa) ? Status::overflow : Status::outside_domain, quantity);
+    }
+    // That was in range on its way.
+    template <class Number>
+    [[gnu::noinline]] void operator()(const Number& from, Number& to, const char* quantity) {
+        to = from;
+        if (!math::finite(to)) note(Status::outside_domain, quantity);
     }
     // Elements first ... end - 1 of two arrays.
     template <class From, class To>
     void operator()(const From& from, To& to, std::size_t first, std::size_t end, const char* quantity) {
         for (std::size_t k = first; k < end; ++k) (*this)(from[k], to[k], quantity);
+    }
+
+private:
+    void note(Status status, const char* quantity) {
+        if (cause.status == Status::ok) cause = {status, quantity};
     }
 };
 

@@ -11,16 +11,29 @@
 //   root            its degree, its place, that of x
 //   function        which one, how many arguments, its place, theirs
 //   end
+//   long_number     its place, exponent + 4050 in two digits, seven mantissas + 2^53 in nine each:
+//                   2^exponent * sum of mantissa_k/2^(53 k), each the whole number next to what is left
 #ifndef RESONFORM_RUNTIME_WALK
 #define RESONFORM_RUNTIME_WALK
 
 #include "runtime/math.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace resonform {
 
-enum class Walked { sum, sum_and_number, product, scaled_product, reciprocal, root, function, end };
+enum class Walked {
+    sum,
+    sum_and_number,
+    product,
+    scaled_product,
+    reciprocal,
+    root,
+    function,
+    end,
+    long_number
+};
 enum class WalkedFunction { sin, cos, log, log1p, exp, expm1, asinh, sinh, erf, atan2, hypot };
 
 // A rational number; both parts are exact in every real type.
@@ -50,11 +63,12 @@ private:
         const int c = *at_++;
         return c - '#' - (c > '?' ? 1 : 0) - (c > '\\' ? 1 : 0);
     }
-    std::size_t index() {
-        int n = 0;
-        for (int k = 0; k < Digits; ++k) n = 90 * n + digit();
-        return static_cast<std::size_t>(n);
+    long long digits(int count) {
+        long long n = 0;
+        for (int k = 0; k < count; ++k) n = 90 * n + digit();
+        return n;
     }
+    std::size_t index() { return static_cast<std::size_t>(digits(Digits)); }
     Number& next() { return places_[index()]; }
     Number number() {
         using One = typename OneOf<Number>::type;
@@ -68,6 +82,7 @@ private:
         case Walked::sum_and_number: return sum(true);
         case Walked::product: return product(false);
         case Walked::scaled_product: return product(true);
+        case Walked::long_number: return long_number();
         case Walked::root: return root(digit());
         case Walked::function: return function(digit());
         default: break;
@@ -89,6 +104,18 @@ private:
         Number& to = next();
         for (int k = 0; k < factors; ++k) x = with_number || k > 0 ? x * next() : next();
         to = x;
+    }
+    void long_number() {
+        using One = typename OneOf<Number>::type;
+        Number& to = next();
+        const int exponent = static_cast<int>(digits(2)) - 4050;
+        std::array<double, 7> parts{};
+        double unit = 1;
+        for (double& part : parts) {
+            part = static_cast<double>(digits(9) - (1LL << 53)) * unit;
+            unit *= 0x1p-53;
+        }
+        to = Number(math::number<One>(parts, exponent));
     }
     void root(int degree) {
         using math::root;

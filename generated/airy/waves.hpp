@@ -19,6 +19,7 @@
 
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -212,31 +213,45 @@ private:
         c.c_11 = Number(1) / Number(64) * k_16;
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.tau_0, c.tau_0, "tau_0");
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.phase_x, c.phase_x, "phase_x");
-        keep(scaled.c_1, c.c_1, "c_1 in theta");
-        keep(scaled.c_2, c.c_2, "c_2 in theta");
-        keep(scaled.c_3, c.c_3, "c_3 in x_1");
-        keep(scaled.c_4, c.c_4, "c_4 in x_2");
-        keep(scaled.c_5, c.c_5, "c_5 in x");
-        keep(scaled.c_6, c.c_6, "c_6 in x");
-        keep(scaled.c_7, c.c_7, "c_7 in x");
-        keep(scaled.c_8, c.c_8, "c_8 in x");
-        keep(scaled.c_11, c.c_11, "c_11 in x");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.tau_0, c.tau_0, "tau_0");
+        keep(from.eps, c.eps, "eps");
+        keep(from.phase_x, c.phase_x, "phase_x");
+        keep(from.c_1, c.c_1, "c_1 in theta");
+        keep(from.c_2, c.c_2, "c_2 in theta");
+        keep(from.c_3, c.c_3, "c_3 in x_1");
+        keep(from.c_4, c.c_4, "c_4 in x_2");
+        keep(from.c_5, c.c_5, "c_5 in x");
+        keep(from.c_6, c.c_6, "c_6 in x");
+        keep(from.c_7, c.c_7, "c_7 in x");
+        keep(from.c_8, c.c_8, "c_8 in x");
+        keep(from.c_11, c.c_11, "c_11 in x");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_9 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_10 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_9 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_10 > From(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
@@ -377,7 +392,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false, packs = false;
+        static constexpr bool flow = false, nested = false, steady = false, packs = true;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -393,6 +408,7 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto conditions() const { return std::array<Real, 2>{c.c_9, c.c_10}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

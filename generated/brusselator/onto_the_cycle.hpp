@@ -46,6 +46,7 @@
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -509,66 +510,80 @@ private:
         compute_constants_2(given_eps, parameters, start, c, w);
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.c_1, c.c_1, "c_1 in x");
-        keep(scaled.c_2, c.c_2, "c_2 in theta");
-        keep(scaled.c_3, c.c_3, "c_3 in v_x");
-        keep(scaled.c_4, c.c_4, "c_4 in x_3");
-        keep(scaled.c_5, c.c_5, "c_5 in x_3");
-        keep(scaled.c_6, c.c_6, "c_6 in x");
-        keep(scaled.u_x, c.u_x, "u_x");
-        keep(scaled.c_7, c.c_7, "c_7 in x");
-        keep(scaled.c_8, c.c_8, "c_8 in v_x");
-        keep(scaled.c_9, c.c_9, "c_9 in y_3");
-        keep(scaled.c_10, c.c_10, "c_10 in v_x");
-        keep(scaled.c_11, c.c_11, "c_11 in v_x");
-        keep(scaled.c_12, c.c_12, "c_12 in v_x");
-        keep(scaled.c_13, c.c_13, "c_13 in u_x");
-        keep(scaled.c_14, c.c_14, "c_14 in x");
-        keep(scaled.c_15, c.c_15, "c_15 in x");
-        keep(scaled.c_16, c.c_16, "c_16 in y_3");
-        keep(scaled.v_x, c.v_x, "v_x");
-        keep(scaled.c_17, c.c_17, "c_17 in v_x");
-        keep(scaled.c_18, c.c_18, "c_18");
-        keep(scaled.c_19, c.c_19, "c_19 in x_3");
-        keep(scaled.c_20, c.c_20, "c_20 in x_3");
-        keep(scaled.c_21, c.c_21, "c_21 in y_3");
-        keep(scaled.c_22, c.c_22, "c_22 in y_3");
-        keep(scaled.c_23, c.c_23, "c_23 in y_3");
-        keep(scaled.c_24, c.c_24, "c_24 in x");
-        keep(scaled.c_25, c.c_25, "c_25 in y");
-        keep(scaled.c_26, c.c_26, "c_26 in x");
-        keep(scaled.c_27, c.c_27, "c_27 in x");
-        keep(scaled.c_28, c.c_28, "c_28 in x");
-        keep(scaled.c_29, c.c_29, "c_29 in x");
-        keep(scaled.c_30, c.c_30, "c_30 in x");
-        keep(scaled.c_31, c.c_31, "c_31 in y");
-        keep(scaled.c_32, c.c_32, "c_32 in y");
-        keep(scaled.c_33, c.c_33, "c_33 in y");
-        keep(scaled.c_34, c.c_34, "c_34 in y");
-        keep(scaled.c_35, c.c_35, "c_35 in y");
-        keep(scaled.c_36, c.c_36, "c_36 in y");
-        keep(scaled.c_37, c.c_37, "c_37 in y");
-        keep(scaled.c_38, c.c_38, "c_38 in y");
-        keep(scaled.c_39, c.c_39, "c_39 in y");
-        keep(scaled.c_40, c.c_40, "c_40 in y");
-        keep(scaled.c_43, c.c_43, "c_43 in x");
-        keep(scaled.c_44, c.c_44, "c_44 in x");
-        keep(scaled.c_45, c.c_45, "c_45 in x");
-        keep(scaled.c_46, c.c_46, "c_46 in x");
-        keep(scaled.c_47, c.c_47, "c_47 in x");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.c_1, c.c_1, "c_1 in x");
+        keep(from.c_2, c.c_2, "c_2 in theta");
+        keep(from.c_3, c.c_3, "c_3 in v_x");
+        keep(from.c_4, c.c_4, "c_4 in x_3");
+        keep(from.c_5, c.c_5, "c_5 in x_3");
+        keep(from.c_6, c.c_6, "c_6 in x");
+        keep(from.u_x, c.u_x, "u_x");
+        keep(from.c_7, c.c_7, "c_7 in x");
+        keep(from.c_8, c.c_8, "c_8 in v_x");
+        keep(from.c_9, c.c_9, "c_9 in y_3");
+        keep(from.c_10, c.c_10, "c_10 in v_x");
+        keep(from.c_11, c.c_11, "c_11 in v_x");
+        keep(from.c_12, c.c_12, "c_12 in v_x");
+        keep(from.c_13, c.c_13, "c_13 in u_x");
+        keep(from.c_14, c.c_14, "c_14 in x");
+        keep(from.c_15, c.c_15, "c_15 in x");
+        keep(from.c_16, c.c_16, "c_16 in y_3");
+        keep(from.v_x, c.v_x, "v_x");
+        keep(from.c_17, c.c_17, "c_17 in v_x");
+        keep(from.c_18, c.c_18, "c_18");
+        keep(from.c_19, c.c_19, "c_19 in x_3");
+        keep(from.c_20, c.c_20, "c_20 in x_3");
+        keep(from.c_21, c.c_21, "c_21 in y_3");
+        keep(from.c_22, c.c_22, "c_22 in y_3");
+        keep(from.c_23, c.c_23, "c_23 in y_3");
+        keep(from.c_24, c.c_24, "c_24 in x");
+        keep(from.c_25, c.c_25, "c_25 in y");
+        keep(from.c_26, c.c_26, "c_26 in x");
+        keep(from.c_27, c.c_27, "c_27 in x");
+        keep(from.c_28, c.c_28, "c_28 in x");
+        keep(from.c_29, c.c_29, "c_29 in x");
+        keep(from.c_30, c.c_30, "c_30 in x");
+        keep(from.c_31, c.c_31, "c_31 in y");
+        keep(from.c_32, c.c_32, "c_32 in y");
+        keep(from.c_33, c.c_33, "c_33 in y");
+        keep(from.c_34, c.c_34, "c_34 in y");
+        keep(from.c_35, c.c_35, "c_35 in y");
+        keep(from.c_36, c.c_36, "c_36 in y");
+        keep(from.c_37, c.c_37, "c_37 in y");
+        keep(from.c_38, c.c_38, "c_38 in y");
+        keep(from.c_39, c.c_39, "c_39 in y");
+        keep(from.c_40, c.c_40, "c_40 in y");
+        keep(from.c_43, c.c_43, "c_43 in x");
+        keep(from.c_44, c.c_44, "c_44 in x");
+        keep(from.c_45, c.c_45, "c_45 in x");
+        keep(from.c_46, c.c_46, "c_46 in x");
+        keep(from.c_47, c.c_47, "c_47 in x");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_41 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_42 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_41 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_42 > From(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // The slow flow: du_x/dT, dv_x/dT
@@ -755,7 +770,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true, packs = false;
+        static constexpr bool flow = true, nested = true, steady = false, packs = false;
         static constexpr std::array<std::size_t, 1> levels{2};
         static constexpr std::size_t columns = 2, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -774,6 +789,7 @@ private:
         }
         static constexpr int samples = resonform::broad_layer_samples;
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
+        auto conditions() const { return std::array<Real, 2>{c.c_41, c.c_42}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

@@ -26,6 +26,7 @@
 #include "runtime/decay.hpp"
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/points.hpp"
 #include "runtime/scaled.hpp"
@@ -234,41 +235,55 @@ private:
         c.c_20 = k_4 * k_5 + c.c_4 + k_1 * k_27 * (k_11 * k_11) * (k_16 * k_16) * (k_31 * k_31) - Number(4) * (k_32 * k_32);
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.c_1, c.c_1, "c_1");
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.c_2, c.c_2, "c_2 in chi_1");
-        keep(scaled.s_0, c.s_0, "s_0");
-        keep(scaled.c_3, c.c_3, "c_3");
-        keep(scaled.c_4, c.c_4, "c_4");
-        keep(scaled.c_6, c.c_6, "c_6");
-        keep(scaled.c_7, c.c_7, "c_7");
-        keep(scaled.c_8, c.c_8, "c_8");
-        keep(scaled.c_9, c.c_9, "c_9 in chi_2");
-        keep(scaled.c_10, c.c_10, "c_10 in s + 1");
-        keep(scaled.u_u, c.u_u, "u_u");
-        keep(scaled.u_y, c.u_y, "u_y");
-        keep(scaled.c_11, c.c_11, "c_11 in u");
-        keep(scaled.c_12, c.c_12, "c_12 in y");
-        keep(scaled.c_13, c.c_13, "c_13 in y");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.c_1, c.c_1, "c_1");
+        keep(from.eps, c.eps, "eps");
+        keep(from.c_2, c.c_2, "c_2 in chi_1");
+        keep(from.s_0, c.s_0, "s_0");
+        keep(from.c_3, c.c_3, "c_3");
+        keep(from.c_4, c.c_4, "c_4");
+        keep(from.c_6, c.c_6, "c_6");
+        keep(from.c_7, c.c_7, "c_7");
+        keep(from.c_8, c.c_8, "c_8");
+        keep(from.c_9, c.c_9, "c_9 in chi_2");
+        keep(from.c_10, c.c_10, "c_10 in s + 1");
+        keep(from.u_u, c.u_u, "u_u");
+        keep(from.u_y, c.u_y, "u_y");
+        keep(from.c_11, c.c_11, "c_11 in u");
+        keep(from.c_12, c.c_12, "c_12 in y");
+        keep(from.c_13, c.c_13, "c_13 in y");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*(s + 1)"};
-        if (!(scaled.c_15 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*s"};
-        if (!(scaled.c_16 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "u"};
-        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
-        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s"};
-        if (!(scaled.c_18 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "s + 1"};
-        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "u"};
-        if (!(scaled.c_20 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_14 > From(0))) return {Status::outside_domain, "2*(s + 1)"};
+        if (!(from.c_15 > From(0))) return {Status::outside_domain, "2*s"};
+        if (!(from.c_16 > From(0))) return {Status::outside_domain, "u"};
+        if (!(from.c_17 > From(0))) return {Status::outside_domain, "y"};
+        if (!(from.c_5 > From(0))) return {Status::outside_domain, "s"};
+        if (!(from.c_18 > From(0))) return {Status::outside_domain, "s + 1"};
+        if (!(from.c_19 > From(0))) return {Status::outside_domain, "u"};
+        if (!(from.c_20 > From(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // dchi_1/dT
@@ -363,7 +378,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false, packs = false;
+        static constexpr bool flow = false, nested = false, steady = false, packs = false;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 2;
         static constexpr std::array<bool, 2> rounded{false, false};
@@ -377,6 +392,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
+        auto conditions() const { return std::array<Real, 8>{c.c_14, c.c_15, c.c_16, c.c_17, c.c_5, c.c_18, c.c_19, c.c_20}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

@@ -42,6 +42,7 @@
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -291,52 +292,66 @@ private:
         c.c_30 = Number(5) / Number(8) * c.c_1 * (c.c_28 * c.c_28);
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.c_1, c.c_1, "c_1 in R");
-        keep(scaled.c_2, c.c_2, "c_2 in x_2");
-        keep(scaled.theta_0, c.theta_0, "theta_0");
-        keep(scaled.c_3, c.c_3, "c_3 in x_2");
-        keep(scaled.u_x, c.u_x, "u_x");
-        keep(scaled.c_4, c.c_4, "c_4 in y_1");
-        keep(scaled.c_5, c.c_5, "c_5 in u_x");
-        keep(scaled.v_x, c.v_x, "v_x");
-        keep(scaled.c_6, c.c_6, "c_6 in v_x");
-        keep(scaled.c_7, c.c_7, "c_7 in Q_y");
-        keep(scaled.c_8, c.c_8, "c_8 in Q_y");
-        keep(scaled.c_9, c.c_9, "c_9");
-        keep(scaled.c_10, c.c_10, "c_10 in theta");
-        keep(scaled.c_11, c.c_11, "c_11 in theta");
-        keep(scaled.c_12, c.c_12, "c_12 in x_2");
-        keep(scaled.c_13, c.c_13, "c_13 in y");
-        keep(scaled.c_14, c.c_14, "c_14 in R_2");
-        keep(scaled.c_15, c.c_15, "c_15 in R_2");
-        keep(scaled.constant_R, c.constant_R, "constant_R");
-        keep(scaled.c_16, c.c_16, "c_16 in x");
-        keep(scaled.c_17, c.c_17, "c_17 in x");
-        keep(scaled.c_18, c.c_18, "c_18 in x");
-        keep(scaled.c_19, c.c_19, "c_19 in x");
-        keep(scaled.c_20, c.c_20, "c_20 in y");
-        keep(scaled.c_21, c.c_21, "c_21 in y");
-        keep(scaled.c_22, c.c_22, "c_22 in R");
-        keep(scaled.c_23, c.c_23, "c_23 in R");
-        keep(scaled.c_24, c.c_24, "c_24 in R");
-        keep(scaled.c_25, c.c_25, "c_25 in R");
-        keep(scaled.c_26, c.c_26, "c_26 in R");
-        keep(scaled.c_28, c.c_28, "c_28 in x");
-        keep(scaled.c_29, c.c_29, "c_29 in x");
-        keep(scaled.c_30, c.c_30, "c_30 in x");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.eps, c.eps, "eps");
+        keep(from.c_1, c.c_1, "c_1 in R");
+        keep(from.c_2, c.c_2, "c_2 in x_2");
+        keep(from.theta_0, c.theta_0, "theta_0");
+        keep(from.c_3, c.c_3, "c_3 in x_2");
+        keep(from.u_x, c.u_x, "u_x");
+        keep(from.c_4, c.c_4, "c_4 in y_1");
+        keep(from.c_5, c.c_5, "c_5 in u_x");
+        keep(from.v_x, c.v_x, "v_x");
+        keep(from.c_6, c.c_6, "c_6 in v_x");
+        keep(from.c_7, c.c_7, "c_7 in Q_y");
+        keep(from.c_8, c.c_8, "c_8 in Q_y");
+        keep(from.c_9, c.c_9, "c_9");
+        keep(from.c_10, c.c_10, "c_10 in theta");
+        keep(from.c_11, c.c_11, "c_11 in theta");
+        keep(from.c_12, c.c_12, "c_12 in x_2");
+        keep(from.c_13, c.c_13, "c_13 in y");
+        keep(from.c_14, c.c_14, "c_14 in R_2");
+        keep(from.c_15, c.c_15, "c_15 in R_2");
+        keep(from.constant_R, c.constant_R, "constant_R");
+        keep(from.c_16, c.c_16, "c_16 in x");
+        keep(from.c_17, c.c_17, "c_17 in x");
+        keep(from.c_18, c.c_18, "c_18 in x");
+        keep(from.c_19, c.c_19, "c_19 in x");
+        keep(from.c_20, c.c_20, "c_20 in y");
+        keep(from.c_21, c.c_21, "c_21 in y");
+        keep(from.c_22, c.c_22, "c_22 in R");
+        keep(from.c_23, c.c_23, "c_23 in R");
+        keep(from.c_24, c.c_24, "c_24 in R");
+        keep(from.c_25, c.c_25, "c_25 in R");
+        keep(from.c_26, c.c_26, "c_26 in R");
+        keep(from.c_28, c.c_28, "c_28 in x");
+        keep(from.c_29, c.c_29, "c_29 in x");
+        keep(from.c_30, c.c_30, "c_30 in x");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_27 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_27 > From(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // The slow flow: du_x/dT, dv_x/dT
@@ -520,7 +535,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true, packs = false;
+        static constexpr bool flow = true, nested = true, steady = false, packs = false;
         static constexpr std::array<std::size_t, 2> levels{2, 1};
         static constexpr std::size_t columns = 3, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -542,6 +557,7 @@ private:
         }
         static constexpr int samples = resonform::broad_layer_samples;
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, resonform::first<2>(row)); }
+        auto conditions() const { return std::array<Real, 1>{c.c_27}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

@@ -30,6 +30,7 @@
 
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
@@ -245,33 +246,47 @@ private:
         c.c_15 = k_7 * k_9 + k_7 * k_11 + k_19 * k_19 + k_29 * k_29 + k_39 * k_39 - Number(4) * (k_49 * k_49 + k_53 * k_53);
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.c_1, c.c_1, "c_1");
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.c_2, c.c_2, "c_2 in x_2");
-        keep(scaled.c_3, c.c_3, "c_3 in theta");
-        keep(scaled.c_4, c.c_4, "c_4 in im_x");
-        keep(scaled.c_5, c.c_5, "c_5 in im_x");
-        keep(scaled.c_6, c.c_6, "c_6 in x_2");
-        keep(scaled.c_7, c.c_7, "c_7 in x_2");
-        keep(scaled.c_8, c.c_8, "c_8 in x_2");
-        keep(scaled.c_9, c.c_9, "c_9 in x");
-        keep(scaled.c_10, c.c_10, "c_10 in x");
-        keep(scaled.c_11, c.c_11, "c_11 in x");
-        keep(scaled.c_12, c.c_12, "c_12 in x");
-        keep(scaled.c_13, c.c_13, "c_13 in x");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.c_1, c.c_1, "c_1");
+        keep(from.eps, c.eps, "eps");
+        keep(from.c_2, c.c_2, "c_2 in x_2");
+        keep(from.c_3, c.c_3, "c_3 in theta");
+        keep(from.c_4, c.c_4, "c_4 in im_x");
+        keep(from.c_5, c.c_5, "c_5 in im_x");
+        keep(from.c_6, c.c_6, "c_6 in x_2");
+        keep(from.c_7, c.c_7, "c_7 in x_2");
+        keep(from.c_8, c.c_8, "c_8 in x_2");
+        keep(from.c_9, c.c_9, "c_9 in x");
+        keep(from.c_10, c.c_10, "c_10 in x");
+        keep(from.c_11, c.c_11, "c_11 in x");
+        keep(from.c_12, c.c_12, "c_12 in x");
+        keep(from.c_13, c.c_13, "c_13 in x");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "50 - u"};
-        if (!(scaled.c_15 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_14 > From(0))) return {Status::outside_domain, "50 - u"};
+        if (!(from.c_15 > From(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // dtheta/dT
@@ -383,7 +398,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false, packs = false;
+        static constexpr bool flow = false, nested = false, steady = true, packs = true;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -397,6 +412,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
+        auto conditions() const { return std::array<Real, 2>{c.c_14, c.c_15}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

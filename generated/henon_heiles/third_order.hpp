@@ -50,6 +50,7 @@
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -447,53 +448,67 @@ private:
         compute_constants_2(given_eps, parameters, start, c, w);
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.c_1, c.c_1, "c_1 in theta");
-        keep(scaled.c_2, c.c_2, "c_2 in y");
-        keep(scaled.c_3, c.c_3, "c_3 in x");
-        keep(scaled.u_x, c.u_x, "u_x");
-        keep(scaled.c_4, c.c_4, "c_4 in v_y");
-        keep(scaled.c_5, c.c_5, "c_5 in v_y");
-        keep(scaled.c_6, c.c_6, "c_6 in v_y");
-        keep(scaled.v_x, c.v_x, "v_x");
-        keep(scaled.c_7, c.c_7, "c_7 in y");
-        keep(scaled.u_y, c.u_y, "u_y");
-        keep(scaled.v_y, c.v_y, "v_y");
-        keep(scaled.c_8, c.c_8, "c_8");
-        keep(scaled.c_9, c.c_9, "c_9 in y_3");
-        keep(scaled.c_10, c.c_10, "c_10 in y_3");
-        keep(scaled.c_11, c.c_11, "c_11 in y_3");
-        keep(scaled.c_12, c.c_12, "c_12 in y_3");
-        keep(scaled.c_13, c.c_13, "c_13 in x");
-        keep(scaled.c_14, c.c_14, "c_14 in y");
-        keep(scaled.c_15, c.c_15, "c_15 in y");
-        keep(scaled.c_16, c.c_16, "c_16 in y");
-        keep(scaled.c_17, c.c_17, "c_17 in y");
-        keep(scaled.c_18, c.c_18, "c_18 in y");
-        keep(scaled.c_19, c.c_19, "c_19 in y");
-        keep(scaled.c_20, c.c_20, "c_20 in y");
-        keep(scaled.c_21, c.c_21, "c_21 in y");
-        keep(scaled.c_22, c.c_22, "c_22 in y");
-        keep(scaled.c_23, c.c_23, "c_23 in y");
-        keep(scaled.c_24, c.c_24, "c_24 in y");
-        keep(scaled.c_27, c.c_27, "c_27 in y");
-        keep(scaled.c_28, c.c_28, "c_28 in y");
-        keep(scaled.c_29, c.c_29, "c_29 in x");
-        keep(scaled.c_30, c.c_30, "c_30 in y");
-        keep(scaled.c_31, c.c_31, "c_31 in y");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.eps, c.eps, "eps");
+        keep(from.c_1, c.c_1, "c_1 in theta");
+        keep(from.c_2, c.c_2, "c_2 in y");
+        keep(from.c_3, c.c_3, "c_3 in x");
+        keep(from.u_x, c.u_x, "u_x");
+        keep(from.c_4, c.c_4, "c_4 in v_y");
+        keep(from.c_5, c.c_5, "c_5 in v_y");
+        keep(from.c_6, c.c_6, "c_6 in v_y");
+        keep(from.v_x, c.v_x, "v_x");
+        keep(from.c_7, c.c_7, "c_7 in y");
+        keep(from.u_y, c.u_y, "u_y");
+        keep(from.v_y, c.v_y, "v_y");
+        keep(from.c_8, c.c_8, "c_8");
+        keep(from.c_9, c.c_9, "c_9 in y_3");
+        keep(from.c_10, c.c_10, "c_10 in y_3");
+        keep(from.c_11, c.c_11, "c_11 in y_3");
+        keep(from.c_12, c.c_12, "c_12 in y_3");
+        keep(from.c_13, c.c_13, "c_13 in x");
+        keep(from.c_14, c.c_14, "c_14 in y");
+        keep(from.c_15, c.c_15, "c_15 in y");
+        keep(from.c_16, c.c_16, "c_16 in y");
+        keep(from.c_17, c.c_17, "c_17 in y");
+        keep(from.c_18, c.c_18, "c_18 in y");
+        keep(from.c_19, c.c_19, "c_19 in y");
+        keep(from.c_20, c.c_20, "c_20 in y");
+        keep(from.c_21, c.c_21, "c_21 in y");
+        keep(from.c_22, c.c_22, "c_22 in y");
+        keep(from.c_23, c.c_23, "c_23 in y");
+        keep(from.c_24, c.c_24, "c_24 in y");
+        keep(from.c_27, c.c_27, "c_27 in y");
+        keep(from.c_28, c.c_28, "c_28 in y");
+        keep(from.c_29, c.c_29, "c_29 in x");
+        keep(from.c_30, c.c_30, "c_30 in y");
+        keep(from.c_31, c.c_31, "c_31 in y");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "y"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_25 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_26 > From(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // The slow flow: du_x/dT, dv_x/dT, du_y/dT, dv_y/dT
@@ -702,7 +717,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true, packs = false;
+        static constexpr bool flow = true, nested = true, steady = false, packs = false;
         static constexpr std::array<std::size_t, 1> levels{4};
         static constexpr std::size_t columns = 4, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -721,6 +736,7 @@ private:
         }
         static constexpr int samples = resonform::broad_layer_samples;
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
+        auto conditions() const { return std::array<Real, 2>{c.c_25, c.c_26}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

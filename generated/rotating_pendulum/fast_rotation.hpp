@@ -21,6 +21,7 @@
 
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
@@ -257,37 +258,51 @@ private:
         c.c_14 = Number(4) - k_31 * k_64 * (k_67 * k_67) - k_31 * k_64 * (k_68 * k_68) - Number(2) * k_27 * k_55 * k_69 - Number(1) / Number(4608) * k_59 * k_69 - Number(1) / Number(131072) * k_32 * k_64;
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.c_1, c.c_1, "c_1");
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.J_mean, c.J_mean, "J_mean");
-        keep(scaled.c_2, c.c_2, "c_2 in theta");
-        keep(scaled.u_phi, c.u_phi, "u_phi");
-        keep(scaled.v_phi, c.v_phi, "v_phi");
-        keep(scaled.per_J_mean, c.per_J_mean, "per_J_mean");
-        keep(scaled.c_3, c.c_3, "c_3 in J_2");
-        keep(scaled.c_4, c.c_4, "c_4 in J");
-        keep(scaled.c_5, c.c_5, "c_5 in J");
-        keep(scaled.c_6, c.c_6, "c_6 in J");
-        keep(scaled.c_7, c.c_7, "c_7 in J");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.c_1, c.c_1, "c_1");
+        keep(from.eps, c.eps, "eps");
+        keep(from.J_mean, c.J_mean, "J_mean");
+        keep(from.c_2, c.c_2, "c_2 in theta");
+        keep(from.u_phi, c.u_phi, "u_phi");
+        keep(from.v_phi, c.v_phi, "v_phi");
+        keep(from.per_J_mean, c.per_J_mean, "per_J_mean");
+        keep(from.c_3, c.c_3, "c_3 in J_2");
+        keep(from.c_4, c.c_4, "c_4 in J");
+        keep(from.c_5, c.c_5, "c_5 in J");
+        keep(from.c_6, c.c_6, "c_6 in J");
+        keep(from.c_7, c.c_7, "c_7 in J");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.J_mean > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_8 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_9 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
-        if (!(scaled.c_10 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_11 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_12 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "J"};
-        if (!(scaled.c_13 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
-        if (!(scaled.c_14 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "phi"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.J_mean > From(0))) return {Status::outside_domain, "J"};
+        if (!(from.c_8 > From(0))) return {Status::outside_domain, "J"};
+        if (!(from.c_9 > From(0))) return {Status::outside_domain, "phi"};
+        if (!(from.c_10 > From(0))) return {Status::outside_domain, "J"};
+        if (!(from.c_11 > From(0))) return {Status::outside_domain, "J"};
+        if (!(from.c_12 > From(0))) return {Status::outside_domain, "J"};
+        if (!(from.c_13 > From(0))) return {Status::outside_domain, "phi"};
+        if (!(from.c_14 > From(0))) return {Status::outside_domain, "phi"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // dtheta/dT
@@ -398,7 +413,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false, packs = false;
+        static constexpr bool flow = false, nested = false, steady = true, packs = true;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
@@ -412,6 +427,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
+        auto conditions() const { return std::array<Real, 8>{c.J_mean, c.c_8, c.c_9, c.c_10, c.c_11, c.c_12, c.c_13, c.c_14}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

@@ -173,6 +173,7 @@
 
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/phase.hpp"
 #include "runtime/scaled.hpp"
@@ -1380,157 +1381,171 @@ private:
         compute_constants_5(given_eps, parameters, start, c, w);
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.c_1, c.c_1, "c_1");
-        keep(scaled.c_2, c.c_2, "c_2 in y");
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.c_3, c.c_3, "c_3 in w_");
-        keep(scaled.v_x, c.v_x, "v_x");
-        keep(scaled.u_x_, c.u_x_, "u_x_");
-        keep(scaled.v_x_, c.v_x_, "v_x_");
-        keep(scaled.v_x_2, c.v_x_2, "v_x_2");
-        keep(scaled.u_x_2, c.u_x_2, "u_x_2");
-        keep(scaled.u_x, c.u_x, "u_x");
-        keep(scaled.c_4, c.c_4, "c_4 in theta_1");
-        keep(scaled.c_5, c.c_5, "c_5 in theta_2");
-        keep(scaled.c_6, c.c_6, "c_6 in theta_3");
-        keep(scaled.c_7, c.c_7, "c_7 in w_3");
-        keep(scaled.c_8, c.c_8, "c_8 in w_3");
-        keep(scaled.c_9, c.c_9, "c_9 in w_3");
-        keep(scaled.c_10, c.c_10, "c_10 in w_3");
-        keep(scaled.c_11, c.c_11, "c_11 in x_3");
-        keep(scaled.c_12, c.c_12, "c_12 in w_3");
-        keep(scaled.c_13, c.c_13, "c_13 in w_3");
-        keep(scaled.c_14, c.c_14, "c_14 in w_3");
-        keep(scaled.c_15, c.c_15, "c_15 in w_3");
-        keep(scaled.c_16, c.c_16, "c_16 in w_3");
-        keep(scaled.c_17, c.c_17, "c_17 in x_3");
-        keep(scaled.c_18, c.c_18, "c_18 in w_3");
-        keep(scaled.c_19, c.c_19, "c_19 in w_3");
-        keep(scaled.c_20, c.c_20, "c_20 in w_3");
-        keep(scaled.c_21, c.c_21, "c_21 in x_3");
-        keep(scaled.c_22, c.c_22, "c_22 in x_3");
-        keep(scaled.c_23, c.c_23, "c_23 in x_3");
-        keep(scaled.c_24, c.c_24, "c_24 in w_3");
-        keep(scaled.c_25, c.c_25, "c_25 in w_3");
-        keep(scaled.c_26, c.c_26, "c_26 in w_3");
-        keep(scaled.c_27, c.c_27, "c_27 in w_3");
-        keep(scaled.c_28, c.c_28, "c_28 in w_3");
-        keep(scaled.c_29, c.c_29, "c_29 in y_3");
-        keep(scaled.c_30, c.c_30, "c_30 in y_3");
-        keep(scaled.c_31, c.c_31, "c_31 in y_3");
-        keep(scaled.c_32, c.c_32, "c_32 in y_3");
-        keep(scaled.c_33, c.c_33, "c_33 in y_3");
-        keep(scaled.c_34, c.c_34, "c_34 in y_3");
-        keep(scaled.c_35, c.c_35, "c_35 in y_3");
-        keep(scaled.c_36, c.c_36, "c_36 in y_3");
-        keep(scaled.c_37, c.c_37, "c_37 in y_3");
-        keep(scaled.c_38, c.c_38, "c_38 in y_3");
-        keep(scaled.c_39, c.c_39, "c_39 in y_3");
-        keep(scaled.c_40, c.c_40, "c_40 in y_3");
-        keep(scaled.c_41, c.c_41, "c_41 in y_3");
-        keep(scaled.c_42, c.c_42, "c_42 in y_3");
-        keep(scaled.c_43, c.c_43, "c_43 in y_3");
-        keep(scaled.c_44, c.c_44, "c_44 in w_3");
-        keep(scaled.c_45, c.c_45, "c_45 in w_3");
-        keep(scaled.c_46, c.c_46, "c_46 in w_3");
-        keep(scaled.c_47, c.c_47, "c_47 in w_3");
-        keep(scaled.c_48, c.c_48, "c_48 in w_3");
-        keep(scaled.c_49, c.c_49, "c_49 in w_");
-        keep(scaled.c_50, c.c_50, "c_50 in w_");
-        keep(scaled.c_51, c.c_51, "c_51 in w_");
-        keep(scaled.c_52, c.c_52, "c_52 in w_");
-        keep(scaled.c_53, c.c_53, "c_53 in x");
-        keep(scaled.c_54, c.c_54, "c_54 in x");
-        keep(scaled.c_55, c.c_55, "c_55 in x");
-        keep(scaled.c_56, c.c_56, "c_56 in x");
-        keep(scaled.c_57, c.c_57, "c_57 in x");
-        keep(scaled.c_58, c.c_58, "c_58 in x");
-        keep(scaled.c_59, c.c_59, "c_59 in w_");
-        keep(scaled.c_60, c.c_60, "c_60 in w_");
-        keep(scaled.c_61, c.c_61, "c_61 in w_");
-        keep(scaled.c_62, c.c_62, "c_62 in w_");
-        keep(scaled.c_63, c.c_63, "c_63 in x");
-        keep(scaled.c_64, c.c_64, "c_64 in x");
-        keep(scaled.c_65, c.c_65, "c_65 in w_");
-        keep(scaled.c_66, c.c_66, "c_66 in w_");
-        keep(scaled.c_67, c.c_67, "c_67 in w_");
-        keep(scaled.c_68, c.c_68, "c_68 in w_");
-        keep(scaled.c_69, c.c_69, "c_69 in w_");
-        keep(scaled.c_70, c.c_70, "c_70 in w_");
-        keep(scaled.c_71, c.c_71, "c_71 in w_");
-        keep(scaled.c_72, c.c_72, "c_72 in w_");
-        keep(scaled.c_73, c.c_73, "c_73 in w_");
-        keep(scaled.c_74, c.c_74, "c_74 in w_");
-        keep(scaled.c_75, c.c_75, "c_75 in x");
-        keep(scaled.c_76, c.c_76, "c_76 in x");
-        keep(scaled.c_77, c.c_77, "c_77 in w_");
-        keep(scaled.c_78, c.c_78, "c_78 in w_");
-        keep(scaled.c_79, c.c_79, "c_79 in w_");
-        keep(scaled.c_80, c.c_80, "c_80 in w_");
-        keep(scaled.c_81, c.c_81, "c_81 in x");
-        keep(scaled.c_82, c.c_82, "c_82 in x");
-        keep(scaled.c_83, c.c_83, "c_83 in w_");
-        keep(scaled.c_84, c.c_84, "c_84 in w_");
-        keep(scaled.c_85, c.c_85, "c_85 in y");
-        keep(scaled.c_86, c.c_86, "c_86 in y");
-        keep(scaled.c_87, c.c_87, "c_87 in y");
-        keep(scaled.c_88, c.c_88, "c_88 in y");
-        keep(scaled.c_89, c.c_89, "c_89 in y");
-        keep(scaled.c_90, c.c_90, "c_90 in y");
-        keep(scaled.c_91, c.c_91, "c_91 in y");
-        keep(scaled.c_92, c.c_92, "c_92 in y");
-        keep(scaled.c_93, c.c_93, "c_93 in y");
-        keep(scaled.c_94, c.c_94, "c_94 in y");
-        keep(scaled.c_95, c.c_95, "c_95 in y");
-        keep(scaled.c_96, c.c_96, "c_96 in y");
-        keep(scaled.c_97, c.c_97, "c_97 in y");
-        keep(scaled.c_98, c.c_98, "c_98 in y");
-        keep(scaled.c_99, c.c_99, "c_99 in y");
-        keep(scaled.c_100, c.c_100, "c_100 in y");
-        keep(scaled.c_101, c.c_101, "c_101 in y");
-        keep(scaled.c_102, c.c_102, "c_102 in y");
-        keep(scaled.c_103, c.c_103, "c_103 in y");
-        keep(scaled.c_104, c.c_104, "c_104 in y");
-        keep(scaled.c_105, c.c_105, "c_105 in y");
-        keep(scaled.c_106, c.c_106, "c_106 in y");
-        keep(scaled.c_107, c.c_107, "c_107 in y");
-        keep(scaled.c_108, c.c_108, "c_108 in y");
-        keep(scaled.c_109, c.c_109, "c_109 in w_");
-        keep(scaled.c_110, c.c_110, "c_110 in w_");
-        keep(scaled.c_111, c.c_111, "c_111 in w_");
-        keep(scaled.c_112, c.c_112, "c_112 in w_");
-        keep(scaled.c_113, c.c_113, "c_113 in w_");
-        keep(scaled.c_114, c.c_114, "c_114 in w_");
-        keep(scaled.c_115, c.c_115, "c_115 in w_");
-        keep(scaled.c_116, c.c_116, "c_116 in w_");
-        keep(scaled.c_117, c.c_117, "c_117 in w_");
-        keep(scaled.c_118, c.c_118, "c_118 in w_");
-        keep(scaled.c_119, c.c_119, "c_119 in w_");
-        keep(scaled.c_120, c.c_120, "c_120 in w_");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.c_1, c.c_1, "c_1");
+        keep(from.c_2, c.c_2, "c_2 in y");
+        keep(from.eps, c.eps, "eps");
+        keep(from.c_3, c.c_3, "c_3 in w_");
+        keep(from.v_x, c.v_x, "v_x");
+        keep(from.u_x_, c.u_x_, "u_x_");
+        keep(from.v_x_, c.v_x_, "v_x_");
+        keep(from.v_x_2, c.v_x_2, "v_x_2");
+        keep(from.u_x_2, c.u_x_2, "u_x_2");
+        keep(from.u_x, c.u_x, "u_x");
+        keep(from.c_4, c.c_4, "c_4 in theta_1");
+        keep(from.c_5, c.c_5, "c_5 in theta_2");
+        keep(from.c_6, c.c_6, "c_6 in theta_3");
+        keep(from.c_7, c.c_7, "c_7 in w_3");
+        keep(from.c_8, c.c_8, "c_8 in w_3");
+        keep(from.c_9, c.c_9, "c_9 in w_3");
+        keep(from.c_10, c.c_10, "c_10 in w_3");
+        keep(from.c_11, c.c_11, "c_11 in x_3");
+        keep(from.c_12, c.c_12, "c_12 in w_3");
+        keep(from.c_13, c.c_13, "c_13 in w_3");
+        keep(from.c_14, c.c_14, "c_14 in w_3");
+        keep(from.c_15, c.c_15, "c_15 in w_3");
+        keep(from.c_16, c.c_16, "c_16 in w_3");
+        keep(from.c_17, c.c_17, "c_17 in x_3");
+        keep(from.c_18, c.c_18, "c_18 in w_3");
+        keep(from.c_19, c.c_19, "c_19 in w_3");
+        keep(from.c_20, c.c_20, "c_20 in w_3");
+        keep(from.c_21, c.c_21, "c_21 in x_3");
+        keep(from.c_22, c.c_22, "c_22 in x_3");
+        keep(from.c_23, c.c_23, "c_23 in x_3");
+        keep(from.c_24, c.c_24, "c_24 in w_3");
+        keep(from.c_25, c.c_25, "c_25 in w_3");
+        keep(from.c_26, c.c_26, "c_26 in w_3");
+        keep(from.c_27, c.c_27, "c_27 in w_3");
+        keep(from.c_28, c.c_28, "c_28 in w_3");
+        keep(from.c_29, c.c_29, "c_29 in y_3");
+        keep(from.c_30, c.c_30, "c_30 in y_3");
+        keep(from.c_31, c.c_31, "c_31 in y_3");
+        keep(from.c_32, c.c_32, "c_32 in y_3");
+        keep(from.c_33, c.c_33, "c_33 in y_3");
+        keep(from.c_34, c.c_34, "c_34 in y_3");
+        keep(from.c_35, c.c_35, "c_35 in y_3");
+        keep(from.c_36, c.c_36, "c_36 in y_3");
+        keep(from.c_37, c.c_37, "c_37 in y_3");
+        keep(from.c_38, c.c_38, "c_38 in y_3");
+        keep(from.c_39, c.c_39, "c_39 in y_3");
+        keep(from.c_40, c.c_40, "c_40 in y_3");
+        keep(from.c_41, c.c_41, "c_41 in y_3");
+        keep(from.c_42, c.c_42, "c_42 in y_3");
+        keep(from.c_43, c.c_43, "c_43 in y_3");
+        keep(from.c_44, c.c_44, "c_44 in w_3");
+        keep(from.c_45, c.c_45, "c_45 in w_3");
+        keep(from.c_46, c.c_46, "c_46 in w_3");
+        keep(from.c_47, c.c_47, "c_47 in w_3");
+        keep(from.c_48, c.c_48, "c_48 in w_3");
+        keep(from.c_49, c.c_49, "c_49 in w_");
+        keep(from.c_50, c.c_50, "c_50 in w_");
+        keep(from.c_51, c.c_51, "c_51 in w_");
+        keep(from.c_52, c.c_52, "c_52 in w_");
+        keep(from.c_53, c.c_53, "c_53 in x");
+        keep(from.c_54, c.c_54, "c_54 in x");
+        keep(from.c_55, c.c_55, "c_55 in x");
+        keep(from.c_56, c.c_56, "c_56 in x");
+        keep(from.c_57, c.c_57, "c_57 in x");
+        keep(from.c_58, c.c_58, "c_58 in x");
+        keep(from.c_59, c.c_59, "c_59 in w_");
+        keep(from.c_60, c.c_60, "c_60 in w_");
+        keep(from.c_61, c.c_61, "c_61 in w_");
+        keep(from.c_62, c.c_62, "c_62 in w_");
+        keep(from.c_63, c.c_63, "c_63 in x");
+        keep(from.c_64, c.c_64, "c_64 in x");
+        keep(from.c_65, c.c_65, "c_65 in w_");
+        keep(from.c_66, c.c_66, "c_66 in w_");
+        keep(from.c_67, c.c_67, "c_67 in w_");
+        keep(from.c_68, c.c_68, "c_68 in w_");
+        keep(from.c_69, c.c_69, "c_69 in w_");
+        keep(from.c_70, c.c_70, "c_70 in w_");
+        keep(from.c_71, c.c_71, "c_71 in w_");
+        keep(from.c_72, c.c_72, "c_72 in w_");
+        keep(from.c_73, c.c_73, "c_73 in w_");
+        keep(from.c_74, c.c_74, "c_74 in w_");
+        keep(from.c_75, c.c_75, "c_75 in x");
+        keep(from.c_76, c.c_76, "c_76 in x");
+        keep(from.c_77, c.c_77, "c_77 in w_");
+        keep(from.c_78, c.c_78, "c_78 in w_");
+        keep(from.c_79, c.c_79, "c_79 in w_");
+        keep(from.c_80, c.c_80, "c_80 in w_");
+        keep(from.c_81, c.c_81, "c_81 in x");
+        keep(from.c_82, c.c_82, "c_82 in x");
+        keep(from.c_83, c.c_83, "c_83 in w_");
+        keep(from.c_84, c.c_84, "c_84 in w_");
+        keep(from.c_85, c.c_85, "c_85 in y");
+        keep(from.c_86, c.c_86, "c_86 in y");
+        keep(from.c_87, c.c_87, "c_87 in y");
+        keep(from.c_88, c.c_88, "c_88 in y");
+        keep(from.c_89, c.c_89, "c_89 in y");
+        keep(from.c_90, c.c_90, "c_90 in y");
+        keep(from.c_91, c.c_91, "c_91 in y");
+        keep(from.c_92, c.c_92, "c_92 in y");
+        keep(from.c_93, c.c_93, "c_93 in y");
+        keep(from.c_94, c.c_94, "c_94 in y");
+        keep(from.c_95, c.c_95, "c_95 in y");
+        keep(from.c_96, c.c_96, "c_96 in y");
+        keep(from.c_97, c.c_97, "c_97 in y");
+        keep(from.c_98, c.c_98, "c_98 in y");
+        keep(from.c_99, c.c_99, "c_99 in y");
+        keep(from.c_100, c.c_100, "c_100 in y");
+        keep(from.c_101, c.c_101, "c_101 in y");
+        keep(from.c_102, c.c_102, "c_102 in y");
+        keep(from.c_103, c.c_103, "c_103 in y");
+        keep(from.c_104, c.c_104, "c_104 in y");
+        keep(from.c_105, c.c_105, "c_105 in y");
+        keep(from.c_106, c.c_106, "c_106 in y");
+        keep(from.c_107, c.c_107, "c_107 in y");
+        keep(from.c_108, c.c_108, "c_108 in y");
+        keep(from.c_109, c.c_109, "c_109 in w_");
+        keep(from.c_110, c.c_110, "c_110 in w_");
+        keep(from.c_111, c.c_111, "c_111 in w_");
+        keep(from.c_112, c.c_112, "c_112 in w_");
+        keep(from.c_113, c.c_113, "c_113 in w_");
+        keep(from.c_114, c.c_114, "c_114 in w_");
+        keep(from.c_115, c.c_115, "c_115 in w_");
+        keep(from.c_116, c.c_116, "c_116 in w_");
+        keep(from.c_117, c.c_117, "c_117 in w_");
+        keep(from.c_118, c.c_118, "c_118 in w_");
+        keep(from.c_119, c.c_119, "c_119 in w_");
+        keep(from.c_120, c.c_120, "c_120 in w_");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_121 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_122 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_123 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_124 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_125 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_126 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_127 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt..."};
-        if (!(scaled.c_128 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
-        if (!(scaled.c_129 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) - 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
-        if (!(scaled.c_130 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(k)*sqrt(sqrt(2) + 2)/sqrt(m)"};
-        if (!(scaled.c_131 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_132 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
-        if (!(scaled.c_133 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "x"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_121 > From(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(from.c_122 > From(0))) return {Status::outside_domain, "2*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(from.c_123 > From(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(from.c_124 > From(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 6*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(from.c_125 > From(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(from.c_126 > From(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(from.c_127 > From(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt..."};
+        if (!(from.c_128 > From(0))) return {Status::outside_domain, "4*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2)) + 2*sqrt(k)/(sqrt(m)*sqrt(sqrt(..."};
+        if (!(from.c_129 > From(0))) return {Status::outside_domain, "2*sqrt(2)*sqrt(k)/sqrt(m) - 2*sqrt(2)*sqrt(k)/(sqrt(m)*sqrt(sqrt(2) + 2))"};
+        if (!(from.c_130 > From(0))) return {Status::outside_domain, "-2*sqrt(2)*sqrt(k)/sqrt(m) + 2*sqrt(k)*sqrt(sqrt(2) + 2)/sqrt(m)"};
+        if (!(from.c_131 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_132 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_133 > From(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // dtheta_1/dT
@@ -1796,7 +1811,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false, packs = false;
+        static constexpr bool flow = false, nested = false, steady = true, packs = true;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 3;
         static constexpr std::array<bool, 3> rounded{false, false, false};
@@ -1810,6 +1825,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
+        auto conditions() const { return std::array<Real, 13>{c.c_121, c.c_122, c.c_123, c.c_124, c.c_125, c.c_126, c.c_127, c.c_128, c.c_129, c.c_130, c.c_131, c.c_132, c.c_133}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

@@ -28,6 +28,7 @@
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -1030,56 +1031,70 @@ private:
         compute_constants_4(given_eps, parameters, start, c, w);
     }
 
-    template <class Number> static void keep_1(const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c, resonform::Keeper& keep) {
-        keep(scaled.eps, c.eps, "eps");
-        keep(scaled.c_3, c.c_3, "c_3 in psi");
-        keep(scaled.c_4, c.c_4, "c_4 in chi");
-        keep(scaled.c_6, c.c_6, "c_6 in w");
-        keep(scaled.c_7, c.c_7, "c_7 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
-        keep(scaled.c_8, c.c_8, "c_8 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
-        keep(scaled.c_9, c.c_9, "c_9 in w");
-        keep(scaled.c_10, c.c_10, "c_10 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
-        keep(scaled.c_11, c.c_11, "c_11 in -(b^2*w^2 - 4*w^4 + 4)");
-        keep(scaled.c_12, c.c_12, "c_12 in theta_dot");
-        keep(scaled.c_13, c.c_13, "c_13 in theta_dot");
-        keep(scaled.c_14, c.c_14, "c_14 in chi_dot");
-        keep(scaled.u_psi, c.u_psi, "u_psi");
-        keep(scaled.v_psi, c.v_psi, "v_psi");
-        keep(scaled.c_15, c.c_15, "c_15 in psi");
-        keep(scaled.c_16, c.c_16, "c_16 in psi");
-        keep(scaled.c_30, c.c_30, "c_30 in 2*b^2*w^2 - 9*w^4 + 9");
-        keep(scaled.c_36, c.c_36, "c_36 in psi");
+    template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
+        keep(from.eps, c.eps, "eps");
+        keep(from.c_3, c.c_3, "c_3 in psi");
+        keep(from.c_4, c.c_4, "c_4 in chi");
+        keep(from.c_6, c.c_6, "c_6 in w");
+        keep(from.c_7, c.c_7, "c_7 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
+        keep(from.c_8, c.c_8, "c_8 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
+        keep(from.c_9, c.c_9, "c_9 in w");
+        keep(from.c_10, c.c_10, "c_10 in b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)");
+        keep(from.c_11, c.c_11, "c_11 in -(b^2*w^2 - 4*w^4 + 4)");
+        keep(from.c_12, c.c_12, "c_12 in theta_dot");
+        keep(from.c_13, c.c_13, "c_13 in theta_dot");
+        keep(from.c_14, c.c_14, "c_14 in chi_dot");
+        keep(from.u_psi, c.u_psi, "u_psi");
+        keep(from.v_psi, c.v_psi, "v_psi");
+        keep(from.c_15, c.c_15, "c_15 in psi");
+        keep(from.c_16, c.c_16, "c_16 in psi");
+        keep(from.c_30, c.c_30, "c_30 in 2*b^2*w^2 - 9*w^4 + 9");
+        keep(from.c_36, c.c_36, "c_36 in psi");
     }
 
-    // The same in numbers of any range first; what has no place in Number is the answer.
-    template <class Number> static Cause keep_constants(
-            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        Constants<resonform::Scaled<Number>> scaled;
-        compute_constants(eps, parameters, start, scaled);
-        if (!(scaled.c_1 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w - 1"};
-        if (!(scaled.c_5 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-(b^2*w^2 - 4*w^4 + 4)"};
-        if (!(scaled.c_2 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w + 1"};
-        if (!(scaled.c_17 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
-        if (!(scaled.c_18 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w - 1"};
-        if (!(scaled.c_19 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "-(b^2*w^2 - 4*w^4 + 4)"};
-        if (!(scaled.c_20 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w + 1"};
-        if (!(scaled.c_21 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
-        if (!(scaled.c_22 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_23 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_24 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_25 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_26 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_27 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
-        if (!(scaled.c_28 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
-        if (!(scaled.c_29 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
-        if (!(scaled.c_31 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
-        if (!(scaled.c_32 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "2*b^2*w^2 - 9*w^4 + 9"};
-        if (!(scaled.c_33 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
-        if (!(scaled.c_34 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "psi"};
-        if (!(scaled.c_35 > resonform::Scaled<Number>(0))) return {Status::outside_domain, "w"};
+    // What has no place in Number is the answer.
+    template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
+        if (!(from.c_1 > From(0))) return {Status::outside_domain, "w - 1"};
+        if (!(from.c_5 > From(0))) return {Status::outside_domain, "-(b^2*w^2 - 4*w^4 + 4)"};
+        if (!(from.c_2 > From(0))) return {Status::outside_domain, "w + 1"};
+        if (!(from.c_17 > From(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
+        if (!(from.c_18 > From(0))) return {Status::outside_domain, "w - 1"};
+        if (!(from.c_19 > From(0))) return {Status::outside_domain, "-(b^2*w^2 - 4*w^4 + 4)"};
+        if (!(from.c_20 > From(0))) return {Status::outside_domain, "w + 1"};
+        if (!(from.c_21 > From(0))) return {Status::outside_domain, "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"};
+        if (!(from.c_22 > From(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(from.c_23 > From(0))) return {Status::outside_domain, "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(from.c_24 > From(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(from.c_25 > From(0))) return {Status::outside_domain, "b/2 + I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(from.c_26 > From(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(from.c_27 > From(0))) return {Status::outside_domain, "b/2 + 3*I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)"};
+        if (!(from.c_28 > From(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
+        if (!(from.c_29 > From(0))) return {Status::outside_domain, "sqrt(-b^2*w^2 + 4*w^4 - 4)/w"};
+        if (!(from.c_31 > From(0))) return {Status::outside_domain, "psi"};
+        if (!(from.c_32 > From(0))) return {Status::outside_domain, "2*b^2*w^2 - 9*w^4 + 9"};
+        if (!(from.c_33 > From(0))) return {Status::outside_domain, "psi"};
+        if (!(from.c_34 > From(0))) return {Status::outside_domain, "psi"};
+        if (!(from.c_35 > From(0))) return {Status::outside_domain, "w"};
         resonform::Keeper keep;
-        keep_1(scaled, c, keep);
+        keep_1(from, c, keep);
         return keep.cause;
+    }
+
+    // In numbers of any range, if a step leaves that of Number.
+    template <class Number> [[gnu::noinline]] static Cause keep_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
+            if (fits) return keep(c, c);
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            if (fits) return {};
+            Constants<resonform::Scaled<resonform::WideNumber<Real>>> scaled;
+            compute_constants(eps, parameters, start, scaled);
+            return keep(scaled, c);
+        } else { // side by side
+            return {fits ? Status::ok : Status::overflow, ""};
+        }
     }
 
     // The slow flow: dw/dT
@@ -1327,7 +1342,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true, packs = false;
+        static constexpr bool flow = true, nested = true, steady = false, packs = false;
         static constexpr std::array<std::size_t, 1> levels{1};
         static constexpr std::size_t columns = 1, angles = 2;
         static constexpr std::array<bool, 2> rounded{true, true};
@@ -1346,6 +1361,7 @@ private:
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
+        auto conditions() const { return std::array<Real, 21>{c.c_1, c.c_5, c.c_2, c.c_17, c.c_18, c.c_19, c.c_20, c.c_21, c.c_22, c.c_23, c.c_24, c.c_25, c.c_26, c.c_27, c.c_28, c.c_29, c.c_31, c.c_32, c.c_33, c.c_34, c.c_35}; }
         template <class Number> struct Angles {
             Constants<Number> c;
             Cause lost;

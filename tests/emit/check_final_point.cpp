@@ -288,6 +288,13 @@ TEST(SlowFinalPoint, WhereTheDomainEnds) {
 TEST(SlowFinalPoint, OfThreePhases) {
     EXPECT_EQ(wrong_points("three_oscillators_chain/third_order", "-DQUIET=true -DTURNS=false"), "");
 }
+// Constants whose products may leave the range of a double.
+TEST(SlowFinalPoint, OfCoefficientsManyDecadesApart) {
+    EXPECT_EQ(wrong_points("extreme_coefficients/free_oscillation", "-DQUIET=true -DTURNS=false"), "");
+}
+TEST(SlowFinalPoint, OfANearResonance) {
+    EXPECT_EQ(wrong_points("near_resonance/detuned", "-DQUIET=true -DTURNS=true"), "");
+}
 TEST(SlowFinalPoint, OfAFlow) {
     EXPECT_EQ(wrong_points("henon_heiles/third_order", "-DQUIET=false -DTURNS=false"), "");
 }

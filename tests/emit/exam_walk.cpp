@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Formulas as text that a loop walks, against the formulas.
+#include "algebra/number/binary_parts.hpp"
 #include "emit/cpp/walk.hpp"
+#include "runtime/twice.hpp"
 #include "runtime/walk.hpp"
 
+#include <cln/float.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <random>
 
 namespace resonform {
 namespace {
@@ -118,6 +122,51 @@ TEST(Walk, EveryKindOfOperation) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t k = 0; k < found.size(); ++k)
         EXPECT_NEAR(found[k], expected[k], 1e-15 * std::abs(expected[k])) << k;
+}
+
+template <class Real> Real walked_number(const Rational& value) {
+    Formula f;
+    StraightLine code(f.program);
+    const std::vector<Value> roots{code.number(value)};
+    const auto walk = cpp_walk(code, code.behind(roots, true), {}, roots);
+    EXPECT_TRUE(walk && walk->inputs.empty());
+    std::array<Real, 4> places{};
+    std::array<Real, 1> result{};
+    Walk<2, 0, Real>(places.data(), nullptr, walk->texts.at(0).c_str()).run();
+    Walk<2, 0, Real>(places.data(), nullptr, walk->list(roots).c_str()).copy_to(result);
+    return result[0];
+}
+
+// Exactly, for a Twice<Real> as well.
+Rational exact(double x) { return cln::rational(cln::cl_float(x)); }
+Rational exact(const Twice<double>& x) { return exact(x.high) + exact(x.low); }
+
+// Numbers whose parts have many digits: the double next to them, and all the digits of wider types.
+TEST(Walk, LongNumbers) {
+    std::mt19937_64 random(3);
+    std::vector<Rational> numbers;
+    for (int k = 0; k < 300; ++k) {
+        Integer n = 1, d = 1;
+        for (int j = 0; j < 1 + k % 4; ++j) {
+            n = n * (Integer(1) << 60) + static_cast<unsigned long>(random() >> 4);
+            d = d * (Integer(1) << 50) + static_cast<unsigned long>(random() >> 14);
+        }
+        numbers.push_back(Rational(k % 2 == 0 ? n : Integer(-n)) / d);
+    }
+    const Integer large = (Integer(1) << 90);
+    for (const int sign : {-1, 0, 1}) { // about powers of two, and halfway between doubles
+        numbers.push_back(Rational(large + sign));
+        numbers.push_back(Rational(1) / (large + sign * 3));
+        numbers.push_back(Rational((Integer(1) << 54) + 2) + Rational(sign) / large);
+    }
+    numbers.push_back(Rational(large) / 3 * cln::expt_pos(Integer(10), 200));
+    numbers.push_back(Rational(1) / (3 * cln::expt_pos(Integer(10), 200)));
+    for (const Rational& value : numbers) {
+        EXPECT_EQ(walked_number<double>(value),
+                  binary_parts(value, 1).parts[0] * std::ldexp(1.0, binary_parts(value, 1).exponent));
+        const Rational rest = cln::abs(exact(walked_number<Twice<double>>(value)) - value);
+        EXPECT_LE(rest * (Integer(1) << 104), cln::abs(value));
+    }
 }
 
 // More operands than a digit can tell, more places than two digits can tell.

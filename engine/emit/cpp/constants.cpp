@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/constants.hpp"
 
+#include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/function.hpp"
 #include "emit/cpp/names.hpp"
 
@@ -84,7 +85,7 @@ std::vector<std::string> CppConstants::kept_lines() const {
         next = k + 1;
         const auto place = std::lower_bound(plan_.listed.begin(), plan_.listed.end(), value);
         if (place == plan_.listed.end() || *place != value) {
-            lines.push_back(fmt::format("        keep(scaled.{0}, c.{0}, {1});\n", plan_.members.at(value),
+            lines.push_back(fmt::format("        keep(from.{0}, c.{0}, {1});\n", plan_.members.at(value),
                                         cpp_literal(reader)));
             continue;
         }
@@ -93,40 +94,41 @@ std::vector<std::string> CppConstants::kept_lines() const {
                plan_.kept[next] == std::pair{*end, reader};
              ++next)
             ++end;
-        lines.push_back(fmt::format("        keep(scaled.{0}, c.{0}, {1}, {2}, {3});\n", plan_.list_name,
+        lines.push_back(fmt::format("        keep(from.{0}, c.{0}, {1}, {2}, {3});\n", plan_.list_name,
                                     place - plan_.listed.begin(), end - plan_.listed.begin(),
                                     cpp_literal(reader)));
     }
     return lines;
 }
 
-// For powers of arguments beyond the range of Number: all constants in Scaled, then converted to Number.
+// For powers of arguments that may leave the range of Number: where they do, all constants are computed in
+// Scaled, then converted to Number.
 std::string CppConstants::kept_constants() const {
     if (plan_.range.native) return "";
     constexpr std::size_t longest = 200; // statements of a function
-    const std::string structs = "const Constants<resonform::Scaled<Number>>& scaled, Constants<Number>& c";
+    const auto head = [](const std::string& result, const std::string& name, const std::string& last) {
+        return fmt::format(
+            "    template <class From, class Number> static {} {}(const Constants<From>& from, "
+            "Constants<Number>& c{}) {{\n",
+            result, name, last);
+    };
     std::string text, calls;
     const std::vector<std::string> lines = kept_lines();
     for (std::size_t k = 0; k < lines.size(); k += longest) {
         const std::string name = fmt::format("keep_{}", k / longest + 1);
-        text += fmt::format("    template <class Number> static void {}({}, resonform::Keeper& keep) {{\n",
-                            name, structs);
+        text += head("void", name, ", resonform::Keeper& keep");
         for (std::size_t j = k; j < std::min(k + longest, lines.size()); ++j) text += lines[j];
         text += "    }\n\n";
-        calls += fmt::format("        {}(scaled, c, keep);\n", name);
+        calls += fmt::format("        {}(from, c, keep);\n", name);
     }
-    text += "    // The same in numbers of any range first; what has no place in Number is the answer.\n"
-            "    template <class Number> static Cause keep_constants(\n            const Real& eps, const "
-            "Parameters& parameters, const Start& start, Constants<Number>& c) {\n"
-            "        Constants<resonform::Scaled<Number>> scaled;\n"
-            "        compute_constants(eps, parameters, start, scaled);\n";
+    text += "    // What has no place in Number is the answer.\n" + head("Cause", "keep", "");
     for (const CppCondition& condition : plan_.constant_conditions)
-        text += fmt::format("        if (!(scaled.{} > resonform::Scaled<Number>(0))) return "
-                            "{{Status::outside_domain, {}}};\n",
+        text += fmt::format("        if (!(from.{} > From(0))) return {{Status::outside_domain, {}}};\n",
                             plan_.members.at(condition.value), cpp_literal(condition.quantity));
     for (const CppCallable& callable : plan_.callables)
-        text += fmt::format("        c.{0} = parameters.{0};\n", callable.name);
-    return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n";
+        text += fmt::format("        c.{0} = from.{0};\n", callable.name);
+    return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n" +
+           std::string(frames::keep_constants);
 }
 
 // Conditions on the start: products of many arguments, of which only the sign matters.

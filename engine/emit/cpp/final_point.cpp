@@ -62,7 +62,7 @@ std::string CppCourse::margins() const {
 
 // What must be > 0 at the start; no more than Real has a place for.
 std::string CppCourse::conditions() const {
-    if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
+    if (plan_.constant_conditions.empty()) return "";
     std::vector<StraightLine::Value> values;
     for (const CppCondition& condition : plan_.constant_conditions) values.push_back(condition.value);
     const std::string list = plan_.conditions_apart ? "start_conditions<Real>(eps, parameters, given)"
@@ -110,11 +110,15 @@ std::string CppCourse::print() const {
         program_.phases.empty() && program_.data.empty()
             ? ""
             : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
+    const bool steady = levels.empty() && program_.data.empty() &&
+                        std::none_of(plan_.phase_rates.begin(), plan_.phase_rates.end(),
+                                     [this](StraightLine::Value v) { return plan_.code.at(v).varying; });
     const bool no_data = program_.data.empty(), no_callables = plan_.callables.empty();
     return filled(
         frames::course,
         {{"flow", program_.flow.empty() ? "false" : "true"},
          {"nested", nested ? "true" : "false"},
+         {"steady", steady ? "true" : "false"},
          {"level_count", std::to_string(levels.size())},
          {"levels", fmt::format("{}", fmt::join(levels, ", "))},
          {"columns", std::to_string(plan_.columns_before(levels.size()))},
@@ -126,9 +130,7 @@ std::string CppCourse::print() const {
          {"rates", rates()},
          {"margins", margins()},
          {"conditions", conditions()},
-         {"packs", plan_.range.native && program_.flow.empty() && none_decays && no_data && no_callables
-                       ? "true"
-                       : "false"},
+         {"packs", program_.flow.empty() && none_decays && no_data && no_callables ? "true" : "false"},
          {"constants", constants},
          {"edges", no_data ? "" : "            decltype(Evaluator::edges(c)) edges;\n"},
          {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},

@@ -41,10 +41,10 @@ const char* const words[] = {
     "LITTLE_ENDIAN", "PDP_ENDIAN", "BYTE_ORDER", "EXIT_FAILURE", "EXIT_SUCCESS", "NFDBITS", "RAND_MAX",
     "MB_CUR_MAX", "BUFSIZ", "DOMAIN", "SING", "OVERFLOW", "UNDERFLOW", "PLOSS", "TLOSS", "X_TLOSS"};
 
-// Families of macros: M_PI, FP_NAN, HUGE_VAL, SNANF, FD_SET, WNOHANG, be16toh, ...
-const char* const prefixes[] = {"M_",    "FP_",   "HUGE", "SNAN",  "FD_",   "MATH_",    "WIF",  "WEXIT",
-                                "WSTOP", "WTERM", "WNO",  "WCONT", "WUNT",  "be16",     "be32", "be64",
-                                "le16",  "le32",  "le64", "htobe", "htole", "RESONFORM"};
+// Families of macros: M_PI, FP_NAN, FE_INVALID, HUGE_VAL, SNANF, FD_SET, WNOHANG, be16toh, ...
+const char* const prefixes[] = {"M_",    "FP_",   "FE_",   "HUGE", "SNAN",  "FD_",   "MATH_",    "WIF",
+                                "WEXIT", "WSTOP", "WTERM", "WNO",  "WCONT", "WUNT",  "be16",     "be32",
+                                "be64",  "le16",  "le32",  "le64", "htobe", "htole", "RESONFORM"};
 
 bool is_macro_family(const std::string& name) {
     return std::any_of(std::begin(prefixes), std::end(prefixes),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace resonform {
 
@@ -18,7 +19,17 @@ constexpr std::size_t base = 90;
 constexpr std::size_t most_operands = base - 1;
 
 // In the order of the walk's.
-enum class Walked { sum, sum_and_number, product, scaled_product, reciprocal, root, function, end };
+enum class Walked {
+    sum,
+    sum_and_number,
+    product,
+    scaled_product,
+    reciprocal,
+    root,
+    function,
+    end,
+    long_number
+};
 constexpr std::array walked_functions{Graph::Op::sin,
                                       Graph::Op::cos,
                                       Graph::Op::log,
@@ -44,6 +55,29 @@ std::string in_digits(std::size_t n, int digits) {
     return text;
 }
 
+// 2^exponent * sum of mantissas[k]/2^(53 k): the first is that of the double next to the number, and all
+// together are as many bits as binary_parts() has.
+struct LongNumber {
+    long exponent;
+    std::array<Integer, 7> mantissas;
+
+    explicit LongNumber(const Rational& value)
+        : exponent(static_cast<long>(cln::integer_length(cln::abs(cln::numerator(value)))) -
+                   static_cast<long>(cln::integer_length(cln::denominator(value))) - 53) {
+        Rational rest = exponent < 0 ? value * (Integer(1) << -exponent) : value / (Integer(1) << exponent);
+        if (cln::abs(rest) >= Integer(1) << 53) { // one bit too many
+            rest = rest / 2;
+            ++exponent;
+        }
+        for (Integer& mantissa : mantissas) {
+            mantissa = cln::round1(rest);
+            rest = (rest - mantissa) * (Integer(1) << 53);
+        }
+    }
+    // Does the exponent fit two digits, of which half are for negative ones?
+    [[nodiscard]] bool fits() const { return std::abs(exponent) < static_cast<long>(base * base / 2); }
+};
+
 // First in symbols, for the number of digits depends on how many places there are.
 class Walker {
 public:
@@ -58,7 +92,7 @@ public:
             if (is_input(v)) walk_.inputs.emplace_back(v, places_[v] = free_.take());
         for (std::size_t k = 0; k < order_.size(); ++k) {
             const Value v = order_[k];
-            if (is_input(v) || (is_number(v) && last_use_[v] < order_.size())) continue;
+            if (is_input(v) || (is_short_number(v) && last_use_[v] < order_.size())) continue;
             append(v);
             release(v, k);
         }
@@ -75,11 +109,14 @@ private:
     [[nodiscard]] bool is_number(Value v) const { return code_.at(v).op == Op::number; }
     [[nodiscard]] bool is_input(Value v) const {
         if (known_.contains(v)) return true;
-        const Rational& n = code_.at(v).number;
-        return is_number(v) && !(is_short(cln::numerator(n)) && is_short(cln::denominator(n)));
+        return is_number(v) && !is_short_number(v) && !LongNumber(code_.at(v).number).fits();
     }
     // A number that is written where it is used.
-    [[nodiscard]] bool is_short_number(Value v) const { return is_number(v) && !is_input(v); }
+    [[nodiscard]] bool is_short_number(Value v) const {
+        const Rational& n = code_.at(v).number;
+        return is_number(v) && !known_.contains(v) && is_short(cln::numerator(n)) &&
+               is_short(cln::denominator(n));
+    }
     [[nodiscard]] bool can_walk(Value v) const { return known_.contains(v) || can_be_walked(code_.at(v)); }
 
     void find_last_uses(const std::vector<Value>& roots) {
@@ -121,9 +158,22 @@ private:
     }
     std::size_t place(Value v) {
         if (const auto known = places_.find(v); known != places_.end()) return known->second;
-        const std::size_t place = places_[v] = free_.take(); // a number beside another one
-        put_sum(0, 0, &code_.at(v).number, place);
+        const std::size_t place = places_[v] = free_.take(); // a number beside another one, or a long one
+        const Rational& value = code_.at(v).number;
+        is_short_number(v) ? put_sum(0, 0, &value, place) : put_long_number(LongNumber(value), place);
         return place;
+    }
+    void put_long_number(const LongNumber& number, std::size_t to) {
+        const auto put_digits = [this](Integer n, int count) {
+            std::vector<std::size_t> list;
+            for (; count > 0; --count, n = cln::floor1(n, Integer(base)))
+                list.push_back(static_cast<std::size_t>(cln::cl_I_to_ulong(cln::mod(n, Integer(base)))));
+            for (auto d = list.rbegin(); d != list.rend(); ++d) put_digit(*d);
+        };
+        put(Walked::long_number);
+        put_index(to);
+        put_digits(Integer(number.exponent) + static_cast<long>(base * base / 2), 2);
+        for (const Integer& mantissa : number.mantissas) put_digits(mantissa + (Integer(1) << 53), 9);
     }
     void put_sum(std::size_t plus, std::size_t minus, const Rational* number, std::size_t to) {
         put(number != nullptr ? Walked::sum_and_number : Walked::sum);
